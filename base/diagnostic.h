@@ -1,0 +1,66 @@
+// What went wrong in the user's scene, as data. Printing is cli's (through grammar/source_map.h).
+#pragma once
+
+#include "base/source_span.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isl {
+
+enum class Severity { note, warning, error };
+
+/// A second place that explains the first ("opened here", "declared here").
+struct DiagnosticNote {
+  SourceSpan span;
+  std::string message;
+};
+
+/// One link of how execution came to the span, innermost first.
+struct ExpansionFrame {
+  enum class Kind { macro, include };
+  Kind kind = Kind::macro;
+  std::string name;
+  SourceSpan call;
+};
+
+/// Texts are in lower case, without a full stop, and say what was found.
+struct Diagnostic {
+  Severity severity = Severity::error;
+  SourceSpan span;  ///< empty when no place in the text is to blame
+  std::string message;
+  std::string hint;  ///< "did you mean `sphere`?", or what to do instead
+  std::vector<DiagnosticNote> notes;
+  std::vector<ExpansionFrame> chain;
+};
+
+/// Collects diagnostics in the order in which they arose.
+class DiagnosticSink {
+ public:
+  /// Errors after which reading a scene stops: more would bury the first ones.
+  static constexpr std::size_t kMaxErrors = 20;
+
+  void report(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::error) ++error_count_;
+    diagnostics_.push_back(std::move(diagnostic));
+  }
+  void error(SourceSpan span, std::string message, std::string hint = {}) {
+    report({Severity::error, span, std::move(message), std::move(hint), {}, {}});
+  }
+  void warning(SourceSpan span, std::string message, std::string hint = {}) {
+    report({Severity::warning, span, std::move(message), std::move(hint), {}, {}});
+  }
+
+  [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
+  [[nodiscard]] bool is_full() const { return error_count_ >= kMaxErrors; }
+  [[nodiscard]] std::size_t error_count() const { return error_count_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+  std::size_t error_count_ = 0;
+};
+
+}  // namespace isl

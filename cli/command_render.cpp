@@ -1,0 +1,148 @@
+// `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
+#include "cli/commands.h"
+#include "cli/content_hash.h"
+#include "cli/interrupt.h"
+#include "cli/output_files.h"
+#include "cli/progress.h"
+#include "cli/render_settings.h"
+#include "cli/report.h"
+#include "cli/statistics.h"
+#include "cli/stopwatch.h"
+#include "cli/version.h"
+#include "renderer/render.h"
+#include "renderer/tracer.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace isl::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExitCode tell(const OutputProblem& problem) {
+  print_error(problem.message);
+  return problem.code;
+}
+
+/// Before the scene is read: a slip in a name should not cost an hour of rendering.
+OutputProblem check_places(const RenderCommand& command, const std::vector<fs::path>& files) {
+  OutputProblem problem = check_outputs(files);
+  if (problem.none() && !command.picture.statistics.empty()) problem = check_place(command.picture.statistics);
+  return problem;
+}
+
+/// Of every text that the scene is made of, in the order in which they were read.
+std::uint64_t scene_hash(const grammar::SourceMap& sources) {
+  ContentHash hash;
+  std::uint32_t begin = 1;
+  while (sources.position(begin).line != 0) {
+    const std::string_view text = sources.text({begin, std::numeric_limits<std::uint32_t>::max()});
+    hash.add(text);
+    begin += static_cast<std::uint32_t>(text.size()) + 1;  // each file owns one offset past its last byte
+  }
+  return hash.value();
+}
+
+render::ImageFileOptions file_options(const RenderCommand& command, const RenderSettings& settings,
+                                      const Session& session) {
+  render::ImageFileOptions options;
+  options.metadata = {{"Software", fmt::format("isl {}", kVersion)},
+                      {"isl:Scene", session.name()},
+                      {"isl:SceneHash", fmt::format("{:016x}", scene_hash(session.sources()))},
+                      {"isl:Options", canonical_options(command, settings)}};
+  return options;
+}
+
+struct Picture {
+  render::RenderResult result;
+  double compile_seconds = 0;
+  std::size_t grid_bytes = 0;
+};
+
+Picture make_picture(const RenderCommand& command, RenderSettings settings, const scene::Database& database) {
+  Picture picture;
+  const Stopwatch compiling;
+  const render::Tracer tracer(database, settings.tracer);
+  picture.compile_seconds = compiling.seconds();
+  picture.grid_bytes = tracer.grid_bytes();
+
+  const bool shows_bar = isatty(STDERR_FILENO) != 0 && !command.picture.quiet;
+  ProgressBar bar(shows_bar ? stderr : nullptr);
+  settings.render.progress = [&bar](double done) { bar.update(done); };
+  settings.render.stop = &interrupt_flag();
+  picture.result = render::render(database, tracer, settings.render);
+  return picture;
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.string());
+  return names;
+}
+
+/// The last word: what was written, and for people how long it took.
+void tell_result(const RenderCommand& command, Session& session, const std::vector<fs::path>& files, bool complete,
+                 const nlohmann::ordered_json& statistics, double seconds) {
+  const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
+  if (command.scene.format == OutputFormat::json) {
+    print_document({{"diagnostics", problems_as_json(session)},
+                    {"outputs", names_of(files)},
+                    {"complete", complete},
+                    {"statistics", statistics}});
+  } else if (!complete) {
+    fmt::print(stderr, "isl: interrupted; what is done is in {}\n", names);
+  } else if (isatty(STDERR_FILENO) != 0 && !command.picture.quiet) {
+    fmt::print(stderr, "{}: {}x{} in {:.3g} s\n", names, command.scene.size.width, command.scene.size.height, seconds);
+  }
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  const Stopwatch whole;
+  Session session(command.scene);
+  if (!command.picture.simd.empty() && !render::Tracer::has_simd_target(command.picture.simd)) {
+    print_error(
+        fmt::format("--simd: this machine has no `{}`, or the program was built without it", command.picture.simd));
+    return ExitCode::command_line_error;
+  }
+  std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
+  if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
+  if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  if (command.scene.format == OutputFormat::text) print_problems(session);
+
+  const scene::Database& database = session.scene().database;
+  const RenderSettings settings = render_settings(command, database);
+  const Picture picture = make_picture(command, settings, database);
+  const bool complete = picture.result.complete;
+  if (!complete) {
+    for (fs::path& file : files) file = partial_name(file);
+  }
+  const Stopwatch writing;
+  const OutputProblem problem = write_outputs(files, picture.result.image, file_options(command, settings, session));
+  if (!problem.none()) return tell(problem);
+
+  const PhaseTimes times{.parse = session.parse_seconds(),
+                         .evaluate = session.evaluate_seconds(),
+                         .compile = picture.compile_seconds,
+                         .trace = picture.result.statistics.seconds,
+                         .write = writing.seconds()};
+  const MemoryUse memory{.database_bytes = database_bytes(database), .grid_bytes = picture.grid_bytes};
+  const nlohmann::ordered_json statistics =
+      statistics_json(summarise(database), times, settings, memory, picture.result.statistics);
+  tell_result(command, session, files, complete, statistics, whole.seconds());
+  if (!complete) return ExitCode::interrupted;
+  if (!command.picture.statistics.empty()) {
+    const OutputProblem unwritten = write_text(command.picture.statistics, statistics.dump(2) + "\n");
+    if (!unwritten.none()) return tell(unwritten);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace isl::cli

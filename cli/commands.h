@@ -1,0 +1,18 @@
+// What each command does. Errors have been told to the user when one returns.
+#pragma once
+
+#include "cli/exit_code.h"
+#include "cli/options.h"
+
+namespace isl::cli {
+
+/// Reads, evaluates, traces, writes the image files.
+[[nodiscard]] ExitCode run(const RenderCommand& command);
+
+/// Reads and evaluates; tells the problems, what the scene holds, its bounding box and a camera that sees it.
+[[nodiscard]] ExitCode run(const CheckCommand& command);
+
+/// Prints one stage of the way from text to picture.
+[[nodiscard]] ExitCode run(const DumpCommand& command);
+
+}  // namespace isl::cli

@@ -1,0 +1,26 @@
+// Diagnostics → what the user reads: lines on a terminal, or JSON for editors. The only place that gives them a form.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "grammar/source_map.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <string>
+
+namespace isl::cli {
+
+/// `file:line:column: error: message`, the line with a caret, hint, notes, and how execution came there (shortened in
+/// the middle when that is long). Control characters of the scene's text do not reach the terminal.
+[[nodiscard]] std::string format_diagnostic(const Diagnostic& diagnostic, const grammar::SourceMap& sources,
+                                            bool colour);
+
+/// Writes the same to a stream.
+void print(const Diagnostic& diagnostic, const grammar::SourceMap& sources, std::FILE* stream, bool colour);
+
+/// `{severity, message, hint, place, notes, chain}`; a place is `{file, line, column, end_line, end_column}` or null.
+/// What is no UTF-8 in file names and texts is replaced, so that the result can always be written.
+[[nodiscard]] nlohmann::json to_json(const Diagnostic& diagnostic, const grammar::SourceMap& sources);
+
+}  // namespace isl::cli

@@ -1,0 +1,29 @@
+// The program: the command line as data, then the command that it names.
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+
+#include <cstdio>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace isl::cli {
+namespace {
+
+ExitCode run(const Finished& finished) {
+  std::fputs(finished.text.c_str(), finished.code == ExitCode::done ? stdout : stderr);
+  return finished.code;
+}
+
+ExitCode run_any(const Command& command) {
+  return std::visit([](const auto& chosen) { return run(chosen); }, command);
+}
+
+}  // namespace
+}  // namespace isl::cli
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  isl::cli::catch_interrupts();
+  return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
+}

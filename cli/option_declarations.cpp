@@ -1,0 +1,177 @@
+#include "cli/option_declarations.h"
+
+#include "cli/version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace isl::cli {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::max();
+
+/// Layers of an EXR in canonical order.
+constexpr std::array<std::string_view, 6> kLayers{"depth", "position", "normal", "albedo", "primitive", "samples"};
+
+constexpr std::string_view kFooter =
+    "Exit codes: 0 done, 1 the scene has errors, 2 the command line has, 3 a file could not be read or written,\n"
+    "            130 interrupted";
+
+/// An option whose text `parse` turns into a value for `store`; said twice, the last one counts.
+template <class Parse, class Store>
+CLI::Option* add(CLI::App& app, const std::string& names, const std::string& type, const std::string& help, Parse parse,
+                 Store store) {
+  const auto read = [names, parse, store](const std::string& text) {
+    const auto parsed = parse(text);
+    if (!parsed.ok())
+      throw BadValue{names.substr(names.find("--") == std::string::npos ? 0 : names.find("--")), parsed.message()};
+    store(parsed.value());
+  };
+  return app.add_option_function<std::string>(names, read, help)->type_name(type)->take_last();
+}
+
+/// An option that may be given again and again, with one value each time.
+template <class T>
+CLI::Option* add_list(CLI::App& app, const std::string& names, const std::string& type, const std::string& help,
+                      std::vector<T>& values) {
+  return app.add_option(names, values, help)->type_name(type)->allow_extra_args(false);
+}
+
+auto integer_from(std::int64_t low, std::int64_t high) {
+  return [low, high](const std::string& text) { return parse_integer(text, low, high); };
+}
+
+auto number_from(double low, double high) {
+  return [low, high](const std::string& text) { return parse_number(text, low, high); };
+}
+
+Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
+  std::vector<std::string> asked;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    if (std::find(kLayers.begin(), kLayers.end(), name) == kLayers.end()) {
+      return Parsed<std::vector<std::string>>::error(
+          fmt::format("unknown layer `{}`; there are {}", name, fmt::join(kLayers, ", ")));
+    }
+    asked.emplace_back(name);
+    begin = end + 1;
+  }
+  std::vector<std::string> layers;  // canonical order, each once
+  for (const std::string_view layer : kLayers) {
+    if (std::find(asked.begin(), asked.end(), layer) != asked.end()) layers.emplace_back(layer);
+  }
+  return layers;
+}
+
+void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::string>& defines, std::string& format) {
+  app.add_option("SCENE", scene.scene, "The scene's file, .isl or .pov; `-` is standard input")
+      ->type_name("")
+      ->required();
+  const std::string group = "The scene";
+  add_list(app, "-I,--include", "DIR", "Search includes here too, after the including file's folder",
+           scene.include_paths)
+      ->group(group);
+  add_list(app, "-D,--define", "NAME=VALUE", "Set a number or string before the scene's first line", defines)
+      ->group(group);
+  app.add_flag("--lenient", scene.lenient, "What isl does not have is skipped with a warning, not an error")
+      ->group(group);
+  add(app, "--clock", "T", "The variable clock [0]", number_from(-kUnbounded, kUnbounded), [&scene](double v) {
+    scene.clock = v;
+  })->group(group);
+  add(app, "--frame", "N", "The variable frame_number [0]", integer_from(0, std::numeric_limits<int>::max()),
+      [&scene](std::int64_t v) { scene.frame = static_cast<int>(v); })
+      ->group(group);
+  app.add_option("--format", format, "How results and problems are told: text, or one JSON document [text]")
+      ->type_name("text|json")
+      ->group(group);
+
+  const std::string limits = "Limits against runaway scripts";
+  interpreter::Limits& limit = scene.limits;
+  add(app, "--max-depth", "N", "Nesting of macro calls and blocks [1000]", integer_from(1, 100'000),
+      [&limit](std::int64_t v) { limit.max_depth = static_cast<std::size_t>(v); })
+      ->group(limits);
+  add(app, "--max-turns", "N", "Turns of all loops [1e9]", number_from(0, kUnbounded), [&limit](double v) {
+    limit.max_turns = v;
+  })->group(limits);
+  add(app, "--max-primitives", "N", "Solids and blob components [1e7]", number_from(0, kUnbounded), [&limit](double v) {
+    limit.max_primitives = v;
+  })->group(limits);
+  add(app, "--max-memory", "SIZE", "Memory of the evaluated scene, 4G or a share of the machine's [75%]", parse_memory,
+      [&limit](std::size_t v) { limit.max_memory_bytes = v; })
+      ->group(limits);
+  add(app, "--max-include-depth", "N", "Includes within includes [32]", integer_from(1, 1000),
+      [&limit](std::int64_t v) { limit.max_include_depth = static_cast<std::size_t>(v); })
+      ->group(limits);
+}
+
+void add_picture_options(CLI::App& app, PictureOptions& picture) {
+  std::string group = "The picture";
+  add_list(app, "-o,--output", "FILE", "png exr tif jpg ppm hdr, by extension; may be given again [<scene name>.png]",
+           picture.outputs)
+      ->group(group);
+  app.add_flag("--alpha", picture.alpha, "The background is transparent")->group(group);
+  add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}", fmt::join(kLayers, " ")),
+      parse_layers, [&picture](const std::vector<std::string>& v) { picture.layers = v; })
+      ->group(group);
+  add(app, "--crop", "X0,Y0,X1,Y1", "Render these pixels only, X1 and Y1 not included", parse_crop,
+      [&picture](const std::array<int, 4>& v) { picture.crop = v; })
+      ->group(group);
+
+  group = "Quality";
+  add(app, "--aa", "T", "Neighbours that differ by more than T get 16 samples [0.1]", number_from(0, kUnbounded),
+      [&picture](double v) { picture.aa_threshold = v; })
+      ->group(group);
+  add(app, "--samples", "N", "Exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
+      [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); })
+      ->group(group);
+  add(app, "--quality", "0..11", "POV-Ray's levels: up to 1 quick colours, from 4 shadows [9]", integer_from(0, 11),
+      [&picture](std::int64_t v) { picture.quality = static_cast<int>(v); })
+      ->group(group);
+  add(app, "--solver", "NAME", "hermite (certified), paper or paper:K (as published), exact [hermite]", parse_solver,
+      [&picture](const SolverChoice& v) { picture.solver = v; })
+      ->group(group);
+  add(app, "--tolerance", "T", "Error of a surface point, in pixels (0.05px) or scene units (1e-4) [0.05px]",
+      parse_tolerance, [&picture](const render::Tolerance& v) { picture.tolerance = v; })
+      ->group(group);
+
+  group = "The run";
+  add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&picture](std::int64_t v) {
+    picture.threads = static_cast<int>(v);
+  })->group(group);
+  app.add_option("--simd", picture.simd, "Use this vector instruction set, e.g. AVX2 [the best there is]")
+      ->type_name("TARGET")
+      ->group(group);
+  app.add_option("--stats", picture.statistics, "Write times and counts here as JSON")
+      ->type_name("FILE.json")
+      ->group(group);
+  app.add_flag("-q,--quiet", picture.quiet, "No progress bar and no closing line")->group(group);
+}
+
+}  // namespace
+
+void declare_options(CLI::App& app, RawOptions& raw) {
+  app.require_subcommand(1);
+  app.set_version_flag("--version", fmt::format("isl {}", kVersion));
+  app.footer(std::string(kFooter));
+
+  CLI::App* const render = app.add_subcommand("render", "Render a scene to image files");
+  CLI::App* const check = app.add_subcommand("check", "Read and evaluate a scene; tell its problems and what it holds");
+  CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
+  for (CLI::App* const command : {render, check, dump}) {
+    command->allow_extras();  // so that our own messages name them
+    add_scene_options(*command, raw.scene, raw.defines, raw.format);
+    SceneOptions& scene = raw.scene;
+    add(*command, "-s,--size", "WxH", "Size of the picture in pixels [800x600]", parse_size,
+        [&scene](const PictureSize& v) { scene.size = v; })
+        ->group("The picture");
+  }
+  add_picture_options(*render, raw.picture);
+  dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,76 @@
+// The values of options as the user writes them: `640x480`, `0.05px`, `paper:3`, `75%`. Text in, value or complaint
+// out; knows nothing of which option asks, so that the same readers serve the command line and `global_settings`.
+#pragma once
+
+#include "renderer/tracer.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace isl::cli {
+
+/// A value, or why the text is none: lower case, no full stop, says what was found.
+template <class T>
+class Parsed {
+ public:
+  Parsed(T value) : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: a value is a result
+  static Parsed error(std::string message) { return Parsed(std::in_place_index<1>, std::move(message)); }
+
+  [[nodiscard]] bool ok() const { return state_.index() == 0; }
+  [[nodiscard]] const T& value() const { return std::get<0>(state_); }
+  [[nodiscard]] const std::string& message() const { return std::get<1>(state_); }
+
+ private:
+  Parsed(std::in_place_index_t<1> at, std::string message) : state_(at, std::move(message)) {}
+  std::variant<T, std::string> state_;
+};
+
+/// Pixels across and down.
+struct PictureSize {
+  int width = 800;
+  int height = 600;
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+struct SolverChoice {
+  render::SolverName name = render::SolverName::hermite;
+  int interpolants = 2;  ///< of `paper:K`
+};
+
+/// A variable set before the scene's first line.
+using Define = std::pair<std::string, std::variant<double, std::string>>;
+
+/// A whole number from `low` to `high`.
+[[nodiscard]] Parsed<std::int64_t> parse_integer(std::string_view text, std::int64_t low, std::int64_t high);
+
+/// A finite number of at least `low` and at most `high`.
+[[nodiscard]] Parsed<double> parse_number(std::string_view text, double low, double high);
+
+/// `WxH`, each from 1 to 65536.
+[[nodiscard]] Parsed<PictureSize> parse_size(std::string_view text);
+
+/// `X0,Y0,X1,Y1` in pixels from the top left corner: columns X0 … X1 − 1, rows Y0 … Y1 − 1.
+[[nodiscard]] Parsed<std::array<int, 4>> parse_crop(std::string_view text);
+
+/// `hermite`, `paper`, `paper:K` or `exact`.
+[[nodiscard]] Parsed<SolverChoice> parse_solver(std::string_view text);
+
+/// `0.05px` (pixels) or `1e-4` (scene units); positive and finite.
+[[nodiscard]] Parsed<render::Tolerance> parse_tolerance(std::string_view text);
+
+/// `NAME=VALUE`: a number where VALUE reads as one, else a string; quotes around a string are taken off.
+[[nodiscard]] Parsed<Define> parse_define(std::string_view text);
+
+/// Bytes: `75%` of this machine's memory, or `4G`, `512M`, `100K`, or a plain number.
+[[nodiscard]] Parsed<std::size_t> parse_memory(std::string_view text);
+
+/// The way back, as the user would write it; shortest text that reads as the same number.
+[[nodiscard]] std::string to_text(const SolverChoice& solver);
+[[nodiscard]] std::string to_text(const render::Tolerance& tolerance);
+
+}  // namespace isl::cli

@@ -1,0 +1,173 @@
+// CLI11 reads the arguments; the messages are ours, so that all read alike.
+#include "cli/options.h"
+
+#include "cli/option_declarations.h"
+#include "cli/povray_switches.h"
+#include "grammar/suggest.h"
+#include "renderer/image/image_file.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace isl::cli {
+namespace {
+
+constexpr std::array<std::string_view, 3> kCommands{"render", "check", "dump"};
+
+Finished bad_command_line(std::string_view message, std::string_view hint = {}) {
+  std::string text = fmt::format("isl: error: {}\n", message);
+  if (!hint.empty()) text += fmt::format("  hint: {}\n", hint);
+  return {ExitCode::command_line_error, std::move(text)};
+}
+
+/// "did you mean", or the list where it is short enough to help.
+std::string similar_option(const CLI::App& app, const std::string& unknown) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto found = grammar::closest(unknown.substr(0, unknown.find('=')), views);
+  return found ? fmt::format("did you mean `{}`?", *found)
+               : fmt::format("`isl {} --help` lists the options", app.get_name());
+}
+
+std::optional<Finished> check_rest(const CLI::App& app, const SceneOptions& scene) {
+  for (const std::string& rest : app.remaining()) {
+    if (rest.size() > 1 && rest.front() == '-') {
+      return bad_command_line(fmt::format("unknown option `{}`", rest), similar_option(app, rest));
+    }
+  }
+  if (!app.remaining().empty()) {
+    return bad_command_line(
+        fmt::format("one scene at a time: found `{}` after `{}`", app.remaining().front(), scene.scene.string()));
+  }
+  return std::nullopt;
+}
+
+std::optional<Finished> finish_scene_options(const std::vector<std::string>& defines, const std::string& format,
+                                             SceneOptions& scene) {
+  for (const std::string& text : defines) {
+    const auto define = parse_define(text);
+    if (!define.ok()) return bad_command_line("-D: " + define.message());
+    scene.defines.push_back(define.value());
+  }
+  if (format != "text" && format != "json") {
+    return bad_command_line(fmt::format("--format: expected text or json, found `{}`", format));
+  }
+  scene.format = format == "json" ? OutputFormat::json : OutputFormat::text;
+  return std::nullopt;
+}
+
+std::optional<Finished> check_picture_options(const SceneOptions& scene, const PictureOptions& picture) {
+  if (picture.crop && ((*picture.crop)[2] > scene.size.width || (*picture.crop)[3] > scene.size.height)) {
+    return bad_command_line(fmt::format("--crop: {} reaches beyond the picture of {}x{} pixels",
+                                        fmt::join(*picture.crop, ","), scene.size.width, scene.size.height));
+  }
+  if (picture.solver && picture.solver->name == render::SolverName::exact && picture.tolerance) {
+    return bad_command_line("--tolerance: the solver exact has none of its own", "leave out one of the two");
+  }
+  const auto is_exr = [](const std::filesystem::path& file) { return render::image_format_of(file.string()) == "exr"; };
+  if (!picture.layers.empty() && std::none_of(picture.outputs.begin(), picture.outputs.end(), is_exr)) {
+    return bad_command_line("--aov: only an .exr file holds layers", "add `-o NAME.exr`");
+  }
+  return std::nullopt;
+}
+
+/// Complaints of CLI11 itself, all of one kind here: an option without its value.
+Finished from_cli11(const CLI::Error& error) {
+  const std::string what = error.what();
+  return bad_command_line(fmt::format("{} needs a value", what.substr(0, what.find(':'))));
+}
+
+std::optional<Finished> check_first_word(std::span<const std::string> arguments) {
+  if (arguments.empty()) return bad_command_line("no command given", "isl render SCENE; `isl --help` tells more");
+  if (const auto switches = find_povray_switches(arguments)) {
+    std::string hint = fmt::format("here it is: {}", switches->equivalent);
+    if (!switches->ignored.empty()) hint += fmt::format("  ({}: no counterpart)", switches->ignored);
+    return bad_command_line(fmt::format("`{}` is a switch of POV-Ray's", switches->first), hint);
+  }
+  const std::string& word = arguments.front();
+  if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end())
+    return std::nullopt;
+  std::string hint = fmt::format("there are {}", fmt::join(kCommands, ", "));
+  if (word.ends_with(".isl") || word.ends_with(".pov")) {
+    hint = "isl render " + word;
+  } else if (word == "test") {
+    hint = "`./isl test` in a source checkout builds and runs the tests";
+  } else if (const auto similar = grammar::closest(word, kCommands)) {
+    hint = fmt::format("did you mean `{}`?", *similar);
+  }
+  return bad_command_line(fmt::format("unknown command `{}`", word), hint);
+}
+
+/// Lets CLI11 read the arguments; what it throws becomes an answer.
+std::optional<Finished> parse(CLI::App& app, std::span<const std::string> arguments) {
+  // Before the command there is nothing but --help and --version.
+  const auto unknown_option = [](const std::string& option) {
+    return bad_command_line(fmt::format("unknown option `{}`", option), "isl render SCENE; `isl --help` tells more");
+  };
+  try {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // CLI11 takes them from the back
+    app.parse(reversed);
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    return Finished{ExitCode::done, app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return Finished{ExitCode::done, std::string(version.what()) + "\n"};
+  } catch (const BadValue& bad) {
+    return bad_command_line(fmt::format("{}: {}", bad.option, bad.message));
+  } catch (const CLI::RequiredError&) {
+    if (app.get_subcommands().empty()) return unknown_option(arguments.front());
+    return bad_command_line("no scene given", fmt::format("isl {} SCENE", app.get_subcommands().front()->get_name()));
+  } catch (const CLI::ExtrasError&) {
+    return unknown_option(arguments.front());
+  } catch (const CLI::Error& error) {
+    return from_cli11(error);
+  }
+}
+
+std::optional<DumpStage> stage_named(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, DumpStage>, 4> kStages{{{"tokens", DumpStage::tokens},
+                                                                           {"ast", DumpStage::ast},
+                                                                           {"database", DumpStage::database},
+                                                                           {"grid", DumpStage::grid}}};
+  for (const auto& [stage_name, stage] : kStages) {
+    if (stage_name == name) return stage;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Command parse_command_line(std::span<const std::string> arguments) {
+  if (auto finished = check_first_word(arguments)) return *std::move(finished);
+
+  CLI::App app("Renders scenes of implicit surfaces, written in a small language in the style of POV-Ray's.", "isl");
+  RawOptions raw;
+  raw.scene.limits.max_memory_bytes = parse_memory("75%").value();
+  declare_options(app, raw);
+  if (auto finished = parse(app, arguments)) return *std::move(finished);
+
+  const CLI::App& command = *app.get_subcommands().front();
+  SceneOptions& scene = raw.scene;
+  if (auto finished = check_rest(command, scene)) return *std::move(finished);
+  if (auto finished = finish_scene_options(raw.defines, raw.format, scene)) return *std::move(finished);
+  if (command.get_name() == "check") return CheckCommand{std::move(scene)};
+  if (command.get_name() == "render") {
+    if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);
+    return RenderCommand{std::move(scene), std::move(raw.picture)};
+  }
+  const std::optional<DumpStage> stage = stage_named(raw.stage);
+  if (!stage) {
+    return bad_command_line(fmt::format("--stage: expected tokens, ast, database or grid, found `{}`", raw.stage));
+  }
+  return DumpCommand{std::move(scene), *stage};
+}
+
+}  // namespace isl::cli

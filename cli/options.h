@@ -1,0 +1,78 @@
+// The command line as data. Reads the arguments and checks what can be checked without touching a file; runs nothing.
+#pragma once
+
+#include "cli/exit_code.h"
+#include "cli/option_values.h"
+#include "interpreter/evaluate.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace isl::cli {
+
+enum class OutputFormat : std::uint8_t { text, json };
+
+/// What every command that reads a scene takes.
+struct SceneOptions {
+  std::filesystem::path scene;  ///< "-" is standard input
+  std::vector<std::filesystem::path> include_paths;
+  std::vector<Define> defines;
+  interpreter::Limits limits;
+  bool lenient = false;
+  double clock = 0;
+  int frame = 0;
+  PictureSize size;  ///< scenes ask for image_width and image_height
+  OutputFormat format = OutputFormat::text;
+};
+
+/// What `isl render` takes besides. An empty optional means: not said, so the scene or the default decides.
+struct PictureOptions {
+  std::vector<std::filesystem::path> outputs;  ///< empty: `<scene name>.png`
+  int threads = 0;                             ///< 0: all cores
+  std::optional<int> samples;
+  double aa_threshold = 0.1;
+  int quality = 9;
+  bool alpha = false;
+  std::optional<SolverChoice> solver;
+  std::optional<render::Tolerance> tolerance;
+  std::string simd;                 ///< "": the best that the machine has
+  std::vector<std::string> layers;  ///< names of --aov, each once, in canonical order
+  std::optional<std::array<int, 4>> crop;
+  std::filesystem::path statistics;  ///< "": none
+  bool quiet = false;
+};
+
+struct RenderCommand {
+  SceneOptions scene;
+  PictureOptions picture;
+};
+
+struct CheckCommand {
+  SceneOptions scene;
+};
+
+enum class DumpStage : std::uint8_t { tokens, ast, database, grid };
+
+struct DumpCommand {
+  SceneOptions scene;
+  DumpStage stage = DumpStage::ast;
+};
+
+/// Nothing is left to do but to print: help, the version, or what is wrong with the arguments.
+struct Finished {
+  ExitCode code = ExitCode::done;
+  std::string text;  ///< for standard output when `code` is done, else for standard error
+};
+
+using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, Finished>;
+
+/// `arguments` are those after the program's name.
+[[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);
+
+}  // namespace isl::cli

@@ -1,0 +1,72 @@
+#include "cli/session.h"
+
+#include "base/check.h"
+#include "cli/interrupt.h"
+#include "cli/search_path.h"
+#include "cli/stopwatch.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace isl::cli {
+
+Session::Session(const SceneOptions& options)
+    : options_(options),
+      loader_(sources_, symbols_, arena_, sink_, {.include_paths = include_search_path(options.include_paths)}) {}
+
+std::string Session::name() const { return options_.scene == "-" ? "stdin" : options_.scene.stem().string(); }
+
+std::string Session::display_name() const { return options_.scene == "-" ? "standard input" : options_.scene.string(); }
+
+const grammar::Unit& Session::unit() const {
+  ISL_CHECK(unit_ != nullptr);
+  return *unit_;
+}
+
+const interpreter::EvaluatedScene& Session::scene() const {
+  ISL_CHECK(scene_.has_value());
+  return *scene_;
+}
+
+ExitCode Session::load() {
+  const Stopwatch stopwatch;
+  unit_ = loader_.load_scene(options_.scene);
+  parse_seconds_ = stopwatch.seconds();
+  if (unit_ == nullptr) return ExitCode::file_error;  // nothing to parse: missing, closed to us, or no text
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
+ExitCode Session::evaluate() {
+  if (const ExitCode code = load(); code != ExitCode::done) return code;
+  interpreter::EvaluateOptions options;
+  options.limits = options_.limits;
+  options.defines = options_.defines;
+  options.lenient = options_.lenient;
+  options.clock = options_.clock;
+  options.frame = options_.frame;
+  options.image_width = options_.size.width;
+  options.image_height = options_.size.height;
+  options.print_debug = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
+  options.stop = &interrupt_flag();
+
+  const Stopwatch stopwatch;
+  scene_ = interpreter::evaluate(loader_, symbols_, *unit_, options, sink_);
+  evaluate_seconds_ = stopwatch.seconds();
+  if (interrupt_flag()) return ExitCode::interrupted;
+  if (!sink_.has_errors()) check_result();
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
+/// What only the whole scene can tell.
+void Session::check_result() {
+  const scene::Database& database = scene_->database;
+  const auto complain = [this](const auto& parsed) {
+    if (!parsed.ok()) sink_.error({}, "global_settings: " + parsed.message());
+  };
+  if (!database.settings.solver.empty()) complain(parse_solver(database.settings.solver));
+  if (!database.settings.tolerance.empty()) complain(parse_tolerance(database.settings.tolerance));
+  if (database.objects.empty()) sink_.warning({}, fmt::format("{} holds no object", display_name()));
+}
+
+}  // namespace isl::cli

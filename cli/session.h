@@ -1,0 +1,64 @@
+// One scene, read and evaluated once: what every command starts with. Owns everything that spans and symbols point
+// into.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "grammar/arena.h"
+#include "grammar/loader.h"
+#include "grammar/source_map.h"
+#include "grammar/symbols.h"
+#include "interpreter/evaluate.h"
+
+#include <optional>
+#include <string>
+
+namespace isl::cli {
+
+class Session {
+ public:
+  explicit Session(const SceneOptions& options);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Parses the scene's file. Anything but `done`: it could not be read or has syntax errors.
+  ExitCode load();
+
+  /// load() and then evaluate; `interrupted` after Ctrl-C.
+  ExitCode evaluate();
+
+  /// Precondition: load() got as far as a unit, evaluate() as far as a database.
+  [[nodiscard]] const grammar::Unit& unit() const;
+  [[nodiscard]] const interpreter::EvaluatedScene& scene() const;
+
+  [[nodiscard]] const SceneOptions& options() const { return options_; }
+  [[nodiscard]] DiagnosticSink& sink() { return sink_; }
+  [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
+  [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
+
+  /// What names the picture: the file's name without folder and extension; "stdin" for standard input.
+  [[nodiscard]] std::string name() const;
+  /// As the user gave it, for messages.
+  [[nodiscard]] std::string display_name() const;
+
+  /// Seconds of load() and evaluate(); files included are read and parsed while evaluating.
+  [[nodiscard]] double parse_seconds() const { return parse_seconds_; }
+  [[nodiscard]] double evaluate_seconds() const { return evaluate_seconds_; }
+
+ private:
+  void check_result();
+
+  const SceneOptions& options_;
+  grammar::SourceMap sources_;
+  grammar::SymbolTable symbols_;
+  grammar::Arena arena_;
+  DiagnosticSink sink_;
+  grammar::Loader loader_;
+  const grammar::Unit* unit_ = nullptr;
+  std::optional<interpreter::EvaluatedScene> scene_;
+  double parse_seconds_ = 0;
+  double evaluate_seconds_ = 0;
+};
+
+}  // namespace isl::cli

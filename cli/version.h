@@ -1,0 +1,8 @@
+// The program's version; the build hands it over from the project's CMakeLists.txt.
+#pragma once
+
+namespace isl::cli {
+
+inline constexpr const char* kVersion = ISL_VERSION;
+
+}  // namespace isl::cli

@@ -1,0 +1,12 @@
+# What every target of ours is compiled with. Link isl::options privately.
+#
+# -ffp-contract=off: a fused multiply-add rounds once where the other targets round twice; pictures must not depend on the
+# machine. -fno-math-errno and -fno-trapping-math change no value; -ffast-math is never used.
+add_library(isl_options INTERFACE)
+add_library(isl::options ALIAS isl_options)
+target_include_directories(isl_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+target_compile_features(isl_options INTERFACE cxx_std_20)
+target_compile_options(isl_options INTERFACE
+  -ffp-contract=off -fno-math-errno -fno-trapping-math
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  $<$<BOOL:${ISL_WERROR}>:-Werror>)

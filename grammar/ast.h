@@ -1,0 +1,170 @@
+// The abstract syntax tree: what the parser makes and the evaluator walks. Nodes live in an Arena (grammar/arena.h), are
+// immutable once parsed, own nothing, and point into it. They know expressions, brackets and directives and no object:
+// `sphere { … }` is a Block whose word happens to be `sphere`.
+//
+// A body is a sequence of *items*: elements (expressions, words, blocks, entries, arrays, functions), directives, commas and
+// semicolons, in source order. Executing it yields a stream of evaluated elements (interpreter/element_stream.h).
+#pragma once
+
+#include "base/source_span.h"
+#include "grammar/symbols.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace isl::grammar {
+
+enum class NodeKind : std::uint8_t {
+  // Expressions.
+  number, string, constant, name, index, call, function_call, dot, vector, unary, binary, conditional,
+  // Other elements.
+  word, block, entry, array, function, comma, semicolon,
+  // Directives.
+  declare, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
+  fopen, fclose, read, write,
+  // What stands where the text could not be parsed; evaluates to nothing, silently: it was reported.
+  error,
+};
+
+struct Node {
+  NodeKind kind;
+  SourceSpan span;
+};
+
+using Items = std::span<const Node* const>;
+
+// ---- Expressions ----------------------------------------------------------------------------------------------------
+
+struct Number : Node { double value; };
+
+/// `text` has its escapes resolved; `raw` is what stands between the quotes (file names do not interpret escapes).
+struct String : Node { std::string_view text; std::string_view raw; };
+
+/// A reserved word with a value: `x y z u v t pi clock on off yes no true false version tau …`.
+struct Constant : Node { Symbol word; };
+
+/// An identifier: variable, macro (only as a callee), or one of our contextual words.
+struct Name : Node { Symbol name; };
+
+/// `base[index]`; base is a Name or an Index.
+struct Index : Node { const Node* base; const Node* subscript; };
+
+/// One actual argument: the items between commas; a lone Name or Index goes by reference. `(Q)` arrives as a Unary plus of
+/// Q, so that it goes by value.
+using Argument = Items;
+
+/// `callee(a, b)`: a macro, a user function or a spline. The callee is a Name or an Index.
+struct Call : Node { const Node* callee; std::span<const Argument> arguments; };
+
+/// `sin(a)`: a built-in function, reserved.
+struct FunctionCall : Node { Symbol function; std::span<const Argument> arguments; };
+
+/// `base.item`: x y z u v t red green blue filter transmit gray (and an element name of a later dictionary).
+struct Dot : Node { const Node* base; Symbol item; };
+
+/// `<a, b, …>`, one to five coordinates.
+struct Vector : Node { std::span<const Node* const> coordinates; };
+
+enum class UnaryOp : std::uint8_t { plus, minus, logical_not };
+struct Unary : Node { UnaryOp op; const Node* operand; };
+
+enum class BinaryOp : std::uint8_t {
+  add, subtract, multiply, divide, less, greater, equal, less_equal, greater_equal, not_equal, logical_and, logical_or,
+};
+struct Binary : Node { BinaryOp op; const Node* left; const Node* right; SourceSpan op_span; };
+
+/// `condition ? yes : no`; both arms are evaluated, as in POV-Ray.
+struct Conditional : Node { const Node* condition; const Node* yes; const Node* no; };
+
+// ---- Other elements -------------------------------------------------------------------------------------------------
+
+/// A reserved word that stands alone: `no_shadow`, `rgb`, `translate`, `sphere` without its brace …
+struct Word : Node { Symbol word; };
+
+/// `word { items }`; with word == kNoSymbol a bare `{ items }`. The word may be an identifier (contextual words).
+struct Block : Node { Symbol word; SourceSpan word_span; Items items; };
+
+/// `[ items ]`, an entry of a map.
+struct Entry : Node { Items items; };
+
+/// `array[2][3] { items }`.
+struct Array : Node { std::span<const Node* const> dimensions; bool initialised; Items items; };
+
+/// `function(a, b) { body }`. The body is one expression (precedence of its own, resolved by the parser) or one Block
+/// (`pattern {}`, `pigment {}`, `transform {}`, `spline {}`, `internal(n)`); `function w, h { pattern }` keeps w and h in `size`.
+struct Function : Node {
+  bool has_parameters;
+  std::span<const Symbol> parameters;
+  std::span<const Node* const> size;
+  Items body;
+};
+
+// ---- Directives -----------------------------------------------------------------------------------------------------
+
+/// `#declare target = value` / `#local`. `value` is one expression, block, array, function or directive; a run of
+/// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions.
+/// A semicolon after it is an item of its own in the enclosing list.
+struct Declare : Node { bool local; const Node* target; Items value; };
+
+/// `#undef target`.
+struct Undef : Node { const Node* target; };
+
+/// `#if (condition) then #else otherwise #end`; `#elseif` is a nested If in `otherwise`.
+struct If : Node { const Node* condition; Items then; Items otherwise; };
+
+/// `#ifdef (target)`, with `negated` for `#ifndef`.
+struct Ifdef : Node { bool negated; const Node* target; Items then; Items otherwise; };
+
+/// `#if (c) prelude… merge { #else prelude… union { #end items }`: the one unbalanced idiom that libraries use.
+/// Executes one prelude, then yields a block named by the word of the branch taken, over `items`.
+struct IfBlock : Node {
+  const Node* condition;
+  Items then_prelude;
+  Symbol then_word;
+  Items else_prelude;
+  Symbol else_word;
+  Items items;
+};
+
+struct While : Node { const Node* condition; Items body; };
+
+/// `#for (variable, start, end, step)`; step may be null (1).
+struct For : Node { Symbol variable; const Node* start; const Node* end; const Node* step; Items body; };
+
+/// A `#case (low)` (high is null) or a `#range (low, high)`. Cases fall through, as in C.
+struct SwitchCase { SourceSpan span; const Node* low; const Node* high; Items body; };
+struct Switch : Node { const Node* subject; std::span<const SwitchCase> cases; bool has_default; Items otherwise; };
+
+struct Break : Node {};
+
+/// A macro's body that opens or closes what is not its own is one Error.
+struct Macro : Node { Symbol name; SourceSpan name_span; std::span<const Symbol> parameters; Items body; };
+
+struct Include : Node { const Node* path; };
+
+struct Version : Node { const Node* value; };
+
+/// `#default { texture {} … }`.
+struct Default : Node { Items items; };
+
+enum class MessageKind : std::uint8_t { debug, warning, error };
+struct Message : Node { MessageKind level; const Node* text; };
+
+/// `#fopen handle path read|write|append`.
+struct Fopen : Node { Symbol handle; const Node* path; Symbol mode; };
+struct Fclose : Node { Symbol handle; };
+struct Read : Node { Symbol handle; std::span<const Argument> targets; };
+struct Write : Node { Symbol handle; std::span<const Argument> values; };
+
+/// What could not be parsed. With a message it has not been reported yet and is an error when it is reached, at `span`
+/// (the body of a macro that pastes unbalanced brackets); without one it was reported and evaluates to nothing.
+struct Error : Node { std::string_view message; };
+
+/// A checked downcast; the kind is the caller's to have looked at.
+template <class T>
+[[nodiscard]] const T& as(const Node& node) {
+  return static_cast<const T&>(node);
+}
+
+}  // namespace isl::grammar

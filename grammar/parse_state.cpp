@@ -1,0 +1,185 @@
+#include "grammar/parse_state.h"
+
+#include "grammar/syntax_messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace isl::grammar {
+namespace {
+
+std::uint32_t highest(std::initializer_list<std::uint32_t> heights) { return std::max(heights); }
+
+}  // namespace
+
+Tree ParseState::too_high(SourceSpan span) {
+  // One is enough: what it is part of is as high, too.
+  if (!too_high_reported_) {
+    sink_.error(span, fmt::format("more than {} operations and brackets within one another", max_height_),
+                "declare parts of it first");
+  }
+  too_high_reported_ = true;
+  return mistake(span);
+}
+
+Tree ParseState::string(SourceSpan span, TextLiteral literal) {
+  return make<String>(NodeKind::string, span, 0, literal.text, literal.raw);
+}
+
+Tree ParseState::index(SourceSpan span, Tree base, Tree subscript) {
+  return make<Index>(NodeKind::index, span, highest({base.height, subscript.height}), base.node, subscript.node);
+}
+
+Tree ParseState::call(SourceSpan span, Tree callee, const ArgumentList& arguments) {
+  return make<Call>(NodeKind::call, span, highest({callee.height, arguments.height}), callee.node,
+                    arena_.copy(arguments.arguments));
+}
+
+Tree ParseState::function_call(SourceSpan span, Symbol function, const ArgumentList& arguments) {
+  return make<FunctionCall>(NodeKind::function_call, span, arguments.height, function,
+                            arena_.copy(arguments.arguments));
+}
+
+Tree ParseState::vector(SourceSpan span, const TreeList& coordinates) {
+  return make<Vector>(NodeKind::vector, span, coordinates.height, arena_.copy(coordinates.nodes));
+}
+
+Tree ParseState::unary(SourceSpan span, UnaryOp op, Tree operand) {
+  return make<Unary>(NodeKind::unary, span, operand.height, op, operand.node);
+}
+
+Tree ParseState::binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree left, Tree right) {
+  return make<Binary>(NodeKind::binary, span, highest({left.height, right.height}), op, left.node, right.node, op_span);
+}
+
+Tree ParseState::conditional(SourceSpan span, Tree condition, Tree yes, Tree no) {
+  return make<Conditional>(NodeKind::conditional, span, highest({condition.height, yes.height, no.height}),
+                           condition.node, yes.node, no.node);
+}
+
+Tree ParseState::parenthesised(SourceSpan span, Tree condition) {
+  const NodeKind kind = condition.node->kind;
+  const bool is_variable = kind == NodeKind::name || kind == NodeKind::index;
+  return is_variable ? unary(span, UnaryOp::plus, condition) : condition;
+}
+
+Tree ParseState::block(SourceSpan span, Symbol word, SourceSpan word_span, const TreeList& items) {
+  return make<Block>(NodeKind::block, span, items.height, word, word_span, arena_.copy(items.nodes));
+}
+
+Tree ParseState::entry(SourceSpan span, const TreeList& items) {
+  return make<Entry>(NodeKind::entry, span, items.height, arena_.copy(items.nodes));
+}
+
+Tree ParseState::array(SourceSpan span, const TreeList& dimensions, bool initialised, const TreeList& items) {
+  return make<Array>(NodeKind::array, span, highest({dimensions.height, items.height}), arena_.copy(dimensions.nodes),
+                     initialised, arena_.copy(items.nodes));
+}
+
+Tree ParseState::function(SourceSpan span, bool has_parameters, const SymbolList& parameters, const TreeList& size,
+                          const TreeList& body) {
+  return make<Function>(NodeKind::function, span, body.height, has_parameters, arena_.copy(parameters),
+                        arena_.copy(size.nodes), arena_.copy(body.nodes));
+}
+
+Tree ParseState::declare(SourceSpan span, bool local, Tree target, const TreeList& value) {
+  return make<Declare>(NodeKind::declare, span, highest({target.height, value.height}), local, target.node,
+                       arena_.copy(value.nodes));
+}
+
+Tree ParseState::if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise) {
+  return make<If>(NodeKind::if_, span, highest({condition.height, then.height, otherwise.height}), condition.node,
+                  arena_.copy(then.nodes), arena_.copy(otherwise.nodes));
+}
+
+Tree ParseState::ifdef(SourceSpan span, bool negated, Tree target, const TreeList& then, const TreeList& otherwise) {
+  return make<Ifdef>(NodeKind::ifdef, span, highest({target.height, then.height, otherwise.height}), negated,
+                     target.node, arena_.copy(then.nodes), arena_.copy(otherwise.nodes));
+}
+
+Tree ParseState::if_block(SourceSpan span, Tree condition, const OpenBranch& then, const OpenBranch& otherwise,
+                          const TreeList& items) {
+  return make<IfBlock>(NodeKind::if_block, span,
+                       highest({condition.height, then.prelude.height, otherwise.prelude.height, items.height}),
+                       condition.node, arena_.copy(then.prelude.nodes), then.word, arena_.copy(otherwise.prelude.nodes),
+                       otherwise.word, arena_.copy(items.nodes));
+}
+
+Tree ParseState::while_(SourceSpan span, Tree condition, const TreeList& body) {
+  return make<While>(NodeKind::while_, span, highest({condition.height, body.height}), condition.node,
+                     arena_.copy(body.nodes));
+}
+
+Tree ParseState::for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tree step, const TreeList& body) {
+  return make<For>(NodeKind::for_, span, highest({start.height, end.height, step.height, body.height}), variable,
+                   start.node, end.node, step.node, arena_.copy(body.nodes));
+}
+
+Tree ParseState::switch_(SourceSpan span, Tree subject, const CaseList& cases, bool has_default,
+                         const TreeList& otherwise) {
+  return make<Switch>(NodeKind::switch_, span, highest({subject.height, cases.height, otherwise.height}), subject.node,
+                      arena_.copy(cases.cases), has_default, arena_.copy(otherwise.nodes));
+}
+
+Tree ParseState::macro(SourceSpan span, Symbol name, SourceSpan name_span, const SymbolList& parameters,
+                       const TreeList& body) {
+  return make<Macro>(NodeKind::macro, span, body.height, name, name_span, arena_.copy(parameters),
+                     arena_.copy(body.nodes));
+}
+
+Tree ParseState::default_(SourceSpan span, const TreeList& items) {
+  return make<Default>(NodeKind::default_, span, items.height, arena_.copy(items.nodes));
+}
+
+Tree ParseState::message(SourceSpan span, MessageKind level, Tree text) {
+  return make<Message>(NodeKind::message, span, text.height, level, text.node);
+}
+
+Tree ParseState::fopen(SourceSpan span, Symbol handle, Tree path, Symbol mode) {
+  return make<Fopen>(NodeKind::fopen, span, path.height, handle, path.node, mode);
+}
+
+Tree ParseState::read(SourceSpan span, Symbol handle, const ArgumentList& targets) {
+  return make<Read>(NodeKind::read, span, targets.height, handle, arena_.copy(targets.arguments));
+}
+
+Tree ParseState::write(SourceSpan span, Symbol handle, const ArgumentList& values) {
+  return make<Write>(NodeKind::write, span, values.height, handle, arena_.copy(values.arguments));
+}
+
+TreeList ParseState::pair(Tree first, Tree second) {
+  TreeList list;
+  list.push(first);
+  list.push(second);
+  return list;
+}
+
+TreeList ParseState::join(Tree first, const TreeList& rest) {
+  TreeList list;
+  list.push(first);
+  list.nodes.insert(list.nodes.end(), rest.nodes.begin(), rest.nodes.end());
+  list.height = std::max(list.height, rest.height);
+  return list;
+}
+
+ArgumentList ParseState::with_argument(ArgumentList list, const TreeList& argument) {
+  list.arguments.push_back(arena_.copy(argument.nodes));
+  list.height = std::max(list.height, argument.height);
+  return list;
+}
+
+CaseList ParseState::with_case(CaseList list, SourceSpan span, Tree low, Tree high, const TreeList& body) {
+  list.cases.push_back({span, low.node, high.node, arena_.copy(body.nodes)});
+  list.height = highest({list.height, low.height, high.height, body.height});
+  return list;
+}
+
+void ParseState::syntax_error(Parser::symbol_kind_type found, SourceSpan span,
+                              std::span<const Parser::symbol_kind_type> expected) {
+  SyntaxMessage text = syntax_message(found, map_.text(span), expected);
+  sink_.error(span, std::move(text.message), std::move(text.hint));
+}
+
+}  // namespace isl::grammar

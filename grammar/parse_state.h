@@ -1,0 +1,116 @@
+// Makes the nodes that the grammar's rules name, and keeps the result. One a parse; the rules in parser.yy call it and
+// decide nothing themselves. Knows the shapes of ast.h and no text.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "grammar/arena.h"
+#include "grammar/ast.h"
+#include "grammar/parse_values.h"
+#include "grammar/parser.hh"
+#include "grammar/source_map.h"
+#include "grammar/text_literal.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace isl::grammar {
+
+/// A branch of `#if (c) … merge { #else … union { #end`.
+struct OpenBranch {
+  TreeList prelude;
+  Symbol word;
+};
+
+class ParseState {
+ public:
+  /// Trees higher than `max_height` are errors.
+  ParseState(const SourceMap& map, Arena& arena, DiagnosticSink& sink, std::uint32_t max_height)
+      : map_(map), arena_(arena), sink_(sink), max_height_(max_height) {}
+
+  void finish(const TreeList& items) { items_ = arena_.copy(items.nodes); }
+  [[nodiscard]] Items items() const { return items_; }
+
+  // Expressions.
+  Tree number(SourceSpan span, double value) { return make<Number>(NodeKind::number, span, 0, value); }
+  Tree string(SourceSpan span, TextLiteral literal);
+  Tree constant(SourceSpan span, Symbol word) { return make<Constant>(NodeKind::constant, span, 0, word); }
+  Tree name(SourceSpan span, Symbol name) { return make<Name>(NodeKind::name, span, 0, name); }
+  Tree index(SourceSpan span, Tree base, Tree subscript);
+  Tree call(SourceSpan span, Tree callee, const ArgumentList& arguments);
+  Tree function_call(SourceSpan span, Symbol function, const ArgumentList& arguments);
+  Tree dot(SourceSpan span, Tree base, Symbol item) {
+    return make<Dot>(NodeKind::dot, span, base.height, base.node, item);
+  }
+  Tree vector(SourceSpan span, const TreeList& coordinates);
+  Tree unary(SourceSpan span, UnaryOp op, Tree operand);
+  Tree binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree left, Tree right);
+  Tree conditional(SourceSpan span, Tree condition, Tree yes, Tree no);
+  /// The condition itself, except that a lone variable becomes a value (ast.h, Argument).
+  Tree parenthesised(SourceSpan span, Tree condition);
+
+  // Other elements.
+  Tree word(SourceSpan span, Symbol word) { return make<Word>(NodeKind::word, span, 0, word); }
+  Tree block(SourceSpan span, Symbol word, SourceSpan word_span, const TreeList& items);
+  Tree entry(SourceSpan span, const TreeList& items);
+  Tree array(SourceSpan span, const TreeList& dimensions, bool initialised, const TreeList& items);
+  Tree function(SourceSpan span, bool has_parameters, const SymbolList& parameters, const TreeList& size,
+                const TreeList& body);
+  Tree comma(SourceSpan span) { return mark(NodeKind::comma, span); }
+  Tree semicolon(SourceSpan span) { return mark(NodeKind::semicolon, span); }
+
+  // Directives.
+  Tree declare(SourceSpan span, bool local, Tree target, const TreeList& value);
+  Tree undef(SourceSpan span, Tree target) { return make<Undef>(NodeKind::undef, span, target.height, target.node); }
+  Tree if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise);
+  Tree ifdef(SourceSpan span, bool negated, Tree target, const TreeList& then, const TreeList& otherwise);
+  Tree if_block(SourceSpan span, Tree condition, const OpenBranch& then, const OpenBranch& otherwise,
+                const TreeList& items);
+  Tree while_(SourceSpan span, Tree condition, const TreeList& body);
+  Tree for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tree step, const TreeList& body);
+  Tree switch_(SourceSpan span, Tree subject, const CaseList& cases, bool has_default, const TreeList& otherwise);
+  Tree break_(SourceSpan span) { return make<Break>(NodeKind::break_, span, 0); }
+  Tree macro(SourceSpan span, Symbol name, SourceSpan name_span, const SymbolList& parameters, const TreeList& body);
+  Tree include(SourceSpan span, Tree path) { return make<Include>(NodeKind::include, span, path.height, path.node); }
+  Tree version(SourceSpan span, Tree value) { return make<Version>(NodeKind::version, span, value.height, value.node); }
+  Tree default_(SourceSpan span, const TreeList& items);
+  Tree message(SourceSpan span, MessageKind level, Tree text);
+  Tree fopen(SourceSpan span, Symbol handle, Tree path, Symbol mode);
+  Tree fclose(SourceSpan span, Symbol handle) { return make<Fclose>(NodeKind::fclose, span, 0, handle); }
+  Tree read(SourceSpan span, Symbol handle, const ArgumentList& targets);
+  Tree write(SourceSpan span, Symbol handle, const ArgumentList& values);
+
+  // Lists.
+  TreeList pair(Tree first, Tree second);
+  TreeList join(Tree first, const TreeList& rest);
+  ArgumentList with_argument(ArgumentList list, const TreeList& argument);
+  CaseList with_case(CaseList list, SourceSpan span, Tree low, Tree high, const TreeList& body);
+
+  // Mistakes.
+  Tree mistake(SourceSpan span) { return make<Error>(NodeKind::error, span, 0, std::string_view{}); }
+  Tree unparsed(SourceSpan span, TextLiteral message) { return make<Error>(NodeKind::error, span, 0, message.text); }
+  void syntax_error(Parser::symbol_kind_type found, SourceSpan span,
+                    std::span<const Parser::symbol_kind_type> expected);
+  /// What the parser itself cannot go on from.
+  void failure(SourceSpan span, const std::string& message) { sink_.error(span, message); }
+
+ private:
+  /// A node over children of at most the given height.
+  template <class T, class... Fields>
+  Tree make(NodeKind kind, SourceSpan span, std::uint32_t children_height, Fields... fields) {
+    if (children_height >= max_height_) return too_high(span);
+    return {arena_.create(T{{kind, span}, fields...}), children_height + 1};
+  }
+  /// A node that is nothing but its kind.
+  Tree mark(NodeKind kind, SourceSpan span) { return {arena_.create(Node{kind, span}), 1}; }
+  Tree too_high(SourceSpan span);
+
+  const SourceMap& map_;
+  Arena& arena_;
+  DiagnosticSink& sink_;
+  std::uint32_t max_height_;
+  bool too_high_reported_ = false;
+  Items items_;
+};
+
+}  // namespace isl::grammar

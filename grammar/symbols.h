@@ -1,0 +1,53 @@
+// Interned names. Reserved words come first and in the order of words.def, so that each is a compile-time constant
+// (`word::kw_sphere`) and comparing words is comparing integers.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace isl::grammar {
+
+/// The number of an interned name; valid for the SymbolTable that made it.
+enum class Symbol : std::uint32_t {};
+inline constexpr Symbol kNoSymbol{0xFFFFFFFFu};
+
+/// How the grammar treats a reserved word. `identifier` is every name that is not reserved.
+enum class WordClass : std::uint8_t { identifier, keyword, colour, texture, function, constant, array, function_literal };
+
+namespace word {
+enum Index : std::uint32_t {
+#define ISL_WORD(name, word_class) kIndex_##name,
+#include "grammar/words.def"
+#undef ISL_WORD
+  kReservedCount
+};
+#define ISL_WORD(name, word_class) inline constexpr Symbol kw_##name{kIndex_##name};
+#include "grammar/words.def"
+#undef ISL_WORD
+}  // namespace word
+
+/// Texts by symbol and symbols by text. Not thread-safe; one a scene.
+class SymbolTable {
+ public:
+  SymbolTable();
+  SymbolTable(const SymbolTable&) = delete;
+  SymbolTable& operator=(const SymbolTable&) = delete;
+
+  [[nodiscard]] Symbol intern(std::string_view text);
+  [[nodiscard]] std::string_view text(Symbol symbol) const { return texts_[static_cast<std::uint32_t>(symbol)]; }
+  [[nodiscard]] WordClass word_class(Symbol symbol) const;
+  [[nodiscard]] std::size_t size() const { return texts_.size(); }
+
+ private:
+  std::deque<std::string> storage_;
+  std::vector<std::string_view> texts_;
+  std::unordered_map<std::string_view, Symbol> symbols_;
+};
+
+[[nodiscard]] constexpr bool is_reserved(Symbol symbol) { return static_cast<std::uint32_t>(symbol) < word::kReservedCount; }
+
+}  // namespace isl::grammar

@@ -1,0 +1,109 @@
+#include "grammar/text_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+namespace isl::grammar {
+namespace {
+
+/// Text has no control characters but the ones that shape lines and the end mark of DOS; of a stray one in an old scene
+/// we make nothing, of one in 32 bytes on average (random bytes have one in 9) that it is no text. Foreign code pages
+/// pass: their letters are no control characters.
+constexpr std::size_t kBytesPerControl = 32;
+
+bool is_control(char character) {
+  static constexpr std::string_view kHarmless = "\t\n\v\f\r\x1A";
+  const auto byte = static_cast<unsigned char>(character);
+  return (byte < 0x20 || byte == 0x7F) && kHarmless.find(character) == std::string_view::npos;
+}
+
+void look_for_text(TextFile& file) {
+  const std::string_view text = file.text;
+  const auto controls = static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_control));
+  if (controls * kBytesPerControl <= text.size()) return;
+  file.trouble = "not a text file";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) file.hint = "it is UTF-16; save it as UTF-8";
+}
+
+FileStamp stamp_from(const struct stat& status) {
+  return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino),
+          static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+std::string explain(int code) { return std::generic_category().message(code); }
+
+/// Reads until the end; a file that grows meanwhile is still limited.
+void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      file.trouble = explain(errno);
+      return;
+    }
+    if (count == 0) return look_for_text(file);
+    file.text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (file.text.size() > max_bytes) {
+      file.trouble = fmt::format("larger than {} bytes", max_bytes);
+      return;
+    }
+  }
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  ~Descriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return value_; }
+
+ private:
+  int value_;
+};
+
+}  // namespace
+
+TextFile read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  TextFile file;
+  // Without O_NONBLOCK, opening a pipe would wait for a writer before it could be refused.
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  struct stat status {};
+  if (descriptor.get() < 0 || ::fstat(descriptor.get(), &status) != 0) {
+    file.exists = errno != ENOENT && errno != ENOTDIR;
+    file.trouble = explain(errno);
+    return file;
+  }
+  file.exists = true;
+  file.stamp = stamp_from(status);
+  if (!S_ISREG(status.st_mode)) {
+    file.trouble = S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file";
+    return file;
+  }
+  read_all(descriptor.get(), max_bytes, file);
+  return file;
+}
+
+TextFile read_standard_input(std::size_t max_bytes) {
+  TextFile file{.text = {}, .trouble = {}, .hint = {}, .exists = true, .stamp = {}};
+  read_all(STDIN_FILENO, max_bytes, file);
+  return file;
+}
+
+FileStamp stamp_of(const std::filesystem::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? stamp_from(status) : FileStamp{};
+}
+
+}  // namespace isl::grammar

@@ -1,0 +1,28 @@
+// Operators on numeric values. The shorter operand is promoted as POV-Ray does: a number fills all terms, a vector is
+// padded with zeros. Pure functions; who reports errors is the caller.
+#pragma once
+
+#include "grammar/ast.h"
+#include "interpreter/value.h"
+
+namespace isl::interpreter {
+
+/// `value` with at least `count` terms: a number in each, or a vector padded with zeros. A longer one stays.
+[[nodiscard]] inline Value promoted(const Value& value, int count) {
+  if (value.term_count() >= count) return value;
+  Value::Terms terms = value.terms();
+  if (value.is_number()) terms.fill(0);
+  for (int i = 0; i < count && value.is_number(); ++i) terms[i] = value.number();
+  return {count, terms};
+}
+
+/// a op b for + − * /, componentwise. Division by zero is as IEEE has it; the caller warns.
+[[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Value& a, const Value& b);
+
+/// Comparison and logic of two numbers, 0 or 1.
+[[nodiscard]] double compare(grammar::BinaryOp op, double a, double b);
+
+/// How the operator is written.
+[[nodiscard]] std::string_view spelling(grammar::BinaryOp op);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,146 @@
+#include "interpreter/arrays.h"
+
+#include "interpreter/element_stream.h"
+#include "interpreter/expressions.h"
+#include "interpreter/readers/rvalue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::Node;
+using grammar::NodeKind;
+
+/// POV-Ray's limit, and ours on arrays within arrays: copying and freeing them recurses.
+constexpr std::size_t kMaxDimensions = 5;
+constexpr int kMaxArrayDepth = 32;
+
+int depth_of(const Value& value) {
+  if (value.kind() != ValueKind::array) return 0;
+  int deepest = 0;
+  for (const Slot* element : value.as<ArrayValue>().elements) deepest = std::max(deepest, depth_of(element->value));
+  return deepest + 1;
+}
+
+void initialise(ElementStream& stream, ArrayValue& array, std::size_t dimension, std::size_t first) {
+  Context& context = stream.context();
+  std::size_t stride = 1;
+  for (std::size_t d = dimension + 1; d < array.dimensions.size(); ++d) stride *= array.dimensions[d];
+  const std::size_t wanted = array.dimensions[dimension];
+  std::size_t found = 0;
+  while (!stream.peek().is(ElementKind::end)) {
+    const Element element = stream.peek();
+    const std::size_t place = first + found * stride;
+    if (++found > wanted) {
+      context.fail(element.span,
+                   fmt::format("more initialisers than the {} that this dimension of the array has", wanted));
+    }
+    if (dimension + 1 < array.dimensions.size()) {
+      if (!element.is_block(grammar::kNoSymbol))
+        context.fail(element.span, "expected `{` with the next dimension's initialisers");
+      ElementStream inner(context, stream.take());
+      initialise(inner, array, dimension + 1, place);
+    } else {
+      Value value = read_rvalue(stream);
+      check_array_nesting(context, value, element.span);
+      array.elements[place]->value = std::move(value);
+    }
+    stream.accept_comma();
+  }
+  if (found != wanted) {
+    context.fail(stream.span(), fmt::format("this dimension of the array has {} elements, found {} initialiser{}",
+                                            wanted, found, found == 1 ? "" : "s"));
+  }
+}
+
+std::size_t element_count(Context& context, const Node& node) {
+  const double size = evaluate_number(context, node);
+  if (!(size + kTolerance >= 1))
+    context.fail(node.span, fmt::format("an array's size must be at least 1, found {:g}", size));
+  if (size > 1e12) context.fail(node.span, fmt::format("an array of {:g} elements is too large", size));
+  return static_cast<std::size_t>(size + kTolerance);
+}
+
+std::size_t evaluate_index(Context& context, const Node& node, std::size_t size) {
+  const double index = evaluate_number(context, node) + kTolerance;
+  if (!(index >= 0 && index < static_cast<double>(size))) {
+    context.fail(node.span, fmt::format("index {:g} is outside of 0 to {}", index, size - 1));
+  }
+  return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+void check_array_nesting(Context& context, const Value& element, SourceSpan span) {
+  if (depth_of(element) >= kMaxArrayDepth)
+    context.fail(span, fmt::format("arrays are nested deeper than {}", kMaxArrayDepth));
+}
+
+Value make_array(Context& context, const grammar::Array& node) {
+  if (node.dimensions.size() > kMaxDimensions) {
+    context.fail(node.span,
+                 fmt::format("an array has at most {} dimensions, found {}", kMaxDimensions, node.dimensions.size()));
+  }
+  std::vector<std::size_t> dimensions;
+  double total = 1;
+  for (const Node* dimension : node.dimensions) {
+    dimensions.push_back(element_count(context, *dimension));
+    total *= static_cast<double>(dimensions.back());
+  }
+  constexpr double kBytesAnElement = sizeof(Slot) + sizeof(Slot*);
+  context.check_memory(node.span,
+                       total > 1e17 ? static_cast<std::size_t>(-1) : static_cast<std::size_t>(total * kBytesAnElement));
+  Ref<ArrayValue> array = make_shared_value<ArrayValue>(std::move(dimensions), context.scopes.slots(), context.memory);
+  if (node.initialised) {
+    ElementStream stream(context, node.items, node.span);
+    initialise(stream, *array, 0, 0);
+  }
+  return {ValueKind::array, array};
+}
+
+Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared) {
+  // The common case first: A[i] of one dimension.
+  if (node.base->kind == NodeKind::name) {
+    Slot* const base = context.scopes.find(as<grammar::Name>(*node.base).name);
+    if (base && base->value.kind() == ValueKind::array && base->value.as<ArrayValue>().dimensions.size() == 1) {
+      // The subscript may change what the name stands for; the array stays as long as the value is held.
+      const Value keep = base->value;
+      ArrayValue& array = keep.as<ArrayValue>();
+      return array.elements[evaluate_index(context, *node.subscript, array.elements.size())];
+    }
+  }
+  // A[i][j] is Index(Index(A, i), j): the subscripts come off from the last.
+  std::vector<const Node*> subscripts;
+  const Node* base = &node;
+  while (base->kind == NodeKind::index) {
+    subscripts.push_back(as<grammar::Index>(*base).subscript);
+    base = as<grammar::Index>(*base).base;
+  }
+  Slot* slot = may_be_undeclared ? find_slot_if_declared(context, *base) : &find_slot(context, *base);
+  if (!slot) return nullptr;
+  while (!subscripts.empty()) {
+    if (slot->value.kind() == ValueKind::poison) throw Failed{};
+    if (slot->value.kind() != ValueKind::array) {
+      if (may_be_undeclared) return nullptr;
+      context.fail(base->span, fmt::format("only an array has elements, found {}", describe(slot->value)));
+    }
+    ArrayValue& array = slot->value.as<ArrayValue>();
+    if (subscripts.size() < array.dimensions.size()) {
+      context.fail(node.span, fmt::format("the array has {} dimensions, found {} index{}", array.dimensions.size(),
+                                          subscripts.size(), subscripts.size() == 1 ? "" : "es"));
+    }
+    std::size_t place = 0;
+    for (const std::size_t size : array.dimensions) {
+      place = place * size + evaluate_index(context, *subscripts.back(), size);
+      subscripts.pop_back();
+    }
+    slot = array.elements[place];
+  }
+  return slot;
+}
+
+}  // namespace isl::interpreter

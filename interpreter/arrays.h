@@ -1,0 +1,18 @@
+// `array[2][3] { … }` and `A[i][j]`: making arrays and finding their elements.
+#pragma once
+
+#include "interpreter/context.h"
+
+namespace isl::interpreter {
+
+/// A new array, its initialiser evaluated; sizes and counts are checked.
+[[nodiscard]] Value make_array(Context& context, const grammar::Array& node);
+
+/// The slot of an element. Null where `may_be_undeclared` and the array itself is not declared or has too few
+/// dimensions; everything else that is wrong (no array, an index out of range) fails.
+[[nodiscard]] Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared);
+
+/// Fails for an element that would nest arrays too deeply.
+void check_array_nesting(Context& context, const Value& element, SourceSpan span);
+
+}  // namespace isl::interpreter

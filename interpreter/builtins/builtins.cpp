@@ -1,0 +1,175 @@
+#include "interpreter/builtins/builtins.h"
+
+#include "interpreter/arithmetic.h"
+#include "interpreter/element_stream.h"
+#include "interpreter/expressions.h"
+#include "interpreter/readers/rvalue.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::Node;
+using grammar::NodeKind;
+namespace word = grammar::word;
+
+using Table = std::array<const Builtin*, word::kReservedCount>;
+
+Table make_table() {
+  Table table{};
+  for (const auto functions : {float_functions(), vector_functions(), string_functions()}) {
+    for (const Builtin& function : functions) table[static_cast<std::uint32_t>(function.name)] = &function;
+  }
+  return table;
+}
+
+/// Puts the values of the arguments on the context's stack of values, and takes them off again.
+class ArgumentValues {
+ public:
+  ArgumentValues(Context& context, const grammar::FunctionCall& call) : context_(context), begin_(values().size()) {
+    try {
+      for (const grammar::Argument& argument : call.arguments) read(argument, call.span);
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  ~ArgumentValues() { release(); }
+  ArgumentValues(const ArgumentValues&) = delete;
+  ArgumentValues& operator=(const ArgumentValues&) = delete;
+
+  [[nodiscard]] std::span<const Value> span() const {
+    return std::span<const Value>(context_.argument_values).subspan(begin_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Value>& values() const { return context_.argument_values; }
+  void release() { values().erase(values().begin() + static_cast<std::ptrdiff_t>(begin_), values().end()); }
+
+  void read(const grammar::Argument& argument, SourceSpan span) {
+    if (argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call) {
+      Value value = evaluate(context_, *argument[0]);
+      values().push_back(std::move(value));
+      return;
+    }
+    // What a macro yields may be several arguments.
+    ElementStream stream(context_, argument, span);
+    while (!stream.peek().is(ElementKind::end)) {
+      Value value = read_rvalue(stream);
+      values().push_back(std::move(value));
+      stream.accept_comma();
+    }
+  }
+
+  Context& context_;
+  std::size_t begin_;
+};
+
+std::string expected_count(const Builtin& function) {
+  const std::size_t low = function.min_arguments, high = function.max_arguments;
+  const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
+  if (high == Builtin::kAnyNumber) return fmt::format("at least {} argument{}", low, plural(low));
+  return low == high ? fmt::format("{} argument{}", low, plural(low)) : fmt::format("{} to {} arguments", low, high);
+}
+
+/// `defined`, `dimensions` and `dimension_size` ask about a name, whose value need not exist.
+std::optional<Value> call_query(Context& context, const grammar::FunctionCall& call) {
+  const auto index = static_cast<word::Index>(call.function);
+  if (index != word::kIndex_defined && index != word::kIndex_dimensions && index != word::kIndex_dimension_size)
+    return {};
+  const bool has_name = !call.arguments.empty() && call.arguments[0].size() == 1 &&
+                        (call.arguments[0][0]->kind == NodeKind::name || call.arguments[0][0]->kind == NodeKind::index);
+  const std::size_t wanted = index == word::kIndex_dimension_size ? 2 : 1;
+  if (!has_name || call.arguments.size() != wanted || (wanted == 2 && call.arguments[1].size() != 1)) {
+    context.fail(call.span, fmt::format("`{}` takes an identifier{}", context.text(call.function),
+                                        wanted == 2 ? " and the number of a dimension" : ""));
+  }
+  const Node& name = *call.arguments[0][0];
+  if (index == word::kIndex_defined) {
+    const Slot* slot = find_slot_if_declared(context, name);
+    return Value(slot && slot->value.kind() != ValueKind::none ? 1.0 : 0.0);
+  }
+  const Slot& slot = find_slot(context, name);
+  if (slot.value.kind() == ValueKind::poison) throw Failed{};
+  if (slot.value.kind() != ValueKind::array)
+    context.fail(name.span, fmt::format("expected an array, found {}", describe(slot.value)));
+  const ArrayValue& array = slot.value.as<ArrayValue>();
+  const auto count = static_cast<double>(array.dimensions.size());
+  if (index == word::kIndex_dimensions) return Value(count);
+  const double dimension = evaluate_number(context, *call.arguments[1][0]);
+  if (!(dimension >= 1 && dimension < count + 1)) {
+    context.fail(call.arguments[1][0]->span,
+                 fmt::format("the array has dimensions 1 to {:g}, found {:g}", count, dimension));
+  }
+  return Value(static_cast<double>(array.dimensions[static_cast<std::size_t>(dimension) - 1]));
+}
+
+[[gnu::noinline]] Value call_general(Context& context, const grammar::FunctionCall& call, const Builtin& function) {
+  const ArgumentValues values(context, call);
+  const std::size_t found = values.span().size();
+  if (found < function.min_arguments || found > function.max_arguments) {
+    context.fail(call.span,
+                 fmt::format("`{}` takes {}, found {}", context.text(call.function), expected_count(function), found));
+  }
+  const Arguments arguments(context, call, values.span());
+  if (function.of_number) return Value(function.of_number(arguments.number(0)));
+  return function.general(arguments);
+}
+
+[[gnu::noinline]] Value call_unlisted(Context& context, const grammar::FunctionCall& call) {
+  if (const std::optional<Value> answer = call_query(context, call)) return *answer;
+  context.unsupported(call.span, context.text(call.function));
+  throw Failed{};
+}
+
+}  // namespace
+
+[[gnu::noinline]] Value call_builtin(Context& context, const grammar::FunctionCall& call) {
+  static const Table kTable = make_table();
+  const NestingGuard guard(context, call.span);
+  const Builtin* function = kTable[static_cast<std::uint32_t>(call.function)];
+  return function ? call_general(context, call, *function) : call_unlisted(context, call);
+}
+
+// ---- Arguments
+// --------------------------------------------------------------------------------------------------------
+
+SourceSpan Arguments::span(std::size_t i) const {
+  if (i >= call_.arguments.size() || call_.arguments[i].empty()) return call_.span;
+  return join(call_.arguments[i].front()->span, call_.arguments[i].back()->span);
+}
+
+void Arguments::fail(std::size_t i, std::string message) const {
+  context_.fail(span(i), fmt::format("`{}`: {}", context_.text(call_.function), message));
+}
+
+double Arguments::number(std::size_t i) const {
+  if (!values_[i].is_number()) [[unlikely]]
+    fail(i, fmt::format("expected a number, found {}", describe(values_[i])));
+  return values_[i].number();
+}
+
+scene::Vec3 Arguments::vector(std::size_t i) const {
+  if (!values_[i].is_numeric()) [[unlikely]]
+    fail(i, fmt::format("expected a vector, found {}", describe(values_[i])));
+  const Value value = promoted(values_[i], 3);
+  return {value.terms()[0], value.terms()[1], value.terms()[2]};
+}
+
+const std::string& Arguments::string(std::size_t i) const {
+  if (values_[i].kind() != ValueKind::string) fail(i, fmt::format("expected a string, found {}", describe(values_[i])));
+  return values_[i].as<StringValue>().text;
+}
+
+int Arguments::integer(std::size_t i, int low, int high) const {
+  const double value = number(i);
+  if (!(value > low - 1.0 && value < high + 1.0))
+    fail(i, fmt::format("expected {} to {}, found {:g}", low, high, value));
+  return static_cast<int>(value);
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,136 @@
+// Functions of numbers. Values outside of a function's domain are errors where POV-Ray has errors and warnings where it
+// warns.
+#include "interpreter/builtins/builtins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace isl::interpreter {
+namespace {
+
+namespace word = grammar::word;
+
+/// acos and asin outside of [−1, 1] give the nearest value, with a warning, as in POV-Ray.
+double clamped(const Arguments& a) {
+  const double value = a.number(0);
+  if (std::abs(value) <= 1) return value;
+  a.context().warn(a.span(), fmt::format("{:g} is outside of -1 to 1", value));
+  return std::clamp(value, -1.0, 1.0);
+}
+
+double positive(const Arguments& a) {
+  const double value = a.number(0);
+  if (!(value > 0)) a.fail(0, fmt::format("expected a number above 0, found {:g}", value));
+  return value;
+}
+
+double divisor(const Arguments& a) {
+  const double value = a.number(1);
+  if (value == 0) a.fail(1, "division by zero");
+  return value;
+}
+
+Value square_root(const Arguments& a) {
+  if (a.number(0) < 0) a.fail(0, fmt::format("expected a number that is not negative, found {:g}", a.number(0)));
+  return Value(std::sqrt(a.number(0)));
+}
+
+Value power(const Arguments& a) {
+  const double result = std::pow(a.number(0), a.number(1));
+  if (std::isnan(result))
+    a.fail(0, fmt::format("{:g} to the power of {:g} is no real number", a.number(0), a.number(1)));
+  return Value(result);
+}
+
+template <class Better>
+Value best(const Arguments& a, Better better) {
+  double result = a.number(0);
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    if (better(a.number(i), result)) result = a.number(i);
+  }
+  return Value(result);
+}
+
+/// select(a, negative, zero or more), select(a, negative, zero, positive): any values, but a decides.
+Value select(const Arguments& a) {
+  const double decider = a.number(0);
+  if (decider < 0) return a[1];
+  if (a.size() == 3 || decider == 0) return a[2];
+  return a[3];
+}
+
+template <class Operation>
+Value bitwise(const Arguments& a, Operation operation) {
+  std::int64_t result = static_cast<std::int64_t>(std::clamp(a.number(0), -9e15, 9e15));
+  for (std::size_t i = 1; i < a.size(); ++i)
+    result = operation(result, static_cast<std::int64_t>(std::clamp(a.number(i), -9e15, 9e15)));
+  return Value(static_cast<double>(result));
+}
+
+Value next_random(const Arguments& a) {
+  const std::optional<double> number = a.context().random.next(a.number(0));
+  if (!number) a.fail(0, fmt::format("there is no random stream {:g}; `seed(number)` makes one", a.number(0)));
+  return Value(*number);
+}
+
+Value open_random(const Arguments& a) {
+  // POV-Ray keeps an int; what does not fit has no meaning there.
+  const double seed = a.number(0);
+  if (!(std::abs(seed) < 4294967296.0)) a.fail(0, fmt::format("expected a seed of at most 32 bits, found {:g}", seed));
+  a.context().check_memory(a.span(), sizeof(std::uint32_t));
+  a.context().memory.bytes += sizeof(std::uint32_t);
+  return Value(a.context().random.open(seed));
+}
+
+// int and div go through an integer in POV-Ray: there is no negative zero (hence the `+ 0.0`).
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+
+const Builtin kFunctions[] = {
+    {word::kw_abs, 1, 1, [](double v) { return std::abs(v); }},
+    {word::kw_acosh, 1, 1, [](double v) { return std::acosh(v); }},
+    {word::kw_asinh, 1, 1, [](double v) { return std::asinh(v); }},
+    {word::kw_atan, 1, 1, [](double v) { return std::atan(v); }},
+    {word::kw_atanh, 1, 1, [](double v) { return std::atanh(v); }},
+    {word::kw_ceil, 1, 1, [](double v) { return std::ceil(v); }},
+    {word::kw_cos, 1, 1, [](double v) { return std::cos(v); }},
+    {word::kw_cosh, 1, 1, [](double v) { return std::cosh(v); }},
+    {word::kw_degrees, 1, 1, [](double v) { return v / kRadiansPerDegree; }},
+    {word::kw_exp, 1, 1, [](double v) { return std::exp(v); }},
+    {word::kw_floor, 1, 1, [](double v) { return std::floor(v); }},
+    {word::kw_int, 1, 1, [](double v) { return std::trunc(v) + 0.0; }},
+    {word::kw_radians, 1, 1, [](double v) { return v * kRadiansPerDegree; }},
+    {word::kw_sin, 1, 1, [](double v) { return std::sin(v); }},
+    {word::kw_sinh, 1, 1, [](double v) { return std::sinh(v); }},
+    {word::kw_tan, 1, 1, [](double v) { return std::tan(v); }},
+    {word::kw_tanh, 1, 1, [](double v) { return std::tanh(v); }},
+    {word::kw_acos, 1, 1, nullptr, [](const Arguments& a) { return Value(std::acos(clamped(a))); }},
+    {word::kw_asin, 1, 1, nullptr, [](const Arguments& a) { return Value(std::asin(clamped(a))); }},
+    {word::kw_atan2, 2, 2, nullptr, [](const Arguments& a) { return Value(std::atan2(a.number(0), a.number(1))); }},
+    {word::kw_div, 2, 2, nullptr, [](const Arguments& a) { return Value(std::trunc(a.number(0) / divisor(a)) + 0.0); }},
+    {word::kw_mod, 2, 2, nullptr, [](const Arguments& a) { return Value(std::fmod(a.number(0), divisor(a))); }},
+    {word::kw_ln, 1, 1, nullptr, [](const Arguments& a) { return Value(std::log(positive(a))); }},
+    {word::kw_log, 1, 1, nullptr, [](const Arguments& a) { return Value(std::log10(positive(a))); }},
+    {word::kw_sqrt, 1, 1, nullptr, square_root},
+    {word::kw_pow, 2, 2, nullptr, power},
+    {word::kw_max, 1, Builtin::kAnyNumber, nullptr, [](const Arguments& a) { return best(a, std::greater<>()); }},
+    {word::kw_min, 1, Builtin::kAnyNumber, nullptr, [](const Arguments& a) { return best(a, std::less<>()); }},
+    {word::kw_select, 3, 4, nullptr, select},
+    {word::kw_bitwise_and, 2, Builtin::kAnyNumber, nullptr,
+     [](const Arguments& a) { return bitwise(a, std::bit_and<>()); }},
+    {word::kw_bitwise_or, 2, Builtin::kAnyNumber, nullptr,
+     [](const Arguments& a) { return bitwise(a, std::bit_or<>()); }},
+    {word::kw_bitwise_xor, 2, Builtin::kAnyNumber, nullptr,
+     [](const Arguments& a) { return bitwise(a, std::bit_xor<>()); }},
+    {word::kw_rand, 1, 1, nullptr, next_random},
+    {word::kw_seed, 1, 1, nullptr, open_random},
+};
+
+}  // namespace
+
+std::span<const Builtin> float_functions() { return kFunctions; }
+
+}  // namespace isl::interpreter

@@ -1,0 +1,50 @@
+// Functions of vectors. A number given where a vector is wanted fills its three terms.
+#include "interpreter/builtins/builtins.h"
+
+#include "interpreter/transforms.h"
+
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+namespace word = grammar::word;
+using scene::Vec3;
+
+Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
+
+Value normalise(const Arguments& a) {
+  const Vec3 v = a.vector(0);
+  const double length = std::sqrt(v.dot(v));
+  if (length == 0) {
+    a.context().warn(a.span(), "a vector of length zero has no direction; it stays as it is");
+    return to_value(v);
+  }
+  return to_value(v / length);
+}
+
+Value rotate_about_axis(const Arguments& a) {
+  const Vec3 v = a.vector(0), axis = a.vector(1);
+  const double length = std::sqrt(axis.dot(axis));
+  if (length == 0) a.fail(1, "an axis of length zero has no direction");
+  const Vec3 n = axis / length;
+  const double angle = radians_from_degrees(a.number(2)), c = std::cos(angle), s = std::sin(angle);
+  // Rodrigues' formula.
+  return to_value(v * c + n.cross(v) * s + n * (n.dot(v) * (1 - c)));
+}
+
+const Builtin kFunctions[] = {
+    {word::kw_vlength, 1, 1, nullptr,
+     [](const Arguments& a) { return Value(std::sqrt(a.vector(0).dot(a.vector(0)))); }},
+    {word::kw_vdot, 2, 2, nullptr, [](const Arguments& a) { return Value(a.vector(0).dot(a.vector(1))); }},
+    {word::kw_vcross, 2, 2, nullptr, [](const Arguments& a) { return to_value(a.vector(0).cross(a.vector(1))); }},
+    {word::kw_vnormalize, 1, 1, nullptr, normalise},
+    {word::kw_vrotate, 2, 2, nullptr, [](const Arguments& a) { return to_value(rotated(a.vector(0), a.vector(1))); }},
+    {word::kw_vaxis_rotate, 3, 3, nullptr, rotate_about_axis},
+};
+
+}  // namespace
+
+std::span<const Builtin> vector_functions() { return kFunctions; }
+
+}  // namespace isl::interpreter

@@ -1,0 +1,188 @@
+#include "interpreter/context.h"
+
+#include "grammar/suggest.h"
+#include "interpreter/nesting.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+
+using grammar::Symbol;
+
+ContextualWords::ContextualWords(grammar::SymbolTable& symbols)
+    : kernel(symbols.intern("kernel")),
+      hardness(symbols.intern("hardness")),
+      solver(symbols.intern("solver")),
+      tolerance(symbols.intern("tolerance")) {}
+
+Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const grammar::Unit& unit,
+                 const EvaluateOptions& options_, DiagnosticSink& sink)
+    : loader(loader_),
+      symbols(symbols_),
+      main_unit(unit),
+      options(options_),
+      words(symbols_),
+      sink_(sink),
+      max_nesting_(max_nesting(options_.limits)) {}
+
+// ---- Complaints
+// -------------------------------------------------------------------------------------------------------
+
+void Context::error(SourceSpan span, std::string message, std::string hint) {
+  sink_.report({Severity::error, span, std::move(message), std::move(hint), {}, chain()});
+  if (sink_.is_full()) throw Stopped{};
+}
+
+void Context::fail(SourceSpan span, std::string message, std::string hint) {
+  error(span, std::move(message), std::move(hint));
+  throw Failed{};
+}
+
+void Context::stop(SourceSpan span, std::string message, std::string hint) {
+  error(span, std::move(message), std::move(hint));
+  throw Stopped{};
+}
+
+void Context::warn(SourceSpan span, std::string message, std::string hint) {
+  if (warnings_.size() == kMaxWarnings || !warnings_.emplace(span.begin, span.end, message).second) return;
+  sink_.report({Severity::warning, span, std::move(message), std::move(hint), {}, chain()});
+  if (warnings_.size() == kMaxWarnings)
+    sink_.warning({}, fmt::format("{} warnings were shown; no more will be", kMaxWarnings));
+}
+
+void Context::report_out_of_memory() {
+  sink_.report({Severity::error, {}, "there is no memory left for the scene", {}, {}, {}});
+}
+
+void Context::unsupported(SourceSpan span, std::string_view thing) {
+  std::string message = fmt::format("`{}` is not supported", thing);
+  if (options.lenient) {
+    warn(span, message + "; skipped");
+  } else {
+    error(span, std::move(message), "`--lenient` skips what is not supported");
+  }
+}
+
+std::string Context::suggest_declared(Symbol name) const {
+  std::vector<std::string_view> names;
+  for (const Symbol declared : scopes.declared()) names.push_back(text(declared));
+  const auto nearest = grammar::closest(text(name), names);
+  return nearest ? fmt::format("did you mean `{}`?", *nearest) : std::string();
+}
+
+// ---- Frames
+// -----------------------------------------------------------------------------------------------------------
+
+Frame& Context::push(const Frame& frame, SourceSpan span) {
+  if (frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::block) {
+    if (depth_ >= options.limits.max_depth) too_deep(span);
+    ++depth_;
+  }
+  const bool is_call = frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::include;
+  const std::uint32_t call = is_call          ? static_cast<std::uint32_t>(frames.size())
+                             : frames.empty() ? Frame::kNoCall
+                                              : frames.back().call;
+  Frame& pushed = frames.emplace_back(frame);
+  pushed.call = call;
+  return pushed;
+}
+
+void Context::pop() {
+  const Frame::Kind kind = frames.back().kind;
+  frames.pop_back();
+  if (kind == Frame::Kind::macro || kind == Frame::Kind::include) scopes.leave();
+  if (kind == Frame::Kind::macro || kind == Frame::Kind::block) --depth_;
+}
+
+const grammar::Unit& Context::current_unit() const {
+  if (frames.empty() || frames.back().call == Frame::kNoCall) return main_unit;
+  return *frames[frames.back().call].unit;
+}
+
+std::vector<ExpansionFrame> Context::chain() const {
+  std::vector<ExpansionFrame> result;
+  std::uint32_t call = frames.empty() ? Frame::kNoCall : frames.back().call;
+  while (call != Frame::kNoCall) {
+    const Frame& frame = frames[call];
+    const bool is_macro = frame.kind == Frame::Kind::macro;
+    result.push_back({is_macro ? ExpansionFrame::Kind::macro : ExpansionFrame::Kind::include,
+                      origins.name(frame.origin_name), frame.node->span});
+    call = call == 0 ? Frame::kNoCall : frames[call - 1].call;
+  }
+  return result;
+}
+
+OriginTable::Chain Context::make_chain(std::uint32_t call, OriginTable::Chain outer) {
+  Frame& frame = frames[call];
+  const auto kind = frame.kind == Frame::Kind::macro ? ExpansionFrame::Kind::macro : ExpansionFrame::Kind::include;
+  frame.chain = origins.extend(outer, kind, frame.origin_name, frame.node->span);
+  return *frame.chain;
+}
+
+OriginTable::Chain Context::chain_of(std::uint32_t call) {
+  // Mostly the call around this one has its chain already.
+  const std::uint32_t outer = call == 0 ? Frame::kNoCall : frames[call - 1].call;
+  if (outer == Frame::kNoCall || frames[outer].chain)
+    return make_chain(call, outer == Frame::kNoCall ? 0 : *frames[outer].chain);
+  // Iterative, because recursion in a scene must not become recursion here: find the calls without a chain, then make
+  // their chains from the outside in.
+  std::uint32_t known = call;
+  std::vector<std::uint32_t> missing;
+  while (known != Frame::kNoCall && !frames[known].chain) {
+    missing.push_back(known);
+    known = known == 0 ? Frame::kNoCall : frames[known - 1].call;
+  }
+  OriginTable::Chain chain = known == Frame::kNoCall ? 0 : *frames[known].chain;
+  for (; !missing.empty(); missing.pop_back()) chain = make_chain(missing.back(), chain);
+  return chain;
+}
+
+OriginId Context::origin(SourceSpan span) {
+  const std::uint32_t call = frames.empty() ? Frame::kNoCall : frames.back().call;
+  if (call == Frame::kNoCall) return origins.add(span, 0);
+  const Frame& frame = frames[call];
+  return origins.add(span, frame.chain ? *frame.chain : chain_of(call));
+}
+
+// ---- Limits
+// -----------------------------------------------------------------------------------------------------------
+
+void Context::too_deep(SourceSpan span) {
+  stop(span, fmt::format("more than {} macro calls and blocks are open at once", options.limits.max_depth),
+       "is a recursion without end? `--max-depth` raises the limit");
+}
+
+void Context::too_many_turns(SourceSpan span) {
+  stop(span, fmt::format("loops have made more than {:g} turns", options.limits.max_turns),
+       "is a loop without end? `--max-turns` raises the limit");
+}
+
+void Context::nested_too_deeply(SourceSpan span, std::size_t units) {
+  unnest(units);
+  stop(span,
+       fmt::format("expressions and macro calls are nested too deeply for a depth of {}", options.limits.max_depth),
+       "`--max-depth` raises the limit");
+}
+
+void Context::check_stop(SourceSpan span) {
+  if (options.stop && options.stop->load(std::memory_order_relaxed)) stop(span, "interrupted");
+}
+
+void Context::count_primitive(SourceSpan span, std::size_t bytes) {
+  if (++primitives_ > options.limits.max_primitives) {
+    stop(span, fmt::format("the scene has more than {:g} primitives", options.limits.max_primitives),
+         "`--max-primitives` raises the limit");
+  }
+  if ((static_cast<std::uint64_t>(primitives_) & 255u) == 0) check_stop(span);
+  check_memory(span, bytes);
+  memory.bytes += bytes;
+}
+
+void Context::check_memory(SourceSpan span, std::size_t bytes) {
+  const std::size_t limit = options.limits.max_memory_bytes;
+  if (bytes <= limit && memory.bytes <= limit - bytes) return;
+  stop(span, fmt::format("the scene takes more than {:.3g} GB of memory", static_cast<double>(limit) * 1e-9),
+       "`--max-memory` raises the limit");
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,144 @@
+// What every part of one evaluation shares: names, the stack of frames, the database in the making, and the ways to
+// complain. Parts of the interpreter are functions that take a Context; it knows no construct of the language itself.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "grammar/ast.h"
+#include "grammar/loader.h"
+#include "grammar/symbols.h"
+#include "interpreter/evaluate.h"
+#include "interpreter/frames.h"
+#include "interpreter/random_streams.h"
+#include "interpreter/shared_values.h"
+#include "interpreter/texture_table.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace isl::interpreter {
+
+/// Thrown after a user error was reported: the statement that holds it is given up, the scene is read on.
+struct Failed {};
+/// Thrown after an error beyond which reading on makes no sense (a limit, #error, a missing include, too many errors).
+struct Stopped {};
+
+/// What one primitive's origin takes, about: its record and a link of its chain.
+inline constexpr std::size_t kOriginBytes = 40;
+
+/// The words of ours that are not reserved: they mean something only where a reader looks for them.
+struct ContextualWords {
+  explicit ContextualWords(grammar::SymbolTable& symbols);
+  grammar::Symbol kernel, hardness, solver, tolerance;
+};
+
+class Context {
+ public:
+  Context(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
+          const EvaluateOptions& options, DiagnosticSink& sink);
+
+  grammar::Loader& loader;
+  grammar::SymbolTable& symbols;
+  const grammar::Unit& main_unit;
+  const EvaluateOptions& options;
+
+  const ContextualWords words;
+  MemoryAccount memory;
+  Scopes scopes;
+  std::vector<Frame> frames;
+  std::vector<Slot*> argument_slots;   ///< of macro calls whose arguments are being evaluated
+  std::vector<Value> argument_values;  ///< of built-in functions whose arguments are being evaluated
+  RandomStreams random;
+  scene::Database database;
+  OriginTable origins;
+  double language_version = 3.7;
+  /// What #default says now; what an object without a texture of its own gets.
+  scene::Texture default_texture;
+  bool has_default_texture = false;
+  Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
+  TextureTable texture_table;
+
+  // ---- Complaints: each adds the macro and include chain
+  // --------------------------------------------------------------
+
+  [[noreturn]] void fail(SourceSpan span, std::string message, std::string hint = {});
+  [[noreturn]] void stop(SourceSpan span, std::string message, std::string hint = {});
+  /// Reports and goes on; stops when there are too many.
+  void error(SourceSpan span, std::string message, std::string hint = {});
+  /// Reports, once for each place and text, and not more than kMaxWarnings in all: a loop may warn a million times.
+  void warn(SourceSpan span, std::string message, std::string hint = {});
+  /// The allocator gave up before the limit was reached.
+  void report_out_of_memory();
+  /// "`media` is not supported": an error, or with --lenient a warning. The caller skips the thing.
+  void unsupported(SourceSpan span, std::string_view thing);
+
+  // ---- Names
+  // ----------------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] std::string_view text(grammar::Symbol symbol) const { return symbols.text(symbol); }
+  /// "did you mean `sphere`?" for the nearest declared name, or empty.
+  [[nodiscard]] std::string suggest_declared(grammar::Symbol name) const;
+
+  // ---- Frames
+  // ---------------------------------------------------------------------------------------------------------
+
+  /// Pushes a frame; one that is not a call belongs to the call below it. Calls and blocks count as depth at `span`.
+  Frame& push(const Frame& frame, SourceSpan span);
+  /// Ends the innermost frame and, for a call, its scope.
+  void pop();
+  /// The file whose text is being executed.
+  [[nodiscard]] const grammar::Unit& current_unit() const;
+  [[nodiscard]] std::vector<ExpansionFrame> chain() const;
+
+  // ---- Limits
+  // ---------------------------------------------------------------------------------------------------------
+
+  /// One more turn of a loop.
+  void count_turn(SourceSpan span) {
+    if (++turns_ > options.limits.max_turns) [[unlikely]]
+      too_many_turns(span);
+    if ((static_cast<std::uint64_t>(turns_) & 1023u) == 0) check_stop(span);
+  }
+  /// One more macro call; only for the interrupt.
+  void count_call(SourceSpan span) {
+    if ((++calls_ & 1023u) == 0) check_stop(span);
+  }
+  /// One more component, solid, group or light that takes `bytes`.
+  void count_primitive(SourceSpan span, std::size_t bytes);
+  /// Before something of `bytes` is made.
+  void check_memory(SourceSpan span, std::size_t bytes);
+  /// Native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
+  void nest(SourceSpan span, std::size_t units) {
+    if ((nesting_ += units) > max_nesting_) [[unlikely]]
+      nested_too_deeply(span, units);
+  }
+  void unnest(std::size_t units) { nesting_ -= units; }
+
+  // ---- The database
+  // ---------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] OriginId origin(SourceSpan span);
+
+ private:
+  [[noreturn]] void too_deep(SourceSpan span);
+  [[noreturn]] void too_many_turns(SourceSpan span);
+  [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
+  void check_stop(SourceSpan span);
+  [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);
+  OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
+
+  static constexpr std::size_t kMaxWarnings = 100;
+
+  DiagnosticSink& sink_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< said already
+  std::size_t depth_ = 0;
+  double turns_ = 0;
+  std::uint64_t calls_ = 0;
+  double primitives_ = 0;
+  std::size_t nesting_ = 0;
+  std::size_t max_nesting_;
+};
+
+}  // namespace isl::interpreter

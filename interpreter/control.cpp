@@ -1,0 +1,147 @@
+#include "interpreter/control.h"
+
+#include "interpreter/expressions.h"
+
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::Items;
+using grammar::Node;
+using grammar::NodeKind;
+
+void push_branch(Context& context, const Node& node, Items items) {
+  if (!items.empty()) context.push({.kind = Frame::Kind::branch, .items = items, .node = &node}, node.span);
+}
+
+/// Whether a #for whose variable stands at `value` makes another turn. The slack is POV-Ray's: 0 to 1 by 0.1 is eleven
+/// turns.
+bool has_turn(double value, double end, double step) {
+  return step > 0 ? value < end + kTolerance : value > end - kTolerance;
+}
+
+void start_for(Context& context, const grammar::For& node) {
+  const double start = evaluate_number(context, *node.start);
+  const double end = evaluate_number(context, *node.end);
+  const double step = node.step ? evaluate_number(context, *node.step) : 1;
+  if (std::abs(step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
+  context.scopes.local(node.variable).value = Value(start);
+  if (!has_turn(start, end, step)) return;
+  context.count_turn(node.span);
+  context.push({.kind = Frame::Kind::for_, .items = node.body, .node = &node, .end = end, .step = step}, node.span);
+}
+
+bool continue_for(Context& context, Frame& frame) {
+  const auto& node = as<grammar::For>(*frame.node);
+  Slot* const slot = context.scopes.find(node.variable);
+  if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` is not a number any more");
+  const double value = slot->value.number() + frame.step;
+  slot->value = Value(value);
+  return has_turn(value, frame.end, frame.step);
+}
+
+bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
+  const double low = evaluate_number(context, *c.low);
+  if (!c.high) return std::abs(subject - low) < kTolerance;
+  return subject >= low - kTolerance && subject <= evaluate_number(context, *c.high) + kTolerance;
+}
+
+void start_switch(Context& context, const grammar::Switch& node) {
+  const double subject = evaluate_number(context, *node.subject);
+  std::size_t taken = 0;
+  while (taken < node.cases.size() && !matches(context, node.cases[taken], subject)) ++taken;
+  if (taken == node.cases.size() && !node.has_default) return;
+  const Items items = taken < node.cases.size() ? node.cases[taken].body : node.otherwise;
+  context.push({.kind = Frame::Kind::case_, .items = items, .node = &node, .next_case = taken + 1}, node.span);
+}
+
+bool continue_switch(Frame& frame) {
+  const auto& node = as<grammar::Switch>(*frame.node);
+  const bool has_next =
+      frame.next_case < node.cases.size() || (frame.next_case == node.cases.size() && node.has_default);
+  if (!has_next) return false;
+  frame.position = 0;
+  frame.items = frame.next_case < node.cases.size() ? node.cases[frame.next_case].body : node.otherwise;
+  ++frame.next_case;
+  return true;
+}
+
+bool is_declared(Context& context, const Node& target) {
+  const Slot* slot = find_slot_if_declared(context, target);
+  return slot && slot->value.kind() != ValueKind::none;
+}
+
+}  // namespace
+
+void start_control(Context& context, const Node& node) {
+  switch (node.kind) {
+    case NodeKind::if_: {
+      const auto& n = as<grammar::If>(node);
+      push_branch(context, node, evaluate_condition(context, *n.condition) ? n.then : n.otherwise);
+      break;
+    }
+    case NodeKind::ifdef: {
+      const auto& n = as<grammar::Ifdef>(node);
+      push_branch(context, node, is_declared(context, *n.target) != n.negated ? n.then : n.otherwise);
+      break;
+    }
+    case NodeKind::if_block: {
+      const auto& n = as<grammar::IfBlock>(node);
+      const bool taken = evaluate_condition(context, *n.condition);
+      context.push({.kind = Frame::Kind::if_block,
+                    .condition = taken,
+                    .items = taken ? n.then_prelude : n.else_prelude,
+                    .node = &node},
+                   node.span);
+      break;
+    }
+    case NodeKind::while_: {
+      const auto& n = as<grammar::While>(node);
+      if (!evaluate_condition(context, *n.condition)) break;
+      context.count_turn(node.span);
+      context.push({.kind = Frame::Kind::while_, .items = n.body, .node = &node}, node.span);
+      break;
+    }
+    case NodeKind::for_: start_for(context, as<grammar::For>(node)); break;
+    case NodeKind::switch_: start_switch(context, as<grammar::Switch>(node)); break;
+    default: ISL_CHECK(false, "node kind {} is no control directive", static_cast<int>(node.kind));
+  }
+}
+
+bool continue_frame(Context& context, Frame& frame) {
+  bool goes_on = false;
+  // The condition may open nested streams, which move the frames in memory: no reference to `frame` survives it.
+  const std::size_t index = static_cast<std::size_t>(&frame - context.frames.data());
+  switch (frame.kind) {
+    case Frame::Kind::while_: goes_on = evaluate_condition(context, *as<grammar::While>(*frame.node).condition); break;
+    case Frame::Kind::for_: goes_on = continue_for(context, frame); break;
+    case Frame::Kind::case_: return continue_switch(frame);
+    default: return false;
+  }
+  if (!goes_on) return false;
+  context.count_turn(context.frames[index].node->span);
+  context.frames[index].position = 0;
+  return true;
+}
+
+void break_out(Context& context, std::size_t base, const Node& node) {
+  auto& frames = context.frames;
+  while (true) {
+    const Frame::Kind kind = frames.back().kind;
+    const bool is_target = kind == Frame::Kind::while_ || kind == Frame::Kind::for_ || kind == Frame::Kind::case_;
+    if (kind == Frame::Kind::macro) {
+      // Returns: the frame stays for the stream to finish in its own way.
+      frames.back().position = frames.back().items.size();
+      return;
+    }
+    if (frames.size() == base + 1 || kind == Frame::Kind::include) {
+      context.fail(node.span, "`#break` outside of a loop, a `#switch` and a macro");
+    }
+    context.pop();
+    if (is_target) return;
+  }
+}
+
+}  // namespace isl::interpreter

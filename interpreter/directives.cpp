@@ -1,0 +1,174 @@
+#include "interpreter/directives.h"
+
+#include "interpreter/arrays.h"
+#include "interpreter/control.h"
+#include "interpreter/element_stream.h"
+#include "interpreter/expressions.h"
+#include "interpreter/readers/rvalue.h"
+#include "interpreter/readers/scene.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::Node;
+using grammar::NodeKind;
+
+/// A directive's own semicolon is the next item of the list that holds it.
+bool skip_semicolon(Context& context) {
+  Frame& frame = context.frames.back();
+  if (frame.position == frame.items.size() || frame.items[frame.position]->kind != NodeKind::semicolon) return false;
+  ++frame.position;
+  return true;
+}
+
+// ---- #declare
+// ---------------------------------------------------------------------------------------------------------
+
+Value read_to_end(ElementStream& stream, bool& terminated) {
+  Context& context = stream.context();
+  if (stream.peek().is(ElementKind::end)) context.fail(stream.span(), "there is no value to declare");
+  Value value = read_declared(stream);
+  terminated = stream.accept(ElementKind::semicolon);
+  const Element& next = stream.peek();
+  if (!next.is(ElementKind::end)) context.fail(next.span, "one value is declared, and this is a second");
+  return value;
+}
+
+/// The value of a declaration; `terminated` where a macro's or branch's own semicolon ended it.
+Value declared_value(Context& context, const grammar::Declare& node, bool& terminated) {
+  if (node.value.size() == 1 && node.value[0]->kind < NodeKind::word && node.value[0]->kind != NodeKind::call) {
+    return evaluate(context, *node.value[0]);
+  }
+  // A lone macro call is followed without a frame for the list that holds it.
+  if (node.value.size() == 1 && node.value[0]->kind == NodeKind::call) {
+    const auto& call = as<grammar::Call>(*node.value[0]);
+    ElementStream stream(context, call, *called_macro(context, call));
+    return read_to_end(stream, terminated);
+  }
+  ElementStream stream(context, node.value, node.span);
+  return read_to_end(stream, terminated);
+}
+
+Slot& declared_slot(Context& context, const grammar::Declare& node, const Value& value) {
+  if (node.target->kind == NodeKind::index) {
+    Slot& slot = find_slot(context, *node.target);
+    check_array_nesting(context, value, node.span);
+    return slot;
+  }
+  if (node.target->kind != NodeKind::name) throw Failed{};
+  const grammar::Symbol name = as<grammar::Name>(*node.target).name;
+  return node.local ? context.scopes.local(name) : context.scopes.declare(name);
+}
+
+void declare(Context& context, const grammar::Declare& node) {
+  try {
+    bool terminated = false;
+    Value value = declared_value(context, node, terminated);
+    if (!terminated) terminated = skip_semicolon(context);
+    if (!terminated && value.is_numeric() && context.language_version >= 3.5) {
+      context.error({node.span.end, node.span.end},
+                    fmt::format("a `;` is missing after the declaration of {}", describe(value)));
+    }
+    // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
+    if (value.kind() == ValueKind::array) value = Value(ValueKind::array, value.as<ArrayValue>().copy());
+    declared_slot(context, node, value).value = std::move(value);
+  } catch (const Failed&) {
+    // The name becomes known all the same, so that each use of it is not one more error.
+    if (node.target->kind == NodeKind::name) declared_slot(context, node, {}).value = Value::poison();
+    skip_semicolon(context);
+  }
+}
+
+void undefine(Context& context, const grammar::Undef& node) {
+  if (node.target->kind == NodeKind::index) {
+    if (Slot* slot = find_slot_if_declared(context, *node.target)) slot->value = Value();
+  } else if (node.target->kind == NodeKind::name) {
+    context.scopes.undef(as<grammar::Name>(*node.target).name);
+  }
+  skip_semicolon(context);
+}
+
+void define_macro(Context& context, const grammar::Macro& node) {
+  const std::uint32_t name = context.origins.keep_name(std::string(context.text(node.name)));
+  context.scopes.global(node.name).value =
+      Value(ValueKind::macro, make_shared_value<MacroValue>(node, context.current_unit(), name));
+}
+
+// ---- Files
+// ------------------------------------------------------------------------------------------------------------
+
+void include(Context& context, const grammar::Include& node) {
+  Value keep;
+  // In a file's name, a backslash is a backslash.
+  const std::string_view name = node.path->kind == NodeKind::string
+                                    ? as<grammar::String>(*node.path).raw
+                                    : std::string_view(evaluate_string(context, *node.path, keep).text);
+  skip_semicolon(context);
+  std::size_t depth = 0;
+  for (const Frame& frame : context.frames) depth += frame.kind == Frame::Kind::include;
+  if (depth >= context.options.limits.max_include_depth) {
+    context.stop(node.span,
+                 fmt::format("more than {} files include one another", context.options.limits.max_include_depth),
+                 "`--max-include-depth` raises the limit");
+  }
+  const grammar::Unit* unit = context.loader.load_include(name, node.path->span, context.current_unit());
+  if (!unit) throw Stopped{};
+  const std::uint32_t file = context.origins.keep_name(std::string(name));
+  context.push({.kind = Frame::Kind::include, .items = unit->items, .node = &node, .unit = unit, .origin_name = file},
+               node.span);
+  context.scopes.enter();
+}
+
+// ---- Messages and the rest
+// --------------------------------------------------------------------------------------------
+
+void speak(Context& context, const grammar::Message& node) {
+  Value keep;
+  const std::string& text = evaluate_string(context, *node.text, keep).text;
+  skip_semicolon(context);
+  switch (node.level) {
+    case grammar::MessageKind::debug:
+      if (context.options.print_debug) context.options.print_debug(text);
+      break;
+    case grammar::MessageKind::warning: context.warn(node.span, text); break;
+    case grammar::MessageKind::error: context.stop(node.span, text);
+  }
+}
+
+void set_version(Context& context, const grammar::Version& node) {
+  const double version = evaluate_number(context, *node.value);
+  skip_semicolon(context);
+  if (version > 3.85) context.warn(node.span, fmt::format("version {:g} of the language is not known here", version));
+  context.language_version = version;
+  context.database.settings.language_version = version;
+}
+
+}  // namespace
+
+void execute(Context& context, const Node& node) {
+  switch (node.kind) {
+    case NodeKind::if_:
+    case NodeKind::ifdef:
+    case NodeKind::if_block:
+    case NodeKind::while_:
+    case NodeKind::for_:
+    case NodeKind::switch_: return start_control(context, node);
+    case NodeKind::declare: return declare(context, as<grammar::Declare>(node));
+    case NodeKind::undef: return undefine(context, as<grammar::Undef>(node));
+    case NodeKind::macro: return define_macro(context, as<grammar::Macro>(node));
+    case NodeKind::include: return include(context, as<grammar::Include>(node));
+    case NodeKind::version: return set_version(context, as<grammar::Version>(node));
+    case NodeKind::default_: return read_default(context, as<grammar::Default>(node));
+    case NodeKind::message: return speak(context, as<grammar::Message>(node));
+    case NodeKind::fopen: return context.unsupported(node.span, "#fopen");
+    case NodeKind::fclose: return context.unsupported(node.span, "#fclose");
+    case NodeKind::read: return context.unsupported(node.span, "#read");
+    case NodeKind::write: return context.unsupported(node.span, "#write");
+    default: ISL_CHECK(false, "node kind {} is no directive", static_cast<int>(node.kind));
+  }
+}
+
+}  // namespace isl::interpreter

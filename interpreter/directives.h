@@ -1,0 +1,11 @@
+// The directives that are no control flow: they change names and settings, call other files, or speak to the user.
+#pragma once
+
+#include "interpreter/context.h"
+
+namespace isl::interpreter {
+
+/// Executes any directive; #if, loops and #switch go on to interpreter/control.h. `#include` pushes the file's frame.
+void execute(Context& context, const grammar::Node& node);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,175 @@
+#include "interpreter/element_stream.h"
+
+#include "interpreter/control.h"
+#include "interpreter/directives.h"
+#include "interpreter/expressions.h"
+#include "interpreter/macro_arguments.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+
+using grammar::as;
+using grammar::Node;
+using grammar::NodeKind;
+
+ElementStream::ElementStream(Context& context, const Element& block)
+    : context_(context),
+      nesting_(context, block.span, kStreamUnits),
+      base_(context.frames.size()),
+      word_(block.word),
+      span_(block.span) {
+  context_.push({.kind = Frame::Kind::block, .items = block.items}, block.span);
+}
+
+ElementStream::ElementStream(Context& context, grammar::Items items, SourceSpan span)
+    : context_(context), nesting_(context, span, kStreamUnits), base_(context.frames.size()), span_(span) {
+  context_.push({.kind = Frame::Kind::value, .items = items}, span);
+}
+
+ElementStream::ElementStream(Context& context, const grammar::Call& call, const MacroValue& macro)
+    : context_(context), nesting_(context, call.span, kStreamUnits), base_(context.frames.size()), span_(call.span) {
+  push_macro(context, call, macro);
+}
+
+ElementStream::~ElementStream() {
+  while (context_.frames.size() > base_) context_.pop();
+}
+
+Value ElementStream::take_value() {
+  ISL_DCHECK(peek().kind == ElementKind::value);
+  ready_ = false;
+  return evaluate(context_, *element_.node);
+}
+
+void ElementStream::recover() {
+  auto& frames = context_.frames;
+  while (frames.size() > base_ + 1 && frames.back().kind != Frame::Kind::include) context_.pop();
+  ready_ = false;
+}
+
+void ElementStream::yield(ElementKind kind, const Node& node, grammar::Symbol word) {
+  element_.kind = kind;
+  element_.word = word;
+  element_.span = node.span;
+  element_.node = &node;
+  ready_ = true;
+}
+
+void ElementStream::take_call(const grammar::Call& call) {
+  const bool is_plain = call.callee->kind == NodeKind::name;
+  const Slot* slot = is_plain ? context_.scopes.find(as<grammar::Name>(*call.callee).name) : nullptr;
+  if (is_plain && !slot) {
+    yield(ElementKind::unknown, call, as<grammar::Name>(*call.callee).name);
+  } else if (slot && slot->value.kind() != ValueKind::macro) {
+    // A mistake, unless a reader knows the name as a contextual word: `hardness (2)` where the scene has a `hardness`
+    // too.
+    yield(ElementKind::value, call);
+  } else {
+    push_macro(context_, call, *called_macro(context_, call));
+  }
+}
+
+/// Leaves the innermost frame, or starts it again where it is a loop with turns to go. False at the stream's end.
+bool ElementStream::finish_frame() {
+  Frame& frame = context_.frames.back();
+  if (continue_frame(context_, frame)) return true;
+  if (frame.kind == Frame::Kind::if_block) {
+    const auto& node = as<grammar::IfBlock>(*frame.node);
+    yield(ElementKind::block, node, frame.condition ? node.then_word : node.else_word);
+    element_.word_span = node.span;
+    element_.items = node.items;
+    context_.pop();
+    return true;
+  }
+  if (context_.frames.size() == base_ + 1) return false;
+  context_.pop();
+  return true;
+}
+
+void ElementStream::advance() {
+  while (!ready_) {
+    Frame& frame = context_.frames.back();
+    if (frame.position == frame.items.size()) {
+      if (finish_frame()) continue;
+      element_ = {.kind = ElementKind::end, .span = span_};
+      ready_ = true;
+      return;
+    }
+    const Node& node = *frame.items[frame.position++];
+    switch (node.kind) {
+      case NodeKind::number:
+      case NodeKind::string:
+      case NodeKind::constant:
+      case NodeKind::index:
+      case NodeKind::function_call:
+      case NodeKind::dot:
+      case NodeKind::vector:
+      case NodeKind::unary:
+      case NodeKind::binary:
+      case NodeKind::conditional:
+      case NodeKind::array:
+      case NodeKind::function: yield(ElementKind::value, node); break;
+      case NodeKind::name: {
+        const grammar::Symbol name = as<grammar::Name>(node).name;
+        yield(context_.scopes.find(name) ? ElementKind::value : ElementKind::unknown, node, name);
+        break;
+      }
+      case NodeKind::call: take_call(as<grammar::Call>(node)); break;
+      case NodeKind::word: yield(ElementKind::word, node, as<grammar::Word>(node).word); break;
+      case NodeKind::block:
+        yield(ElementKind::block, node, as<grammar::Block>(node).word);
+        element_.word_span = as<grammar::Block>(node).word_span;
+        element_.items = as<grammar::Block>(node).items;
+        break;
+      case NodeKind::entry:
+        yield(ElementKind::entry, node);
+        element_.items = as<grammar::Entry>(node).items;
+        break;
+      case NodeKind::comma: yield(ElementKind::comma, node); break;
+      case NodeKind::semicolon: yield(ElementKind::semicolon, node); break;
+      case NodeKind::break_: break_out(context_, base_, node); break;
+      case NodeKind::error: break;
+      default: execute(context_, node); break;
+    }
+  }
+}
+
+// ---- Macro calls
+// ------------------------------------------------------------------------------------------------------
+
+const MacroValue* called_macro(Context& context, const grammar::Call& call) {
+  Slot* slot = nullptr;
+  if (call.callee->kind == NodeKind::name) {
+    const grammar::Symbol name = as<grammar::Name>(*call.callee).name;
+    slot = context.scopes.find(name);
+    if (!slot) {
+      context.fail(call.callee->span, fmt::format("undeclared macro `{}`", context.text(name)),
+                   context.suggest_declared(name));
+    }
+  } else {
+    slot = &find_slot(context, *call.callee);
+  }
+  if (slot->value.kind() == ValueKind::poison) throw Failed{};
+  if (slot->value.kind() != ValueKind::macro) {
+    context.fail(call.span, fmt::format("{} cannot be called; only a macro can", describe(slot->value)));
+  }
+  return &slot->value.as<MacroValue>();
+}
+
+void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro) {
+  const grammar::Macro& definition = macro.definition;
+  context.count_call(call.span);
+  ArgumentSlots arguments(context, call, definition);
+  context.push({.kind = Frame::Kind::macro,
+                .items = definition.body,
+                .node = &call,
+                .unit = &macro.unit,
+                .origin_name = macro.origin_name},
+               call.span);
+  context.scopes.enter();
+  for (std::size_t i = 0; i < definition.parameters.size(); ++i)
+    context.scopes.bind(definition.parameters[i], arguments[i]);
+}
+
+}  // namespace isl::interpreter

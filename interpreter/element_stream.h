@@ -1,0 +1,103 @@
+// A body as a stream of elements. The AST of a body holds directives, loops and macro calls among its elements; this
+// pull machine follows them in order, on the explicit stack Context::frames, and yields what is left: values (not yet
+// evaluated), words, blocks, entries, commas. So a macro may yield half an argument list, three modifiers or several
+// objects, and the readers of constructs (readers/) need not know where an element came from.
+#pragma once
+
+#include "grammar/ast.h"
+#include "interpreter/context.h"
+#include "interpreter/nesting.h"
+
+namespace isl::interpreter {
+
+enum class ElementKind : std::uint8_t {
+  end,
+  value,    ///< an expression, array or function; evaluated by take_value()
+  unknown,  ///< a name (or a call of one) that is not declared: a contextual word, or a mistake
+  word,     ///< a reserved word that stands alone
+  block,    ///< `word { items }`
+  entry,    ///< `[ items ]`
+  comma,
+  semicolon,
+};
+
+struct Element {
+  ElementKind kind = ElementKind::end;
+  grammar::Symbol word = grammar::kNoSymbol;  ///< word, block, unknown; and value where it is a plain name
+  SourceSpan span = {};
+  SourceSpan word_span = {};            ///< block: its word
+  const grammar::Node* node = nullptr;  ///< value and unknown: the expression
+  grammar::Items items = {};            ///< block and entry
+
+  [[nodiscard]] bool is(ElementKind k) const { return kind == k; }
+  [[nodiscard]] bool is_word(grammar::Symbol w) const { return kind == ElementKind::word && word == w; }
+  [[nodiscard]] bool is_block(grammar::Symbol w) const { return kind == ElementKind::block && word == w; }
+};
+
+class ElementStream {
+ public:
+  /// Over the body of a block that was yielded as an element.
+  ElementStream(Context& context, const Element& block);
+  /// Over the items of a value: a declaration's right side, an argument. `span` is where to point when they yield
+  /// nothing.
+  ElementStream(Context& context, grammar::Items items, SourceSpan span);
+  /// Over what a macro call yields.
+  ElementStream(Context& context, const grammar::Call& call, const MacroValue& macro);
+  /// Ends every frame that the stream opened.
+  ~ElementStream();
+  ElementStream(const ElementStream&) = delete;
+  ElementStream& operator=(const ElementStream&) = delete;
+
+  /// The next element, without consuming it; Kind::end for ever after the last.
+  [[nodiscard]] const Element& peek() {
+    if (!ready_) advance();
+    return element_;
+  }
+  Element take() {
+    const Element element = peek();
+    ready_ = element_.kind == ElementKind::end;
+    return element;
+  }
+  void drop() {
+    static_cast<void>(peek());
+    ready_ = element_.kind == ElementKind::end;
+  }
+  /// Consumes and evaluates the next element, which is a value.
+  Value take_value();
+  bool accept(ElementKind kind) {
+    if (peek().kind != kind) return false;
+    drop();
+    return true;
+  }
+  bool accept_comma() { return accept(ElementKind::comma); }
+
+  /// After an error: gives up the loops and macro calls in progress, down to the innermost file, and goes on there.
+  void recover();
+
+  [[nodiscard]] Context& context() const { return context_; }
+  /// The construct that is read: what messages name (kNoSymbol for a value or file).
+  [[nodiscard]] grammar::Symbol word() const { return word_; }
+  [[nodiscard]] SourceSpan span() const { return span_; }
+
+ private:
+  void advance();
+  bool finish_frame();
+  void take_call(const grammar::Call& call);
+  void yield(ElementKind kind, const grammar::Node& node, grammar::Symbol word = grammar::kNoSymbol);
+
+  Context& context_;
+  NestingGuard nesting_;
+  std::size_t base_;  ///< index of the stream's bottom frame
+  grammar::Symbol word_ = grammar::kNoSymbol;
+  SourceSpan span_;
+  bool ready_ = false;
+  Element element_;
+};
+
+/// Binds the arguments of `call` and pushes the frame that executes the macro's body.
+void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro);
+
+/// The macro that `call` calls; fails for a callee that is none.
+[[nodiscard]] const MacroValue* called_macro(Context& context, const grammar::Call& call);
+
+}  // namespace isl::interpreter

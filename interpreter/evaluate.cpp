@@ -1,0 +1,83 @@
+#include "interpreter/evaluate.h"
+
+#include "interpreter/context.h"
+#include "interpreter/deep_stack.h"
+#include "interpreter/expressions.h"
+#include "interpreter/nesting.h"
+#include "interpreter/prune.h"
+#include "interpreter/readers/scene.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+namespace {
+
+/// The language's version that `Isl` stands for; a scene asks `#ifdef (Isl)`.
+constexpr double kIslVersion = 0.1;
+/// What POV-Ray takes a scene for that has no #version.
+constexpr double kLegacyVersion = 3.62;
+
+void predeclare(Context& context, std::string_view name, Value value) {
+  context.scopes.global(context.symbols.intern(name)).value = std::move(value);
+}
+
+void bind_predeclared(Context& context) {
+  const EvaluateOptions& options = context.options;
+  predeclare(context, "Isl", Value(kIslVersion));
+  predeclare(context, "image_width", Value(static_cast<double>(options.image_width)));
+  predeclare(context, "image_height", Value(static_cast<double>(options.image_height)));
+  // A run renders one frame: for the scene it is an animation of that frame alone.
+  for (const std::string_view name : {"frame_number", "initial_frame", "final_frame"}) {
+    predeclare(context, name, Value(static_cast<double>(options.frame)));
+  }
+  for (const std::string_view name : {"initial_clock", "final_clock"}) predeclare(context, name, Value(options.clock));
+  predeclare(context, "clock_delta", Value(0.0));
+  for (const auto& [name, value] : options.defines) {
+    if (const double* number = std::get_if<double>(&value)) {
+      predeclare(context, name, Value(*number));
+    } else {
+      predeclare(context, name, make_string(context, std::get<std::string>(value), {}));
+    }
+  }
+}
+
+/// A file of POV-Ray's own kind without #version is read as POV-Ray reads it; ours speak the newest language.
+double initial_version(const grammar::Unit& unit) {
+  const auto extension = unit.file.extension();
+  return extension == ".pov" || extension == ".inc" ? kLegacyVersion : 3.7;
+}
+
+void run(Context& context, const grammar::Unit& unit) {
+  context.language_version = context.database.settings.language_version = initial_version(unit);
+  try {
+    bind_predeclared(context);
+    read_scene(context, unit);
+  } catch (const Stopped&) {
+    // Reported where it was thrown.
+  } catch (const std::bad_alloc&) {
+    context.report_out_of_memory();
+  }
+  scene::Settings& settings = context.database.settings;
+  if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.language_version >= 3.7)
+    settings.assumed_gamma = 1;
+}
+
+}  // namespace
+
+EvaluatedScene evaluate(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
+                        const EvaluateOptions& options, DiagnosticSink& sink) {
+  EvaluatedScene scene;
+  Context context(loader, symbols, unit, options, sink);
+  const bool ran = run_on_stack(stack_bytes(options.limits), [&] { run(context, unit); });
+  if (!ran) {
+    sink.error({}, fmt::format("there is no stack for a depth of {}", options.limits.max_depth),
+               "`--max-depth` sets it");
+    return scene;
+  }
+  prune(context.database);
+  scene.database = std::move(context.database);
+  scene.origins = std::move(context.origins);
+  return scene;
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,38 @@
+// Expressions to values, by walking the tree. Whatever a scene may write where a number is wanted (a macro call, a
+// directive in parentheses) is followed here too.
+#pragma once
+
+#include "interpreter/context.h"
+
+#include <string>
+#include <vector>
+
+namespace isl::interpreter {
+
+/// POV-Ray's slack in `=`, `!=`, `<=`, `>=`, in truth, and in loops.
+inline constexpr double kTolerance = 1e-10;
+
+/// Fails where the expression has no value.
+[[nodiscard]] Value evaluate(Context& context, const grammar::Node& node);
+/// The same where only a number will do; vectors are an error.
+[[nodiscard]] double evaluate_number(Context& context, const grammar::Node& node);
+/// A number's truth: not zero within kTolerance.
+[[nodiscard]] bool evaluate_condition(Context& context, const grammar::Node& node);
+/// The same where only a string will do.
+[[nodiscard]] const StringValue& evaluate_string(Context& context, const grammar::Node& node, Value& keep);
+
+/// The slot of a Name or an Index that must be declared.
+[[nodiscard]] Slot& find_slot(Context& context, const grammar::Node& target);
+/// The same; null where the name is not declared.
+[[nodiscard]] Slot* find_slot_if_declared(Context& context, const grammar::Node& target);
+
+/// The only value that a body yields: of a macro called inside an expression, of a directive in parentheses.
+[[nodiscard]] Value evaluate_call(Context& context, const grammar::Call& call);
+[[nodiscard]] Value evaluate_items(Context& context, grammar::Items items, SourceSpan span);
+
+/// The numbers of `< … >`, however many; what a macro or directive among them yields counts as it is.
+[[nodiscard]] std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector& node);
+
+[[nodiscard]] Value make_string(Context& context, std::string text, SourceSpan span);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,76 @@
+#include "interpreter/macro_arguments.h"
+
+#include "interpreter/element_stream.h"
+#include "interpreter/expressions.h"
+#include "interpreter/readers/rvalue.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+
+using grammar::Node;
+using grammar::NodeKind;
+
+ArgumentSlots::ArgumentSlots(Context& context, const grammar::Call& call, const grammar::Macro& definition)
+    : context_(context), begin_(context.argument_slots.size()) {
+  try {
+    for (const grammar::Argument& argument : call.arguments) read(argument);
+    const std::size_t found = context.argument_slots.size() - begin_;
+    const std::size_t wanted = definition.parameters.size();
+    if (found != wanted) {
+      context.fail(call.span, fmt::format("macro `{}` takes {} argument{}, found {}", context.text(definition.name),
+                                          wanted, wanted == 1 ? "" : "s", found));
+    }
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+void ArgumentSlots::release() {
+  auto& slots = context_.argument_slots;
+  for (; slots.size() > begin_; slots.pop_back()) context_.scopes.slots().release(slots.back());
+}
+
+void ArgumentSlots::push(Value value) {
+  Slot* const slot = context_.scopes.slots().make();
+  slot->value = std::move(value);
+  context_.argument_slots.push_back(slot);
+}
+
+/// A lone identifier goes by reference; a name that stands for a macro does not.
+bool ArgumentSlots::push_reference(const Node& node) {
+  if (node.kind != NodeKind::name && node.kind != NodeKind::index) return false;
+  Slot& slot = find_slot(context_, node);
+  if (slot.value.kind() == ValueKind::poison) throw Failed{};
+  context_.scopes.slots().retain(&slot);
+  context_.argument_slots.push_back(&slot);
+  return true;
+}
+
+void ArgumentSlots::read(const grammar::Argument& argument) {
+  const bool is_single =
+      argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
+  if (is_single) {
+    if (!push_reference(*argument[0])) push(evaluate(context_, *argument[0]));
+    return;
+  }
+  // Several actuals without commas between them, a colour of several words, a block, or whatever a macro yields.
+  ElementStream stream(context_, argument, argument.empty() ? SourceSpan{} : argument.front()->span);
+  while (!stream.peek().is(ElementKind::end)) {
+    const Element next = stream.peek();
+    if (next.is(ElementKind::value) && next.word != grammar::kNoSymbol) {
+      stream.drop();
+      if (!stream.peek().is(ElementKind::word)) {
+        push_reference(*next.node);
+      } else {
+        push(read_rvalue_after(stream, evaluate(context_, *next.node)));
+      }
+    } else {
+      push(read_rvalue(stream));
+    }
+    stream.accept_comma();
+  }
+}
+
+}  // namespace isl::interpreter

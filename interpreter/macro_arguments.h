@@ -1,0 +1,29 @@
+// The actual arguments of a macro call, evaluated in the caller's scope before the parameters are bound.
+#pragma once
+
+#include "interpreter/context.h"
+
+namespace isl::interpreter {
+
+/// The actual arguments of one macro call, in the slots that its parameters will be bound to: the caller's own for a
+/// lone identifier (by reference), new ones for everything else.
+class ArgumentSlots {
+ public:
+  ArgumentSlots(Context& context, const grammar::Call& call, const grammar::Macro& definition);
+  ~ArgumentSlots() { release(); }
+  ArgumentSlots(const ArgumentSlots&) = delete;
+  ArgumentSlots& operator=(const ArgumentSlots&) = delete;
+
+  [[nodiscard]] Slot* operator[](std::size_t i) const { return context_.argument_slots[begin_ + i]; }
+
+ private:
+  void read(const grammar::Argument& argument);
+  void push(Value value);
+  bool push_reference(const grammar::Node& node);
+  void release();
+
+  Context& context_;
+  std::size_t begin_;  ///< the slots lie on Context::argument_slots, which nested calls share
+};
+
+}  // namespace isl::interpreter

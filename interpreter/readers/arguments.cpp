@@ -1,0 +1,213 @@
+#include "interpreter/readers/arguments.h"
+
+#include "grammar/suggest.h"
+#include "interpreter/arithmetic.h"
+#include "interpreter/expressions.h"
+#include "interpreter/readers/colour.h"
+#include "interpreter/readers/supported.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace isl::interpreter {
+
+using grammar::as;
+using grammar::Node;
+using grammar::NodeKind;
+using grammar::Symbol;
+
+std::string describe(Context& context, const Element& element) {
+  switch (element.kind) {
+    case ElementKind::end: return "the end";
+    case ElementKind::value: return "a value";
+    case ElementKind::unknown:
+    case ElementKind::word: return fmt::format("`{}`", context.text(element.word));
+    case ElementKind::block:
+      return element.word == grammar::kNoSymbol ? "`{`" : fmt::format("`{} {{`", context.text(element.word));
+    case ElementKind::entry: return "`[`";
+    case ElementKind::comma: return "`,`";
+    case ElementKind::semicolon: return "`;`";
+  }
+  return "";
+}
+
+void fail_expected(ElementStream& stream, std::string_view what) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (next.is(ElementKind::unknown)) {
+    const std::string_view kind = next.node->kind == NodeKind::call ? "macro" : "identifier";
+    context.fail(next.span, fmt::format("undeclared {} `{}`", kind, context.text(next.word)),
+                 context.suggest_declared(next.word));
+  }
+  if (next.is(ElementKind::end) && stream.word() != grammar::kNoSymbol) {
+    // Blame the closing bracket.
+    const SourceSpan close{next.span.end > 0 ? next.span.end - 1 : 0, next.span.end};
+    context.fail(close, fmt::format("expected {}, found the end of `{}`", what, context.text(stream.word())));
+  }
+  context.fail(next.span, fmt::format("expected {}, found {}", what, describe(context, next)));
+}
+
+double read_number(ElementStream& stream, std::string_view what) {
+  const Element& next = stream.peek();
+  if (!next.is(ElementKind::value)) fail_expected(stream, what);
+  const SourceSpan span = next.span;
+  const Value value = stream.take_value();
+  if (!value.is_number()) stream.context().fail(span, fmt::format("expected {}, found {}", what, describe(value)));
+  return value.number();
+}
+
+double read_number_in(ElementStream& stream, std::string_view what, double low, double high) {
+  const SourceSpan span = stream.peek().span;
+  const double value = read_number(stream, what);
+  if (!(value >= low && value <= high)) {
+    stream.context().fail(span, fmt::format("{} is from {:g} to {:g}, found {:g}", what, low, high, value));
+  }
+  return value;
+}
+
+double read_positive(ElementStream& stream, std::string_view what) {
+  const SourceSpan span = stream.peek().span;
+  const double value = read_number(stream, what);
+  if (!(value > 0 && std::isfinite(value)))
+    stream.context().fail(span, fmt::format("{} is above 0, found {:g}", what, value));
+  return value;
+}
+
+scene::Vec3 to_vector(ElementStream& stream, const Value& value, SourceSpan span, std::string_view what) {
+  if (!value.is_numeric()) stream.context().fail(span, fmt::format("expected {}, found {}", what, describe(value)));
+  const Value::Terms& terms = value.terms();
+  const scene::Vec3 vector = value.is_number() ? scene::Vec3(terms[0]) : scene::Vec3(terms[0], terms[1], terms[2]);
+  if (!std::isfinite(vector.x) || !std::isfinite(vector.y) || !std::isfinite(vector.z)) {
+    stream.context().fail(span,
+                          fmt::format("expected {}, found <{:g}, {:g}, {:g}>", what, vector.x, vector.y, vector.z));
+  }
+  return vector;
+}
+
+scene::Vec3 read_vector(ElementStream& stream, std::string_view what) {
+  const Element& next = stream.peek();
+  if (!next.is(ElementKind::value)) fail_expected(stream, what);
+  const SourceSpan span = next.span;
+  return to_vector(stream, stream.take_value(), span, what);
+}
+
+std::string read_string(ElementStream& stream, std::string_view what) {
+  if (!stream.peek().is(ElementKind::value)) fail_expected(stream, what);
+  const SourceSpan span = stream.peek().span;
+  const Value value = stream.take_value();
+  if (value.kind() != ValueKind::string)
+    stream.context().fail(span, fmt::format("expected {}, found {}", what, describe(value)));
+  return value.as<StringValue>().text;
+}
+
+bool read_optional_truth(ElementStream& stream) {
+  if (!stream.peek().is(ElementKind::value)) return true;
+  return std::abs(read_number(stream, "`on` or `off`")) > kTolerance;
+}
+
+void expect_end(ElementStream& stream) {
+  if (!stream.peek().is(ElementKind::end)) refuse(stream, {});
+}
+
+namespace {
+
+/// Skips what belongs to a word that is not supported: its values and colours, as in `checker rgb 1, rgb 0`, and for a
+/// pattern its list of textures.
+void skip_operands(ElementStream& stream) {
+  while (true) {
+    const Element& next = stream.peek();
+    const bool is_operand = next.is(ElementKind::value) || next.is(ElementKind::comma) ||
+                            (next.is(ElementKind::word) && is_colour_word(next.word)) ||
+                            (next.is(ElementKind::block) && next.word == stream.word());
+    if (!is_operand) return;
+    stream.drop();
+  }
+}
+
+/// Patterns are words and blocks that mean something elsewhere: `pigment { object { … } }`, `texture { cells … }`.
+bool takes_patterns(Symbol word) { return word == grammar::word::kw_pigment || word == grammar::word::kw_texture; }
+
+bool is_unsupported(const ElementStream& stream, const Element& element) {
+  const bool is_block = element.is(ElementKind::block);
+  if (!is_block && !element.is(ElementKind::word)) return false;
+  if (element.word == grammar::kNoSymbol || !grammar::is_reserved(element.word)) return false;
+  return !is_supported_word(element.word) || (is_block && takes_patterns(stream.word()));
+}
+
+/// A name that is nothing: with a suggestion.
+[[noreturn]] void refuse_name(Context& context, const Element& element, std::span<const Symbol> known,
+                              const std::string& where) {
+  std::vector<std::string_view> candidates;
+  for (const Symbol symbol : known) candidates.push_back(context.text(symbol));
+  for (const Symbol symbol : context.scopes.declared()) candidates.push_back(context.text(symbol));
+  const auto nearest = grammar::closest(context.text(element.word), candidates);
+  context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
+               fmt::format("`{}` is neither declared nor a word of the language {}", context.text(element.word), where),
+               nearest ? fmt::format("did you mean `{}`?", *nearest) : "");
+}
+
+}  // namespace
+
+void refuse(ElementStream& stream, std::span<const Symbol> known) {
+  Context& context = stream.context();
+  const Element next = stream.take();
+  const bool is_named_block = next.is(ElementKind::block) && next.word != grammar::kNoSymbol;
+  const SourceSpan span = is_named_block ? next.word_span : next.span;
+  const std::string where =
+      stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
+  if (is_unsupported(stream, next)) {
+    context.unsupported(span, context.text(next.word));
+    if (next.is(ElementKind::word)) skip_operands(stream);
+    return;
+  }
+  const bool is_unknown_block = is_named_block && !grammar::is_reserved(next.word);
+  if (next.is(ElementKind::unknown) || is_unknown_block) refuse_name(context, next, known, where);
+  if (next.is(ElementKind::value)) {
+    const Value value = evaluate(context, *next.node);
+    context.fail(span, fmt::format("{} means nothing {}", describe(value), where));
+  }
+  context.fail(span, fmt::format("unexpected {} {}", describe(context, next), where));
+}
+
+// ---- Contextual words
+// -------------------------------------------------------------------------------------------------
+
+Symbol leading_name(const Element& element) {
+  if (!element.is(ElementKind::unknown) && !element.is(ElementKind::value)) return grammar::kNoSymbol;
+  const Node* node = element.node;
+  while (node->kind == NodeKind::binary) node = as<grammar::Binary>(*node).left;
+  if (node->kind == NodeKind::call) node = as<grammar::Call>(*node).callee;
+  return node->kind == NodeKind::name ? as<grammar::Name>(*node).name : grammar::kNoSymbol;
+}
+
+namespace {
+
+/// The value of the expression without its leading name: `hardness -a * b` was parsed as `hardness - (a * b)`.
+double evaluate_without_lead(Context& context, const Node& node, std::string_view what) {
+  if (node.kind == NodeKind::call) {
+    const auto& call = as<grammar::Call>(node);
+    if (call.arguments.size() != 1) context.fail(node.span, fmt::format("expected {}", what));
+    const Value value = evaluate_items(context, call.arguments[0], node.span);
+    if (!value.is_number()) context.fail(node.span, fmt::format("expected {}, found {}", what, describe(value)));
+    return value.number();
+  }
+  if (node.kind != NodeKind::binary) context.fail(node.span, fmt::format("expected {}", what));
+  const auto& binary = as<grammar::Binary>(node);
+  const bool is_bare = binary.left->kind == NodeKind::name;
+  const bool has_sign = binary.op == grammar::BinaryOp::add || binary.op == grammar::BinaryOp::subtract;
+  if (is_bare && !has_sign) context.fail(node.span, fmt::format("expected {}, found `{}`", what, spelling(binary.op)));
+  const double left = is_bare ? 0 : evaluate_without_lead(context, *binary.left, what);
+  const Value value = arithmetic(binary.op, Value(left), Value(evaluate_number(context, *binary.right)));
+  return value.number();
+}
+
+}  // namespace
+
+double read_contextual_number(ElementStream& stream, std::string_view what) {
+  const Element word = stream.take();
+  if (word.node->kind == NodeKind::name) return read_number(stream, what);
+  return evaluate_without_lead(stream.context(), *word.node, what);
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,50 @@
+// Objects: the table of their readers, and what all of them share (an identifier to copy, modifiers, placement).
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+#include <optional>
+#include <span>
+
+namespace isl::interpreter {
+
+/// An object while its block is read.
+struct ObjectDraft {
+  scene::Object object;
+  std::optional<scene::Texture> texture;  ///< of its own
+  std::vector<scene::Light> lights;
+  bool has_modifiers = false;  ///< geometry cannot follow modifiers
+};
+
+[[nodiscard]] bool is_object_word(grammar::Symbol word);
+[[nodiscard]] std::span<const grammar::Symbol> object_words();
+
+/// Reads a whole block whose word is an object's.
+[[nodiscard]] Ref<ObjectValue> read_object(Context& context, const Element& block);
+
+/// Reads one modifier that every object takes (transform, texture, flag) into the draft; false where the next is none.
+[[nodiscard]] bool read_object_modifier(ElementStream& stream, ObjectDraft& draft);
+/// Reads modifiers up to the end of the block.
+void read_object_modifiers(ElementStream& stream, ObjectDraft& draft);
+
+/// The object of a group or of the world that stands for the value, its texture in the database.
+[[nodiscard]] scene::Object placed(Context& context, const ObjectValue& value);
+/// Counts an object that a bare name places, and its lights, against the scene's limits.
+void count_copy(Context& context, const ObjectValue& value, SourceSpan span);
+
+// ---- Readers of geometry, one a row of the table: each reads up to the first modifier
+// -------------------------------------
+
+void read_sphere(ElementStream& stream, ObjectDraft& draft);
+void read_cylinder(ElementStream& stream, ObjectDraft& draft);
+void read_cone(ElementStream& stream, ObjectDraft& draft);
+void read_plane(ElementStream& stream, ObjectDraft& draft);
+void read_blob(ElementStream& stream, ObjectDraft& draft);
+void read_union(ElementStream& stream, ObjectDraft& draft);
+void read_any_object(ElementStream& stream, ObjectDraft& draft);
+void read_light_source(ElementStream& stream, ObjectDraft& draft);
+
+/// Takes over an object that was declared, as `sphere { Name … }` and `object { Name … }` do.
+void copy_object(ElementStream& stream, const ObjectValue& from, ObjectDraft& draft);
+
+}  // namespace isl::interpreter

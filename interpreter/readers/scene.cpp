@@ -1,0 +1,107 @@
+#include "interpreter/readers/scene.h"
+
+#include "interpreter/readers/arguments.h"
+#include "interpreter/readers/camera.h"
+#include "interpreter/readers/objects.h"
+#include "interpreter/readers/settings.h"
+#include "interpreter/readers/texture.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace isl::interpreter {
+namespace {
+
+namespace word = grammar::word;
+
+void place(Context& context, const ObjectValue& value) {
+  if (value.object.shape != scene::kNone) {
+    scene::Object object = placed(context, value);
+    if (object.texture == scene::kNoTexture && context.has_default_texture) {
+      object.texture = texture_id(context, context.default_texture);
+    }
+    context.database.objects.push_back(object);
+  }
+  context.database.lights.insert(context.database.lights.end(), value.lights.begin(), value.lights.end());
+}
+
+void set_camera(Context& context, const CameraValue& value, SourceSpan span) {
+  if (context.database.camera) context.warn(span, "this camera replaces an earlier one");
+  context.database.camera = value.camera;
+}
+
+void read_block(Context& context, const Element& block) {
+  if (block.word == word::kw_camera) {
+    set_camera(context, *read_camera(context, block), block.word_span);
+  } else if (block.word == word::kw_background) {
+    read_background(context, block);
+  } else if (block.word == word::kw_global_settings) {
+    read_global_settings(context, block);
+  } else {
+    place(context, *read_object(context, block));
+  }
+}
+
+bool is_top_level_word(grammar::Symbol name) {
+  return is_object_word(name) || name == word::kw_camera || name == word::kw_background ||
+         name == word::kw_global_settings;
+}
+
+void read_statement(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (next.is(ElementKind::block) && is_top_level_word(next.word)) {
+    stream.drop();
+    return read_block(context, next);
+  }
+  if (next.is(ElementKind::value)) {
+    const Value value = stream.take_value();
+    if (value.kind() != ValueKind::object) {
+      context.fail(next.span, fmt::format("expected an object or a directive, found {}", describe(value)));
+    }
+    count_copy(context, value.as<ObjectValue>(), next.span);
+    return place(context, value.as<ObjectValue>());
+  }
+  static constexpr auto kKnown = std::to_array<grammar::Symbol>(
+      {word::kw_blob, word::kw_sphere, word::kw_cylinder, word::kw_cone, word::kw_plane, word::kw_union,
+       word::kw_object, word::kw_light_source, word::kw_camera, word::kw_background, word::kw_global_settings});
+  refuse(stream, kKnown);
+}
+
+}  // namespace
+
+void read_scene(Context& context, const grammar::Unit& unit) {
+  ElementStream stream(context, unit.items, unit.span);
+  while (true) {
+    try {
+      if (stream.peek().is(ElementKind::end)) return;
+      read_statement(stream);
+    } catch (const Failed&) {
+      stream.recover();
+    }
+  }
+}
+
+void read_default(Context& context, const grammar::Default& node) {
+  ElementStream stream(context, node.items, node.span);
+  std::optional<scene::Texture> texture = context.default_texture;
+  while (!stream.peek().is(ElementKind::end)) {
+    if (stream.peek().is_block(word::kw_camera)) {
+      const Element block = stream.take();
+      context.default_camera = read_camera(context, block);
+    } else if (stream.peek().is_block(word::kw_texture)) {
+      // Not a layer: it takes the default's place.
+      const Element block = stream.take();
+      texture = read_texture(context, block, context.default_texture);
+    } else if (!read_texture_modifier(stream, texture)) {
+      static constexpr grammar::Symbol kKnown[] = {word::kw_texture, word::kw_pigment, word::kw_finish,
+                                                   word::kw_camera};
+      refuse(stream, kKnown);
+    }
+  }
+  context.default_texture = *texture;
+  context.has_default_texture = true;
+}
+
+}  // namespace isl::interpreter

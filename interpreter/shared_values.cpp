@@ -1,0 +1,51 @@
+#include "interpreter/shared_values.h"
+
+namespace isl::interpreter {
+
+std::string_view describe(const Value& value) {
+  switch (value.kind()) {
+    case ValueKind::none: return "an array element that is not set";
+    case ValueKind::poison: return "nothing";
+    case ValueKind::numeric: {
+      static constexpr std::string_view kNames[] = {
+          "", "a number", "a 2-term vector", "a 3-term vector", "a 4-term vector", "a colour"};
+      return kNames[value.term_count()];
+    }
+    case ValueKind::string: return "a string";
+    case ValueKind::array: return "an array";
+    case ValueKind::macro: return "a macro";
+    case ValueKind::object: return "an object";
+    case ValueKind::pigment: return "a pigment";
+    case ValueKind::finish: return "a finish";
+    case ValueKind::texture: return "a texture";
+    case ValueKind::transform: return "a transform";
+    case ValueKind::camera: return "a camera";
+  }
+  return "";
+}
+
+ArrayValue::ArrayValue(std::vector<std::size_t> dimensions_, SlotPool& pool_, MemoryAccount& account_)
+    : dimensions(std::move(dimensions_)), pool(pool_), account(account_) {
+  std::size_t count = 1;
+  for (const std::size_t size : dimensions) count *= size;
+  elements.resize(count);
+  for (Slot*& element : elements) element = pool.make();
+  account.bytes += count * (sizeof(Slot) + sizeof(Slot*));
+}
+
+ArrayValue::~ArrayValue() {
+  for (Slot* element : elements) pool.release(element);
+  account.bytes -= elements.size() * (sizeof(Slot) + sizeof(Slot*));
+}
+
+Ref<ArrayValue> ArrayValue::copy() const {
+  Ref<ArrayValue> result = make_shared_value<ArrayValue>(dimensions, pool, account);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Value& value = elements[i]->value;
+    result->elements[i]->value =
+        value.kind() == ValueKind::array ? Value(ValueKind::array, value.as<ArrayValue>().copy()) : value;
+  }
+  return result;
+}
+
+}  // namespace isl::interpreter

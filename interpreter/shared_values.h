@@ -1,0 +1,92 @@
+// The values that are not numbers: what a Value points to. Immutable once made, arrays' elements excepted.
+#pragma once
+
+#include "grammar/ast.h"
+#include "grammar/loader.h"
+#include "interpreter/scopes.h"
+#include "interpreter/shared.h"
+#include "interpreter/value.h"
+#include "renderer/scene/database.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace isl::interpreter {
+
+/// Bytes that live values hold, against the scene's memory limit.
+struct MemoryAccount {
+  std::size_t bytes = 0;
+};
+
+struct StringValue final : Shared {
+  StringValue(std::string text_, MemoryAccount& account_) : text(std::move(text_)), account(account_) {
+    account.bytes += text.size() + sizeof(StringValue);
+  }
+  ~StringValue() override { account.bytes -= text.size() + sizeof(StringValue); }
+
+  const std::string text;
+  MemoryAccount& account;
+};
+
+/// `array[d0][d1]…`: elements in row-major order, each in a slot of its own so that a macro can be given one by
+/// reference.
+struct ArrayValue final : Shared {
+  ArrayValue(std::vector<std::size_t> dimensions, SlotPool& pool, MemoryAccount& account);
+  ~ArrayValue() override;
+
+  /// A copy whose elements are its own (arrays in elements are copied too), as assignment makes in POV-Ray.
+  [[nodiscard]] Ref<ArrayValue> copy() const;
+
+  const std::vector<std::size_t> dimensions;
+  std::vector<Slot*> elements;
+  SlotPool& pool;
+  MemoryAccount& account;
+};
+
+struct MacroValue final : Shared {
+  MacroValue(const grammar::Macro& definition_, const grammar::Unit& unit_, std::uint32_t origin_name_)
+      : definition(definition_), unit(unit_), origin_name(origin_name_) {}
+
+  const grammar::Macro& definition;
+  const grammar::Unit& unit;  ///< whose folder its #include starts from
+  std::uint32_t origin_name;  ///< OriginTable::keep_name
+};
+
+/// An object that is declared or about to be placed: a placement of shapes that already stand in the database, and the
+/// lights that it holds (a union may hold some; a light_source is nothing else).
+struct ObjectValue final : Shared {
+  grammar::Symbol word{};  ///< `sphere`, `blob`, … as it was made
+  scene::Object object;    ///< shape is kNone for an empty object (lenient) and for lights
+  bool has_texture = false;
+  scene::Texture texture;  ///< where has_texture
+  std::vector<scene::Light> lights;
+};
+
+struct PigmentValue final : Shared {
+  explicit PigmentValue(const scene::Pigment& pigment_) : pigment(pigment_) {}
+  const scene::Pigment pigment;
+};
+
+struct FinishValue final : Shared {
+  explicit FinishValue(const scene::Finish& finish_) : finish(finish_) {}
+  const scene::Finish finish;
+};
+
+struct TextureValue final : Shared {
+  explicit TextureValue(const scene::Texture& texture_) : texture(texture_) {}
+  const scene::Texture texture;
+};
+
+struct TransformValue final : Shared {
+  explicit TransformValue(const scene::Transform& transform_) : transform(transform_) {}
+  const scene::Transform transform;
+};
+
+struct CameraValue final : Shared {
+  explicit CameraValue(const scene::Camera& camera_, const scene::Vec3& sky_) : camera(camera_), sky(sky_) {}
+  const scene::Camera camera;
+  const scene::Vec3 sky;
+};
+
+}  // namespace isl::interpreter

@@ -1,0 +1,124 @@
+// What an expression evaluates to: one tagged struct of 48 bytes. Numbers and vectors of two to five terms lie inline,
+// so that arithmetic never allocates; everything else points to a Shared (interpreter/shared_values.h).
+#pragma once
+
+#include "base/check.h"
+#include "interpreter/shared.h"
+
+#include <array>
+#include <new>
+#include <string_view>
+
+namespace isl::interpreter {
+
+enum class ValueKind : std::uint8_t {
+  none,     ///< an array element that was never set
+  poison,   ///< from a declaration that failed and was reported; using it fails silently
+  numeric,  ///< 1 to 5 terms: number, vectors, colour (5)
+  // From here on a Shared.
+  string,
+  array,
+  macro,
+  object,
+  pigment,
+  finish,
+  texture,
+  transform,
+  camera,
+};
+
+/// What messages call a kind: "number", "3-term vector", "string", …
+class Value;
+[[nodiscard]] std::string_view describe(const Value& value);
+
+class Value {
+ public:
+  static constexpr int kMaxTerms = 5;
+  using Terms = std::array<double, kMaxTerms>;
+
+  Value() : terms_{} {}
+  explicit Value(double number) : kind_(ValueKind::numeric), term_count_(1), terms_{number} {}
+  /// `count` terms of `terms`; the rest must be zero.
+  Value(int count, const Terms& terms)
+      : kind_(ValueKind::numeric), term_count_(static_cast<std::uint8_t>(count)), terms_(terms) {}
+  Value(ValueKind kind, Ref<Shared> shared) : kind_(kind), shared_(std::move(shared)) {
+    ISL_DCHECK(is_shared(), "kind {}", static_cast<int>(kind));
+  }
+  [[nodiscard]] static Value poison() {
+    Value value;
+    value.kind_ = ValueKind::poison;
+    return value;
+  }
+
+  Value(const Value& other) : kind_(other.kind_), term_count_(other.term_count_) { copy_payload(other); }
+  Value(Value&& other) noexcept : kind_(other.kind_), term_count_(other.term_count_) { take_payload(other); }
+  Value& operator=(const Value& other) {
+    if (this != &other) *this = Value(other);
+    return *this;
+  }
+  Value& operator=(Value&& other) noexcept {
+    if (this == &other) return *this;
+    if (is_shared()) [[unlikely]]
+      shared_.~Ref();
+    kind_ = other.kind_;
+    term_count_ = other.term_count_;
+    take_payload(other);
+    return *this;
+  }
+  ~Value() {
+    if (is_shared()) [[unlikely]]
+      shared_.~Ref();
+  }
+
+  /// Back to ValueKind::none, with as little writing as that takes.
+  void reset() {
+    if (is_shared()) [[unlikely]] {
+      shared_.~Ref();
+      new (&terms_) Terms{};
+    }
+    kind_ = ValueKind::none;
+    term_count_ = 0;
+  }
+
+  [[nodiscard]] ValueKind kind() const { return kind_; }
+  [[nodiscard]] bool is_numeric() const { return kind_ == ValueKind::numeric; }
+  [[nodiscard]] bool is_number() const { return term_count_ == 1; }
+  /// 1 for a number, 2 to 5 for vectors, 0 for what is not numeric.
+  [[nodiscard]] int term_count() const { return term_count_; }
+  [[nodiscard]] double number() const { return terms_[0]; }
+  [[nodiscard]] const Terms& terms() const { return terms_; }
+
+  /// The shared thing; the caller has looked at kind().
+  template <class T>
+  [[nodiscard]] T& as() const {
+    ISL_DCHECK(is_shared(), "kind {}", static_cast<int>(kind_));
+    return static_cast<T&>(*shared_);
+  }
+
+ private:
+  [[nodiscard]] bool is_shared() const { return kind_ > ValueKind::numeric; }
+  void copy_payload(const Value& other) {
+    if (is_shared()) [[unlikely]] {
+      new (&shared_) Ref<Shared>(other.shared_);
+    } else {
+      new (&terms_) Terms(other.terms_);
+    }
+  }
+  void take_payload(Value& other) noexcept {
+    if (is_shared()) [[unlikely]] {
+      new (&shared_) Ref<Shared>(std::move(other.shared_));
+    } else {
+      new (&terms_) Terms(other.terms_);
+    }
+  }
+
+  ValueKind kind_ = ValueKind::none;
+  std::uint8_t term_count_ = 0;
+  union {
+    Terms terms_;
+    Ref<Shared> shared_;
+  };
+};
+static_assert(sizeof(Value) == 48);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,155 @@
+#!/bin/sh
+# Launcher of a source checkout: installs what is missing (Debian 12), builds, then runs the program with the same
+# arguments. `./isl test` builds and runs the tests instead. What it has to say goes to standard error only.
+# The installed program (cmake --install) is the one that this script ends in; it needs no launcher.
+# shellcheck disable=SC1091,SC2086  # lists of packages are split into words on purpose
+set -u
+
+# ---- What has to be there: the only list of packages ------------------------------------------------------------------
+# openimageio-tools: OpenImageIO's CMake files refuse to load without them.
+build_packages="g++ cmake ninja-build flex bison libfmt-dev libimath-dev libhwy-dev libtbb-dev libcli11-dev
+nlohmann-json3-dev libopenimageio-dev openimageio-tools"
+test_packages="libgtest-dev libgmock-dev librapidcheck-dev libboost-dev libmpfr-dev"
+
+self=$0
+[ ! -h "$self" ] || self=$(readlink -f -- "$self")
+root=$(CDPATH='' cd -- "$(dirname -- "$self")" && pwd -P) || exit 3
+build=$root/build/release
+program=$build/bin/isl
+stamp=$build/launcher.stamp  # holds the checkout's path; its time is when the last good build began
+log=$root/build/launcher.log
+
+say() { printf 'isl: %s\n' "$*" >&2; }
+
+# run WHAT COMMAND…: says what it does, keeps the output in the log and shows its end only on failure.
+run() {
+  what=$1
+  shift
+  say "$what …"
+  printf '\n==> %s: %s\n' "$what" "$*" >>"$log"
+  begin=$(($(wc -l <"$log") + 1))
+  "$@" >>"$log" 2>&1 </dev/null && return
+  say "$what failed; the end of $log:"
+  tail -n "+$begin" "$log" | tail -n 30 >&2
+  exit 3
+}
+
+# Built from this place, and nothing that the build reads is newer. `find` sees a removed file by its folder's time.
+is_fresh() {
+  [ -x "$program" ] && [ -r "$stamp" ] && read -r built_from <"$stamp" && [ "$built_from" = "$root" ] || return 1
+  [ -z "$(cd "$root" && find isl CMakeLists.txt CMakePresets.json cmake base grammar interpreter renderer cli \
+    -newer "$stamp" -print 2>/dev/null | head -n 1)" ]
+}
+
+is_debian_12() {
+  [ -r /etc/os-release ] && (. /etc/os-release && [ "${ID:-}" = debian ] && [ "${VERSION_ID:-}" = 12 ])
+}
+
+# require PACKAGE…: installs those that are missing, or says which they are where it cannot.
+require() {
+  if ! is_debian_12; then
+    say "this is not Debian 12: nothing is installed; the packages of Debian 12 that are needed are: $*"
+    return
+  fi
+  # "ii" and "hi" are installed; dpkg-query says nothing of a package that it never heard of.
+  present=" $(dpkg-query -W -f '${db:Status-Abbrev}:${Package}\n' "$@" 2>/dev/null | sed -n 's/^.i *://p' | tr '\n' ' ')"
+  missing=
+  for package in "$@"; do
+    case $present in *" $package "*) ;; *) missing="$missing $package" ;; esac
+  done
+  [ -n "$missing" ] || return 0
+
+  as_root=
+  if [ "$(id -u)" -ne 0 ]; then
+    as_root=sudo
+    if ! command -v sudo >/dev/null 2>&1; then
+      say "packages are missing and there is no sudo; as root run: apt-get install --no-install-recommends$missing"
+      exit 3
+    fi
+    sudo -v || exit 3  # asks for the password here, where it can be seen
+  fi
+  set -- apt-get -q -o DPkg::Lock::Timeout=300
+  say "installing packages:$missing"
+  # A stale or partly broken list of some other archive is no reason to stop: the installation tells.
+  $as_root "$@" update >>"$log" 2>&1 </dev/null || say "apt-get update had errors; going on with what it has"
+  run "apt-get install" $as_root env DEBIAN_FRONTEND=noninteractive "$@" install -y --no-install-recommends $missing
+}
+
+# One set-up at a time: others wait. The lock goes with the process, however it ends.
+lock() {
+  mkdir -p "$root/build" || { say "cannot write to $root/build"; exit 3; }
+  command -v flock >/dev/null 2>&1 || return 0
+  exec 9>"$root/build/launcher.lock" || exit 3
+  flock -n 9 || { say "waiting for another build of this checkout"; flock 9; }
+}
+
+unlock() { exec 9>&-; }
+
+cores() { nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; }
+
+# A build folder that was copied along with the checkout points to the old place.
+drop_foreign() {
+  [ ! -f "$1/CMakeCache.txt" ] || grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" || rm -rf "$1"
+}
+
+# is_configured FOLDER [-DNAME=VALUE]: CMake need not be asked again; changes of CMakeLists.txt are ninja's to see.
+is_configured() {
+  [ -f "$1/build.ninja" ] && [ -z "$(find "$root/CMakePresets.json" -newer "$1/build.ninja")" ] || return 1
+  [ -n "${2:-}" ] || return 0
+  name=${2#-D}
+  grep -q "^${name%%=*}:[A-Z]*=${name#*=}\$" "$1/CMakeCache.txt"
+}
+
+# build_with PRESET TARGET [-DNAME=VALUE]
+build_with() {
+  folder=$root/build/$1
+  drop_foreign "$folder"
+  [ -f "$folder/launcher.stamp" ] || say "the first build takes some minutes"
+  mkdir -p "$folder" && printf '%s\n' "$root" >"$folder/launcher.next" || exit 3
+  is_configured "$folder" "${3:-}" || run "configuring ($1)" cmake -S "$root" --preset "$1" ${3:-}
+  run "building ($1)" cmake --build "$folder" --target "$2" -j "$(cores)"
+  mv "$folder/launcher.next" "$folder/launcher.stamp"
+}
+
+set_up() {
+  lock
+  if ! is_fresh; then  # another run may have built it while this one waited
+    : >"$log"
+    require $build_packages
+    began=$(date +%s)
+    drop_foreign "$build"
+    if [ -f "$build/build.ninja" ]; then  # with or without tests, as it was asked for last
+      (cd "$root" && build_with release isl_program) || exit $?
+    else
+      (cd "$root" && build_with release isl_program -DISL_TESTS=OFF) || exit $?
+    fi
+    say "ready after $(($(date +%s) - began)) s"
+  fi
+  unlock
+}
+
+# run_tests [--asan] [CTEST-OPTION…]
+run_tests() {
+  asan=${ISL_CI:+yes}
+  [ "${1:-}" != --asan ] || { asan=yes; shift; }
+  lock
+  : >"$log"
+  require $build_packages $test_packages
+  cd "$root" || exit 3
+  (build_with release all -DISL_TESTS=ON) || exit $?
+  [ -z "$asan" ] || (build_with asan all) || exit $?
+  status=0
+  if [ -n "$asan" ]; then
+    say "quick tests with the address and undefined-behaviour sanitizers"
+    ctest --test-dir build/asan --output-on-failure -j "$(cores)" -L quick || status=1
+  fi
+  ctest --test-dir build/release --output-on-failure -j "$(cores)" "$@" || status=1
+  exit $status
+}
+
+if [ "${1:-}" = test ]; then
+  shift
+  run_tests "$@"
+fi
+is_fresh || set_up
+exec "$program" "$@"

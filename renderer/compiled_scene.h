@@ -1,0 +1,48 @@
+// A database made ready for rays: every blob compiled once in its own space, everything placed flattened into instances, and a
+// top-level grid over them. Immutable; one struct on one screen.
+#pragma once
+
+#include "renderer/fields/component_table.h"
+#include "renderer/grid/grid.h"
+#include "renderer/scene/database.h"
+
+#include <vector>
+
+namespace isl::render {
+
+struct CompiledBlob {
+  ComponentTable components;
+  Grid grid;
+};
+
+/// A solid or blob that stands somewhere. Its number is its InstanceId.
+struct Instance {
+  scene::Object::Kind kind;  ///< solid or blob
+  bool no_shadow;
+  bool is_placed;  ///< false: object space is world space
+  std::uint32_t shape;
+  scene::TextureId texture;
+  scene::Transform world_from_object;
+  OriginId origin;
+};
+
+struct CompiledScene {
+  std::vector<scene::Solid> solids;
+  std::vector<CompiledBlob> blobs;
+  std::vector<Instance> instances;
+  std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
+  std::vector<std::uint32_t> bounded;    ///< all other instances
+  Grid grid;                             ///< over the bounded ones
+  Box bounds;                            ///< of those
+
+  [[nodiscard]] std::size_t grid_bytes() const;
+};
+
+struct CompileOptions {
+  /// Off for the published solver (grid/blob_grid.h).
+  bool classify_cells = true;
+};
+
+[[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);
+
+}  // namespace isl::render

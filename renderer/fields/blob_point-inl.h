@@ -1,0 +1,110 @@
+// Gradient and material weights of a blob at a point, from the list of the cell that holds it.
+// ∇f = A φ′(v) ∇v with ∇v = 2 scale (p − c)/r(u)², c the nearest sphere's centre (the envelope theorem again); a component of its
+// own space has its gradient brought back by the inverse transpose.
+#if defined(ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_
+#undef ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_
+#endif
+
+#include "renderer/compiled_scene.h"
+#include "renderer/fields/kernels/gaussian-inl.h"
+#include "renderer/fields/kernels/quartic-inl.h"
+#include "renderer/trace_kernel.h"
+
+#include <array>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// v and half its gradient for up to eight components.
+struct PointLanes {
+  alignas(64) double v[kOctet], gx[kOctet], gy[kOctet], gz[kOctet], amplitude[kOctet];
+};
+
+inline void set_point_lane(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& point,
+                           PointLanes& lanes, std::uint32_t lane) {
+  const bool is_affine = group.form == FieldForm::affine_point || group.form == FieldForm::affine_limb;
+  const scene::Transform* map = is_affine ? &table.blob_from_component[item - table.first_affine] : nullptr;
+  const Vec3 p = map ? map->inverse_point(point) : point;
+  Vec3 offset = p - Vec3(table.x[item], table.y[item], table.z[item]);
+  double scale = table.scale[item];
+  if (group.form == FieldForm::limb || group.form == FieldForm::affine_limb) {
+    const Limb& limb = table.limbs[item - table.first_limb];
+    const double x = offset.dot(limb.axis);
+    const double u = limb.nearest(x, (offset - limb.axis * x).length2());
+    const double r = limb.radius_at(u);
+    offset -= limb.axis * u;
+    scale /= r * r;
+  }
+  const Vec3 gradient = map ? map->normal(offset * scale) : offset * scale;
+  lanes.v[lane] = scale * offset.length2();
+  lanes.gx[lane] = gradient.x;
+  lanes.gy[lane] = gradient.y;
+  lanes.gz[lane] = gradient.z;
+  lanes.amplitude[lane] = table.amplitude[item];
+}
+
+template <class Kernel>
+void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
+                     std::uint32_t count, const Vec3& point, Octet& gx, Octet& gy, Octet& gz, BlobPoint& result) {
+  for (std::uint32_t i = 0; i < count; i += kOctet) {
+    const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
+    PointLanes lanes;
+    for (std::uint32_t j = 0; j < kOctet; ++j) set_point_lane(table, group, items[i + std::min(j, n - 1)], point, lanes, j);
+    for (std::uint32_t j = n; j < kOctet; ++j) lanes.v[j] = 2 * group.kernel.support;
+    const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
+    const OctetMask active = v < kernel.support();
+    const KernelValue phi = kernel.value_and_slope(v);
+    const Octet slope = keep(active, Octet(2.0) * amplitude * phi.slope);
+    gx = gx + slope * load(lanes.gx);
+    gy = gy + slope * load(lanes.gy);
+    gz = gz + slope * load(lanes.gz);
+    alignas(64) double weights[kOctet];
+    store(keep(active, abs(amplitude * phi.value)), weights);
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (weights[j] == 0) continue;
+      const scene::TextureId texture = table.texture[items[i + j]];
+      const auto share = std::find_if(result.shares.begin(), result.shares.end(),
+                                      [&](const TextureShare& s) { return s.texture == texture; });
+      if (share == result.shares.end()) {
+        result.shares.push_back({texture, weights[j]});
+      } else {
+        share->weight += weights[j];
+      }
+    }
+  }
+}
+
+inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, BlobPoint& result) {
+  const Cell cell = blob.grid.cells[cell_index];
+  const ComponentTable& table = blob.components;
+  const std::uint32_t* items = blob.grid.items.data() + cell.first;
+  const std::uint32_t count = cell.kind() == CellKind::leaf ? cell.count() : 0;
+  Octet gx(0.0), gy(0.0), gz(0.0);
+  result.shares.clear();
+  for (std::uint32_t next = 0; next < count;) {
+    const FieldGroup& group = table.group_of(items[next]);
+    std::uint32_t last = next;
+    while (last < count && items[last] < group.end) ++last;
+    switch (group.kernel.shape) {
+      case scene::KernelShape::quartic:
+        add_point_group(Quartic(group.kernel), table, group, items + next, last - next, point, gx, gy, gz, result);
+        break;
+      case scene::KernelShape::gaussian:
+        add_point_group(Gaussian(group.kernel), table, group, items + next, last - next, point, gx, gy, gz, result);
+        break;
+    }
+    next = last;
+  }
+  result.gradient = {sum(gx), sum(gy), sum(gz)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,53 @@
+// What every kernel says of itself to the code that bounds a field along a ray.
+#if defined(ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_
+#undef ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_
+#endif
+
+#include "renderer/fields/kernels/kernel_constants.h"
+#include "renderer/fields/octet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// φ(v) and dφ/dv.
+struct KernelValue {
+  Octet value, slope;
+};
+
+/// Enclosure [low, high] of f″ and a bound of |f⁗| over an interval of a ray, f = φ(v(t)).
+struct SecondAndFourth {
+  Octet low, high, fourth;
+};
+
+/// max |φ′|, |φ″|, |φ‴|, |φ⁗| over v ≥ some least value. All kernels fall (φ′ ≤ 0) and are convex (φ″ ≥ 0).
+struct SlopeBounds {
+  Octet first, second, third, fourth;
+};
+
+/// Bounds of v along an interval of a ray: |v′| ≤ first, second_low ≤ v″ ≤ second_high, |v‴| ≤ third, |v⁗| ≤ fourth.
+struct JetBounds {
+  Octet least;  ///< of v
+  Octet first, second_low, second_high, third, fourth;
+};
+
+/// The chain rule (Faà di Bruno) on bounds: f″ = φ″v′² + φ′v″ and f⁗ = φ⁗v′⁴ + 6φ‴v′²v″ + φ″(3v″² + 4v′v‴) + φ′v⁗.
+template <class Kernel>
+HWY_INLINE SecondAndFourth compose(const Kernel& kernel, const JetBounds& v) {
+  const SlopeBounds phi = kernel.slopes(v.least);
+  const Octet zero(0.0);
+  const Octet first2 = v.first * v.first;
+  const Octet second = max(abs(v.second_low), abs(v.second_high));
+  return {zero - phi.first * max(v.second_high, zero), phi.second * first2 + phi.first * max(zero - v.second_low, zero),
+          phi.fourth * first2 * first2 + Octet(6.0) * phi.third * first2 * second +
+              phi.second * (Octet(3.0) * second * second + Octet(4.0) * v.first * v.third) + phi.first * v.fourth};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,53 @@
+// The quartic kernel (Murakami and Ichihara 1987; POV-Ray's blobs): φ(v) = (1 − v)², v < 1. Amplitude and sign apart.
+//
+// Along a ray on which v = v₀ + κτ² (point, segment): with u = κτ²
+//   f″ = −4κ(1 − v₀ − 3u), monotone in u;   f⁗ = 24κ², a constant.
+// On any other skeleton, from bounds of v and its derivatives: φ′ = −2(1 − v), φ″ = 2, φ‴ = φ⁗ = 0.
+#if defined(ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_
+#undef ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_
+#endif
+
+#include "renderer/fields/kernels/kernel_bounds-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct Quartic {
+  HWY_INLINE explicit Quartic(const KernelConstants&) {}
+
+  [[nodiscard]] HWY_INLINE Octet support() const { return Octet(1.0); }
+
+  /// φ for v within the support.
+  [[nodiscard]] HWY_INLINE Octet value(const Octet& v) const {
+    const Octet w = Octet(1.0) - v;
+    return w * w;
+  }
+  [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
+    const Octet w = Octet(1.0) - v;
+    return {w * w, Octet(-2.0) * w};
+  }
+  /// φ″(v).
+  [[nodiscard]] HWY_INLINE Octet curvature(const Octet&) const { return Octet(2.0); }
+
+  /// Bounds of f = φ(v₀ + κτ²) for κτ² in [u_near, u_far], within the support.
+  [[nodiscard]] HWY_INLINE SecondAndFourth on_quadratic(const Octet& v0, const Octet& kappa, const Octet& u_near,
+                                                        const Octet& u_far) const {
+    const Octet factor = Octet(4.0) * kappa;
+    const Octet w0 = Octet(1.0) - v0;
+    return {factor * (Octet(3.0) * u_near - w0), factor * (Octet(3.0) * u_far - w0), Octet(24.0) * kappa * kappa};
+  }
+
+  [[nodiscard]] HWY_INLINE SlopeBounds slopes(const Octet& v_least) const {
+    return {Octet(2.0) * (Octet(1.0) - v_least), Octet(2.0), Octet(0.0), Octet(0.0)};
+  }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,62 @@
+// The memory in which RayLanes lays out the fields of a cell: one a thread, grown to the longest list and reused, so that
+// tracing allocates nothing. Columns of doubles, 64-byte aligned, each `stride` long.
+#pragma once
+
+#include "renderer/fields/kernels/kernel_constants.h"
+
+#include <hwy/aligned_allocator.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+/// A table of doubles by column.
+class LaneTable {
+ public:
+  explicit LaneTable(int columns) : columns_(columns) {}
+
+  /// Room for `rows` rows; what was there is lost if the table has to grow.
+  void reserve(std::size_t rows) {
+    if (rows <= stride_) return;
+    stride_ = (rows + 63) / 64 * 64;
+    data_ = hwy::AllocateAligned<double>(stride_ * static_cast<std::size_t>(columns_));
+  }
+  [[nodiscard]] double* row(std::uint32_t i) const { return data_.get() + i; }
+  [[nodiscard]] std::size_t stride() const { return stride_; }
+
+ private:
+  int columns_;
+  std::size_t stride_ = 0;
+  hwy::AlignedFreeUniquePtr<double[]> data_;
+};
+
+/// Lanes of one kernel: quadratic lanes first_quadratic … last_quadratic − 1 and cone lanes likewise, whole octets.
+struct LaneRun {
+  const KernelConstants* kernel;
+  bool has_pieces;  ///< quadratic lanes hold on [begin, end) only
+  std::uint32_t first_quadratic, last_quadratic;
+  std::uint32_t first_cone, last_cone;
+};
+
+struct LaneMemory {
+  enum QuadraticColumn { kV0, kKappa, kMiddle, kAmplitude, kBegin, kEnd, kQuadraticColumns };
+  enum ConeColumn { kX0, kDx, kN0, kN2, kNMiddle, kRadius, kSlope, kLength, kConeAmplitude, kConeColumns };
+
+  LaneTable quadratic{kQuadraticColumns};
+  LaneTable cone{kConeColumns};
+  std::vector<LaneRun> runs;
+
+  /// Room for a cell of `count` components: a segment makes three lanes, and every run is filled up to an octet; a list cannot
+  /// change group more often than it has entries.
+  void reserve_lanes(std::uint32_t count) {
+    constexpr std::size_t kMostFill = 8;
+    const std::size_t rows = (3 + kMostFill) * std::size_t{count} + kMostFill;
+    quadratic.reserve(rows);
+    cone.reserve(rows);
+    runs.reserve(count);
+  }
+};
+
+}  // namespace isl::render

@@ -1,0 +1,61 @@
+// The sparse nested grid: where on a ray there is anything to solve. A top level of cubic cells; any cell may be a brick of
+// 4×4×4 smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is classified
+// when the grid is built (grid/blob_grid.cpp for fields, grid/instance_grid.cpp for placed things), and a cell's list is
+// complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as Amanatides and Woo 1987.
+#pragma once
+
+#include "renderer/scene/transform.h"
+
+#include <ImathBox.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+using scene::Vec3;
+using Box = Imath::Box3d;
+
+enum class CellKind : std::uint32_t {
+  empty,   ///< nothing here, or a field certainly below the threshold
+  inside,  ///< a field certainly above the threshold
+  leaf,    ///< `first` and `count`: the items that matter here
+  brick,   ///< `first`: the first of 64 cells
+};
+
+struct Cell {
+  std::uint32_t first = 0;
+  std::uint32_t kind_and_count = 0;
+
+  [[nodiscard]] CellKind kind() const { return static_cast<CellKind>(kind_and_count & 3); }
+  [[nodiscard]] std::uint32_t count() const { return kind_and_count >> 2; }
+  [[nodiscard]] static Cell make(CellKind kind, std::uint32_t first = 0, std::uint32_t count = 0) {
+    return {first, static_cast<std::uint32_t>(kind) | count << 2};
+  }
+};
+static_assert(sizeof(Cell) == 8);
+
+inline constexpr int kBrickSide = 4;
+inline constexpr std::uint32_t kBrickCells = 64;
+
+/// Levels below the top one. 4¹⁶ to 1 is more than the 2³² that separate the largest scene from its smallest part with bits
+/// to spare in a double.
+inline constexpr int kMaxGridDepth = 16;
+
+struct Grid {
+  Box bounds;                     ///< of the content; empty if there is none
+  Box box;                        ///< of the cells
+  Vec3 low{0};                    ///< corner of cell (0, 0, 0)
+  Vec3 cell_size{0};              ///< of the top level
+  int dimensions[3] = {0, 0, 0};  ///< of the top level
+  std::vector<Cell> cells;        ///< the top level (x fastest), then bricks
+  std::vector<std::uint32_t> items;
+  std::uint32_t longest_list = 0;
+
+  [[nodiscard]] bool is_empty() const { return cells.empty(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return cells.capacity() * sizeof(Cell) + items.capacity() * sizeof(std::uint32_t);
+  }
+};
+
+}  // namespace isl::render

@@ -1,0 +1,39 @@
+// Pixels → rays. POV-Ray's convention: pixel (x, y) is the square from x to x + 1 and y to y + 1, y down from the top
+// edge, so its centre is at x + ½, y + ½; image coordinates are u = x/width − ½ to the right and v = ½ − y/height up.
+#pragma once
+
+#include "renderer/scene/database.h"
+#include "renderer/tracer.h"
+
+#include <algorithm>
+
+namespace isl::render {
+
+/// The camera of a picture of some size. The picture's shape does not change the view: a camera's right and up do.
+class CameraRays {
+ public:
+  CameraRays(const scene::Camera& camera, int width, int height)
+      : camera_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
+
+  /// The ray through the raster position (x, y), in pixels from the picture's top left corner.
+  [[nodiscard]] Ray through(double x, double y) const {
+    const double u = x * per_column_ - 0.5;
+    const double v = 0.5 - y * per_row_;
+    Ray ray;
+    ray.origin = camera_.location;
+    ray.direction = (camera_.direction + camera_.right * u + camera_.up * v).normalized();
+    return ray;
+  }
+
+ private:
+  scene::Camera camera_;
+  double per_column_, per_row_;
+};
+
+/// Radians that a pixel in the middle of the picture subtends: TracerOptions::pixel_angle. The smaller of its two
+/// sides.
+[[nodiscard]] inline double pixel_angle(const scene::Camera& camera, int width, int height) {
+  return std::min(camera.right.length() / width, camera.up.length() / height) / camera.direction.length();
+}
+
+}  // namespace isl::render

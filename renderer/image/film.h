@@ -1,0 +1,53 @@
+// Sums of samples, pixel by pixel, and the layers of the surfaces seen. Samples of one pixel must come in a fixed order
+// and from one thread at a time; different pixels do not touch one another. Linear light only.
+#pragma once
+
+#include "renderer/image/image.h"
+#include "renderer/shading/material.h"
+#include "renderer/tracer.h"
+
+#include <array>
+
+namespace isl::render {
+
+/// What the centre sample of a pixel saw, for the layers.
+struct SeenSurface {
+  const Hit* hit = nullptr;             ///< never null
+  const SurfacePoint* point = nullptr;  ///< null for a miss
+  Rgb albedo{0};                        ///< linear
+};
+
+class Film {
+ public:
+  /// Covers `rect` of the picture. Every pixel starts without samples: transparent black.
+  Film(const PixelRect& rect, const Aovs& aovs);
+
+  /// `colour` is multiplied by `alpha` already.
+  void add_sample(std::size_t pixel, const Rgb& colour, double alpha) {
+    double* sum = &sums_[4 * pixel];
+    sum[0] += colour.x;
+    sum[1] += colour.y;
+    sum[2] += colour.z;
+    sum[3] += alpha;
+    ++counts_[pixel];
+  }
+  void set_surface(std::size_t pixel, const SeenSurface& seen);
+
+  /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros without samples.
+  [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
+
+  [[nodiscard]] const PixelRect& rect() const { return rect_; }
+  [[nodiscard]] const Aovs& aovs() const { return aovs_; }
+
+  /// The part `window` (within rect()) as a picture of a whole of the given size.
+  [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) const;
+
+ private:
+  PixelRect rect_;
+  Aovs aovs_;
+  std::vector<double> sums_;  ///< 4 a pixel
+  std::vector<std::uint32_t> counts_;
+  Layers layers_;  ///< over rect_; `samples` stays empty: counts_ has them
+};
+
+}  // namespace isl::render

@@ -1,0 +1,56 @@
+// The C interface between the program and its image module (image_plugin.cpp), which is loaded only when a file is
+// written: OpenImageIO brings 260 shared libraries and a quarter of a second of relocation, and most commands need none
+// of it. Plain C types only: the two sides may be built with different runtimes.
+#pragma once
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// What a plane's values are, and how the file keeps them. half: given as float, kept in 16 bits.
+enum IslSampleType { ISL_UINT8, ISL_UINT16, ISL_UINT32, ISL_HALF, ISL_FLOAT };
+
+/// One channel: width × height values, row by row from the top.
+struct IslPlane {
+  const char* name;  ///< "R", "depth.Z", … in the order in which they are given
+  enum IslSampleType type;
+  const void* values;
+};
+
+struct IslText {
+  const char* name;
+  const char* value;
+};
+
+struct IslImage {
+  const char* format;  ///< png, exr, tif, jpg, ppm or hdr
+  int width, height;   ///< of the planes
+  int x, y;            ///< where they stand in the whole picture
+  int full_width, full_height;
+  int is_srgb;      ///< integer planes hold sRGB code values; otherwise all is linear
+  int alpha_plane;  ///< number of the plane that is alpha, or −1. In sRGB files colour is not multiplied by it.
+  int plane_count;
+  const struct IslPlane* planes;
+  int text_count;  ///< metadata
+  const struct IslText* texts;
+};
+
+/// A file in memory, or why there is none. Freed by isl_image_release.
+struct IslEncoded {
+  unsigned char* bytes;  ///< null on failure
+  size_t size;
+  char* error;  ///< null on success
+};
+
+/// Raised whenever anything above changes.
+#define ISL_IMAGE_ABI 1
+
+typedef int (*IslImageAbi)(void);
+typedef void (*IslImageEncode)(const struct IslImage*, struct IslEncoded*);
+typedef void (*IslImageRelease)(struct IslEncoded*);
+
+#ifdef __cplusplus
+}
+#endif

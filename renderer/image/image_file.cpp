@@ -1,0 +1,160 @@
+#include "renderer/image/image_file.h"
+
+#include "base/check.h"
+#include "renderer/image/atomic_file.h"
+#include "renderer/image/transfer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+namespace isl::render {
+namespace {
+
+/// The planes of a file to be, and the memory that they point into.
+class PlaneSet {
+ public:
+  explicit PlaneSet(std::size_t pixels) : pixels_(pixels) {}
+
+  /// `value_of(pixel)` for every pixel, as the type says.
+  template <class ValueOf>
+  void add(std::string name, IslSampleType type, const ValueOf& value_of) {
+    names_.push_back(std::move(name));
+    switch (type) {
+      case ISL_UINT8: fill<std::uint8_t>(type, value_of); break;
+      case ISL_UINT16: fill<std::uint16_t>(type, value_of); break;
+      case ISL_UINT32: fill<std::uint32_t>(type, value_of); break;
+      case ISL_HALF:
+      case ISL_FLOAT: fill<float>(type, value_of); break;
+    }
+  }
+
+  [[nodiscard]] const std::vector<IslPlane>& planes() const { return planes_; }
+
+ private:
+  template <class Value, class ValueOf>
+  void fill(IslSampleType type, const ValueOf& value_of) {
+    std::vector<unsigned char>& memory = memory_.emplace_back(pixels_ * sizeof(Value));
+    Value* values = reinterpret_cast<Value*>(memory.data());
+    for (std::size_t pixel = 0; pixel < pixels_; ++pixel) values[pixel] = static_cast<Value>(value_of(pixel));
+    planes_.push_back({names_.back().c_str(), type, values});
+  }
+
+  std::size_t pixels_;
+  std::deque<std::string> names_;  ///< deques: what the planes point at must not move
+  std::deque<std::vector<unsigned char>> memory_;
+  std::vector<IslPlane> planes_;
+};
+
+constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
+
+/// Code values of a display, with the colour divided by alpha where there is alpha.
+void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
+  const double most = type == ISL_UINT8 ? 255 : 65535;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    planes.add(kColourNames[channel], type, [&](std::size_t pixel) {
+      const double* rgba = &image.rgba[4 * pixel];
+      const double linear = with_alpha && rgba[3] > 0 ? rgba[channel] / rgba[3] : rgba[channel];
+      return std::floor(display_from_linear(linear) * most + 0.5);
+    });
+  }
+  if (!with_alpha) return;
+  planes.add(kColourNames[3], type, [&](std::size_t pixel) {
+    return std::floor(std::clamp(image.rgba[4 * pixel + 3], 0.0, 1.0) * most + 0.5);
+  });
+}
+
+void add_linear_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
+  for (std::size_t channel = 0; channel < (with_alpha ? 4 : 3); ++channel) {
+    planes.add(kColourNames[channel], type, [&](std::size_t pixel) { return image.rgba[4 * pixel + channel]; });
+  }
+}
+
+void add_triple(PlaneSet& planes, const char* layer, const char* suffixes, const std::vector<float>& values) {
+  for (std::size_t i = 0; i < 3 && !values.empty(); ++i) {
+    planes.add(fmt::format("{}.{}", layer, suffixes[i]), ISL_FLOAT,
+               [&](std::size_t pixel) { return values[3 * pixel + i]; });
+  }
+}
+
+void add_layers(PlaneSet& planes, const Layers& layers) {
+  if (!layers.depth.empty()) planes.add("depth.Z", ISL_FLOAT, [&](std::size_t pixel) { return layers.depth[pixel]; });
+  add_triple(planes, "position", "XYZ", layers.position);
+  add_triple(planes, "normal", "XYZ", layers.normal);
+  add_triple(planes, "albedo", "RGB", layers.albedo);
+  if (!layers.primitive.empty()) {
+    planes.add("primitive.id", ISL_UINT32, [&](std::size_t pixel) { return layers.primitive[pixel]; });
+  }
+  if (!layers.samples.empty()) {
+    planes.add("samples.count", ISL_UINT32, [&](std::size_t pixel) { return layers.samples[pixel]; });
+  }
+}
+
+bool is_linear_format(std::string_view format) { return format == "exr" || format == "hdr"; }
+bool has_alpha_channel(std::string_view format) { return format == "png" || format == "exr" || format == "tif"; }
+
+void add_planes(PlaneSet& planes, const Image& image, std::string_view format, bool with_alpha, bool exr_float) {
+  if (format == "exr") {
+    add_linear_planes(planes, image, exr_float ? ISL_FLOAT : ISL_HALF, with_alpha);
+    add_layers(planes, image.layers);
+  } else if (format == "hdr") {
+    add_linear_planes(planes, image, ISL_FLOAT, false);
+  } else {
+    add_display_planes(planes, image, format == "png" || format == "tif" ? ISL_UINT16 : ISL_UINT8, with_alpha);
+  }
+}
+
+}  // namespace
+
+std::string image_format_of(std::string_view path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string_view::npos || path[dot] == '/') return "";
+  std::string extension(path.substr(dot + 1));
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension == "tiff") extension = "tif";
+  if (extension == "jpeg") extension = "jpg";
+  for (const char* known : {"png", "exr", "tif", "jpg", "ppm", "hdr"}) {
+    if (extension == known) return extension;
+  }
+  return "";
+}
+
+EncodedFile encode_image(const Image& image, std::string_view format, const ImageFileOptions& options) {
+  ISL_CHECK(image_format_of(fmt::format(".{}", format)) == format, "format {}", format);
+  if (image.window.empty()) return {{}, "there is no picture: its window is empty"};
+  const bool with_alpha = image.has_alpha && has_alpha_channel(format);
+  PlaneSet planes(image.window.area());
+  add_planes(planes, image, format, with_alpha, options.exr_float);
+  std::vector<IslText> texts;
+  for (const auto& [name, value] : options.metadata) texts.push_back({name.c_str(), value.c_str()});
+  const std::string format_name(format);
+  IslImage description{};
+  description.format = format_name.c_str();
+  description.width = image.window.width();
+  description.height = image.window.height();
+  description.x = image.window.x0;
+  description.y = image.window.y0;
+  description.full_width = image.full_width;
+  description.full_height = image.full_height;
+  description.is_srgb = is_linear_format(format) ? 0 : 1;
+  description.alpha_plane = with_alpha ? 3 : -1;
+  description.plane_count = static_cast<int>(planes.planes().size());
+  description.planes = planes.planes().data();
+  description.text_count = static_cast<int>(texts.size());
+  description.texts = texts.data();
+  return encode_by_module(description);
+}
+
+std::string write_image(const Image& image, const std::string& path, const ImageFileOptions& options) {
+  const std::string format = image_format_of(path);
+  if (format.empty()) return fmt::format("cannot write {}: its name should end in one of {}", path, kImageFormats);
+  const EncodedFile file = encode_image(image, format, options);
+  if (!file.error.empty()) return fmt::format("cannot write {}: {}", path, file.error);
+  return write_atomically(path, file.bytes);
+}
+
+}  // namespace isl::render

@@ -1,0 +1,35 @@
+// A picture → a file of the format that the name asks for. Integer formats (png, tif 16 bits; jpg, ppm 8) hold sRGB
+// code values, clipped; hdr and exr hold linear light. Only exr holds the layers, as `depth.Z`, `normal.X`, … .
+#pragma once
+
+#include "renderer/image/image.h"
+#include "renderer/image/image_module.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace isl::render {
+
+struct ImageFileOptions {
+  /// Name and value, in the order to keep: what made the picture. Never times, paths or thread counts.
+  std::vector<std::pair<std::string, std::string>> metadata;
+  bool exr_float = false;  ///< colour in 32 bits instead of 16; layers are always 32
+};
+
+/// The format that a file's name asks for, in lower case ("png"); "" if there is none that can be written.
+[[nodiscard]] std::string image_format_of(std::string_view path);
+
+/// The formats, as a message may list them.
+inline constexpr std::string_view kImageFormats = "png, exr, tif, jpg, ppm, hdr";
+
+/// The file's bytes in memory: the same for the same picture and options. Precondition: the format is one of
+/// kImageFormats.
+[[nodiscard]] EncodedFile encode_image(const Image& image, std::string_view format, const ImageFileOptions& options);
+
+/// Encodes and writes; the old file stays unless all goes well. Returns what went wrong (lower case, no full stop), or
+/// "".
+[[nodiscard]] std::string write_image(const Image& image, const std::string& path, const ImageFileOptions& options);
+
+}  // namespace isl::render

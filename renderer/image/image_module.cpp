@@ -1,0 +1,88 @@
+#include "renderer/image/image_module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace isl::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModuleName = "isl_image.so";
+
+struct Module {
+  IslImageEncode encode = nullptr;
+  IslImageRelease release = nullptr;
+  std::string error;  ///< why there is none
+};
+
+/// Where the module is, or an empty path.
+fs::path find_module(const fs::path& executable_folder) {
+  std::error_code ignored;
+  for (const fs::path& folder : {executable_folder, executable_folder / ".." / "lib" / "isl"}) {
+    if (fs::exists(folder / kModuleName, ignored)) return folder / kModuleName;
+  }
+  return {};
+}
+
+std::string last_loader_error() {
+  const char* error = dlerror();
+  return error != nullptr ? error : "unknown reason";
+}
+
+Module load() {
+  Module module;
+  std::error_code problem;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", problem);
+  if (problem) {
+    module.error = fmt::format("cannot find where the program is installed: {}", problem.message());
+    return module;
+  }
+  const fs::path path = find_module(executable.parent_path());
+  if (path.empty()) {
+    module.error = fmt::format("cannot find the image module {} beside {} or in ../lib/isl from there", kModuleName,
+                               executable.string());
+    return module;
+  }
+  // Never closed: OpenImageIO keeps threads and statics that outlive any one picture.
+  void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    module.error = fmt::format("cannot load the image module: {}", last_loader_error());
+    return module;
+  }
+  const auto abi = reinterpret_cast<IslImageAbi>(dlsym(handle, "isl_image_abi"));
+  const auto encode = reinterpret_cast<IslImageEncode>(dlsym(handle, "isl_image_encode"));
+  const auto release = reinterpret_cast<IslImageRelease>(dlsym(handle, "isl_image_release"));
+  if (abi == nullptr || encode == nullptr || release == nullptr || abi() != ISL_IMAGE_ABI) {
+    module.error = fmt::format("the image module {} belongs to another version of the program", path.string());
+    return module;
+  }
+  module.encode = encode;
+  module.release = release;
+  return module;
+}
+
+}  // namespace
+
+EncodedFile encode_by_module(const IslImage& image) {
+  static const Module module = load();
+  EncodedFile file;
+  if (module.encode == nullptr) {
+    file.error = module.error;
+    return file;
+  }
+  IslEncoded encoded{};
+  module.encode(&image, &encoded);
+  if (encoded.bytes != nullptr) {
+    file.bytes.assign(encoded.bytes, encoded.bytes + encoded.size);
+  } else {
+    file.error = encoded.error != nullptr ? encoded.error : "the image module ran out of memory";
+  }
+  module.release(&encoded);
+  return file;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,50 @@
+// How much of a rendering is done, told to whoever wants to know.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+namespace isl::render {
+
+/// Counts work units from many threads. A report that would wait for another thread's is dropped: the next one says
+/// more.
+class Progress {
+ public:
+  explicit Progress(std::function<void(double)> tell) : tell_(std::move(tell)) {}
+
+  /// The work to come takes the share done from where it is to `end`, in `units` steps.
+  void begin_stage(double end, std::size_t units) {
+    start_ = end_;
+    end_ = end;
+    units_ = units;
+    done_ = 0;
+  }
+
+  /// One unit is done. Any thread.
+  void step() {
+    const std::size_t done = done_.fetch_add(1) + 1;
+    report(start_ + (end_ - start_) * static_cast<double>(done) / static_cast<double>(units_));
+  }
+
+  /// Everything is done. One thread, after the others.
+  void finish() { report(1); }
+
+ private:
+  void report(double share) {
+    if (!tell_) return;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock.owns_lock() || share <= told_) return;
+    told_ = share;
+    tell_(share);
+  }
+
+  std::function<void(double)> tell_;
+  std::mutex mutex_;
+  std::atomic<std::size_t> done_ = 0;
+  std::size_t units_ = 0;
+  double start_ = 0, end_ = 0;
+  double told_ = 0;
+};
+
+}  // namespace isl::render

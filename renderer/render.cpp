@@ -1,0 +1,168 @@
+// Two passes over the tiles: one centre sample in every pixel (or all of them, for a fixed number), then the rest of
+// the samples in the pixels that differ from a neighbour. Each tile is one task; what a task does depends on nothing
+// but its tile and the first pass, so neither threads nor their order show.
+#include "renderer/render.h"
+
+#include "base/check.h"
+#include "renderer/image/adaptive.h"
+#include "renderer/image/progress.h"
+#include "renderer/image/sample_pattern.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace isl::render {
+namespace {
+
+/// Samples a wave: enough for full vectors, small enough that a thread's workspace stays in its cache.
+constexpr std::size_t kWaveSize = 1024;
+
+/// Share of the progress bar that the first of two passes gets: a guess, since how much the second has to do is not
+/// known before.
+constexpr double kFirstPassShare = 0.4;
+
+PixelRect clipped(const PixelRect& rect, const RenderOptions& options) {
+  PixelRect result{std::clamp(rect.x0, 0, options.width), std::clamp(rect.y0, 0, options.height),
+                   std::clamp(rect.x1, 0, options.width), std::clamp(rect.y1, 0, options.height)};
+  if (result.empty()) result = {};
+  return result;
+}
+
+/// What the adaptive rule looks at for the pixels of `window`: one pixel more on each side.
+PixelRect with_neighbours(const PixelRect& window, const RenderOptions& options) {
+  if (window.empty()) return window;
+  return clipped({window.x0 - 1, window.y0 - 1, window.x1 + 1, window.y1 + 1}, options);
+}
+
+class Rendering {
+ public:
+  Rendering(const scene::Database& database, const Tracer& tracer, const RenderOptions& options, const Plan& plan)
+      : options_(options),
+        window_(clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options)),
+        film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
+        pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
+        wave_(database, tracer, plan,
+              CameraRays(database.camera.value_or(scene::Camera{}), options.width, options.height), options.alpha,
+              film_),
+        progress_(options.progress) {}
+
+  void run() {
+    if (options_.samples) {
+      progress_.begin_stage(1, tiles_of(film_.rect(), options_.tile_order).size());
+      trace_tiles(film_.rect(), 0, pattern_.size(), [](const Pixel&) { return true; });
+      return;
+    }
+    progress_.begin_stage(kFirstPassShare, tiles_of(film_.rect(), options_.tile_order).size());
+    trace_tiles(film_.rect(), 0, 1, [](const Pixel&) { return true; });
+    if (stopped()) return;
+    DisplayedPass displayed(film_.rect());
+    tbb::parallel_for(film_.rect().y0, film_.rect().y1, [&](int y) { displayed.fill_row(film_, y); });
+    progress_.begin_stage(1, tiles_of(window_, options_.tile_order).size());
+    trace_tiles(window_, 1, pattern_.size(),
+                [&](const Pixel& pixel) { return displayed.is_rough(pixel.x, pixel.y, options_.aa); });
+  }
+
+  /// Says so, unless it was stopped.
+  void finish() {
+    if (!skipped_) progress_.finish();
+  }
+
+  [[nodiscard]] RenderResult result() {
+    RenderResult result;
+    result.image = film_.develop(window_, options_.width, options_.height, options_.alpha);
+    workspaces_.combine_each([&](const Workspace& workspace) {
+      result.statistics.rays += workspace.counts;
+      result.statistics.counters += workspace.counters;
+    });
+    if (film_.rect().area() > 0) {
+      result.statistics.samples_per_pixel =
+          static_cast<double>(result.statistics.rays.camera) / static_cast<double>(film_.rect().area());
+    }
+    result.complete = !skipped_;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool stopped() {
+    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) skipped_ = true;
+    return skipped_;
+  }
+
+  /// Samples `first` to `last` (of the pattern) of every pixel of `rect` that `wanted` names.
+  template <class Wanted>
+  void trace_tiles(const PixelRect& rect, std::size_t first, std::size_t last, const Wanted& wanted) {
+    const std::vector<PixelRect> tiles = tiles_of(rect, options_.tile_order);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (stopped()) return;
+            trace_tile(tiles[i], first, last, wanted);
+            progress_.step();
+          }
+        },
+        tbb::simple_partitioner{});
+  }
+
+  template <class Wanted>
+  void trace_tile(const PixelRect& tile, std::size_t first, std::size_t last, const Wanted& wanted) {
+    Workspace& workspace = workspaces_.local();
+    pixels_of(tile, workspace.pixels);
+    workspace.samples.clear();
+    for (const Pixel& pixel : workspace.pixels) {
+      if (!wanted(pixel)) continue;
+      for (std::size_t i = first; i < last; ++i) {
+        workspace.samples.push_back({pixel.x + 0.5 + pattern_[i].x, pixel.y + 0.5 + pattern_[i].y,
+                                     static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y)), i == 0});
+        if (workspace.samples.size() == kWaveSize) flush(workspace);
+      }
+    }
+    flush(workspace);
+  }
+
+  void flush(Workspace& workspace) {
+    if (workspace.samples.empty()) return;
+    wave_.trace(workspace.samples, workspace);
+    workspace.samples.clear();
+  }
+
+  const RenderOptions& options_;
+  PixelRect window_;
+  Film film_;
+  std::vector<SampleOffset> pattern_;
+  WaveRenderer wave_;
+  Progress progress_;
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
+  std::atomic<bool> skipped_ = false;
+};
+
+}  // namespace
+
+RenderResult render(const scene::Database& database, const Tracer& tracer, const RenderOptions& options) {
+  ISL_CHECK(options.width >= 1 && options.height >= 1, "picture of {}x{}", options.width, options.height);
+  ISL_CHECK(options.threads >= 0, "{} threads", options.threads);
+  Plan plan = plan_of(database, options.quality);
+  Rendering rendering(database, tracer, options, plan);
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  // The arena says how many work here; the global limit must allow more than there are cores, if that many were asked
+  // for.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  const auto begin = std::chrono::steady_clock::now();
+  arena.execute([&] { rendering.run(); });
+  rendering.finish();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  RenderResult result = rendering.result();
+  result.statistics.seconds = elapsed.count();
+  result.statistics.threads = threads;
+  result.statistics.plan = std::move(plan);
+  return result;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,200 @@
+#include "renderer/scene/dump_json.h"
+
+#include <string_view>
+
+namespace isl::scene {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kKernelShapes[] = {"quartic", "gaussian"};
+constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
+constexpr std::string_view kSkeletons[] = {"point", "segment", "cone"};
+constexpr std::string_view kSolidKinds[] = {"sphere", "cylinder", "cone", "plane"};
+constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
+
+template <std::size_t count, class Enum>
+std::string_view name(const std::string_view (&names)[count], Enum value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+Json vector(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+/// Red, green, blue, then filter and transmit where there is any.
+Json colour(const Colour& c) {
+  Json json = Json::array({c.red, c.green, c.blue});
+  if (c.filter != 0 || c.transmit != 0) {
+    json.push_back(c.filter);
+    json.push_back(c.transmit);
+  }
+  return json;
+}
+
+/// The images of x, y, z, then of the origin.
+Json transform(const Transform& t) {
+  Json json = Json::array();
+  for (int row = 0; row < 4; ++row) json.push_back(Json::array({t.matrix[row][0], t.matrix[row][1], t.matrix[row][2]}));
+  return json;
+}
+
+Json texture(const Texture& t) {
+  const Finish& f = t.finish;
+  return {{"colour", colour(t.pigment.colour)},
+          {"ambient", colour(f.ambient)},
+          {"diffuse", f.diffuse},
+          {"brilliance", f.brilliance},
+          {"phong", f.phong},
+          {"phong_size", f.phong_size},
+          {"specular", f.specular},
+          {"roughness", f.roughness}};
+}
+
+Json kernel(const Kernel& k) {
+  Json json = {{"shape", name(kKernelShapes, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
+  if (k.meaning == RadiusMeaning::surface) json["hardness"] = k.hardness;
+  return json;
+}
+
+class Writer {
+ public:
+  Writer(const Database& database, const DescribeOrigin& describe_origin)
+      : database_(database), describe_origin_(describe_origin) {}
+
+  [[nodiscard]] Json write() const {
+    Json json = {{"settings", settings()}};
+    if (database_.camera) json["camera"] = camera(*database_.camera);
+    add(json, "kernels", database_.kernels, kernel);
+    add(json, "textures", database_.textures, texture);
+    add(json, "transforms", database_.transforms, transform);
+    add(json, "blobs", database_.blobs, [this](const Blob& b) { return blob(b); });
+    add(json, "solids", database_.solids, solid);
+    add(json, "groups", database_.groups, [this](const Group& g) { return Json{{"children", objects(g.children)}}; });
+    if (!database_.objects.empty()) json["objects"] = objects(database_.objects);
+    add(json, "lights", database_.lights, [this](const Light& l) { return light(l); });
+    return json;
+  }
+
+ private:
+  template <class Record, class Convert>
+  static void add(Json& json, std::string_view key, const std::vector<Record>& records, Convert convert) {
+    if (records.empty()) return;
+    Json& list = json[std::string(key)] = Json::array();
+    for (const Record& record : records) list.push_back(convert(record));
+  }
+
+  void add_origin(Json& json, OriginId id) const {
+    if (!describe_origin_ || id.value == 0) return;
+    Json origin = describe_origin_(id);
+    if (!origin.is_null()) json["origin"] = std::move(origin);
+  }
+
+  [[nodiscard]] Json settings() const {
+    const Settings& s = database_.settings;
+    Json json = {{"language_version", s.language_version}};
+    if (s.assumed_gamma) json["assumed_gamma"] = *s.assumed_gamma;
+    if (s.assumed_gamma_srgb) json["assumed_gamma"] = "srgb";
+    json["ambient_light"] = colour(s.ambient_light);
+    json["background"] = colour(s.background);
+    json["max_trace_level"] = s.max_trace_level;
+    json["adc_bailout"] = s.adc_bailout;
+    if (!s.solver.empty()) json["solver"] = s.solver;
+    if (!s.tolerance.empty()) json["tolerance"] = s.tolerance;
+    return json;
+  }
+
+  static Json camera(const Camera& c) {
+    return {{"location", vector(c.location)},
+            {"direction", vector(c.direction)},
+            {"right", vector(c.right)},
+            {"up", vector(c.up)}};
+  }
+
+  [[nodiscard]] Json component(const Component& c, OriginId origin) const {
+    Json json = {{"skeleton", name(kSkeletons, c.skeleton)}, {"a", vector(c.a)}};
+    if (c.skeleton != Skeleton::point) json["b"] = vector(c.b);
+    json["radius"] = c.radius_a;
+    if (c.skeleton == Skeleton::cone) json["radius_b"] = c.radius_b;
+    json["strength"] = c.strength;
+    json["kernel"] = index(c.kernel);
+    if (c.texture != kNoTexture) json["texture"] = index(c.texture);
+    if (c.transform != kIdentity) json["transform"] = index(c.transform);
+    add_origin(json, origin);
+    return json;
+  }
+
+  [[nodiscard]] Json blob(const Blob& b) const {
+    Json components = Json::array();
+    for (std::size_t i = 0; i < b.components.size(); ++i) {
+      components.push_back(component(b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
+    }
+    return {{"threshold", b.threshold}, {"components", std::move(components)}};
+  }
+
+  static Json solid(const Solid& s) {
+    Json json = {{"kind", name(kSolidKinds, s.kind)}, {"a", vector(s.a)}};
+    const bool has_ends = s.kind == SolidKind::cylinder || s.kind == SolidKind::cone;
+    if (has_ends) json["b"] = vector(s.b);
+    json[s.kind == SolidKind::plane ? "distance" : "radius"] = s.radius_a;
+    if (s.kind == SolidKind::cone) json["radius_b"] = s.radius_b;
+    if (s.open) json["open"] = true;
+    return json;
+  }
+
+  [[nodiscard]] Json objects(const std::vector<Object>& list) const {
+    Json json = Json::array();
+    for (const Object& object : list) {
+      Json entry = {{name(kObjectKinds, object.kind), object.shape}};
+      if (object.texture != kNoTexture) entry["texture"] = index(object.texture);
+      if (object.no_shadow) entry["no_shadow"] = true;
+      if (object.parent_from_object != Transform()) entry["transform"] = transform(object.parent_from_object);
+      add_origin(entry, object.origin);
+      json.push_back(std::move(entry));
+    }
+    return json;
+  }
+
+  [[nodiscard]] Json light(const Light& l) const {
+    Json json = {{"location", vector(l.location)}, {"colour", colour(l.colour)}};
+    if (l.shadowless) json["shadowless"] = true;
+    add_origin(json, l.origin);
+    return json;
+  }
+
+  const Database& database_;
+  const DescribeOrigin& describe_origin_;
+};
+
+/// Nesting is a few levels (a group names its children by number), so recursion is safe.
+void print(const Json& json, std::size_t indent, std::string& text) {
+  constexpr std::size_t kLineWidth = 160;
+  const std::string flat = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (indent > 0 && (!json.is_structured() || flat.size() + indent <= kLineWidth)) {
+    text += flat;
+    return;
+  }
+  const std::string padding(indent + 2, ' ');
+  text += json.is_array() ? '[' : '{';
+  bool is_first = true;
+  for (const auto& [key, value] : json.items()) {
+    text += is_first ? "\n" : ",\n";
+    is_first = false;
+    text += padding;
+    if (json.is_object()) text += Json(key).dump() + ": ";
+    print(value, indent + 2, text);
+  }
+  text += '\n' + std::string(indent, ' ') + (json.is_array() ? ']' : '}');
+}
+
+}  // namespace
+
+Json to_json(const Database& database, const DescribeOrigin& describe_origin) {
+  return Writer(database, describe_origin).write();
+}
+
+std::string dump_json(const Database& database, const DescribeOrigin& describe_origin) {
+  std::string text;
+  print(to_json(database, describe_origin), 0, text);
+  return text + '\n';
+}
+
+}  // namespace isl::scene

@@ -1,0 +1,48 @@
+// Textures made ready for lighting: everything about one that does not depend on the point or the light is multiplied
+// out once. Colours are in the scene's own working space (Settings::assumed_gamma), as POV-Ray computes; film makes
+// them linear.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <ImathColor.h>
+
+#include <vector>
+
+namespace isl::render {
+
+using Rgb = Imath::Color3<double>;
+
+[[nodiscard]] inline Rgb rgb(const scene::Colour& colour) { return {colour.red, colour.green, colour.blue}; }
+
+/// A texture for POV-Ray's plain finish. Highlights are colourless: they take the light's colour.
+struct Material {
+  Rgb pigment;  ///< the plain colour: what quality 0 and 1 show, and the albedo layer
+  Rgb ambient;  ///< finish ambient × ambient_light × pigment
+  Rgb diffuse;  ///< finish diffuse × pigment
+  double brilliance = 1;
+  double phong = 0;
+  double phong_size = 40;
+  double specular = 0;
+  double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as POV-Ray has it
+
+  [[nodiscard]] bool has_highlight() const { return phong > 0 || specular > 0; }
+};
+
+[[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Colour& ambient_light);
+
+/// The materials of a database, by texture. Immutable.
+class MaterialTable {
+ public:
+  explicit MaterialTable(const scene::Database& database);
+
+  /// kNoTexture gives the scene's default texture.
+  [[nodiscard]] const Material& operator[](scene::TextureId id) const {
+    return id == scene::kNoTexture ? materials_.back() : materials_[scene::index(id)];
+  }
+
+ private:
+  std::vector<Material> materials_;  ///< one a texture, then the default
+};
+
+}  // namespace isl::render

@@ -1,0 +1,11 @@
+// x^y with the same bits on every machine. The C library's pow picks its code by the processor it runs on (with or
+// without fused multiply-add), and what it returns ends up in pixels; this one uses +, −, ×, ÷ only.
+#pragma once
+
+namespace isl::render {
+
+/// x^y for x ≥ 0; relative error below 1e-14·(1 + |y log₂ x|/40). As with pow: x⁰ = 1 for every x, 0^y = 0 for y > 0,
+/// and infinite for y < 0. A negative or NaN x gives NaN unless y is 0.
+[[nodiscard]] double power(double x, double y) noexcept;
+
+}  // namespace isl::render

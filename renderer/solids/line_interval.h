@@ -1,0 +1,111 @@
+// The part of a line inside a convex set, as one interval of t whose ends know the surface that they lie on. The solids
+// here are intersections of such sets (a cylinder: an infinite cylinder and a slab), so a closed one always gives no
+// crossing or an entering and a leaving one: parity holds whatever is rounded.
+#pragma once
+
+#include "renderer/solids/kinds.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace isl::render {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One end of an interval. `known`: it is the root at t = 0 that the ray starts on.
+struct LineEnd {
+  double t = 0;
+  std::uint8_t part = kNoPart;
+  bool known = false;
+};
+
+/// Open interval (low, high) of t; infinite ends have no part. Empty unless low.t < high.t.
+struct LineInterval {
+  LineEnd low{-kInfinity};
+  LineEnd high{kInfinity};
+
+  [[nodiscard]] bool empty() const { return !(low.t < high.t); }
+
+  static LineInterval none() { return {{kInfinity}, {-kInfinity}}; }
+  static LineInterval between(LineEnd a, LineEnd b) { return a.t < b.t ? LineInterval{a, b} : LineInterval{b, a}; }
+  static LineInterval from(LineEnd a) { return {a, {kInfinity}}; }
+  static LineInterval up_to(LineEnd b) { return {{-kInfinity}, b}; }
+
+  /// Makes t = 0 belong to the closed interval: said of a set that a start on another surface of the same solid is
+  /// certainly in, though its rounded position may lie an ulp outside.
+  void hold_origin() {
+    low.t = std::min(low.t, 0.0);
+    high.t = std::max(high.t, 0.0);
+  }
+};
+
+/// Where both hold. Of equal ends the first set's is kept.
+[[nodiscard]] inline LineInterval intersection(const LineInterval& first, const LineInterval& second) {
+  return {second.low.t > first.low.t ? second.low : first.low, second.high.t < first.high.t ? second.high : first.high};
+}
+
+/// The ends of a solid's interval that are crossings to report: finite and not the known start.
+[[nodiscard]] inline Crossings closed_crossings(const LineInterval& inside) {
+  Crossings result;
+  if (inside.empty()) return result;
+  for (const LineEnd& end : {inside.low, inside.high}) {
+    if (end.known || end.part == kNoPart) continue;
+    result.t[result.count] = end.t;
+    result.part[result.count] = end.part;
+    ++result.count;
+  }
+  return result;
+}
+
+/// Of a tube without caps: the ends of the side that lie within the slab.
+[[nodiscard]] inline Crossings open_crossings(const LineInterval& side, const LineInterval& slab) {
+  Crossings result;
+  if (side.empty() || slab.empty()) return result;
+  for (const LineEnd& end : {side.low, side.high}) {
+    if (end.known || end.part == kNoPart || end.t < slab.low.t || end.t > slab.high.t) continue;
+    result.t[result.count] = end.t;
+    result.part[result.count] = end.part;
+    ++result.count;
+  }
+  return result;
+}
+
+/// A solid's axis: from `a` along the unit vector `along` for `length`; `valid` is false where a = b.
+struct Axis {
+  Vec3 along{0};
+  double length = 0;
+  bool valid = false;
+
+  explicit Axis(const scene::Solid& solid) {
+    const Vec3 span = solid.b - solid.a;
+    length = span.length();
+    valid = length > 0;
+    if (valid) along = span / length;
+  }
+  /// The share of v across the axis.
+  [[nodiscard]] Vec3 across(const Vec3& v) const { return v - along * v.dot(along); }
+};
+
+/// Between the planes of the two ends. Each end's plane is met from that end (o − a, o − b), so that a far end costs a
+/// near one no digits. A line within an end's plane is outside; one between the planes, along them, is inside
+/// everywhere.
+[[nodiscard]] inline LineInterval slab_interval(const scene::Solid& solid, const Axis& axis, const Vec3& origin,
+                                                const Vec3& direction, std::uint8_t start_part) {
+  const double rise = direction.dot(axis.along);
+  double below_a = (solid.a - origin).dot(axis.along);
+  double below_b = (solid.b - origin).dot(axis.along);
+  // The start is known to lie on an end: the distance to the other is the length, not a difference.
+  if (start_part == kCapA) below_a = 0, below_b = axis.length;
+  if (start_part == kCapB) below_a = -axis.length, below_b = 0;
+  LineInterval slab;
+  if (rise == 0) {
+    if (!(below_a < 0 && below_b > 0) && start_part != kSide) slab = LineInterval::none();
+  } else {
+    slab = LineInterval::between({below_a / rise, kCapA, start_part == kCapA},
+                                 {below_b / rise, kCapB, start_part == kCapB});
+  }
+  if (start_part == kSide) slab.hold_origin();
+  return slab;
+}
+
+}  // namespace isl::render

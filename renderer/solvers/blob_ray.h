@@ -1,0 +1,44 @@
+// A ray as a blob's solver sees it, and what it answers: the one small interface between finding a blob's surface and the
+// scene around it. Everything is in the blob's space; t means the same as in the world, the direction need not be normalised.
+#pragma once
+
+#include "renderer/scene/ids.h"
+#include "renderer/scene/transform.h"
+#include "renderer/tracer.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace isl::render {
+
+struct BlobRay {
+  Vec3 origin, direction;
+  double t_max = std::numeric_limits<double>::infinity();
+  bool starts_on_surface = false;  ///< the root at t = 0 is known
+  bool any = false;                ///< whether there is a crossing is all that is asked
+  double path_length = 0;          ///< before t = 0, in world units
+};
+
+struct BlobHit {
+  double t = std::numeric_limits<double>::infinity();
+  std::uint32_t cell = scene::kNone;
+  bool from_inside = false;
+
+  [[nodiscard]] bool is_miss() const { return cell == scene::kNone; }
+};
+
+/// How exactly, for every solver.
+struct SolverSettings {
+  SolverName name = SolverName::hermite;
+  int interpolants = 2;
+  Tolerance tolerance;
+  double pixel_angle = 0;
+
+  /// The tolerance along the ray, in scene units, at a distance from the eye. 0 for `exact`.
+  [[nodiscard]] double at(double distance) const {
+    if (name == SolverName::exact) return 0;
+    return tolerance.in_pixels ? tolerance.value * pixel_angle * distance : tolerance.value;
+  }
+};
+
+}  // namespace isl::render

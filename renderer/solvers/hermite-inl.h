@@ -1,0 +1,178 @@
+// The certified solver: the first root of F − T on a stretch of a ray, and the proof that none lies before it.
+//
+// On an interval of width h the true values and slopes at its ends give one cubic for the whole sum of fields, in Bernstein form
+//   b₀ = F₀,  b₁ = F₀ + hF′₀/3,  b₂ = F₁ − hF′₁/3,  b₃ = F₁,
+// and the fields' own bounds (RayLanes::remainder) a band E around it that F cannot leave. So:
+//   max b + E < 0                      no root: the hull of the control points holds the cubic;
+//   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
+//   otherwise                          halve the interval with a true node; E falls sixteenfold. Where E has fallen below the
+//                                      rounding of F and nothing is decided, the cubic is all that can be known: its own first
+//                                      root is taken, and counted as uncertified.
+// A ray that starts on the surface (a shadow, later a reflection) knows its root at 0 and divides it out: with b₀ := 0 the
+// quotient has the Bernstein coefficients cᵢ = (3/(i+1)) bᵢ₊₁, and its own band is (384/162)E where f is smooth and 2.46 E where
+// it is only C¹ (u(1−u)² ≤ 4/27). No offset, and so neither acne nor leaks.
+// The root is polished on the true field by Newton steps kept in a bracket, down to the rounding of F itself.
+//
+// Sherstyuk 1999 (Hermite interpolants along rays); Aydinlilar and Zanni 2023 (forward inclusion, here of third order);
+// Farouki and Rajan 1987 (Bernstein form).
+#if defined(ISL_RENDERER_SOLVERS_HERMITE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_HERMITE_INL_H_
+#undef ISL_RENDERER_SOLVERS_HERMITE_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_HERMITE_INL_H_
+#endif
+
+#include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/solvers/cubic.h"
+#include "renderer/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// A place on the ray with the field there, seen from the side that the ray is on: value < 0 until the ray crosses.
+struct Node {
+  double t, value, slope;
+  double noise, slope_noise;  ///< how far rounding may have moved them
+};
+
+class HermiteSolver {
+ public:
+  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals shorter than `shortest` are decided by the signs at
+  /// their ends and counted as uncertified.
+  HermiteSolver(const RayLanes& fields, double side, double shortest, TraceCounters& counters)
+      : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
+
+  void turn_inside() { side_ = -1; }
+
+  [[nodiscard]] Node node(double t) {
+    const FieldAt f = fields_.at(t);
+    counters_.field_evaluations += fields_.field_count();
+    return {t, side_ * f.value, side_ * f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
+  }
+
+  /// The first t in (a.t, b.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t, leaving to the side
+  /// it is on, and that root is not looked for. `any`: a crossing is all that is asked, its place may be rough.
+  [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
+    // Right ends of what is still to be searched, the nearest on top. Each halving adds one, and 2⁶⁴ halvings of any interval
+    // reach below the spacing of doubles.
+    Node ends[kMostHalvings];
+    int top = 0;
+    ends[0] = last;
+    while (top >= 0) {
+      const Node& b = ends[top];
+      switch (judge(a, b, a_is_root, any)) {
+        case Verdict::none:
+          a = b;
+          a_is_root = false;
+          --top;
+          break;
+        case Verdict::at_start: return a.t;
+        case Verdict::one: return any ? b.t : polish(a, b);
+        case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
+        case Verdict::unclear: {
+          const double middle = a.t + 0.5 * (b.t - a.t);
+          ends[++top] = node(middle);
+          break;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  enum class Verdict { none, at_start, one, in_cubic, unclear };
+  static constexpr int kMostHalvings = 64;
+
+  [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
+    const double h = b.t - a.t;
+    // Only a change of sign beyond the rounding is a crossing: a touch is none.
+    const bool crossed = b.value > b.noise;
+    if (any && crossed) return Verdict::one;
+    if (!a_is_root && a.value > a.noise) return Verdict::at_start;
+    const double noise = std::max(a.noise, b.noise), slope_noise = std::max(a.slope_noise, b.slope_noise);
+    const Remainder e = fields_.remainder(a.t, b.t);
+    const Bernstein p = cubic(a, b);
+    if (a_is_root) {
+      const Bernstein c = quotient(a, b);
+      constexpr double kQuotient = 2.46;
+      if (std::max({c.b0, c.b1, c.b2, c.b3}) + kQuotient * e.value + noise + h * slope_noise < 0) return Verdict::none;
+    } else {
+      if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
+      const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
+      const double fall = 3 * std::max({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
+      const double band = h * (e.slope + slope_noise);
+      if (rise > band) return crossed ? Verdict::one : Verdict::none;
+      if (fall < -band) return Verdict::none;
+    }
+    const double middle = a.t + 0.5 * h;
+    if (e.value > noise && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
+    ++counters_.uncertified_steps;
+    const Bernstein known = a_is_root ? quotient(a, b) : p;
+    if (crossed || first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
+      return Verdict::in_cubic;
+    }
+    return Verdict::none;
+  }
+
+  struct Bernstein {
+    double b0, b1, b2, b3;
+  };
+  [[nodiscard]] static Bernstein cubic(const Node& a, const Node& b) {
+    const double third = (b.t - a.t) * (1.0 / 3);
+    return {a.value, a.value + third * a.slope, b.value - third * b.slope, b.value};
+  }
+  /// The cubic over its root at a, c₀ … c₂, raised to a cubic again. Its hull is no larger.
+  [[nodiscard]] static Bernstein quotient(const Node& a, const Node& b) {
+    const double h = b.t - a.t;
+    const double c0 = h * a.slope, c1 = 1.5 * (b.value - h * b.slope * (1.0 / 3)), c2 = b.value;
+    return {c0, (c0 + 2 * c1) * (1.0 / 3), (2 * c1 + c2) * (1.0 / 3), c2};
+  }
+
+  /// The root of an interval too short, or too close to rounding, to be certain of: the cubic's own, then two Newton steps.
+  [[nodiscard]] double root_in_cubic(const Node& a, const Node& b, bool a_is_root) {
+    const Bernstein p = a_is_root ? quotient(a, b) : cubic(a, b);
+    double t = a.t + (b.t - a.t) * std::min(1.0, first_crossing_of_cubic(p.b0, p.b1, p.b2, p.b3));
+    for (int i = 0; i < 2; ++i) {
+      const Node n = node(t);
+      const double next = t - n.value / n.slope;
+      if (!(next > a.t && next <= b.t) || std::abs(n.value) <= n.noise) break;
+      t = next;
+    }
+    return t;
+  }
+
+  /// a.value ≤ 0 < b.value. First guess from the cubic, then Newton on the true field inside the bracket.
+  [[nodiscard]] double polish(Node a, Node b) {
+    const double h = b.t - a.t;
+    double t = a.t + h * root_of_rising_cubic(a.value, a.value + h * a.slope * (1.0 / 3), b.value - h * b.slope * (1.0 / 3), b.value);
+    // Bisection alone would need 64 steps; Newton's, once they contract, three or four.
+    for (int i = 0; i < kMostHalvings; ++i) {
+      t = std::clamp(t, a.t, b.t);
+      const Node n = node(t);
+      (n.value > 0 ? b : a) = n;
+      double next = t - n.value / n.slope;
+      const bool newton = next > a.t && next < b.t;
+      // Within the rounding of F one more step still gains a digit, and a second one none.
+      if (std::abs(n.value) <= n.noise) return newton ? next : t;
+      if (!newton) next = a.t + 0.5 * (b.t - a.t);
+      if (next == t || !(next > a.t && next < b.t)) return t;
+      t = next;
+    }
+    return t;
+  }
+
+  const RayLanes& fields_;
+  double side_, shortest_;
+  TraceCounters& counters_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

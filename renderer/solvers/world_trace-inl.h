@@ -1,0 +1,120 @@
+// One ray against everything: half-spaces, then the top-level grid's instances in order of the cells they stand in, each in
+// its own space. t is the same in all spaces, since directions are transformed and not normalised again.
+#if defined(ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
+#undef ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
+#endif
+
+#include "renderer/solids/solid.h"
+#include "renderer/solvers/cell_search-inl.h"
+#include "renderer/solvers/paper-inl.h"
+
+#include <array>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class WorldTrace {
+ public:
+  WorldTrace(const CompiledScene& scene, const SolverSettings& settings, TraceMemory& memory, TraceCounters& counters)
+      : scene_(scene), settings_(settings), memory_(memory), counters_(counters) {}
+
+  /// With `any`, the first thing found that throws a shadow ends the search, and only whether there is one is told.
+  [[nodiscard]] Hit trace(const Ray& ray, bool any) {
+    Hit best;
+    best.t = ray.t_max;
+    if (!is_sound(ray)) {
+      best.t = std::numeric_limits<double>::infinity();
+      return best;
+    }
+    for (const std::uint32_t instance : scene_.unbounded) {
+      if (meet(instance, ray, any, best) && any) return best;
+    }
+    const Grid& grid = scene_.grid;
+    if (scene_.bounded.size() <= kFewInstances) {
+      for (const std::uint32_t instance : scene_.bounded) {
+        if (meet(instance, ray, any, best) && any) return best;
+      }
+    } else if (!grid.is_empty()) {
+      const BoxSpan span = clip_to_box(grid.box, ray.origin, ray.direction, 0, best.t);
+      if (span.enter < span.leave) {
+        recent_.fill(scene::kNone);
+        walk(grid, ray.origin, ray.direction, span.enter, span.leave,
+             [&](std::uint32_t, const Cell& cell, double t0, double) HWY_ATTR {
+               if (t0 > best.t) return true;
+               for (std::uint32_t i = 0; i < cell.count(); ++i) {
+                 const std::uint32_t instance = grid.items[cell.first + i];
+                 std::uint32_t& recent = recent_[instance % recent_.size()];
+                 if (recent == instance) continue;
+                 recent = instance;
+                 if (meet(instance, ray, any, best) && any) return true;
+               }
+               return false;
+             });
+      }
+    }
+    if (best.is_miss()) best.t = std::numeric_limits<double>::infinity();
+    return best;
+  }
+
+ private:
+  /// Up to here a list is quicker than a grid.
+  static constexpr std::size_t kFewInstances = 3;
+
+  [[nodiscard]] static bool is_sound(const Ray& ray) {
+    const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
+    return std::isfinite(sum) && ray.direction.length2() > 0;
+  }
+
+  /// Whether the instance is met before `best`, which then is the new hit.
+  bool meet(std::uint32_t index, const Ray& ray, bool any, Hit& best) {
+    const Instance& instance = scene_.instances[index];
+    if (any && instance.no_shadow) return false;
+    Vec3 origin = ray.origin, direction = ray.direction;
+    if (instance.is_placed) {
+      origin = instance.world_from_object.inverse_point(origin);
+      direction = instance.world_from_object.inverse_vector(direction);
+    }
+    const bool starts_here = ray.start.instance == index;
+    if (instance.kind == scene::Object::Kind::blob) {
+      const BlobRay blob_ray{origin, direction, best.t, starts_here, any, ray.path_length};
+      const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
+      if (hit.is_miss() || !(any || hit.t < best.t)) return false;  // with `any`, t is rough and within t_max
+      best = {hit.t, index, hit.cell, 0, hit.from_inside};
+      return true;
+    }
+    const scene::Solid& solid = scene_.solids[instance.shape];
+    const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart);
+    for (int i = 0; i < found.count; ++i) {
+      const double t = found.t[static_cast<std::size_t>(i)];
+      if (!(t > 0)) continue;
+      if (!(t < best.t)) return false;
+      const std::uint8_t part = found.part[static_cast<std::size_t>(i)];
+      const bool from_inside = !any && normal_at(solid, part, origin + direction * t).dot(direction) > 0;
+      best = {t, index, scene::kNone, part, from_inside};
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {
+    if (settings_.name == SolverName::paper) return PaperSearch(blob, settings_, memory_.paper, counters_).first_hit(ray);
+    return CellSearch(blob, settings_, memory_.lanes, counters_).first_hit(ray);
+  }
+
+  const CompiledScene& scene_;
+  const SolverSettings& settings_;
+  TraceMemory& memory_;
+  TraceCounters& counters_;
+  std::array<std::uint32_t, 16> recent_;  ///< a mailbox: what the ray has met in the cells behind it
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,39 @@
+// The inner loops, compiled once for every vector width and chosen at run time. See trace_kernel.cpp.
+#pragma once
+
+#include "renderer/compiled_scene.h"
+#include "renderer/fields/lane_memory.h"
+#include "renderer/solvers/blob_ray.h"
+#include "renderer/solvers/paper_memory.h"
+#include "renderer/tracer.h"
+
+#include <span>
+
+namespace isl::render {
+
+/// Weighted textures and the gradient of a blob at a point: what shading needs.
+struct BlobPoint {
+  Vec3 gradient{0};  ///< of F, in the blob's space
+  std::vector<TextureShare> shares;  ///< |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own
+};
+
+/// What a thread reuses from ray to ray.
+struct TraceMemory {
+  LaneMemory lanes;
+  PaperMemory paper;
+};
+
+struct TraceKernel {
+  const char* target;
+  void (*first_hits)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<Hit>, TraceMemory&,
+                     TraceCounters&);
+  void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
+                     TraceCounters&);
+  void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, BlobPoint&);
+};
+
+/// The kernel for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …). Null if the
+/// machine or the program lacks it.
+[[nodiscard]] const TraceKernel* trace_kernel(const std::string& target);
+
+}  // namespace isl::render

@@ -1,0 +1,87 @@
+#include "renderer/tracer.h"
+
+#include "base/check.h"
+#include "renderer/compiled_scene.h"
+#include "renderer/grid/grid_json.h"
+#include "renderer/solids/solid.h"
+#include "renderer/trace_kernel.h"
+
+namespace isl::render {
+namespace {
+
+TraceMemory& thread_memory() {
+  static thread_local TraceMemory memory;
+  return memory;
+}
+
+BlobPoint& thread_blob_point() {
+  static thread_local BlobPoint point;
+  return point;
+}
+
+}  // namespace
+
+struct Tracer::Impl {
+  CompiledScene scene;
+  SolverSettings settings;
+  const TraceKernel* kernel = nullptr;
+};
+
+Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
+  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle};
+  impl_->scene = compile(database, {.classify_cells = options.solver != SolverName::paper});
+  impl_->kernel = trace_kernel(options.simd);
+  ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
+}
+
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+
+bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name) != nullptr; }
+
+void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const {
+  ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
+  impl_->kernel->first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
+}
+
+void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
+  ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
+  impl_->kernel->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
+}
+
+void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
+  ISL_DCHECK(!hit.is_miss());
+  const Instance& instance = impl_->scene.instances[hit.instance];
+  point.position = ray.origin + ray.direction * hit.t;
+  point.textures.clear();
+  const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
+  Vec3 normal;
+  if (instance.kind == scene::Object::Kind::solid) {
+    normal = normal_at(impl_->scene.solids[instance.shape], hit.part, local);
+    point.textures.push_back({instance.texture, 1.0});
+  } else {
+    BlobPoint& blob = thread_blob_point();
+    impl_->kernel->blob_point(impl_->scene.blobs[instance.shape], hit.cell, local, blob);
+    normal = -blob.gradient;
+    double total = 0;
+    for (const TextureShare& share : blob.shares) total += share.weight;
+    for (const TextureShare& share : blob.shares) {
+      const scene::TextureId texture = share.texture == scene::kNoTexture ? instance.texture : share.texture;
+      point.textures.push_back({texture, share.weight / total});
+    }
+    // Only where the published solver takes a place far from every field for the surface.
+    if (point.textures.empty()) point.textures.push_back({instance.texture, 1.0});
+  }
+  if (instance.is_placed) normal = instance.world_from_object.normal(normal);
+  const double length = normal.length();
+  // A gradient of zero on the surface (a saddle exactly at the threshold) has no normal; facing the ray is as good as any.
+  point.normal = length > 0 ? normal / length : -ray.direction;
+}
+
+std::size_t Tracer::grid_bytes() const { return impl_->scene.grid_bytes(); }
+
+std::string Tracer::grid_json() const { return render::grid_json(impl_->scene); }
+
+const char* Tracer::simd_target() const { return impl_->kernel->target; }
+
+}  // namespace isl::render

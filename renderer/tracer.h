@@ -1,0 +1,118 @@
+// Rays against a compiled scene: the seam between finding surfaces (fields, grid, solvers, solids) and making pictures of
+// them (shading, effects, image). Rays come in batches, so that the inside may choose its own order and vector width.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isl::render {
+
+using scene::Vec3;
+
+/// Number of an instance: one placed solid or blob of the flattened scene. scene::kNone is "none".
+using InstanceId = std::uint32_t;
+
+/// The surface a secondary ray starts on, so that its root at t = 0 is known and not searched for.
+struct RayStart {
+  InstanceId instance = scene::kNone;
+  std::uint8_t part = 0;  ///< of a solid: which of its surfaces (Hit::part)
+};
+
+/// A half-line in world space. The direction has unit length. A ray with NaN or infinite entries, or a zero direction,
+/// meets nothing.
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+  double t_max = std::numeric_limits<double>::infinity();  ///< beyond it nothing counts (a light's distance)
+  double path_length = 0;  ///< from the eye to the origin; with the pixel's angle it gives the footprint
+  RayStart start;
+};
+
+/// The nearest surface. `instance` is scene::kNone for a miss.
+struct Hit {
+  double t = std::numeric_limits<double>::infinity();
+  InstanceId instance = scene::kNone;
+  std::uint32_t cell = scene::kNone;  ///< of a blob: the cell whose list holds every component that matters at the hit
+  std::uint8_t part = 0;              ///< of a solid: which of its surfaces
+  bool from_inside = false;           ///< the ray came out of the solid rather than into it
+
+  [[nodiscard]] bool is_miss() const { return instance == scene::kNone; }
+};
+
+/// A texture and its share of the material at a point; the shares of a point add up to one.
+struct TextureShare {
+  scene::TextureId texture;
+  double weight;
+};
+
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 normal;  ///< outward, unit length, in world space
+  std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point
+};
+
+/// Work done, for --stats. Merged over threads; sums do not depend on their order.
+struct TraceCounters {
+  std::uint64_t field_evaluations = 0;
+  std::uint64_t uncertified_steps = 0;
+  std::uint64_t cells = 0;
+
+  TraceCounters& operator+=(const TraceCounters& other) {
+    field_evaluations += other.field_evaluations;
+    uncertified_steps += other.uncertified_steps;
+    cells += other.cells;
+    return *this;
+  }
+};
+
+enum class SolverName : std::uint8_t { hermite, paper, exact };
+
+/// A length along the ray: in pixels of the ray's own footprint, or in scene units.
+struct Tolerance {
+  double value = 0.05;
+  bool in_pixels = true;
+};
+
+struct TracerOptions {
+  SolverName solver = SolverName::hermite;
+  int interpolants = 2;          ///< of `paper:K`
+  Tolerance tolerance;
+  double pixel_angle = 1e-3;     ///< radians a pixel subtends at the eye, for tolerances in pixels
+  std::string simd;              ///< "" for the best the machine has, or a Highway target name ("AVX2")
+};
+
+/// A database made ready to be traced. Immutable; every member may be called from many threads.
+class Tracer {
+ public:
+  Tracer(const scene::Database& database, const TracerOptions& options);
+  ~Tracer();
+  Tracer(Tracer&&) noexcept;
+
+  /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max.
+  void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const;
+
+  /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
+  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
+
+  /// Normal and materials where `ray` meets `hit`. Precondition: the hit is none of a miss.
+  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
+
+  /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
+  [[nodiscard]] static bool has_simd_target(const std::string& name);
+
+  [[nodiscard]] std::size_t grid_bytes() const;
+  [[nodiscard]] std::string grid_json() const;  ///< for `isl dump --stage grid`
+  [[nodiscard]] const char* simd_target() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace isl::render

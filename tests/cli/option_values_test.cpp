@@ -1,0 +1,88 @@
+#include "cli/option_values.h"
+
+#include <gtest/gtest.h>
+
+namespace isl::cli {
+namespace {
+
+TEST(OptionValues, SizeIsTwoPositiveWholeNumbers) {
+  EXPECT_EQ(parse_size("640x480").value(), (PictureSize{640, 480}));
+  for (const char* bad : {"", "640", "640x", "x480", "0x480", "640x-1", "640x480x3", "1e3x2", "70000x10", " 640x480"}) {
+    EXPECT_FALSE(parse_size(bad).ok()) << bad;
+  }
+  EXPECT_NE(parse_size("640*480").message().find("`640*480`"), std::string::npos) << "the message says what was found";
+}
+
+TEST(OptionValues, CropIsAWindowThatHoldsAPixel) {
+  EXPECT_EQ(parse_crop("0,10,20,30").value(), (std::array{0, 10, 20, 30}));
+  for (const char* bad : {"", "1,2,3", "1,2,3,4,5", "5,0,5,9", "0,9,5,9", "-1,0,5,5", "0,0,5,5,", "a,b,c,d"}) {
+    EXPECT_FALSE(parse_crop(bad).ok()) << bad;
+  }
+}
+
+TEST(OptionValues, SolverIsANameAndForThePaperACount) {
+  using render::SolverName;
+  EXPECT_EQ(parse_solver("hermite").value().name, SolverName::hermite);
+  EXPECT_EQ(parse_solver("exact").value().name, SolverName::exact);
+  EXPECT_EQ(parse_solver("paper").value().interpolants, 2);
+  EXPECT_EQ(parse_solver("paper:5").value().name, SolverName::paper);
+  EXPECT_EQ(parse_solver("paper:5").value().interpolants, 5);
+  for (const char* bad : {"", "Hermite", "paper:", "paper:0", "paper:1000", "paper:2x", "hermite:2"}) {
+    EXPECT_FALSE(parse_solver(bad).ok()) << bad;
+  }
+}
+
+TEST(OptionValues, ToleranceIsInPixelsOrInSceneUnits) {
+  const render::Tolerance pixels = parse_tolerance("0.05px").value();
+  EXPECT_EQ(pixels.value, 0.05);
+  EXPECT_TRUE(pixels.in_pixels);
+  const render::Tolerance units = parse_tolerance("1e-4").value();
+  EXPECT_EQ(units.value, 1e-4);
+  EXPECT_FALSE(units.in_pixels);
+  for (const char* bad : {"", "px", "0", "0px", "-1", "nan", "inf", "1e999", "1 px", "5%"}) {
+    EXPECT_FALSE(parse_tolerance(bad).ok()) << bad;
+  }
+}
+
+TEST(OptionValues, ToleranceAndSolverReadBackFromTheirText) {
+  for (const char* text : {"0.05px", "1e-9", "2"}) {
+    const render::Tolerance first = parse_tolerance(text).value();
+    const render::Tolerance again = parse_tolerance(to_text(first)).value();
+    EXPECT_EQ(first.value, again.value);
+    EXPECT_EQ(first.in_pixels, again.in_pixels);
+  }
+  EXPECT_EQ(to_text(parse_solver("paper").value()), "paper:2");
+  EXPECT_EQ(to_text(parse_solver("exact").value()), "exact");
+}
+
+TEST(OptionValues, DefineIsANumberWhereItReadsAsOne) {
+  EXPECT_EQ(std::get<double>(parse_define("Levels=4").value().second), 4);
+  EXPECT_EQ(std::get<double>(parse_define("A=-1.5e2").value().second), -150);
+  EXPECT_EQ(std::get<std::string>(parse_define("Kernel=quartic").value().second), "quartic");
+  EXPECT_EQ(std::get<std::string>(parse_define("Kernel=\"7\"").value().second), "7")
+      << "quotes make a string of a number";
+  EXPECT_EQ(std::get<std::string>(parse_define("Empty=").value().second), "");
+  EXPECT_EQ(std::get<std::string>(parse_define("Formula=a=b").value().second), "a=b");
+  for (const char* bad : {"", "Levels", "=4", "4=4", "a b=1", "a-b=1"}) EXPECT_FALSE(parse_define(bad).ok()) << bad;
+}
+
+TEST(OptionValues, MemoryIsBytesOrAShareOfTheMachine) {
+  EXPECT_EQ(parse_memory("512M").value(), std::size_t{512} << 20);
+  EXPECT_EQ(parse_memory("1.5K").value(), 1536u);
+  EXPECT_EQ(parse_memory("1000").value(), 1000u);
+  const std::size_t whole = parse_memory("100%").value();
+  EXPECT_NEAR(static_cast<double>(parse_memory("50%").value()), static_cast<double>(whole) / 2, 1);
+  for (const char* bad : {"", "M", "%", "0", "-1G", "1T", "1e30"}) EXPECT_FALSE(parse_memory(bad).ok()) << bad;
+}
+
+TEST(OptionValues, NumbersOutOfRangeAreToldTheirRange) {
+  EXPECT_EQ(parse_integer("7", 0, 11).value(), 7);
+  EXPECT_NE(parse_integer("12", 0, 11).message().find("from 0 to 11, found 12"), std::string::npos);
+  EXPECT_NE(parse_integer("many", 0, 11).message().find("`many`"), std::string::npos);
+  EXPECT_FALSE(parse_integer("99999999999999999999", 0, 11).ok());
+  EXPECT_FALSE(parse_number("-0.1", 0, 1).ok());
+  EXPECT_EQ(parse_number("0.25", 0, 1).value(), 0.25);
+}
+
+}  // namespace
+}  // namespace isl::cli

@@ -1,0 +1,58 @@
+// The face that a field implementation shows to the conformance suite: one component's f, nothing of blobs or thresholds.
+// Whoever writes a field adds a maker to implementations.cpp; field_cases and properties then apply to it without change.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace isl::conformance {
+
+using scene::Vec3;
+
+struct ValueAndDerivative {
+  double value;
+  double derivative;  ///< d/dt
+};
+
+struct ValueRange {
+  double low, high;
+};
+
+/// Bounds on the error of the cubic that agrees with f and f′ at both ends of a stretch of ray.
+struct RemainderBounds {
+  double value;       ///< of |f − cubic|
+  double derivative;  ///< of |f′ − cubic′|
+};
+
+/// All in the blob's space: `strength` and transform are applied. Every function must be given.
+struct FieldUnderTest {
+  std::function<double(const Vec3& p)> value;
+  std::function<Vec3(const Vec3& p)> gradient;
+  /// f and df/dt at origin + t·direction; the direction may have any length but zero.
+  std::function<ValueAndDerivative(const Vec3& origin, const Vec3& direction, double t)> along_ray;
+  /// Encloses f over the box.
+  std::function<ValueRange(const Vec3& low, const Vec3& high)> range_over_box;
+  std::function<RemainderBounds(const Vec3& origin, const Vec3& direction, double t0, double t1)> remainder;
+};
+
+/// A way of making fields, by name.
+struct Implementation {
+  std::string name;
+  std::function<FieldUnderTest(const scene::Component&, const scene::Kernel&, const scene::Transform&)> make;
+};
+
+/// All there are; the reference is the first.
+[[nodiscard]] const std::vector<Implementation>& implementations();
+
+/// The reference of tests/reference behind this face.
+[[nodiscard]] FieldUnderTest reference_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
+                                                        const scene::Transform& transform);
+
+/// renderer/fields behind this face.
+[[nodiscard]] FieldUnderTest product_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
+                                                      const scene::Transform& transform);
+
+}  // namespace isl::conformance

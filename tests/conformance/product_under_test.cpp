@@ -1,0 +1,65 @@
+// The renderer's own fields (renderer/fields) behind the suite's face: a blob of one component and threshold 0, so that F = f.
+// Compiled for the baseline target; that all vector widths give the same bits is renderer_tests' to show.
+#include "renderer/fields/blob_point-inl.h"
+#include "renderer/fields/ray_lanes-inl.h"
+#include "tests/conformance/field_under_test.h"
+
+#include <array>
+#include <memory>
+
+namespace isl::conformance {
+namespace {
+
+namespace lanes = render::HWY_NAMESPACE;
+
+/// A compiled blob of one component, in a grid of one cell.
+render::CompiledBlob single(const scene::Component& component, const scene::Kernel& kernel, const scene::Transform& transform) {
+  scene::Database database;
+  database.kernels.push_back(kernel);
+  database.transforms.push_back(transform);
+  scene::Component placed = component;
+  placed.transform = scene::TransformId{0};
+  placed.kernel = scene::KernelId{0};
+  render::CompiledBlob blob;
+  blob.components = render::compile_components(database, {.threshold = 0, .components = {placed}, .origins = {{}}});
+  blob.grid.items = {0};
+  blob.grid.cells = {render::Cell::make(render::CellKind::leaf, 0, 1)};
+  return blob;
+}
+
+}  // namespace
+
+FieldUnderTest product_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
+                                        const scene::Transform& transform) {
+  const auto blob = std::make_shared<const render::CompiledBlob>(single(component, kernel, transform));
+  const auto along = [blob](const Vec3& origin, const Vec3& direction, double t) -> ValueAndDerivative {
+    render::LaneMemory memory;
+    lanes::RayLanes fields(memory);
+    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t, t);
+    const lanes::FieldAt f = fields.at(t);
+    return {f.value, f.slope};
+  };
+  FieldUnderTest field;
+  field.along_ray = along;
+  field.value = [along](const Vec3& p) { return along(p, Vec3(0.36, 0.48, 0.8), 0).value; };
+  field.gradient = [blob](const Vec3& p) {
+    render::BlobPoint point;
+    lanes::blob_point(*blob, 0, p, point);
+    return point.gradient;
+  };
+  field.range_over_box = [blob](const Vec3& low, const Vec3& high) -> ValueRange {
+    const render::FieldRange range =
+        render::field_range(blob->components, blob->components.groups.front(), 0, render::Box(low, high));
+    return {range.low, range.high};
+  };
+  field.remainder = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> RemainderBounds {
+    render::LaneMemory memory;
+    lanes::RayLanes fields(memory);
+    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
+    const lanes::Remainder bound = fields.remainder(t0, t1);
+    return {bound.value, bound.slope};
+  };
+  return field;
+}
+
+}  // namespace isl::conformance

@@ -1,0 +1,21 @@
+// What every field must do, as functions that look for a violation. The suite asserts that they find none in a proper
+// field and one in a field broken on purpose.
+#pragma once
+
+#include "tests/conformance/field_cases.h"
+#include "tests/conformance/field_under_test.h"
+
+#include <string>
+#include <vector>
+
+namespace isl::conformance {
+
+struct Property {
+  std::string name;
+  /// The first violation in words; empty where there is none.
+  std::string (*violation)(const FieldUnderTest&, const FieldCase&);
+};
+
+[[nodiscard]] const std::vector<Property>& properties();
+
+}  // namespace isl::conformance

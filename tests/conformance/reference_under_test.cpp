@@ -1,0 +1,76 @@
+// The reference behind the face of the conformance suite: the proof that the properties can be met.
+#include "tests/conformance/field_under_test.h"
+#include "tests/reference/reference_ray.h"
+
+#include <cmath>
+#include <memory>
+
+namespace isl::conformance {
+namespace {
+
+using reference::exactly;
+using reference::FieldOnRay;
+using reference::FieldRange;
+using reference::FieldSample;
+using reference::Interval;
+using reference::interval_of;
+using reference::ReferenceField;
+
+scene::Database database_of(const scene::Component& component, const scene::Kernel& kernel,
+                            const scene::Transform& transform) {
+  scene::Database database;
+  database.kernels.push_back(kernel);
+  database.transforms.push_back(transform);
+  scene::Component alone = component;
+  alone.kernel = static_cast<scene::KernelId>(0);
+  alone.transform = static_cast<scene::TransformId>(0);
+  database.blobs.push_back({1, {alone}, {{}}});
+  return database;
+}
+
+double rounded(long double x) { return static_cast<double>(x); }
+
+/// From the range [m, M] of f′ alone. The cubic's slope is a quadratic with Bernstein coefficients f′(t0), 3s − f′(t0)
+/// − f′(t1) and f′(t1), where s, the mean slope, also lies in [m, M]: so the slopes differ by at most the width of what
+/// holds all of them, and the values, which agree at both ends, by that times half the length.
+RemainderBounds remainder_from_slopes(const FieldOnRay& ray, long double t0, long double t1) {
+  const FieldOnRay::Active all = ray.all();
+  const FieldRange first = ray.at(all, t0), last = ray.at(all, t1);
+  const Interval slopes = ray.over(all, t0, t1).derivative;
+  const Interval mean = common(slopes, (last.value - first.value) / (Interval(t1) - Interval(t0)));
+  const Interval middle = Interval(3) * mean - first.derivative - last.derivative;
+  const long double width = hull(slopes, middle).width();
+  return {rounded(width * (t1 - t0) / 2), rounded(width)};
+}
+
+}  // namespace
+
+FieldUnderTest reference_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
+                                          const scene::Transform& transform) {
+  const scene::Database database = database_of(component, kernel, transform);
+  const auto field = std::make_shared<const ReferenceField>(database, database.blobs[0]);
+  const auto sample = [field](const reference::Vector<long double>& p) {
+    return field->components().front().sample(p);
+  };
+
+  FieldUnderTest tested;
+  tested.value = [sample](const Vec3& p) { return rounded(sample(exactly(p)).value); };
+  tested.gradient = [sample](const Vec3& p) {
+    const reference::Vector<long double> g = sample(exactly(p)).gradient;
+    return Vec3(rounded(g.x), rounded(g.y), rounded(g.z));
+  };
+  tested.along_ray = [sample](const Vec3& origin, const Vec3& direction, double t) {
+    const FieldSample here = sample(exactly(origin) + exactly(direction) * static_cast<long double>(t));
+    return ValueAndDerivative{rounded(here.value), rounded(dot(here.gradient, exactly(direction)))};
+  };
+  tested.range_over_box = [field](const Vec3& low, const Vec3& high) {
+    const Interval range = field->components().front().range({{low.x, high.x}, {low.y, high.y}, {low.z, high.z}});
+    return ValueRange{rounded(range.lo), rounded(range.hi)};
+  };
+  tested.remainder = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    return remainder_from_slopes(FieldOnRay(*field, {interval_of(origin), interval_of(direction)}), t0, t1);
+  };
+  return tested;
+}
+
+}  // namespace isl::conformance

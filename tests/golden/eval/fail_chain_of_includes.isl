@@ -1,0 +1,2 @@
+#include "included.inc"
+Ball("wide")

@@ -1,0 +1,2 @@
+#error "the scene gives up"
+sphere { 0, NotReached }

@@ -1,0 +1,1 @@
+#include "fail_include_of_itself.isl"

@@ -1,0 +1,4 @@
+sphere { 0 }
+sphere { }
+cylinder { 0, y }
+camera { location }

@@ -1,0 +1,3 @@
+#fopen Handle "x.txt" write
+#write (Handle, 1)
+#fclose Handle

@@ -1,0 +1,2 @@
+#macro Forever(N) (1 + Forever(N + 1)) #end
+#declare A = Forever(0);

@@ -1,0 +1,2 @@
+#macro Forever(N) Forever(N + 1) #end
+Forever(0)

@@ -1,0 +1,2 @@
+#version 3.6;
+#declare A = srgb 1;

@@ -1,0 +1,2 @@
+#declare Radius = 2;
+sphere { 0, Raduis }

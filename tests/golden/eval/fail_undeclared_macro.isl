@@ -1,0 +1,2 @@
+#macro Branch(N) #end
+#declare A = Brunch(1);

@@ -1,0 +1,4 @@
+#if (A)
+  union { sphere { 0, 1 }
+#end
+sphere { 0, 1 }

@@ -1,0 +1,2 @@
+#if A > 3 sphere { 0, 1 } #end
+#while A sphere { 0, 1 } #end

@@ -1,0 +1,1 @@
+#switch (A) #range (1) sphere { 0, 1 } #end

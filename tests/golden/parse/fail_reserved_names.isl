@@ -1,0 +1,3 @@
+#declare sphere = 1;
+#macro Ring(x) #end
+#for (clock, 1, 2) #end

@@ -1,0 +1,4 @@
+sphere { 0, 1 } }
+#end
+#else
+#if (A) } #end

@@ -1,0 +1,3 @@
+sphere {
+  <0, 0, 0>, 1
+  pigment { rgb 1 }

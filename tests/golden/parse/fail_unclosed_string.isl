@@ -1,0 +1,2 @@
+#include "colors.inc
+sphere { 0, 1 }

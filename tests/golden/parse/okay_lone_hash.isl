@@ -1,0 +1,2 @@
+camera { look_at <0, 0, 0> #
+}

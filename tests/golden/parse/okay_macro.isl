@@ -1,0 +1,7 @@
+#macro Ring(Count, Radius)
+  #local Step = 360 / Count;
+  #for (I, 1, Count)
+    sphere { vrotate(Radius*x, I*Step*y), 0.1 }
+  #end
+#end
+#macro Half() sphere { 0, #end

@@ -1,0 +1,1 @@
+image_map { png "maps\wood.png" }

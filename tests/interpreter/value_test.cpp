@@ -1,0 +1,56 @@
+#include "interpreter/arithmetic.h"
+#include "interpreter/shared_values.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace isl::interpreter {
+namespace {
+
+TEST(Value, CopiesShareAndTheLastOneFrees) {
+  MemoryAccount account;
+  {
+    Value a(ValueKind::string, make_shared_value<StringValue>("text", account));
+    const Value b = a;
+    EXPECT_EQ(&a.as<StringValue>(), &b.as<StringValue>());
+    a = Value(1.0);
+    EXPECT_EQ(b.as<StringValue>().text, "text");
+    EXPECT_GT(account.bytes, 0u);
+  }
+  EXPECT_EQ(account.bytes, 0u);
+}
+
+TEST(Value, AssigningToItselfAndMovingKeepTheContents) {
+  MemoryAccount account;
+  Value a(ValueKind::string, make_shared_value<StringValue>("text", account));
+  const Value& same = a;
+  a = same;
+  Value b = std::move(a);
+  b = Value(2.0);
+  b = Value(3, {1, 2, 3});
+  EXPECT_EQ(b.term_count(), 3);
+  EXPECT_EQ(account.bytes, 0u);
+}
+
+TEST(Value, AnArraysCopyHasElementsOfItsOwn) {
+  MemoryAccount account;
+  SlotPool pool;
+  const Ref<ArrayValue> a = make_shared_value<ArrayValue>(std::vector<std::size_t>{2}, pool, account);
+  a->elements[0]->value = Value(1.0);
+  const Ref<ArrayValue> b = a->copy();
+  b->elements[0]->value = Value(2.0);
+  EXPECT_EQ(a->elements[0]->value.number(), 1);
+  EXPECT_EQ(b->elements[1]->value.kind(), ValueKind::none);
+}
+
+TEST(Arithmetic, ANumberFillsAndAVectorIsPadded) {
+  const Value sum = arithmetic(grammar::BinaryOp::add, Value(1.0), Value(3, {1, 2, 3}));
+  EXPECT_EQ(sum.terms(), (Value::Terms{2, 3, 4, 0, 0}));
+  const Value padded = arithmetic(grammar::BinaryOp::add, Value(2, {1, 2}), Value(5, {0, 0, 1, 0, 1}));
+  EXPECT_EQ(padded.term_count(), 5);
+  EXPECT_EQ(padded.terms(), (Value::Terms{1, 2, 1, 0, 1}));
+}
+
+}  // namespace
+}  // namespace isl::interpreter

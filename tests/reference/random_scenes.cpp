@@ -1,0 +1,81 @@
+#include "tests/reference/random_scenes.h"
+
+#include <cmath>
+
+namespace isl::reference {
+namespace {
+
+using scene::Vec3;
+
+scene::Transform rotation(const Vec3& axis, double angle) {
+  scene::Transform transform;
+  transform.matrix.setAxisAngle(axis, angle);
+  transform.inverse = transform.matrix.transposed();
+  return transform;
+}
+
+}  // namespace
+
+Vec3 RandomSource::direction() {
+  while (true) {
+    const Vec3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+    const double length = v.length();
+    if (length > 0.1 && length <= 1) return v / length;
+  }
+}
+
+Vec3 RandomSource::in_ball(double radius) {
+  const Vec3 towards = direction();
+  return towards * (radius * std::cbrt(unit()));
+}
+
+LineOfSight random_line(RandomSource& random, double distance, double target) {
+  const Vec3 origin = random.direction() * distance;
+  return {origin, (random.in_ball(target) - origin).normalized()};
+}
+
+scene::Transform random_transform(RandomSource& random, double shift) {
+  Vec3 scale(random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
+  if (random.below(4) == 0) scale.x = -scale.x;
+  scene::Transform scaling, moving;
+  scaling.matrix.setScale(scale);
+  scaling.inverse.setScale(Vec3(1 / scale.x, 1 / scale.y, 1 / scale.z));
+  const Vec3 offset = random.in_ball(shift);
+  moving.matrix.setTranslation(offset);
+  moving.inverse.setTranslation(-offset);
+  const Vec3 axis = random.direction();
+  return then(then(scaling, rotation(axis, random.between(0, 3))), moving);
+}
+
+scene::Database random_blob(RandomSource& random, const RandomBlobOptions& options) {
+  scene::Database database;
+  database.kernels = {{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4},
+                      {scene::KernelShape::quartic, scene::RadiusMeaning::surface, random.between(0.5, 8)},
+                      {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, random.between(0.5, 8)},
+                      {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, options.hardest}};
+  scene::Blob& blob = database.blobs.emplace_back();
+  blob.threshold = random.between(0.3, 1.5);
+  for (int i = 0; i < options.components; ++i) {
+    scene::Component component;
+    component.skeleton = static_cast<scene::Skeleton>(random.below(3));
+    component.kernel = static_cast<scene::KernelId>(random.below(4));
+    component.a = random.in_ball(options.scale * 0.7);
+    component.b = component.a + random.in_ball(options.scale * 0.5);
+    component.radius_a = options.scale * 0.3 * std::pow(10, random.between(-1.5, 0));
+    component.radius_b = component.radius_a * random.between(0.2, 1.5);
+    component.strength = random.between(0.5, 3);
+    if (options.negatives && random.below(4) == 0) component.strength = -component.strength;
+    if (options.transforms && random.below(3) == 0) {
+      component.transform = static_cast<scene::TransformId>(database.transforms.size());
+      database.transforms.push_back(random_transform(random, options.scale * 0.2));
+    }
+    blob.components.push_back(component);
+    blob.origins.push_back({});
+  }
+  scene::Object& object = database.objects.emplace_back();
+  object.kind = scene::Object::Kind::blob;
+  object.shape = 0;
+  return database;
+}
+
+}  // namespace isl::reference

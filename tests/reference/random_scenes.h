@@ -1,0 +1,51 @@
+// Seeded random numbers, rays and blobs for tests: the same on every machine, since the mapping from the generator's
+// bits is our own (the standard's distributions differ between libraries).
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <cstdint>
+#include <random>
+
+namespace isl::reference {
+
+class RandomSource {
+ public:
+  explicit RandomSource(std::uint64_t seed) : bits_(seed) {}
+
+  /// In [0, 1), on multiples of 2^-53.
+  [[nodiscard]] double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+  [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
+  /// In [0, count).
+  [[nodiscard]] int below(int count) { return static_cast<int>(unit() * count); }
+  /// Unit length, uniform on the sphere.
+  [[nodiscard]] scene::Vec3 direction();
+  /// Uniform in the ball of that radius about the origin.
+  [[nodiscard]] scene::Vec3 in_ball(double radius);
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+struct LineOfSight {
+  scene::Vec3 origin, direction;  ///< direction has unit length
+};
+
+/// From the sphere of radius `distance` about the origin towards a point of the ball of radius `target`.
+[[nodiscard]] LineOfSight random_line(RandomSource& random, double distance, double target);
+
+/// A rotation, uneven scaling in [½, 2] (mirrored in one of four) and a shift of at most `shift`.
+[[nodiscard]] scene::Transform random_transform(RandomSource& random, double shift);
+
+struct RandomBlobOptions {
+  int components = 20;
+  double scale = 1;        ///< everything lies within about this radius
+  bool negatives = true;   ///< one in four carves
+  bool transforms = true;  ///< one in three has its own
+  double hardest = 8;      ///< hardness of the hardest gaussians; a gaussian of hardness h has e^h in its middle
+};
+
+/// One blob of points, segments and cones with all kernels and both meanings of the radius, placed once in the world.
+[[nodiscard]] scene::Database random_blob(RandomSource& random, const RandomBlobOptions& options);
+
+}  // namespace isl::reference

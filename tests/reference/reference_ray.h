@@ -1,0 +1,92 @@
+// F along one ray: which components it can meet, and enclosures of F and F′ = dF/dt over a stretch of it. Between
+// reference_field and reference_tracer; must not know how roots are searched.
+//
+// The enclosure. At a single t everything is interval arithmetic on one number: a value with its rounding error. Over
+// [t0, t1] a component's q is enclosed from its values and slopes at both ends: where q is convex (point and segment:
+// squared distance to a convex set) its slope is monotone, so the slope's range is exact; for a cone the slope comes
+// from interval arithmetic on v*. φ and φ′ are monotone, so their ranges are exact too. The sum is then sharpened by
+// the mean-value form F(t0) + F′([t0, t1])·(t − t0) from either end, which makes the enclosure converge quadratically.
+#pragma once
+
+#include "tests/reference/reference_field.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace isl::reference {
+
+/// The half-line origin + t·direction, t in units of the direction's length, in the blob's space.
+struct FieldRay {
+  Vector<Interval> origin, direction;
+};
+
+/// Enclosures over a stretch of the ray.
+struct FieldRange {
+  Interval value;       ///< F
+  Interval derivative;  ///< dF/dt
+};
+
+class FieldOnRay {
+ public:
+  /// Numbers of components that may matter, in no special order.
+  using Active = std::vector<std::uint32_t>;
+
+  FieldOnRay(const ReferenceField& field, const FieldRay& ray);
+
+  /// Outside [begin, end] no component has a value; begin > end if the ray meets no support.
+  [[nodiscard]] long double begin() const { return begin_; }
+  [[nodiscard]] long double end() const { return end_; }
+
+  /// True if |F| ≤ bound is certain on all of [t0, t1].
+  [[nodiscard]] bool stays_within(long double bound, long double t0, long double t1) const;
+
+  [[nodiscard]] long double threshold() const { return threshold_.middle(); }
+  /// Looks at the level set F = offset instead of F = 0.
+  void raise_threshold(long double offset) { threshold_ = threshold_ + Interval(offset); }
+
+  /// All whose support the ray may meet.
+  [[nodiscard]] Active all() const;
+  /// Those of `from` whose support may meet [t0, t1].
+  [[nodiscard]] Active active(const Active& from, long double t0, long double t1) const;
+
+  /// F and F′ at t, with their rounding errors.
+  [[nodiscard]] FieldRange at(const Active& active, long double t) const;
+  /// F and F′ over [t0, t1].
+  [[nodiscard]] FieldRange over(const Active& active, long double t0, long double t1) const;
+
+  /// The sizes at t from which a computation in double precision gets its rounding error.
+  struct Magnitude {
+    long double values = 0;         ///< Σ|fᵢ|
+    long double derivatives = 0;    ///< Σ|dfᵢ/dt|
+    long double sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: how a relative error of q shows
+    std::size_t count = 0;          ///< components that are not zero
+  };
+  [[nodiscard]] Magnitude magnitude_at(long double t) const;
+
+ private:
+  struct Stretch {
+    long double begin, end;
+  };
+  /// One component in its own space: p(t) − a = w + t·d. Outside `support` it has no value.
+  struct Part {
+    const ReferenceComponent* component;
+    Vector<Interval> w, d;
+    Stretch support;
+  };
+  struct Distance {
+    Interval q, slope;  ///< q and dq/dt
+  };
+
+  [[nodiscard]] static Distance distance_at(const Part& part, long double t);
+  [[nodiscard]] static Distance distance_over(const Part& part, long double t0, long double t1, const Distance& first,
+                                              const Distance& last);
+  [[nodiscard]] static FieldRange field_of(const Part& part, const Distance& distance);
+  [[nodiscard]] static std::optional<Stretch> support_on(const ReferenceComponent& component, const FieldRay& ray);
+
+  std::vector<Part> parts_;
+  Interval threshold_;
+  long double begin_ = 0, end_ = -1;
+};
+
+}  // namespace isl::reference

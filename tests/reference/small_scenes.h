@@ -1,0 +1,70 @@
+// Databases of one blob, made by hand: the vocabulary in which tests state the hard cases.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <utility>
+#include <vector>
+
+namespace isl::reference {
+
+inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4};
+
+[[nodiscard]] constexpr scene::Kernel quartic(double hardness) {
+  return {scene::KernelShape::quartic, scene::RadiusMeaning::surface, hardness};
+}
+[[nodiscard]] constexpr scene::Kernel gaussian(double hardness) {
+  return {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, hardness};
+}
+
+[[nodiscard]] inline scene::Component point(const scene::Vec3& centre, double radius, double strength = 1) {
+  scene::Component component;
+  component.a = centre;
+  component.radius_a = radius;
+  component.strength = strength;
+  return component;
+}
+
+[[nodiscard]] inline scene::Component segment(const scene::Vec3& a, const scene::Vec3& b, double radius,
+                                              double strength = 1) {
+  scene::Component component = point(a, radius, strength);
+  component.b = b;
+  component.skeleton = scene::Skeleton::segment;
+  return component;
+}
+
+[[nodiscard]] inline scene::Component cone(const scene::Vec3& a, double radius_a, const scene::Vec3& b, double radius_b,
+                                           double strength = 1) {
+  scene::Component component = segment(a, b, radius_a, strength);
+  component.radius_b = radius_b;
+  component.skeleton = scene::Skeleton::cone;
+  return component;
+}
+
+/// One blob in the world, untransformed, all components with the same kernel.
+[[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel, std::vector<scene::Component> components,
+                                              double threshold = 1) {
+  scene::Database database;
+  database.kernels.push_back(kernel);
+  scene::Blob& blob = database.blobs.emplace_back();
+  blob.threshold = threshold;
+  blob.origins.resize(components.size());
+  blob.components = std::move(components);
+  scene::Object& object = database.objects.emplace_back();
+  object.kind = scene::Object::Kind::blob;
+  object.shape = 0;
+  return database;
+}
+
+/// The same blob times a power of two: its picture must scale exactly.
+[[nodiscard]] inline scene::Database scaled(scene::Database database, double factor) {
+  for (scene::Component& component : database.blobs.front().components) {
+    component.a *= factor;
+    component.b *= factor;
+    component.radius_a *= factor;
+    component.radius_b *= factor;
+  }
+  return database;
+}
+
+}  // namespace isl::reference

@@ -1,0 +1,79 @@
+// A render::Tracer as the tests of this folder ask it: in batches for the comparison, ray by ray for closed forms.
+#pragma once
+
+#include "renderer/tracer.h"
+#include "tests/reference/agreement.h"
+#include "tests/reference/random_scenes.h"
+
+#include <limits>
+#include <vector>
+
+namespace isl::reference {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Options with a solver and a tolerance, the rest as shipped.
+[[nodiscard]] inline render::TracerOptions with(render::SolverName solver, render::Tolerance tolerance) {
+  render::TracerOptions options;
+  options.solver = solver;
+  options.tolerance = tolerance;
+  return options;
+}
+
+[[nodiscard]] inline render::Ray camera_ray(const LineOfSight& line) {
+  return {line.origin, line.direction, kInfinity, 0, {}};
+}
+
+class TracerUnderTest {
+ public:
+  explicit TracerUnderTest(const scene::Database& database, const render::TracerOptions& options = {})
+      : tracer_(database, options), comparison_{options.tolerance, options.pixel_angle, 8} {}
+
+  [[nodiscard]] TraceBatch trace() const {
+    return [this](std::span<const render::Ray> rays, std::span<render::Hit> hits) {
+      render::TraceCounters counters;
+      tracer_.first_hits(rays, hits, counters);
+    };
+  }
+  [[nodiscard]] OccludeBatch occlude() const {
+    return [this](std::span<const render::Ray> rays, std::span<std::uint8_t> occluded) {
+      render::TraceCounters counters;
+      tracer_.occlusions(rays, occluded, counters);
+    };
+  }
+  [[nodiscard]] std::vector<render::Hit> hits(const std::vector<render::Ray>& rays) const {
+    std::vector<render::Hit> found(rays.size());
+    trace()(rays, found);
+    return found;
+  }
+  [[nodiscard]] render::Hit hit(const render::Ray& ray) const { return hits({ray}).front(); }
+
+  [[nodiscard]] render::SurfacePoint surface(const render::Ray& ray, const render::Hit& hit) const {
+    render::SurfacePoint point;
+    tracer_.surface_at(ray, hit, point);
+    return point;
+  }
+
+  /// Every surface along a line, each found by a ray that starts on the one before.
+  [[nodiscard]] std::vector<double> walk(const scene::Vec3& origin, const scene::Vec3& direction,
+                                         std::size_t at_most = 3000) const {
+    std::vector<double> found;
+    render::Ray ray = camera_ray({origin, direction});
+    for (double travelled = 0; found.size() < at_most;) {
+      const render::Hit next = hit(ray);
+      if (next.is_miss()) break;
+      travelled += next.t;
+      found.push_back(travelled);
+      ray = {surface(ray, next).position, direction, kInfinity, travelled, {next.instance, next.part}};
+    }
+    return found;
+  }
+
+  [[nodiscard]] const AgreementOptions& comparison() const { return comparison_; }
+
+ private:
+  render::Tracer tracer_;
+  AgreementOptions comparison_;
+};
+
+}  // namespace isl::reference

@@ -1,0 +1,55 @@
+// Working space → light → code values, against POV-Ray 3.7: what a 16-bit PNG of background { rgb <0.5, 0.2, 0.01> }
+// holds.
+#include "renderer/image/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace isl::render::test {
+namespace {
+
+scene::Settings settings(double version, std::optional<double> gamma, bool srgb = false) {
+  scene::Settings result;
+  result.language_version = version;
+  result.assumed_gamma = gamma;
+  result.assumed_gamma_srgb = srgb;
+  return result;
+}
+
+void expect_codes(const scene::Settings& scene_settings, int red, int green, int blue) {
+  const Rgb linear = WorkingSpace(scene_settings).to_linear({0.5, 0.2, 0.01});
+  EXPECT_NEAR(display_from_linear(linear.x) * 65535, red, 1);
+  EXPECT_NEAR(display_from_linear(linear.y) * 65535, green, 1);
+  EXPECT_NEAR(display_from_linear(linear.z) * 65535, blue, 1);
+}
+
+TEST(Transfer, gives_povrays_codes) {
+  expect_codes(settings(3.7, 1.0), 48192, 31754, 6544);
+  expect_codes(settings(3.7, 2.2), 33021, 12208, 34);
+  expect_codes(settings(3.7, {}, true), 32768, 13107, 655);
+  expect_codes(settings(3.7, {}), 48192, 31754, 6544);
+  expect_codes(settings(3.6, {}), 32768, 13107, 655);
+  expect_codes(settings(3.6, 1.0), 48192, 31754, 6544);
+  expect_codes(settings(3.6, 2.2), 33021, 12208, 34);
+}
+
+TEST(Transfer, srgb_goes_there_and_back) {
+  for (int i = -100; i <= 300; ++i) {
+    const double code = i / 100.0;
+    EXPECT_NEAR(srgb_from_linear(linear_from_srgb(code)), code, 1e-7) << "the standard's constants meet to 7 digits";
+  }
+  EXPECT_NEAR(srgb_from_linear(0.5), 0.7353569830524495, 1e-12);
+  EXPECT_NEAR(srgb_from_linear(1), 1, 1e-14);
+}
+
+TEST(Transfer, clips_what_a_display_cannot_show) {
+  EXPECT_EQ(display_from_linear(-1), 0);
+  EXPECT_NEAR(display_from_linear(7), 1, 1e-14);
+  EXPECT_LE(display_from_linear(std::numeric_limits<double>::infinity()), 1);
+  EXPECT_EQ(display_from_linear(std::numeric_limits<double>::quiet_NaN()), 0);
+}
+
+}  // namespace
+}  // namespace isl::render::test
