@@ -133,13 +133,6 @@ HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
   return r;
 }
 
-/// The lanes where m holds, moved together, written at p (room for 8); their number.
-HWY_INLINE std::size_t compress_store(const Octet& x, const OctetMask& m, double* p) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < kRegisters; ++i) n += hn::CompressBlendedStore(x.v[i], m.m[i], Lanes(), p + n);
-  return n;
-}
-
 #if HWY_TARGET == HWY_SCALAR  // one lane, and no halves of it
 HWY_INLINE double sum_lanes(Lanes, Register x) { return hn::GetLane(x); }
 #else

@@ -19,6 +19,7 @@
 #include "renderer/fields/lane_memory.h"
 #include "renderer/fields/skeletons/cone_lanes-inl.h"
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -175,14 +176,17 @@ class RayLanes {
       const Octet near = max(from, min(to, middle)) - middle;
       const OctetMask reaches = (v0 + kappa * near * near < support) & first_lanes(valid);
       if (none(reaches)) continue;
+      // Lanes that do not reach the stretch stay where they are: they are beyond their support all along it. (Moving the others
+      // together costs more than it saves: lists are short.) Those past the list's end are put out of reach.
       double* const at = m_.quadratic.row(quadratics_);
       const std::size_t stride = m_.quadratic.stride();
-      const std::size_t n = compress_store(v0, reaches, at + LaneMemory::kV0 * stride);
-      compress_store(kappa, reaches, at + LaneMemory::kKappa * stride);
-      compress_store(middle, reaches, at + LaneMemory::kMiddle * stride);
-      compress_store(gather(table.amplitude.data(), index), reaches, at + LaneMemory::kAmplitude * stride);
-      quadratics_ += static_cast<std::uint32_t>(n);
-      field_count_ += static_cast<std::uint32_t>(n);
+      const OctetMask listed = first_lanes(valid);
+      store(select(listed, v0, support + support), at + LaneMemory::kV0 * stride);
+      store(keep(listed, kappa), at + LaneMemory::kKappa * stride);
+      store(middle, at + LaneMemory::kMiddle * stride);
+      store(gather(table.amplitude.data(), index), at + LaneMemory::kAmplitude * stride);
+      quadratics_ += kOctet;
+      field_count_ += static_cast<std::uint32_t>(std::popcount(bits(reaches)));
     }
   }
 

@@ -1,5 +1,5 @@
-// The sparse nested grid: where on a ray there is anything to solve. A top level of cubic cells; any cell may be a brick of
-// 4×4×4 smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is classified
+// The sparse nested grid: where on a ray there is anything to solve. A brick of 4×4×4 cubic cells, any of which may be a brick of
+// smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is classified
 // when the grid is built (grid/blob_grid.cpp for fields, grid/instance_grid.cpp for placed things), and a cell's list is
 // complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as Amanatides and Woo 1987.
 #pragma once
@@ -44,17 +44,18 @@ inline constexpr int kMaxGridDepth = 16;
 
 struct Grid {
   Box bounds;                     ///< of the content; empty if there is none
-  Box box;                        ///< of the cells
-  Vec3 low{0};                    ///< corner of cell (0, 0, 0)
-  Vec3 cell_size{0};              ///< of the top level
-  int dimensions[3] = {0, 0, 0};  ///< of the top level
-  std::vector<Cell> cells;        ///< the top level (x fastest), then bricks
+  Box box;                        ///< of the top brick's cells in use
+  double cell_size = 0;           ///< of the top brick's cells, on every axis
+  int dimensions[3] = {0, 0, 0};  ///< how many of them are in use, 1 to 4 an axis; the others are empty
+  std::vector<Cell> cells;        ///< bricks of 64, x fastest; the first is the top
+  std::vector<std::uint64_t> occupied;  ///< a bit for each cell of a brick: it is not empty
   std::vector<std::uint32_t> items;
   std::uint32_t longest_list = 0;
 
   [[nodiscard]] bool is_empty() const { return cells.empty(); }
   [[nodiscard]] std::size_t bytes() const {
-    return cells.capacity() * sizeof(Cell) + items.capacity() * sizeof(std::uint32_t);
+    return cells.capacity() * sizeof(Cell) + occupied.capacity() * sizeof(std::uint64_t) +
+           items.capacity() * sizeof(std::uint32_t);
   }
 };
 

@@ -1,7 +1,7 @@
 // Builds a Grid from the top down. What a cell is, and whether dividing it pays, is the classifier's to say:
 //
 //   Cell kind   classify(box, items, kept)   what the cell is, given the items of its parent; fills `kept` if it is a leaf
-//   bool        should_divide(size, kept)    whether a leaf is worth dividing, size = its longest side
+//   bool        should_divide(size, kept)    whether a leaf is worth dividing, size = its side
 //   Box         item_bounds(item)            a box around all that the item touches
 //
 // A box is handed over enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few units in
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace isl::render {
@@ -26,61 +27,51 @@ class GridBuilder {
   [[nodiscard]] Grid build(const Box& bounds, std::span<const std::uint32_t> items) {
     grid_ = {};
     if (bounds.isEmpty() || items.empty()) return std::move(grid_);
-    lay_out_top_level(bounds);
+    lay_out_top_brick(bounds);
     const std::vector<std::vector<std::uint32_t>> lists = deal_out(items);
-    const auto& n = grid_.dimensions;
-    std::uint32_t index = 0;
-    for (int k = 0; k < n[2]; ++k) {
-      for (int j = 0; j < n[1]; ++j) {
-        for (int i = 0; i < n[0]; ++i, ++index) {
-          build_cell(index, grid_.low + Vec3(i, j, k) * grid_.cell_size, grid_.cell_size, lists[index], 0);
-        }
-      }
+    for (std::uint32_t index = 0; index < kBrickCells; ++index) {
+      if (!lists[index].empty()) build_cell(index, grid_.box.min + corner(index) * grid_.cell_size, grid_.cell_size, lists[index], 0);
     }
+    mark_occupied();
     grid_.cells.shrink_to_fit();
     grid_.items.shrink_to_fit();
     return std::move(grid_);
   }
 
  private:
-  /// Near-cubic cells, the shortest side of the content one cell, at most 16 on the longest: bricks do the rest.
-  void lay_out_top_level(const Box& bounds) {
-    constexpr double kMostCells = 16;
-    Vec3 size = bounds.size();
+  /// Cubic cells, four on the longest side of the content, about its centre; wider by 2⁻²⁰, as every cell is.
+  void lay_out_top_brick(const Box& bounds) {
+    const Vec3 size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z, std::numeric_limits<double>::min()});
-    double shortest = longest;
-    for (int axis = 0; axis < 3; ++axis) {
-      size[axis] = std::max(size[axis], longest / 1024);  // flat content still needs cells with a volume
-      shortest = std::min(shortest, size[axis]);
-    }
-    const double cell = std::max(shortest, longest / kMostCells);
     grid_.bounds = bounds;
-    const Vec3 centre = bounds.center();
+    grid_.cell_size = longest * (1 + 0x1p-20) / kBrickSide;
+    Vec3 half;
     for (int axis = 0; axis < 3; ++axis) {
-      grid_.dimensions[axis] = std::max(1, static_cast<int>(std::ceil(size[axis] / cell * (1 - 0x1p-20))));
-      grid_.cell_size[axis] = size[axis] * (1 + 0x1p-20) / grid_.dimensions[axis];
-      grid_.low[axis] = centre[axis] - 0.5 * grid_.cell_size[axis] * grid_.dimensions[axis];
+      grid_.dimensions[axis] = std::clamp(static_cast<int>(std::ceil(size[axis] / grid_.cell_size)), 1, kBrickSide);
+      half[axis] = 0.5 * grid_.cell_size * grid_.dimensions[axis];
     }
-    grid_.box = Box(grid_.low, grid_.low + grid_.cell_size * Vec3(grid_.dimensions[0], grid_.dimensions[1], grid_.dimensions[2]));
-    grid_.cells.resize(static_cast<std::size_t>(grid_.dimensions[0]) * grid_.dimensions[1] * grid_.dimensions[2]);
+    grid_.box = Box(bounds.center() - half, bounds.center() + half);
+    grid_.cells.resize(kBrickCells);
   }
 
-  /// Which items may touch which cell of the top level, by their boxes (a cell wider on every side, for rounding's sake).
+  [[nodiscard]] static Vec3 corner(std::uint32_t index) { return Vec3(index % 4, index / 4 % 4, index / 16); }
+
+  /// Which items may touch which cell of the top brick, by their boxes (a cell wider on every side, for rounding's sake).
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> deal_out(std::span<const std::uint32_t> items) const {
-    std::vector<std::vector<std::uint32_t>> lists(grid_.cells.size());
+    std::vector<std::vector<std::uint32_t>> lists(kBrickCells);
     for (const std::uint32_t item : items) {
       const Box box = classifier_.item_bounds(item);
       int first[3], last[3];
       for (int axis = 0; axis < 3; ++axis) {
         const double most = grid_.dimensions[axis] - 1;
-        const auto cell = [&](double x) { return std::floor((x - grid_.low[axis]) / grid_.cell_size[axis]); };
+        const auto cell = [&](double x) { return std::floor((x - grid_.box.min[axis]) / grid_.cell_size); };
         first[axis] = static_cast<int>(std::clamp(cell(box.min[axis]) - 1, 0.0, most));
         last[axis] = static_cast<int>(std::clamp(cell(box.max[axis]) + 1, 0.0, most));
       }
       for (int k = first[2]; k <= last[2]; ++k) {
         for (int j = first[1]; j <= last[1]; ++j) {
           for (int i = first[0]; i <= last[0]; ++i) {
-            lists[static_cast<std::size_t>((k * grid_.dimensions[1] + j) * grid_.dimensions[0] + i)].push_back(item);
+            lists[static_cast<std::size_t>((k * kBrickSide + j) * kBrickSide + i)].push_back(item);
           }
         }
       }
@@ -88,16 +79,15 @@ class GridBuilder {
     return lists;
   }
 
-  void build_cell(std::uint32_t index, const Vec3& low, const Vec3& size, std::span<const std::uint32_t> items, int depth) {
+  void build_cell(std::uint32_t index, const Vec3& low, double size, std::span<const std::uint32_t> items, int depth) {
     std::vector<std::uint32_t>& kept = kept_[static_cast<std::size_t>(depth)];
-    const Vec3 margin = size * 0x1p-20;
-    const CellKind kind = classifier_.classify(Box(low - margin, low + size + margin), items, kept);
+    const Vec3 margin(size * 0x1p-20);
+    const CellKind kind = classifier_.classify(Box(low - margin, low + Vec3(size) + margin), items, kept);
     if (kind != CellKind::leaf) {
       grid_.cells[index] = Cell::make(kind);
       return;
     }
-    const double longest = std::max({size.x, size.y, size.z});
-    if (depth == kMaxGridDepth || !classifier_.should_divide(longest, kept)) {
+    if (depth == kMaxGridDepth || !classifier_.should_divide(size, kept)) {
       grid_.cells[index] = Cell::make(CellKind::leaf, static_cast<std::uint32_t>(grid_.items.size()),
                                       static_cast<std::uint32_t>(kept.size()));
       grid_.items.insert(grid_.items.end(), kept.begin(), kept.end());
@@ -107,10 +97,16 @@ class GridBuilder {
     const auto first = static_cast<std::uint32_t>(grid_.cells.size());
     grid_.cells.resize(first + kBrickCells);
     grid_.cells[index] = Cell::make(CellKind::brick, first);
-    const Vec3 child_size = size * (1.0 / kBrickSide);
+    const double child_size = size * (1.0 / kBrickSide);
     for (std::uint32_t child = 0; child < kBrickCells; ++child) {
-      const Vec3 corner(child % 4, child / 4 % 4, child / 16);
-      build_cell(first + child, low + corner * child_size, child_size, kept, depth + 1);
+      build_cell(first + child, low + corner(child) * child_size, child_size, kept, depth + 1);
+    }
+  }
+
+  void mark_occupied() {
+    grid_.occupied.resize(grid_.cells.size() / kBrickCells);
+    for (std::size_t i = 0; i < grid_.cells.size(); ++i) {
+      if (grid_.cells[i].kind() != CellKind::empty) grid_.occupied[i / kBrickCells] |= std::uint64_t{1} << (i % kBrickCells);
     }
   }
 

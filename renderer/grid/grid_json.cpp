@@ -25,12 +25,12 @@ Json to_json(const Grid& grid) {
   if (grid.is_empty()) return Json::object();
   const auto& n = grid.dimensions;
   std::vector<std::array<std::size_t, 4>> counts;
-  count_cells(grid, 0, static_cast<std::uint32_t>(n[0] * n[1] * n[2]), 0, counts);
+  count_cells(grid, 0, kBrickCells, 0, counts);
   Json levels = Json::array();
   for (const auto& level : counts) {
     levels.push_back({{"empty", level[0]}, {"inside", level[1]}, {"candidate", level[2]}, {"divided", level[3]}});
   }
-  return {{"low", to_json(grid.low)},       {"cell_size", to_json(grid.cell_size)},
+  return {{"low", to_json(grid.box.min)},   {"cell_size", grid.cell_size},
           {"dimensions", {n[0], n[1], n[2]}}, {"levels", levels},
           {"list_entries", grid.items.size()}, {"longest_list", grid.longest_list},
           {"bytes", grid.bytes()}};

@@ -69,11 +69,13 @@ blob {
 
 // ---- The view of the Standard Procedural Databases -----------------------------------------------------------------------
 
+// 45° from top to bottom, whatever the image's width.
+#declare Aspect = image_width / image_height;
 camera {
   location <2.1, 1.3, 1.7>
   sky z
-  right -x * image_width / image_height
-  angle 45 * image_width / image_height
+  right -x * Aspect
+  angle 2 * degrees(atan(Aspect * tan(radians(45 / 2))))
   look_at 0
 }
 

@@ -1,0 +1,60 @@
+# Sourced by the scripts of this folder: where the program is, clocks, medians, and reading what programs print.
+# Knows nothing of what is measured. Bash 5 and awk only.
+# shellcheck shell=bash
+
+export LC_ALL=C  # a decimal point in every number
+
+bench=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
+root=$(dirname -- "$bench")
+isl=${ISL:-$root/build/release/bin/isl}
+threads=2
+
+fail() {
+  printf '%s: %s\n' "$(basename -- "$0")" "$*" >&2
+  exit 1
+}
+
+[ -x "$isl" ] || fail "no program at $isl: build it with './isl --version', or set ISL"
+
+work=$(mktemp -d) || exit 1
+trap 'rm -rf -- "$work"' EXIT
+
+# whole_number WHAT VALUE LEAST: complains about an option's value that is none.
+whole_number() {
+  [[ $2 =~ ^[0-9]+$ ]] && ((10#$2 >= $3)) || fail "$1 is a whole number of at least $3, not '$2'"
+}
+
+# timed COMMAND…: runs it, leaving what it prints in $work/out, and sets `seconds` to its wall-clock time from start to
+# exit. A command that fails ends the script with its words.
+timed() {
+  local begin=$EPOCHREALTIME
+  "$@" >"$work/out" 2>&1 || { tail -n 20 "$work/out" >&2; fail "failed: $*"; }
+  local end=$EPOCHREALTIME
+  seconds=$(awk -v a="$begin" -v b="$end" 'BEGIN { printf "%.6f", b - a }')
+}
+
+# stat_of KEY FILE: the number that a --stats file has for a key; the file holds one key a line.
+stat_of() {
+  awk -v key="\"$1\":" '$1 == key { sub(/,$/, "", $2); print $2; found = 1; exit } END { exit !found }' "$2" ||
+    fail "no $1 in the statistics"
+}
+
+# sum NUMBER…
+sum() { awk 'BEGIN { for (i = 1; i < ARGC; ++i) s += ARGV[i]; printf "%.6f", s }' "$@"; }
+
+# note SERIES VALUE: one more measurement of a series, a name without blanks.
+note() { printf '%s\n' "$2" >>"$work/series.$1"; }
+
+# median SERIES; of an even count, the mean of the middle two.
+median() {
+  sort -g "$work/series.$1" | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'
+}
+
+# spread SERIES: "least…greatest", to judge how quiet the machine was.
+spread() { sort -g "$work/series.$1" | awk '{ v[NR] = $1 } END { printf "%.3f…%.3f", v[1], v[NR] }'; }
+
+machine() {
+  printf '%s, %s cores, load %s; %s\n' \
+    "$(awk -F': *' '/^model name/ { print $2; exit }' /proc/cpuinfo 2>/dev/null)" "$(nproc)" \
+    "$(cut -d' ' -f1 /proc/loadavg 2>/dev/null)" "$("$isl" --version | head -n 1)"
+}
