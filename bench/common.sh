@@ -25,12 +25,16 @@ whole_number() {
 }
 
 # timed COMMAND…: runs it, leaving what it prints in $work/out, and sets `seconds` to its wall-clock time from start to
-# exit. A command that fails ends the script with its words.
+# exit and `cpu` to the processor's seconds it took on all cores. A command that fails ends the script with its words.
 timed() {
-  local begin=$EPOCHREALTIME
-  "$@" >"$work/out" 2>&1 || { tail -n 20 "$work/out" >&2; fail "failed: $*"; }
-  local end=$EPOCHREALTIME
+  local TIMEFORMAT='%3U %3S' status begin end
+  begin=$EPOCHREALTIME
+  { time "$@" >"$work/out" 2>&1; } 2>"$work/cpu"
+  status=$?
+  end=$EPOCHREALTIME
+  ((status == 0)) || { tail -n 20 "$work/out" >&2; fail "exit code $status of: $*"; }
   seconds=$(awk -v a="$begin" -v b="$end" 'BEGIN { printf "%.6f", b - a }')
+  cpu=$(awk '{ print $1 + $2 }' "$work/cpu")
 }
 
 # stat_of KEY FILE: the number that a --stats file has for a key; the file holds one key a line.
@@ -50,8 +54,8 @@ median() {
   sort -g "$work/series.$1" | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'
 }
 
-# spread SERIES: "least…greatest", to judge how quiet the machine was.
-spread() { sort -g "$work/series.$1" | awk '{ v[NR] = $1 } END { printf "%.3f…%.3f", v[1], v[NR] }'; }
+# spread SERIES: "least..greatest", to judge how quiet the machine was.
+spread() { sort -g "$work/series.$1" | awk '{ v[NR] = $1 } END { printf "%.3f..%.3f", v[1], v[NR] }'; }
 
 machine() {
   printf '%s, %s cores, load %s; %s\n' \

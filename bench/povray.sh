@@ -31,11 +31,12 @@ scene=$bench/scenes/flake.pov
 # ---- The two programs, told the same -----------------------------------------------------------------------------------
 
 # Both write a PNG: neither can be told to do all the work and keep the picture to itself.
-# povray LEVELS PIXELS: no antialiasing, no display, no progress lines; leaves its report in $work/out.
+# povray_run LEVELS PIXELS: no antialiasing, no display, no progress lines; leaves its report in $work/out.
 povray_run() {
   timed povray "+I$scene" "Declare=Levels=$1" "+W$2" "+H$2" -A "+WT$threads" -D -V -P +FN "+O$work/povray.png"
 }
 
+# isl_run LEVELS PIXELS: the same; leaves its statistics in $work/stats.json.
 isl_run() {
   timed "$isl" render "$scene" -D "Levels=$1" -s "$2x$2" --samples 1 -t "$threads" -q \
     --stats "$work/stats.json" -o "$work/isl.png"
@@ -58,7 +59,8 @@ row() {
     BEGIN { printf "  %-42s %8.3f  %-13s %8.3f  %-13s %7.2f\n", label, a, sa, b, sb, a / b }'
 }
 
-heading() { printf '\n%s\n  %-42s %8s  %-13s %8s  %-13s %7s\n' "$1" "seconds" POV-Ray "" isl "" ratio; }
+# heading TITLE RIVAL
+heading() { printf '\n%s\n  %-42s %8s  %-13s %8s  %-13s %7s\n' "$1" "seconds" "$2" "" isl "" ratio; }
 
 # A comparison is worth something only if both programs drew the same thing.
 compare_pictures() {
@@ -76,13 +78,16 @@ trace_both() {
     povray_run "$trace_levels" "$size"
     note povray_trace "$(printed_time Trace)"
     note povray_trace_process "$seconds"
+    note povray_trace_cpu "$cpu"
     isl_run "$trace_levels" "$size"
     note isl_trace "$(stat_of trace "$work/stats.json")"
     note isl_trace_process "$seconds"
+    note isl_trace_cpu "$cpu"
   done
-  heading "tracing: $(stat_of fields "$work/stats.json") components, ${size}x$size, one ray a pixel, $threads threads"
+  heading "tracing: $(stat_of fields "$work/stats.json") components, ${size}x$size, one ray a pixel, $threads threads" POV-Ray
   row "Trace Time | time.trace" povray_trace isl_trace
   row "whole process" povray_trace_process isl_trace_process
+  row "whole process, processor's seconds" povray_trace_cpu isl_trace_cpu
 }
 
 read_both() {
@@ -97,24 +102,28 @@ read_both() {
     timed "$isl" check "$scene" -D "Levels=$read_levels"
     note isl_check_process "$seconds"
     command -v lua5.4 >/dev/null || continue
-    timed lua5.4 "$bench/lua_flake.lua" "$read_levels"
-    note lua "$(awk '{ print $3 }' "$work/out")"
-    note lua_process "$seconds"
+    for style in vectors numbers; do
+      timed lua5.4 "$bench/lua_flake.lua" "$read_levels" "$style"
+      note "lua_$style" "$(awk '{ print $3 }' "$work/out")"
+      note "lua_${style}_process" "$seconds"
+    done
   done
-  heading "reading: $(stat_of fields "$work/stats.json") components made by a macro"
+  heading "reading: $(stat_of fields "$work/stats.json") components made by a macro" POV-Ray
   row "Parse Time | time.parse + time.evaluate" povray_parse isl_read
   row "Parse Time | the same + time.compile" povray_parse isl_read_compile
   row "whole process, 2x2 pixels" povray_read_process isl_read_process
   row "whole process, 2x2 pixels | isl check" povray_read_process isl_check_process
-  [ -e "$work/series.lua" ] || { echo "  no lua5.4: left out"; return; }
-  printf '\nLua 5.4 making the same flake into tables\n  %-42s %8s  %-13s %8s  %-13s %7s\n' seconds Lua "" isl "" ratio
-  row "loop | time.parse + time.evaluate" lua isl_read
-  row "whole process | isl check" lua_process isl_check_process
+  [ -e "$work/series.lua_vectors" ] || { echo "  no lua5.4: left out"; return; }
+  heading "the same loop in Lua 5.4, making tables" Lua
+  row "vectors as tables | parse + evaluate" lua_vectors isl_read
+  row "coordinates as numbers | parse + evaluate" lua_numbers isl_read
+  row "whole process, vectors | isl check" lua_vectors_process isl_check_process
+  row "whole process, numbers | isl check" lua_numbers_process isl_check_process
 }
 
 machine
 povray --version 2>&1 | sed -n '/^POV-Ray/p'
-echo "medians of $runs, least…greatest; ratio above 1: isl is faster"
+echo "medians of $runs, least..greatest; ratio above 1: isl is faster"
 compare_pictures
 trace_both
 read_both
