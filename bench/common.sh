@@ -1,6 +1,6 @@
 # Sourced by the scripts of this folder: where the program is, clocks, medians, and reading what programs print.
 # Knows nothing of what is measured. Bash 5 and awk only.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034  # what is set here is used where this is sourced
 
 export LC_ALL=C  # a decimal point in every number
 
@@ -21,7 +21,7 @@ trap 'rm -rf -- "$work"' EXIT
 
 # whole_number WHAT VALUE LEAST: complains about an option's value that is none.
 whole_number() {
-  [[ $2 =~ ^[0-9]+$ ]] && ((10#$2 >= $3)) || fail "$1 is a whole number of at least $3, not '$2'"
+  if ! [[ $2 =~ ^[0-9]+$ ]] || ((10#$2 < $3)); then fail "$1 is a whole number of at least $3, not '$2'"; fi
 }
 
 # timed COMMAND…: runs it, leaving what it prints in $work/out, and sets `seconds` to its wall-clock time from start to
@@ -46,8 +46,12 @@ stat_of() {
 # sum NUMBER…
 sum() { awk 'BEGIN { for (i = 1; i < ARGC; ++i) s += ARGV[i]; printf "%.6f", s }' "$@"; }
 
-# note SERIES VALUE: one more measurement of a series, a name without blanks.
-note() { printf '%s\n' "$2" >>"$work/series.$1"; }
+# note SERIES VALUE: one more measurement of a series, a name without blanks. An empty value is a measurement that went
+# wrong inside $(…), where `fail` could say so but not end the script.
+note() {
+  [ -n "$2" ] || exit 1
+  printf '%s\n' "$2" >>"$work/series.$1"
+}
 
 # median SERIES; of an even count, the mean of the middle two.
 median() {

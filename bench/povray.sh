@@ -8,7 +8,7 @@
 #     -l  levels of the flake that is traced (4: 7,381 components)
 #     -r  levels of the flake that is read (5: 66,430 components)
 set -u
-# shellcheck source=bench/common.sh
+# shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname -- "$0")/common.sh"
 
 runs=5 size=1024 trace_levels=4 read_levels=5

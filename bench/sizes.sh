@@ -8,7 +8,7 @@
 #     -l  the largest flake (6: 597,871 components)
 #     -t  threads (2)
 set -u
-# shellcheck source=bench/common.sh
+# shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname -- "$0")/common.sh"
 
 runs=3 size=512 levels=6

@@ -5,7 +5,7 @@
 #   bench/startup.sh [-n RUNS] [SCENE]
 #     -n  how often it runs (20)
 set -u
-# shellcheck source=bench/common.sh
+# shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname -- "$0")/common.sh"
 
 runs=20
