@@ -223,6 +223,7 @@ FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std
   const Range argument = is_limb(group.form)
                              ? limb_q(table.limbs[component - table.first_limb], box)
                              : squared_distance({table.x[component], table.y[component], table.z[component]}, box);
+  if (!(table.scale[component] * argument.low < group.kernel.support)) return {0, 0};
   const double near = table.amplitude[component] * scalar_value(group.kernel, table.scale[component] * argument.low);
   const double far = table.amplitude[component] * scalar_value(group.kernel, table.scale[component] * argument.high);
   return {std::min(near, far), std::max(near, far)};

@@ -1,44 +1,60 @@
-// Builds a Grid from the top down. What a cell is, and whether dividing it pays, is the classifier's to say:
+// Builds a Grid from the top down. What a cell is, and whether dividing it pays, is the classifier's to say (its members are
+// called from several threads):
 //
-//   Cell kind   classify(box, items, kept)   what the cell is, given the items of its parent; fills `kept` if it is a leaf
-//   bool        should_divide(size, kept)    whether a leaf is worth dividing, size = its side
-//   Box         item_bounds(item)            a box around all that the item touches
+//   CellKind  classify(box, items, kept)   what the cell is, given the items of its parent; fills `kept` if it is a leaf
+//   bool      should_divide(size, kept)    whether a leaf is worth dividing, size = its side
+//   Box       item_bounds(item)            a box around all that the item touches
 //
 // A box is handed over enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few units in
-// the last place of the grid's extent) never decides which items a point sees.
+// the last place of the grid's extent) never decides which items a point sees. The 64 cells of the top brick are built side by
+// side and joined in their order, so that the grid is the same whatever the number of threads.
 #pragma once
 
 #include "renderer/grid/grid.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace isl::render {
 
 template <class Classifier>
 class GridBuilder {
  public:
-  explicit GridBuilder(Classifier& classifier) : classifier_(classifier) {}
+  explicit GridBuilder(const Classifier& classifier) : classifier_(classifier) {}
 
-  /// `bounds` holds everything; `items` are all item numbers.
+  /// `bounds` holds everything; `items` are all item numbers, ascending.
   [[nodiscard]] Grid build(const Box& bounds, std::span<const std::uint32_t> items) {
     grid_ = {};
     if (bounds.isEmpty() || items.empty()) return std::move(grid_);
     lay_out_top_brick(bounds);
     const std::vector<std::vector<std::uint32_t>> lists = deal_out(items);
-    for (std::uint32_t index = 0; index < kBrickCells; ++index) {
-      if (!lists[index].empty()) build_cell(index, grid_.box.min + corner(index) * grid_.cell_size, grid_.cell_size, lists[index], 0);
-    }
+    std::vector<Part> parts(kBrickCells);
+    tbb::parallel_for(0u, kBrickCells, [&](std::uint32_t index) {
+      if (lists[index].empty()) return;
+      const Vec3 low = grid_.box.min + corner(index) * grid_.cell_size;
+      parts[index].top = build_cell(parts[index], low, grid_.cell_size, lists[index], 0);
+    });
+    join(parts);
     mark_occupied();
-    grid_.cells.shrink_to_fit();
-    grid_.items.shrink_to_fit();
     return std::move(grid_);
   }
 
  private:
+  /// What lies in one cell of the top brick; `first` counts from the part's own beginning.
+  struct Part {
+    Cell top;
+    std::vector<Cell> cells;
+    std::vector<std::uint32_t> items;
+    std::uint32_t longest_list = 0;
+    std::array<std::vector<std::uint32_t>, kMaxGridDepth + 1> kept;  ///< working memory, by depth
+  };
+
   /// Cubic cells, four on the longest side of the content, about its centre; wider by 2⁻²⁰, as every cell is.
   void lay_out_top_brick(const Box& bounds) {
     const Vec3 size = bounds.size();
@@ -51,7 +67,6 @@ class GridBuilder {
       half[axis] = 0.5 * grid_.cell_size * grid_.dimensions[axis];
     }
     grid_.box = Box(bounds.center() - half, bounds.center() + half);
-    grid_.cells.resize(kBrickCells);
   }
 
   [[nodiscard]] static Vec3 corner(std::uint32_t index) { return Vec3(index % 4, index / 4 % 4, index / 16); }
@@ -79,27 +94,53 @@ class GridBuilder {
     return lists;
   }
 
-  void build_cell(std::uint32_t index, const Vec3& low, double size, std::span<const std::uint32_t> items, int depth) {
-    std::vector<std::uint32_t>& kept = kept_[static_cast<std::size_t>(depth)];
+  [[nodiscard]] Cell build_cell(Part& part, const Vec3& low, double size, std::span<const std::uint32_t> items, int depth) const {
+    std::vector<std::uint32_t>& kept = part.kept[static_cast<std::size_t>(depth)];
     const Vec3 margin(size * 0x1p-20);
     const CellKind kind = classifier_.classify(Box(low - margin, low + Vec3(size) + margin), items, kept);
-    if (kind != CellKind::leaf) {
-      grid_.cells[index] = Cell::make(kind);
-      return;
-    }
+    if (kind != CellKind::leaf) return Cell::make(kind);
     if (depth == kMaxGridDepth || !classifier_.should_divide(size, kept)) {
-      grid_.cells[index] = Cell::make(CellKind::leaf, static_cast<std::uint32_t>(grid_.items.size()),
-                                      static_cast<std::uint32_t>(kept.size()));
-      grid_.items.insert(grid_.items.end(), kept.begin(), kept.end());
-      grid_.longest_list = std::max(grid_.longest_list, static_cast<std::uint32_t>(kept.size()));
-      return;
+      const auto count = static_cast<std::uint32_t>(kept.size());
+      const Cell leaf = Cell::make(CellKind::leaf, static_cast<std::uint32_t>(part.items.size()), count);
+      part.items.insert(part.items.end(), kept.begin(), kept.end());
+      part.longest_list = std::max(part.longest_list, count);
+      return leaf;
     }
-    const auto first = static_cast<std::uint32_t>(grid_.cells.size());
-    grid_.cells.resize(first + kBrickCells);
-    grid_.cells[index] = Cell::make(CellKind::brick, first);
+    const auto first = static_cast<std::uint32_t>(part.cells.size());
+    part.cells.resize(first + kBrickCells);
     const double child_size = size * (1.0 / kBrickSide);
     for (std::uint32_t child = 0; child < kBrickCells; ++child) {
-      build_cell(first + child, low + corner(child) * child_size, child_size, kept, depth + 1);
+      // `cells` may move while a child is built.
+      const Cell cell = build_cell(part, low + corner(child) * child_size, child_size, kept, depth + 1);
+      part.cells[first + child] = cell;
+    }
+    return Cell::make(CellKind::brick, first);
+  }
+
+  /// Puts the parts behind the top brick, one after another.
+  void join(std::vector<Part>& parts) {
+    std::size_t cells = kBrickCells, items = 0;
+    for (const Part& part : parts) {
+      cells += part.cells.size();
+      items += part.items.size();
+    }
+    grid_.cells.reserve(cells);
+    grid_.items.reserve(items);
+    grid_.cells.resize(kBrickCells);
+    for (std::size_t i = 0; i < kBrickCells; ++i) {
+      Part& part = parts[i];
+      const auto first_cell = static_cast<std::uint32_t>(grid_.cells.size());
+      const auto first_item = static_cast<std::uint32_t>(grid_.items.size());
+      const auto shifted = [&](Cell cell) {
+        if (cell.kind() == CellKind::brick) cell.first += first_cell;
+        if (cell.kind() == CellKind::leaf) cell.first += first_item;
+        return cell;
+      };
+      grid_.cells[i] = shifted(part.top);
+      for (const Cell& cell : part.cells) grid_.cells.push_back(shifted(cell));
+      grid_.items.insert(grid_.items.end(), part.items.begin(), part.items.end());
+      grid_.longest_list = std::max(grid_.longest_list, part.longest_list);
+      part = {};
     }
   }
 
@@ -110,9 +151,8 @@ class GridBuilder {
     }
   }
 
-  Classifier& classifier_;
+  const Classifier& classifier_;
   Grid grid_;
-  std::array<std::vector<std::uint32_t>, kMaxGridDepth + 1> kept_;
 };
 
 }  // namespace isl::render

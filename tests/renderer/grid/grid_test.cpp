@@ -76,10 +76,10 @@ TEST(Grid, StretchesAscendAndDoNotOverlap) {
 
 TEST(Grid, NothingLiesBetweenTheStretches) {
   // At any point of a ray: above the threshold only within a stretch, and there the cell's own list tells the whole field.
-  const Flake flake(2);
+  const Flake flake(3);
   Rays rays;
   int inside = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 120; ++i) {
     const Vec3 origin = rays.in_cube() * 3, direction = rays.in_cube() * 0.8 - origin;
     const std::vector<Stretch> all = stretches(flake.grid, origin, direction);
     for (int k = 0; k < 60; ++k) {
@@ -105,7 +105,7 @@ TEST(Grid, NothingLiesBetweenTheStretches) {
       ASSERT_NEAR(listed, value, 1e-12 * (1 + value));
     }
   }
-  EXPECT_GT(inside, 100);
+  EXPECT_GT(inside, 10);
 }
 
 TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
