@@ -48,7 +48,6 @@ struct WalkAxes {
 /// A brick that the ray is in.
 struct WalkLevel {
   double leave[3][kBrickSide];  ///< t at which the ray leaves each slab of each axis
-  double next[3];               ///< of those, that of the slab it is in
   double low[3];                ///< corner, relative to the ray's origin
   unsigned position;            ///< two bits an axis: the slab it is in
   std::uint32_t first;          ///< the brick's first cell
@@ -69,7 +68,6 @@ HWY_INLINE void enter_brick(const WalkAxes& axes, double size, double t, WalkLev
       for (int i = 0; i < kBrickSide; ++i) leave[i] = (from + i * by) * inverse;
       slab = (leave[0] <= t) + (leave[1] <= t) + (leave[2] <= t);
     }
-    level.next[axis] = leave[slab];
     level.position |= slab << (2 * axis);
   }
 }
@@ -88,19 +86,25 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
     if (inverse < 0) axes.mirror |= 3u << (2 * axis);
     stack[0].low[axis] = grid.box.min[static_cast<int>(axis)] - origin[static_cast<int>(axis)];
   }
-  const auto nearest_plane = [](const WalkLevel& level) HWY_ATTR {
-    const unsigned xy = level.next[1] < level.next[0] ? 1 : 0;
-    return level.next[2] < level.next[xy] ? 2u : xy;
-  };
-
   WalkLevel* level = stack;
   double size = grid.cell_size, t = t0;
+  // Where the ray leaves its slab on each axis, in registers: written to memory and read back they would take up half the time.
+  double next_x = 0, next_y = 0, next_z = 0;
+  const auto read_next = [&]() HWY_ATTR {
+    next_x = level->leave[0][level->position & 3];
+    next_y = level->leave[1][level->position >> 2 & 3];
+    next_z = level->leave[2][level->position >> 4];
+  };
   level->first = 0;
   enter_brick(axes, size, t, *level);
+  read_next();
   for (;;) {
     const unsigned in_brick = level->position ^ axes.mirror;
-    unsigned axis = nearest_plane(*level);
-    const double out = level->next[axis] < t1 ? level->next[axis] : t1;
+    unsigned axis = next_y < next_x ? 1 : 0;
+    double nearest = next_y < next_x ? next_y : next_x;
+    axis = next_z < nearest ? 2 : axis;
+    nearest = next_z < nearest ? next_z : nearest;
+    const double out = nearest < t1 ? nearest : t1;
     if (grid.occupied[level->first / kBrickCells] >> in_brick & 1) {
       const std::uint32_t index = level->first + in_brick;
       const Cell cell = grid.cells[index];
@@ -111,11 +115,12 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
         size *= 1.0 / kBrickSide;
         enter_brick(axes, size, t, child);
         ++level;
+        read_next();
         continue;
       }
       if (out > t && visit(index, cell, t, out)) return;
     }
-    if (out > t) t = out;
+    t = out > t ? out : t;
     if (t >= t1) return;
     // To the next cell, up a level wherever the ray leaves one. A level's plane may differ from its child's by a rounding;
     // t stays as it is then, so that nothing is skipped.
@@ -123,13 +128,17 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
       const unsigned slab = level->position >> (2 * axis) & 3;
       if (slab + 1 < kBrickSide) {
         level->position += 1u << (2 * axis);
-        level->next[axis] = level->leave[axis][slab + 1];
+        const double leave = level->leave[axis][slab + 1];
+        next_x = axis == 0 ? leave : next_x;
+        next_y = axis == 1 ? leave : next_y;
+        next_z = axis == 2 ? leave : next_z;
         break;
       }
       if (level == stack) return;
       --level;
       size *= kBrickSide;
-      axis = nearest_plane(*level);
+      read_next();
+      axis = next_y < next_x ? (next_z < next_y ? 2 : 1) : (next_z < next_x ? 2 : 0);
     }
   }
 }
