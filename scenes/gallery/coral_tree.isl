@@ -15,8 +15,8 @@ global_settings { assumed_gamma 1 }
 
 // ---- Colours: from deep red at the foot to pale rose at the tips ------------------------------------------------------
 
-#declare Foot = srgb <0.72, 0.20, 0.24>;
-#declare Tip = srgb <1.00, 0.62, 0.52>;
+#declare Foot = srgb <0.84, 0.27, 0.25>;
+#declare Tip = srgb <1.00, 0.66, 0.54>;
 #declare Thorn = srgb <1.00, 0.84, 0.76>;
 
 #declare Bark = array[Levels + 1]
@@ -92,8 +92,8 @@ light_source { <-5, 8, -6>, srgb <1.0, 0.96, 0.90> }
 light_source { <7, 5, -4>, srgb <0.80, 0.88, 1.0> * 0.35 shadowless }
 
 camera {
-  location <1.0, 3.2, -5.8>
+  location <1.0, 3.25, -6.0>
   right x * image_width / image_height
   angle 34
-  look_at <0.30, 0.98, 0>
+  look_at <0.36, 1.06, 0>
 }
