@@ -25,8 +25,7 @@ Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const
       sink_(sink),
       max_nesting_(max_nesting(options_.limits)) {}
 
-// ---- Complaints
-// -------------------------------------------------------------------------------------------------------
+// ---- Complaints -----------------------------------------------------------------------------------------------------
 
 void Context::error(SourceSpan span, std::string message, std::string hint) {
   sink_.report({Severity::error, span, std::move(message), std::move(hint), {}, chain()});
@@ -70,8 +69,7 @@ std::string Context::suggest_declared(Symbol name) const {
   return nearest ? fmt::format("did you mean `{}`?", *nearest) : std::string();
 }
 
-// ---- Frames
-// -----------------------------------------------------------------------------------------------------------
+// ---- Frames ---------------------------------------------------------------------------------------------------------
 
 Frame& Context::push(const Frame& frame, SourceSpan span) {
   if (frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::block) {
@@ -144,8 +142,7 @@ OriginId Context::origin(SourceSpan span) {
   return origins.add(span, frame.chain ? *frame.chain : chain_of(call));
 }
 
-// ---- Limits
-// -----------------------------------------------------------------------------------------------------------
+// ---- Limits ---------------------------------------------------------------------------------------------------------
 
 void Context::too_deep(SourceSpan span) {
   stop(span, fmt::format("more than {} macro calls and blocks are open at once", options.limits.max_depth),

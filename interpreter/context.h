@@ -60,8 +60,7 @@ class Context {
   Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
   TextureTable texture_table;
 
-  // ---- Complaints: each adds the macro and include chain
-  // --------------------------------------------------------------
+  // ---- Complaints: each adds the macro and include chain ------------------------------------------------------------
 
   [[noreturn]] void fail(SourceSpan span, std::string message, std::string hint = {});
   [[noreturn]] void stop(SourceSpan span, std::string message, std::string hint = {});
@@ -69,20 +68,22 @@ class Context {
   void error(SourceSpan span, std::string message, std::string hint = {});
   /// Reports, once for each place and text, and not more than kMaxWarnings in all: a loop may warn a million times.
   void warn(SourceSpan span, std::string message, std::string hint = {});
+  /// Something that could not be parsed is reached: an error, unless reading it reported it already.
+  void report_unparsed(const grammar::Error& node) {
+    if (!node.message.empty()) error(node.span, std::string(node.message));
+  }
   /// The allocator gave up before the limit was reached.
   void report_out_of_memory();
   /// "`media` is not supported": an error, or with --lenient a warning. The caller skips the thing.
   void unsupported(SourceSpan span, std::string_view thing);
 
-  // ---- Names
-  // ----------------------------------------------------------------------------------------------------------
+  // ---- Names --------------------------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string_view text(grammar::Symbol symbol) const { return symbols.text(symbol); }
   /// "did you mean `sphere`?" for the nearest declared name, or empty.
   [[nodiscard]] std::string suggest_declared(grammar::Symbol name) const;
 
-  // ---- Frames
-  // ---------------------------------------------------------------------------------------------------------
+  // ---- Frames -------------------------------------------------------------------------------------------------------
 
   /// Pushes a frame; one that is not a call belongs to the call below it. Calls and blocks count as depth at `span`.
   Frame& push(const Frame& frame, SourceSpan span);
@@ -92,8 +93,7 @@ class Context {
   [[nodiscard]] const grammar::Unit& current_unit() const;
   [[nodiscard]] std::vector<ExpansionFrame> chain() const;
 
-  // ---- Limits
-  // ---------------------------------------------------------------------------------------------------------
+  // ---- Limits -------------------------------------------------------------------------------------------------------
 
   /// One more turn of a loop.
   void count_turn(SourceSpan span) {
@@ -116,8 +116,7 @@ class Context {
   }
   void unnest(std::size_t units) { nesting_ -= units; }
 
-  // ---- The database
-  // ---------------------------------------------------------------------------------------------------
+  // ---- The database -------------------------------------------------------------------------------------------------
 
   [[nodiscard]] OriginId origin(SourceSpan span);
 

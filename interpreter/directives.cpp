@@ -24,8 +24,7 @@ bool skip_semicolon(Context& context) {
   return true;
 }
 
-// ---- #declare
-// ---------------------------------------------------------------------------------------------------------
+// ---- #declare -------------------------------------------------------------------------------------------------------
 
 Value read_to_end(ElementStream& stream, bool& terminated) {
   Context& context = stream.context();
@@ -97,8 +96,7 @@ void define_macro(Context& context, const grammar::Macro& node) {
       Value(ValueKind::macro, make_shared_value<MacroValue>(node, context.current_unit(), name));
 }
 
-// ---- Files
-// ------------------------------------------------------------------------------------------------------------
+// ---- Files ----------------------------------------------------------------------------------------------------------
 
 void include(Context& context, const grammar::Include& node) {
   Value keep;
@@ -122,8 +120,7 @@ void include(Context& context, const grammar::Include& node) {
   context.scopes.enter();
 }
 
-// ---- Messages and the rest
-// --------------------------------------------------------------------------------------------
+// ---- Messages and the rest ------------------------------------------------------------------------------------------
 
 void speak(Context& context, const grammar::Message& node) {
   Value keep;

@@ -129,14 +129,13 @@ void ElementStream::advance() {
       case NodeKind::comma: yield(ElementKind::comma, node); break;
       case NodeKind::semicolon: yield(ElementKind::semicolon, node); break;
       case NodeKind::break_: break_out(context_, base_, node); break;
-      case NodeKind::error: break;
+      case NodeKind::error: context_.report_unparsed(as<grammar::Error>(node)); break;
       default: execute(context_, node); break;
     }
   }
 }
 
-// ---- Macro calls
-// ------------------------------------------------------------------------------------------------------
+// ---- Macro calls ----------------------------------------------------------------------------------------------------
 
 const MacroValue* called_macro(Context& context, const grammar::Call& call) {
   Slot* slot = nullptr;

@@ -231,7 +231,7 @@ Value evaluate(Context& context, const Node& node) {
     case NodeKind::conditional: return evaluate_conditional(context, as<grammar::Conditional>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
     case NodeKind::function: context.unsupported(node.span, "function"); throw Failed{};
-    case NodeKind::error: throw Failed{};
+    case NodeKind::error: context.report_unparsed(as<grammar::Error>(node)); throw Failed{};
     default: {
       const Node* const items[] = {&node};
       return evaluate_items(context, Items(items), node.span);
@@ -291,8 +291,7 @@ Slot& find_slot(Context& context, const Node& target) {
                context.suggest_declared(name));
 }
 
-// ---- Macro calls and directives as values
-// -----------------------------------------------------------------------------
+// ---- Macro calls and directives as values ---------------------------------------------------------------------------
 
 namespace {
 

@@ -135,8 +135,7 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   return function ? call_general(context, call, *function) : call_unlisted(context, call);
 }
 
-// ---- Arguments
-// --------------------------------------------------------------------------------------------------------
+// ---- Arguments ------------------------------------------------------------------------------------------------------
 
 SourceSpan Arguments::span(std::size_t i) const {
   if (i >= call_.arguments.size() || call_.arguments[i].empty()) return call_.span;

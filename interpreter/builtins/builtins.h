@@ -11,8 +11,7 @@ namespace isl::interpreter {
 /// Fails where the function is not supported, or its arguments are not what it takes.
 [[nodiscard]] Value call_builtin(Context& context, const grammar::FunctionCall& call);
 
-// ---- For the files that hold the functions
-// ----------------------------------------------------------------------------
+// ---- For the files that hold the functions --------------------------------------------------------------------------
 
 /// The evaluated arguments of one call, with checked access.
 class Arguments {

@@ -170,8 +170,7 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   context.fail(span, fmt::format("unexpected {} {}", describe(context, next), where));
 }
 
-// ---- Contextual words
-// -------------------------------------------------------------------------------------------------
+// ---- Contextual words -----------------------------------------------------------------------------------------------
 
 Symbol leading_name(const Element& element) {
   if (!element.is(ElementKind::unknown) && !element.is(ElementKind::value)) return grammar::kNoSymbol;

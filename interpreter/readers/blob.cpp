@@ -122,8 +122,7 @@ class BlobReader {
     return scene::KernelId{static_cast<std::uint16_t>(kernels.size() - 1)};
   }
 
-  // ---- Components
-  // -----------------------------------------------------------------------------------------------------
+  // ---- Components ---------------------------------------------------------------------------------------------------
 
   void read_component(const Element& block) {
     ElementStream stream(context_, block);

@@ -32,8 +32,7 @@ void read_object_modifiers(ElementStream& stream, ObjectDraft& draft);
 /// Counts an object that a bare name places, and its lights, against the scene's limits.
 void count_copy(Context& context, const ObjectValue& value, SourceSpan span);
 
-// ---- Readers of geometry, one a row of the table: each reads up to the first modifier
-// -------------------------------------
+// ---- Readers of geometry, one a row of the table: each reads up to the first modifier -------------------------------
 
 void read_sphere(ElementStream& stream, ObjectDraft& draft);
 void read_cylinder(ElementStream& stream, ObjectDraft& draft);
