@@ -118,9 +118,6 @@ HWY_INLINE Octet load(const double* p) {
 HWY_INLINE void store(const Octet& x, double* p) {
   for (std::size_t i = 0; i < kRegisters; ++i) hn::Store(x.v[i], Lanes(), p + i * kLanes);
 }
-HWY_INLINE void store_unaligned(const Octet& x, double* p) {
-  for (std::size_t i = 0; i < kRegisters; ++i) hn::StoreU(x.v[i], Lanes(), p + i * kLanes);
-}
 /// base[index[i]] for eight indices.
 HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
   Octet r;
