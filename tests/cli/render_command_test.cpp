@@ -155,7 +155,8 @@ TEST_F(RenderCommand, StatisticsHaveTheShapeOfTheManual) {
 
 TEST_F(RenderCommand, TheCommandLineGoesBeforeTheScene) {
   write("ball.isl", "global_settings { solver \"paper:3\" tolerance \"0.5px\" }\n" + std::string(kSmallScene));
-  ASSERT_EQ(render({"--stats", "scene.json"}).exit_code, 0);
+  const ProcessResult by_scene = render({"--stats", "scene.json"});
+  ASSERT_EQ(by_scene.exit_code, 0) << by_scene.err;
   EXPECT_EQ(json::parse(read("scene.json")).at("solver").at("name"), "paper:3");
   EXPECT_EQ(json::parse(read("scene.json")).at("solver").at("tolerance"), "0.5px");
   ASSERT_EQ(render({"--stats", "line.json", "--solver", "hermite", "--tolerance", "0.1px"}).exit_code, 0);
