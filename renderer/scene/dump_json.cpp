@@ -1,53 +1,18 @@
 #include "renderer/scene/dump_json.h"
 
+#include "renderer/scene/json_texture.h"
+#include "renderer/scene/json_values.h"
+
 #include <string_view>
 
 namespace isl::scene {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kKernelShapes[] = {"quartic", "gaussian"};
 constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
 constexpr std::string_view kSkeletons[] = {"point", "segment", "cone"};
 constexpr std::string_view kSolidKinds[] = {"sphere", "cylinder", "cone", "plane"};
 constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
-
-template <std::size_t count, class Enum>
-std::string_view name(const std::string_view (&names)[count], Enum value) {
-  return names[static_cast<std::size_t>(value)];
-}
-
-Json vector(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-/// Red, green, blue, then filter and transmit where there is any.
-Json colour(const Colour& c) {
-  Json json = Json::array({c.red, c.green, c.blue});
-  if (c.filter != 0 || c.transmit != 0) {
-    json.push_back(c.filter);
-    json.push_back(c.transmit);
-  }
-  return json;
-}
-
-/// The images of x, y, z, then of the origin.
-Json transform(const Transform& t) {
-  Json json = Json::array();
-  for (int row = 0; row < 4; ++row) json.push_back(Json::array({t.matrix[row][0], t.matrix[row][1], t.matrix[row][2]}));
-  return json;
-}
-
-Json texture(const Texture& t) {
-  const Finish& f = t.finish;
-  return {{"colour", colour(t.pigment.colour)},
-          {"ambient", colour(f.ambient)},
-          {"diffuse", f.diffuse},
-          {"brilliance", f.brilliance},
-          {"phong", f.phong},
-          {"phong_size", f.phong_size},
-          {"specular", f.specular},
-          {"roughness", f.roughness}};
-}
 
 Json kernel(const Kernel& k) {
   Json json = {{"shape", name(kKernelShapes, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
@@ -64,7 +29,7 @@ class Writer {
     Json json = {{"settings", settings()}};
     if (database_.camera) json["camera"] = camera(*database_.camera);
     add(json, "kernels", database_.kernels, kernel);
-    add(json, "textures", database_.textures, texture);
+    add(json, "textures", database_.textures, [](const Texture& t) { return texture_json(t); });
     add(json, "transforms", database_.transforms, transform);
     add(json, "blobs", database_.blobs, [this](const Blob& b) { return blob(b); });
     add(json, "solids", database_.solids, solid);

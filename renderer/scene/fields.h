@@ -1,0 +1,50 @@
+// Blobs: components with their kernels.
+#pragma once
+
+#include "base/source_span.h"
+#include "renderer/scene/ids.h"
+#include "renderer/scene/transform.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::scene {
+
+/// The shape of φ(q), q = squared distance to the skeleton over the squared radius.
+enum class KernelShape : std::uint8_t { quartic, gaussian };
+
+/// What a component's radius means. `surface`: the radius of the surface that the component has alone (ours: φ(1) = 1,
+/// φ′(1) = −hardness). `support`: where the field ends (POV-Ray's own components: φ(q) = (1 − q)², q = 1 at the
+/// radius).
+enum class RadiusMeaning : std::uint8_t { surface, support };
+
+struct Kernel {
+  KernelShape shape = KernelShape::quartic;
+  RadiusMeaning meaning = RadiusMeaning::support;
+  double hardness = 4;  ///< in (0, 500]; without meaning for `support`
+  friend bool operator==(const Kernel&, const Kernel&) = default;
+};
+
+/// point: a, radius_a. segment: a to b, radius_a. cone: a to b, radius_a at a and radius_b at b (a round cone: the
+/// union of the spheres whose centre and radius run linearly from one end to the other).
+enum class Skeleton : std::uint8_t { point, segment, cone };
+
+/// One field of a blob: f = strength · φ(squared distance / radius²), in the blob's space after `transform`.
+struct Component {
+  Vec3 a{0}, b{0};
+  double radius_a = 0, radius_b = 0;
+  double strength = 1;
+  TextureId texture = kNoTexture;     ///< kNoTexture: the blob's
+  TransformId transform = kIdentity;  ///< blob_from_component
+  KernelId kernel{};
+  Skeleton skeleton = Skeleton::point;
+};
+
+/// Components whose fields add up; the surface is where the sum meets the threshold. In the blob's own space.
+struct Blob {
+  double threshold = 1;
+  std::vector<Component> components;
+  std::vector<OriginId> origins;  ///< cold: one a component
+};
+
+}  // namespace isl::scene

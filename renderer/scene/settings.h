@@ -1,0 +1,26 @@
+// What holds for a scene as a whole.
+#pragma once
+
+#include "renderer/scene/colour.h"
+
+#include <optional>
+#include <string>
+
+namespace isl::scene {
+
+struct Settings {
+  double language_version = 3.7;
+  /// None: no gamma handling at all (a scene of before 3.7 that does not set it): pixel values go to the file as they
+  /// are.
+  std::optional<double> assumed_gamma;
+  /// srgb: assumed_gamma 'srgb', a transfer curve rather than a power.
+  bool assumed_gamma_srgb = false;
+  Colour ambient_light{1, 1, 1};
+  Colour background{0, 0, 0};
+  int max_trace_level = 5;
+  double adc_bailout = 1.0 / 255.0;
+  std::string solver;     ///< "" where the scene does not say
+  std::string tolerance;  ///< as written: "0.05px" or "1e-4"; "" where the scene does not say
+};
+
+}  // namespace isl::scene
