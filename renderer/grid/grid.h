@@ -43,16 +43,19 @@ inline constexpr std::uint32_t kBrickCells = 64;
 inline constexpr int kMaxGridDepth = 16;
 
 struct Grid {
+  static constexpr std::size_t kListTail = 7;
+
   Box bounds;                     ///< of the content; empty if there is none
   Box box;                        ///< of the top brick's cells in use
   double cell_size = 0;           ///< of the top brick's cells, on every axis
   int dimensions[3] = {0, 0, 0};  ///< how many of them are in use, 1 to 4 an axis; the others are empty
   std::vector<Cell> cells;        ///< bricks of 64, x fastest; the first is the top
   std::vector<std::uint64_t> occupied;  ///< a bit for each cell of a brick: it is not empty
-  std::vector<std::uint32_t> items;
+  std::vector<std::uint32_t> items;     ///< the lists of leaves, then kListTail zeros: lists are read eight entries at a time
   std::uint32_t longest_list = 0;
 
   [[nodiscard]] bool is_empty() const { return cells.empty(); }
+  [[nodiscard]] std::size_t list_entries() const { return is_empty() ? 0 : items.size() - kListTail; }
   [[nodiscard]] std::size_t bytes() const {
     return cells.capacity() * sizeof(Cell) + occupied.capacity() * sizeof(std::uint64_t) +
            items.capacity() * sizeof(std::uint32_t);

@@ -119,7 +119,7 @@ class GridBuilder {
 
   /// Puts the parts behind the top brick, one after another.
   void join(std::vector<Part>& parts) {
-    std::size_t cells = kBrickCells, items = 0;
+    std::size_t cells = kBrickCells, items = Grid::kListTail;
     for (const Part& part : parts) {
       cells += part.cells.size();
       items += part.items.size();
@@ -142,6 +142,7 @@ class GridBuilder {
       grid_.longest_list = std::max(grid_.longest_list, part.longest_list);
       part = {};
     }
+    grid_.items.resize(grid_.items.size() + Grid::kListTail);
   }
 
   void mark_occupied() {

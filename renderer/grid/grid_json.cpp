@@ -32,7 +32,7 @@ Json to_json(const Grid& grid) {
   }
   return {{"low", to_json(grid.box.min)},   {"cell_size", grid.cell_size},
           {"dimensions", {n[0], n[1], n[2]}}, {"levels", levels},
-          {"list_entries", grid.items.size()}, {"longest_list", grid.longest_list},
+          {"list_entries", grid.list_entries()}, {"longest_list", grid.longest_list},
           {"bytes", grid.bytes()}};
 }
 

@@ -22,7 +22,7 @@ render::CompiledBlob single(const scene::Component& component, const scene::Kern
   placed.kernel = scene::KernelId{0};
   render::CompiledBlob blob;
   blob.components = render::compile_components(database, {.threshold = 0, .components = {placed}, .origins = {{}}});
-  blob.grid.items = {0};
+  blob.grid.items.assign(1 + render::Grid::kListTail, 0);
   blob.grid.cells = {render::Cell::make(render::CellKind::leaf, 0, 1)};
   return blob;
 }

@@ -1,0 +1,51 @@
+// Octets read back from LaneMemory: the two forms that all skeletons take along a ray.
+//
+// Quadratic lanes: v = v₀ + κ(t − t₀)² on [begin, end), for points and for the three pieces of a segment (end spheres,
+// and between the end planes the distance to the axis). Cone lanes: the round cone of skeletons/limb.h in (x, ρ²), x =
+// x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)².
+#if defined(ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
+#undef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
+#endif
+
+#include "renderer/fields/lane_memory.h"
+#include "renderer/fields/skeletons/cone_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct QuadraticLanes {
+  Octet v0, kappa, middle, amplitude;
+};
+
+[[nodiscard]] HWY_INLINE QuadraticLanes load_quadratic(const LaneMemory& memory, std::uint32_t i) {
+  const double* const at = memory.quadratic.row(i);
+  const std::size_t stride = memory.quadratic.stride();
+  return {load(at + LaneMemory::kV0 * stride), load(at + LaneMemory::kKappa * stride),
+          load(at + LaneMemory::kMiddle * stride), load(at + LaneMemory::kAmplitude * stride)};
+}
+
+/// begin or end of the pieces.
+[[nodiscard]] HWY_INLINE Octet load_border(const LaneMemory& memory, std::uint32_t i,
+                                           LaneMemory::QuadraticColumn column) {
+  return load(memory.quadratic.row(i) + static_cast<std::size_t>(column) * memory.quadratic.stride());
+}
+
+[[nodiscard]] HWY_INLINE ConeLanes load_cone(const LaneMemory& memory, std::uint32_t i) {
+  const double* const at = memory.cone.row(i);
+  const std::size_t stride = memory.cone.stride();
+  return {load(at + LaneMemory::kX0 * stride),           load(at + LaneMemory::kDx * stride),
+          load(at + LaneMemory::kN0 * stride),           load(at + LaneMemory::kN2 * stride),
+          load(at + LaneMemory::kNMiddle * stride),      load(at + LaneMemory::kRadius * stride),
+          load(at + LaneMemory::kSlope * stride),        load(at + LaneMemory::kLength * stride),
+          load(at + LaneMemory::kConeAmplitude * stride)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
