@@ -46,9 +46,9 @@ class Counter {
   std::vector<std::optional<SceneSummary>> groups_;
 };
 
-template <class T>
-std::size_t bytes(const std::vector<T>& column) {
-  return column.capacity() * sizeof(T);
+template <class Column>
+std::size_t bytes(const Column& column) {
+  return column.capacity() * sizeof(typename Column::value_type);
 }
 
 }  // namespace

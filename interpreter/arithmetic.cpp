@@ -9,11 +9,8 @@ namespace isl::interpreter {
 
 using grammar::BinaryOp;
 
-Value arithmetic(BinaryOp op, const Value& left, const Value& right) {
-  const int count = std::max(left.term_count(), right.term_count());
-  Value::Terms a = left.terms(), b = right.terms();
-  if (left.is_number()) std::fill_n(a.begin(), count, left.number());
-  if (right.is_number()) std::fill_n(b.begin(), count, right.number());
+Value arithmetic(BinaryOp op, const Operand& a, const Operand& b) {
+  const int count = std::max(a.count, b.count);
   Value::Terms terms{};
   switch (op) {
     case BinaryOp::add:

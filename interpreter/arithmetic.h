@@ -16,8 +16,16 @@ namespace isl::interpreter {
   return {count, terms};
 }
 
+/// The terms of a number (count 1) or of a vector, which has five in memory: those past its count are zero.
+struct Operand {
+  const double* terms;
+  int count;
+
+  [[nodiscard]] double operator[](int i) const { return terms[count == 1 ? 0 : i]; }
+};
+
 /// a op b for + − * /, componentwise. Division by zero is as IEEE has it; the caller warns.
-[[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Value& a, const Value& b);
+[[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Operand& a, const Operand& b);
 
 /// Comparison and logic of two numbers, 0 or 1.
 [[nodiscard]] double compare(grammar::BinaryOp op, double a, double b);

@@ -71,27 +71,6 @@ std::string Context::suggest_declared(Symbol name) const {
 
 // ---- Frames ---------------------------------------------------------------------------------------------------------
 
-Frame& Context::push(const Frame& frame, SourceSpan span) {
-  if (frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::block) {
-    if (depth_ >= options.limits.max_depth) too_deep(span);
-    ++depth_;
-  }
-  const bool is_call = frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::include;
-  const std::uint32_t call = is_call          ? static_cast<std::uint32_t>(frames.size())
-                             : frames.empty() ? Frame::kNoCall
-                                              : frames.back().call;
-  Frame& pushed = frames.emplace_back(frame);
-  pushed.call = call;
-  return pushed;
-}
-
-void Context::pop() {
-  const Frame::Kind kind = frames.back().kind;
-  frames.pop_back();
-  if (kind == Frame::Kind::macro || kind == Frame::Kind::include) scopes.leave();
-  if (kind == Frame::Kind::macro || kind == Frame::Kind::block) --depth_;
-}
-
 const grammar::Unit& Context::current_unit() const {
   if (frames.empty() || frames.back().call == Frame::kNoCall) return main_unit;
   return *frames[frames.back().call].unit;

@@ -140,4 +140,28 @@ class Context {
   std::size_t max_nesting_;
 };
 
+// ---- What every macro call and branch does --------------------------------------------------------------------------
+
+inline Frame& Context::push(const Frame& frame, SourceSpan span) {
+  if (frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::block) {
+    if (depth_ >= options.limits.max_depth) [[unlikely]]
+      too_deep(span);
+    ++depth_;
+  }
+  const bool is_call = frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::include;
+  const std::uint32_t call = is_call          ? static_cast<std::uint32_t>(frames.size())
+                             : frames.empty() ? Frame::kNoCall
+                                              : frames.back().call;
+  Frame& pushed = frames.emplace_back(frame);
+  pushed.call = call;
+  return pushed;
+}
+
+inline void Context::pop() {
+  const Frame::Kind kind = frames.back().kind;
+  frames.pop_back();
+  if (kind == Frame::Kind::macro || kind == Frame::Kind::include) scopes.leave();
+  if (kind == Frame::Kind::macro || kind == Frame::Kind::block) --depth_;
+}
+
 }  // namespace isl::interpreter

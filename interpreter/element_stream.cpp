@@ -167,8 +167,7 @@ void push_macro(Context& context, const grammar::Call& call, const MacroValue& m
                 .origin_name = macro.origin_name},
                call.span);
   context.scopes.enter();
-  for (std::size_t i = 0; i < definition.parameters.size(); ++i)
-    context.scopes.bind(definition.parameters[i], arguments[i]);
+  arguments.bind_to(definition.parameters);
 }
 
 }  // namespace isl::interpreter

@@ -1,9 +1,9 @@
 #include "interpreter/expressions.h"
 
-#include "interpreter/arithmetic.h"
 #include "interpreter/arrays.h"
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/element_stream.h"
+#include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,6 @@ namespace isl::interpreter {
 namespace {
 
 using grammar::as;
-using grammar::BinaryOp;
 using grammar::Items;
 using grammar::Node;
 using grammar::NodeKind;
@@ -93,119 +92,6 @@ void evaluate_coordinate(Context& context, const Node& node, Append append) {
   return {count, terms};
 }
 
-[[nodiscard]] Value item_of(Context& context, const grammar::Dot& node, const Value& base) {
-  if (!base.is_numeric() || base.is_number()) {
-    context.fail(node.span,
-                 fmt::format("`.{}` needs a vector or colour, found {}", context.text(node.item), describe(base)));
-  }
-  int i = -1;
-  switch (static_cast<word::Index>(node.item)) {
-    case word::kIndex_x:
-    case word::kIndex_u:
-    case word::kIndex_red: i = 0; break;
-    case word::kIndex_y:
-    case word::kIndex_v:
-    case word::kIndex_green: i = 1; break;
-    case word::kIndex_z:
-    case word::kIndex_blue: i = 2; break;
-    case word::kIndex_t:
-    case word::kIndex_filter: i = 3; break;
-    case word::kIndex_transmit: i = 4; break;
-    // POV-Ray's weights.
-    case word::kIndex_gray: return Value(0.297 * base.terms()[0] + 0.589 * base.terms()[1] + 0.114 * base.terms()[2]);
-    default: break;
-  }
-  if (i < 0)
-    context.fail(node.span, fmt::format("`.{}` is not an item of a vector or colour", context.text(node.item)));
-  if (i >= base.term_count()) {
-    context.fail(node.span, fmt::format("`.{}` does not exist in {}", context.text(node.item), describe(base)));
-  }
-  return Value(base.terms()[i]);
-}
-
-[[nodiscard]] [[gnu::noinline]] Value evaluate_dot(Context& context, const grammar::Dot& node) {
-  const NestingGuard guard(context, node.span);
-  if (node.base->kind == NodeKind::name) {  // without a copy
-    const Slot* const slot = context.scopes.find(as<grammar::Name>(*node.base).name);
-    if (slot && slot->value.is_numeric()) return item_of(context, node, slot->value);
-  }
-  return item_of(context, node, evaluate(context, *node.base));
-}
-
-[[nodiscard]] [[gnu::noinline]] Value evaluate_unary(Context& context, const grammar::Unary& node) {
-  const NestingGuard guard(context, node.span);
-  Value operand = evaluate(context, *node.operand);
-  // What the parser makes of `(Name)`: the value itself, whatever it is, and no reference.
-  const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
-  if (node.op == grammar::UnaryOp::plus && is_variable) return operand;
-  if (!operand.is_numeric()) {
-    static constexpr std::string_view kSpellings[] = {"+", "-", "!"};
-    context.fail(node.operand->span, fmt::format("`{}` needs a number or vector, found {}",
-                                                 kSpellings[static_cast<int>(node.op)], describe(operand)));
-  }
-  Value::Terms terms = operand.terms();
-  for (int i = 0; i < operand.term_count(); ++i) {
-    if (node.op == grammar::UnaryOp::minus) terms[i] = -terms[i];
-    if (node.op == grammar::UnaryOp::logical_not) terms[i] = std::abs(terms[i]) <= kTolerance ? 1 : 0;
-  }
-  return {operand.term_count(), terms};
-}
-
-Value compare_strings(Context& context, const grammar::Binary& node, const Value& left, const Value& right) {
-  if (left.kind() == ValueKind::string && right.kind() == ValueKind::string && node.op <= BinaryOp::not_equal) {
-    const int order = left.as<StringValue>().text.compare(right.as<StringValue>().text);
-    return Value(compare(node.op, order, 0));
-  }
-  context.fail(node.op_span.empty() ? node.span : node.op_span,
-               fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)));
-}
-
-[[gnu::noinline]] void warn_of_zero(Context& context, const grammar::Binary& node, const Value& divisor, int count) {
-  // A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.
-  for (int i = 0; i < count; ++i) {
-    const double term = divisor.is_number() ? divisor.number() : divisor.terms()[i];
-    if (term == 0) return context.warn(node.op_span.empty() ? node.span : node.op_span, "division by zero");
-  }
-}
-
-[[nodiscard]] [[gnu::noinline]] Value evaluate_binary(Context& context, const grammar::Binary& node) {
-  const NestingGuard guard(context, node.span);
-  const Value left = evaluate(context, *node.left);
-  const Value right = evaluate(context, *node.right);
-  if (left.is_number() && right.is_number()) {
-    const double a = left.number(), b = right.number();
-    switch (node.op) {
-      case BinaryOp::add: return Value(a + b);
-      case BinaryOp::subtract: return Value(a - b);
-      case BinaryOp::multiply: return Value(a * b);
-      case BinaryOp::divide:
-        if (b == 0) [[unlikely]]
-          warn_of_zero(context, node, right, 1);
-        return Value(a / b);
-      default: return Value(compare(node.op, a, b));
-    }
-  }
-  if (!left.is_numeric() || !right.is_numeric()) [[unlikely]]
-    return compare_strings(context, node, left, right);
-  if (node.op > BinaryOp::divide) [[unlikely]] {
-    const bool left_is_vector = !left.is_number();
-    context.fail(
-        left_is_vector ? node.left->span : node.right->span,
-        fmt::format("`{}` compares numbers, found {}", spelling(node.op), describe(left_is_vector ? left : right)));
-  }
-  if (node.op == BinaryOp::divide) warn_of_zero(context, node, right, std::max(left.term_count(), right.term_count()));
-  return arithmetic(node.op, left, right);
-}
-
-[[nodiscard]] [[gnu::noinline]] Value evaluate_conditional(Context& context, const grammar::Conditional& node) {
-  const NestingGuard guard(context, node.span);
-  // Both arms, as in POV-Ray: an undeclared name in the arm not taken is an error too.
-  const bool condition = evaluate_condition(context, *node.condition);
-  Value yes = evaluate(context, *node.yes);
-  Value no = evaluate(context, *node.no);
-  return condition ? yes : no;
-}
-
 [[nodiscard]] Value value_of_element(Context& context, const Node& node) {
   const Slot& slot = find_slot(context, node);
   if (slot.value.kind() == ValueKind::none) context.fail(node.span, "this array element is not set");
@@ -248,14 +134,12 @@ std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector
 }
 
 double evaluate_number(Context& context, const Node& node) {
-  if (node.kind == NodeKind::number) return as<grammar::Number>(node).value;
-  if (node.kind == NodeKind::name) {
-    const Slot* const slot = context.scopes.find(as<grammar::Name>(node).name);
-    if (slot && slot->value.is_number()) return slot->value.number();
+  double number = 0;
+  std::optional<Value> other;
+  if (!evaluate_scalar(context, node, number, other)) {
+    context.fail(node.span, fmt::format("expected a number, found {}", describe(*other)));
   }
-  const Value value = evaluate(context, node);
-  if (!value.is_number()) context.fail(node.span, fmt::format("expected a number, found {}", describe(value)));
-  return value.number();
+  return number;
 }
 
 bool evaluate_condition(Context& context, const Node& node) {

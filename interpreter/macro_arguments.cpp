@@ -27,6 +27,12 @@ ArgumentSlots::ArgumentSlots(Context& context, const grammar::Call& call, const 
   }
 }
 
+void ArgumentSlots::bind_to(std::span<const grammar::Symbol> parameters) {
+  auto& slots = context_.argument_slots;
+  for (std::size_t i = 0; i < parameters.size(); ++i) context_.scopes.bind(parameters[i], slots[begin_ + i]);
+  slots.resize(begin_);
+}
+
 void ArgumentSlots::release() {
   auto& slots = context_.argument_slots;
   for (; slots.size() > begin_; slots.pop_back()) context_.scopes.slots().release(slots.back());

@@ -3,6 +3,8 @@
 
 #include "interpreter/context.h"
 
+#include <span>
+
 namespace isl::interpreter {
 
 /// The actual arguments of one macro call, in the slots that its parameters will be bound to: the caller's own for a
@@ -14,7 +16,8 @@ class ArgumentSlots {
   ArgumentSlots(const ArgumentSlots&) = delete;
   ArgumentSlots& operator=(const ArgumentSlots&) = delete;
 
-  [[nodiscard]] Slot* operator[](std::size_t i) const { return context_.argument_slots[begin_ + i]; }
+  /// Binds them to the parameters in the scope that was just entered, and is empty then.
+  void bind_to(std::span<const grammar::Symbol> parameters);
 
  private:
   void read(const grammar::Argument& argument);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/growing_array.h"
 #include "base/source_span.h"
 
 #include <cstdint>
@@ -46,8 +47,8 @@ class OriginTable {
     Chain chain;
   };
 
-  std::vector<Link> links_;
-  std::vector<Record> records_;
+  GrowingArray<Link> links_;
+  GrowingArray<Record> records_;
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of names_
 };

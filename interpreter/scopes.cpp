@@ -10,54 +10,12 @@ SlotPool::~SlotPool() {
   for (Slot* slot : free_) delete slot;
 }
 
-Slot* SlotPool::make() {
-  Slot* slot = nullptr;
-  if (free_.empty()) {
-    slot = new Slot;
-  } else {
-    slot = free_.back();
-    free_.pop_back();
-  }
-  slot->references = 1;
-  return slot;
-}
-
 Scopes::~Scopes() {
   while (!table_begin_.empty()) leave();
   for (Binding& binding : innermost_) {
     while (binding.slot) pop(binding);
   }
   for (const Binding* binding : spare_) delete binding;
-}
-
-Scopes::Binding& Scopes::innermost(Symbol name) {
-  const auto i = static_cast<std::uint32_t>(name);
-  if (i >= innermost_.size()) innermost_.resize(i + i / 2 + 64);
-  return innermost_[i];
-}
-
-void Scopes::push(Binding& top, Slot* slot) {
-  Binding* outer = nullptr;
-  if (top.slot) {
-    if (spare_.empty()) {
-      outer = new Binding;
-    } else {
-      outer = spare_.back();
-      spare_.pop_back();
-    }
-    *outer = top;
-  }
-  top = {slot, static_cast<std::uint32_t>(table_begin_.size()), outer};
-}
-
-void Scopes::pop(Binding& top) {
-  slots_.release(top.slot);
-  if (Binding* outer = top.outer) {
-    top = *outer;
-    spare_.push_back(outer);
-  } else {
-    top = {};
-  }
 }
 
 Slot& Scopes::declare(Symbol name) {
@@ -86,13 +44,6 @@ Slot& Scopes::global(Symbol name) {
   return *slot;
 }
 
-void Scopes::bind(Symbol name, Slot* slot) {
-  ISL_DCHECK(!table_begin_.empty());
-  slots_.retain(slot);
-  push(innermost(name), slot);
-  bound_.push_back(name);
-}
-
 bool Scopes::undef(Symbol name) {
   Binding& top = innermost(name);
   if (!top.slot) return false;
@@ -100,18 +51,7 @@ bool Scopes::undef(Symbol name) {
   return true;
 }
 
-void Scopes::enter() { table_begin_.push_back(bound_.size()); }
-
-void Scopes::leave() {
-  const auto table = static_cast<std::uint32_t>(table_begin_.size());
-  while (bound_.size() > table_begin_.back()) {
-    Binding& top = innermost_[static_cast<std::uint32_t>(bound_.back())];
-    bound_.pop_back();
-    // An #undef may have taken the binding away already.
-    if (top.slot && top.table == table) pop(top);
-  }
-  table_begin_.pop_back();
-}
+void Scopes::make_room(std::uint32_t symbol) { innermost_.resize(symbol + symbol / 2 + 64); }
 
 std::vector<Symbol> Scopes::declared() const {
   std::vector<Symbol> names;

@@ -3,6 +3,7 @@
 // access; a scope remembers what it bound and takes it off when it ends.
 #pragma once
 
+#include "base/check.h"
 #include "grammar/symbols.h"
 #include "interpreter/value.h"
 
@@ -16,6 +17,9 @@ struct Slot {
   Value value;
   std::uint32_t references = 0;
 };
+
+/// What a slot and a pointer to it take: one element of an array.
+inline constexpr std::size_t kElementBytes = sizeof(Slot) + sizeof(void*);
 
 /// Slots are many and short-lived: they are recycled rather than freed.
 class SlotPool {
@@ -59,7 +63,7 @@ class Scopes {
   [[nodiscard]] Slot& local(grammar::Symbol name);
   /// The binding in the global table, whatever hides it: where macros are declared.
   [[nodiscard]] Slot& global(grammar::Symbol name);
-  /// Binds a parameter in the current table to an existing slot.
+  /// Binds a parameter in the current table to an existing slot, taking over one reference to it.
   void bind(grammar::Symbol name, Slot* slot);
   /// Takes the innermost binding away; false where there is none.
   bool undef(grammar::Symbol name);
@@ -79,6 +83,7 @@ class Scopes {
   };
 
   Binding& innermost(grammar::Symbol name);
+  void make_room(std::uint32_t symbol);
   void push(Binding& top, Slot* slot);
   void pop(Binding& top);
 
@@ -88,5 +93,69 @@ class Scopes {
   std::vector<grammar::Symbol> bound_;    ///< by every open table, outermost first
   std::vector<std::size_t> table_begin_;  ///< where in bound_ each open table but the global one begins
 };
+
+// ---- What every macro call does -------------------------------------------------------------------------------------
+
+inline Slot* SlotPool::make() {
+  Slot* slot = nullptr;
+  if (free_.empty()) {
+    slot = new Slot;
+  } else {
+    slot = free_.back();
+    free_.pop_back();
+  }
+  slot->references = 1;
+  return slot;
+}
+
+inline Scopes::Binding& Scopes::innermost(grammar::Symbol name) {
+  const auto i = static_cast<std::uint32_t>(name);
+  if (i >= innermost_.size()) [[unlikely]]
+    make_room(i);
+  return innermost_[i];
+}
+
+inline void Scopes::push(Binding& top, Slot* slot) {
+  Binding* outer = nullptr;
+  if (top.slot) {
+    if (spare_.empty()) {
+      outer = new Binding;
+    } else {
+      outer = spare_.back();
+      spare_.pop_back();
+    }
+    *outer = top;
+  }
+  top = {slot, static_cast<std::uint32_t>(table_begin_.size()), outer};
+}
+
+inline void Scopes::pop(Binding& top) {
+  slots_.release(top.slot);
+  if (Binding* outer = top.outer) {
+    top = *outer;
+    spare_.push_back(outer);
+  } else {
+    top = {};
+  }
+}
+
+inline void Scopes::bind(grammar::Symbol name, Slot* slot) {
+  ISL_DCHECK(!table_begin_.empty());
+  push(innermost(name), slot);
+  bound_.push_back(name);
+}
+
+inline void Scopes::enter() { table_begin_.push_back(bound_.size()); }
+
+inline void Scopes::leave() {
+  const auto table = static_cast<std::uint32_t>(table_begin_.size());
+  while (bound_.size() > table_begin_.back()) {
+    Binding& top = innermost_[static_cast<std::uint32_t>(bound_.back())];
+    bound_.pop_back();
+    // An #undef may have taken the binding away already.
+    if (top.slot && top.table == table) pop(top);
+  }
+  table_begin_.pop_back();
+}
 
 }  // namespace isl::interpreter

@@ -30,12 +30,12 @@ ArrayValue::ArrayValue(std::vector<std::size_t> dimensions_, SlotPool& pool_, Me
   for (const std::size_t size : dimensions) count *= size;
   elements.resize(count);
   for (Slot*& element : elements) element = pool.make();
-  account.bytes += count * (sizeof(Slot) + sizeof(Slot*));
+  account.bytes += count * kElementBytes;
 }
 
 ArrayValue::~ArrayValue() {
   for (Slot* element : elements) pool.release(element);
-  account.bytes -= elements.size() * (sizeof(Slot) + sizeof(Slot*));
+  account.bytes -= elements.size() * kElementBytes;
 }
 
 Ref<ArrayValue> ArrayValue::copy() const {

@@ -3,6 +3,7 @@
 #include "interpreter/arithmetic.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
+#include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 
 #include <fmt/format.h>
@@ -120,6 +121,13 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   return function.general(arguments);
 }
 
+/// One argument that is one expression: most calls are, and need no list of values.
+bool is_plain_number(const grammar::FunctionCall& call) {
+  if (call.arguments.size() != 1 || call.arguments[0].size() != 1) return false;
+  const NodeKind kind = call.arguments[0][0]->kind;
+  return kind < NodeKind::word && kind != NodeKind::call;
+}
+
 [[gnu::noinline]] Value call_unlisted(Context& context, const grammar::FunctionCall& call) {
   if (const std::optional<Value> answer = call_query(context, call)) return *answer;
   context.unsupported(call.span, context.text(call.function));
@@ -132,6 +140,12 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   static const Table kTable = make_table();
   const NestingGuard guard(context, call.span);
   const Builtin* function = kTable[static_cast<std::uint32_t>(call.function)];
+  if (function && function->of_number && is_plain_number(call)) {
+    double number = 0;
+    std::optional<Value> other;
+    if (evaluate_scalar(context, *call.arguments[0][0], number, other)) return Value(function->of_number(number));
+    Arguments(context, call, {&*other, 1}).fail(0, fmt::format("expected a number, found {}", describe(*other)));
+  }
   return function ? call_general(context, call, *function) : call_unlisted(context, call);
 }
 

@@ -197,7 +197,8 @@ double evaluate_without_lead(Context& context, const Node& node, std::string_vie
   const bool has_sign = binary.op == grammar::BinaryOp::add || binary.op == grammar::BinaryOp::subtract;
   if (is_bare && !has_sign) context.fail(node.span, fmt::format("expected {}, found `{}`", what, spelling(binary.op)));
   const double left = is_bare ? 0 : evaluate_without_lead(context, *binary.left, what);
-  const Value value = arithmetic(binary.op, Value(left), Value(evaluate_number(context, *binary.right)));
+  const double right = evaluate_number(context, *binary.right);
+  const Value value = arithmetic(binary.op, {&left, 1}, {&right, 1});
   return value.number();
 }
 

@@ -1,12 +1,12 @@
 // Blobs: components with their kernels.
 #pragma once
 
+#include "base/growing_array.h"
 #include "base/source_span.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace isl::scene {
 
@@ -40,11 +40,19 @@ struct Component {
   Skeleton skeleton = Skeleton::point;
 };
 
+}  // namespace isl::scene
+
+/// Imath's vectors have a copy constructor of their own, which copies their bytes.
+template <>
+inline constexpr bool isl::kMovesAsBytes<isl::scene::Component> = true;
+
+namespace isl::scene {
+
 /// Components whose fields add up; the surface is where the sum meets the threshold. In the blob's own space.
 struct Blob {
   double threshold = 1;
-  std::vector<Component> components;
-  std::vector<OriginId> origins;  ///< cold: one a component
+  GrowingArray<Component> components;
+  GrowingArray<OriginId> origins;  ///< cold: one a component
 };
 
 }  // namespace isl::scene

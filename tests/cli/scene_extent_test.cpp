@@ -15,12 +15,12 @@ using scene::Vec3;
 
 constexpr double kBoxError = 1e-5;  // of a radius: the bisection's end
 
-Database blob_of(const scene::Kernel& kernel, std::vector<Component> components, double threshold = 1) {
+Database blob_of(const scene::Kernel& kernel, const std::vector<Component>& components, double threshold = 1) {
   Database database;
   database.kernels.push_back(kernel);
   scene::Blob& blob = database.blobs.emplace_back();
   blob.threshold = threshold;
-  blob.components = std::move(components);
+  blob.components = GrowingArray<Component>(components);
   blob.origins.resize(blob.components.size());
   database.objects.push_back({.kind = Object::Kind::blob, .shape = 0});
   return database;

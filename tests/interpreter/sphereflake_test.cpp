@@ -42,7 +42,7 @@ TEST(Sphereflake, IsTheSameAsTheOneMadeWithoutTheLanguage) {
 
 TEST(Sphereflake, EachBallKnowsTheCallsThatMadeIt) {
   const EvaluatedText scene = flake(2);
-  const std::vector<OriginId>& origins = scene.database().blobs.at(0).origins;
+  const GrowingArray<OriginId>& origins = scene.database().blobs.at(0).origins;
   ASSERT_EQ(origins.size(), 91u);
   EXPECT_EQ(scene.origins().resolve(origins.front()).chain.size(), 1u);
   EXPECT_EQ(scene.origins().resolve(origins.back()).chain.size(), 3u);

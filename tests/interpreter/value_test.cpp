@@ -45,9 +45,10 @@ TEST(Value, AnArraysCopyHasElementsOfItsOwn) {
 }
 
 TEST(Arithmetic, ANumberFillsAndAVectorIsPadded) {
-  const Value sum = arithmetic(grammar::BinaryOp::add, Value(1.0), Value(3, {1, 2, 3}));
+  const double one[] = {1}, three[] = {1, 2, 3, 0, 0}, two[] = {1, 2, 0, 0, 0}, five[] = {0, 0, 1, 0, 1};
+  const Value sum = arithmetic(grammar::BinaryOp::add, {one, 1}, {three, 3});
   EXPECT_EQ(sum.terms(), (Value::Terms{2, 3, 4, 0, 0}));
-  const Value padded = arithmetic(grammar::BinaryOp::add, Value(2, {1, 2}), Value(5, {0, 0, 1, 0, 1}));
+  const Value padded = arithmetic(grammar::BinaryOp::add, {two, 2}, {five, 5});
   EXPECT_EQ(padded.term_count(), 5);
   EXPECT_EQ(padded.terms(), (Value::Terms{1, 2, 1, 0, 1}));
 }

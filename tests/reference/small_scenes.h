@@ -42,14 +42,14 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
 }
 
 /// One blob in the world, untransformed, all components with the same kernel.
-[[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel, std::vector<scene::Component> components,
+[[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel, const std::vector<scene::Component>& components,
                                               double threshold = 1) {
   scene::Database database;
   database.kernels.push_back(kernel);
   scene::Blob& blob = database.blobs.emplace_back();
   blob.threshold = threshold;
   blob.origins.resize(components.size());
-  blob.components = std::move(components);
+  blob.components = GrowingArray<scene::Component>(components);
   scene::Object& object = database.objects.emplace_back();
   object.kind = scene::Object::Kind::blob;
   object.shape = 0;

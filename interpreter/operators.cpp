@@ -1,0 +1,249 @@
+#include "interpreter/operators.h"
+
+#include "interpreter/arithmetic.h"
+#include "interpreter/expressions.h"
+#include "interpreter/nesting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::BinaryOp;
+using grammar::Node;
+using grammar::NodeKind;
+namespace word = grammar::word;
+
+// ---- Items ----------------------------------------------------------------------------------------------------------
+
+[[nodiscard]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
+  if (!base.is_numeric() || base.is_number()) {
+    context.fail(node.span,
+                 fmt::format("`.{}` needs a vector or colour, found {}", context.text(node.item), describe(base)));
+  }
+  int i = -1;
+  switch (static_cast<word::Index>(node.item)) {
+    case word::kIndex_x:
+    case word::kIndex_u:
+    case word::kIndex_red: i = 0; break;
+    case word::kIndex_y:
+    case word::kIndex_v:
+    case word::kIndex_green: i = 1; break;
+    case word::kIndex_z:
+    case word::kIndex_blue: i = 2; break;
+    case word::kIndex_t:
+    case word::kIndex_filter: i = 3; break;
+    case word::kIndex_transmit: i = 4; break;
+    // POV-Ray's weights.
+    case word::kIndex_gray: return 0.297 * base.terms()[0] + 0.589 * base.terms()[1] + 0.114 * base.terms()[2];
+    default: break;
+  }
+  if (i < 0)
+    context.fail(node.span, fmt::format("`.{}` is not an item of a vector or colour", context.text(node.item)));
+  if (i >= base.term_count()) {
+    context.fail(node.span, fmt::format("`.{}` does not exist in {}", context.text(node.item), describe(base)));
+  }
+  return base.terms()[i];
+}
+
+/// The value of a variable, where the node is one's name.
+[[nodiscard]] const Value* variable(Context& context, const Node& node) {
+  if (node.kind != NodeKind::name) return nullptr;
+  const Slot* const slot = context.scopes.find(as<grammar::Name>(node).name);
+  return slot && slot->value.is_numeric() ? &slot->value : nullptr;
+}
+
+/// An item of a variable, which can be had without copying the variable.
+[[nodiscard]] bool item_of_variable(Context& context, const grammar::Dot& node, double& number) {
+  const Value* const base = variable(context, *node.base);
+  if (base) number = item_of(context, node, *base);
+  return base != nullptr;
+}
+
+// ---- Two operands ---------------------------------------------------------------------------------------------------
+
+/// One side of an operator while the other is looked at. What a variable holds is read where it stands.
+struct Side {
+  double number = 0;
+  std::optional<Value> kept;
+  const Value* value = nullptr;  ///< null for a number
+
+  [[nodiscard]] Operand operand() const {
+    return value ? Operand{value->terms().data(), value->term_count()} : Operand{&number, 1};
+  }
+  [[nodiscard]] Value as_value() const { return value ? *value : Value(number); }
+};
+
+void evaluate_side(Context& context, const Node& node, Side& side) {
+  if (const Value* const held = variable(context, node)) {
+    if (held->is_number()) {
+      side.number = held->number();
+    } else {
+      side.value = held;
+    }
+    return;
+  }
+  if (!evaluate_scalar(context, node, side.number, side.kept)) side.value = &*side.kept;
+}
+
+/// Evaluating such a node runs nothing that could change a variable.
+[[nodiscard]] bool is_still(const Node& node) {
+  return node.kind == NodeKind::number || node.kind == NodeKind::name || node.kind == NodeKind::constant;
+}
+
+[[nodiscard]] Value compare_strings(Context& context, const grammar::Binary& node, const Value& left,
+                                    const Value& right) {
+  if (left.kind() == ValueKind::string && right.kind() == ValueKind::string && node.op <= BinaryOp::not_equal) {
+    const int order = left.as<StringValue>().text.compare(right.as<StringValue>().text);
+    return Value(compare(node.op, order, 0));
+  }
+  context.fail(node.op_span.empty() ? node.span : node.op_span,
+               fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)));
+}
+
+[[gnu::noinline]] void warn_of_zero(Context& context, const grammar::Binary& node, const Operand& divisor, int count) {
+  // A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.
+  for (int i = 0; i < count; ++i) {
+    if (divisor[i] == 0) return context.warn(node.op_span.empty() ? node.span : node.op_span, "division by zero");
+  }
+}
+
+[[nodiscard]] double of_numbers(Context& context, const grammar::Binary& node, const double& a, const double& b) {
+  switch (node.op) {
+    case BinaryOp::add: return a + b;
+    case BinaryOp::subtract: return a - b;
+    case BinaryOp::multiply: return a * b;
+    case BinaryOp::divide:
+      if (b == 0) [[unlikely]]
+        warn_of_zero(context, node, {&b, 1}, 1);
+      return a / b;
+    default: return compare(node.op, a, b);
+  }
+}
+
+[[nodiscard]] [[gnu::noinline]] Value of_values(Context& context, const grammar::Binary& node, const Side& left,
+                                                const Side& right) {
+  const bool is_numeric = (!left.value || left.value->is_numeric()) && (!right.value || right.value->is_numeric());
+  if (!is_numeric) [[unlikely]]
+    return compare_strings(context, node, left.as_value(), right.as_value());
+  if (node.op > BinaryOp::divide) [[unlikely]] {
+    context.fail(left.value ? node.left->span : node.right->span,
+                 fmt::format("`{}` compares numbers, found {}", spelling(node.op),
+                             describe(left.value ? *left.value : *right.value)));
+  }
+  const Operand a = left.operand(), b = right.operand();
+  if (node.op == BinaryOp::divide) warn_of_zero(context, node, b, std::max(a.count, b.count));
+  return arithmetic(node.op, a, b);
+}
+
+[[gnu::noinline]] bool evaluate_binary(Context& context, const grammar::Binary& node, double& number,
+                                       std::optional<Value>& other) {
+  const NestingGuard guard(context, node.span);
+  Side left, right;
+  if (is_still(*node.right)) {
+    evaluate_side(context, *node.left, left);
+  } else if (!evaluate_scalar(context, *node.left, left.number, left.kept)) {
+    left.value = &*left.kept;
+  }
+  evaluate_side(context, *node.right, right);
+  if (!left.value && !right.value) {
+    number = of_numbers(context, node, left.number, right.number);
+    return true;
+  }
+  other = of_values(context, node, left, right);
+  if (!other->is_number()) return false;
+  number = other->number();
+  return true;
+}
+
+// ---- One operand ----------------------------------------------------------------------------------------------------
+
+[[nodiscard]] double applied(grammar::UnaryOp op, double operand) {
+  switch (op) {
+    case grammar::UnaryOp::plus: return operand;
+    case grammar::UnaryOp::minus: return -operand;
+    case grammar::UnaryOp::logical_not: return std::abs(operand) <= kTolerance ? 1 : 0;
+  }
+  ISL_CHECK(false, "operator {}", static_cast<int>(op));
+}
+
+[[gnu::noinline]] bool evaluate_unary(Context& context, const grammar::Unary& node, double& number,
+                                      std::optional<Value>& other) {
+  const NestingGuard guard(context, node.span);
+  if (evaluate_scalar(context, *node.operand, number, other)) {
+    number = applied(node.op, number);
+    return true;
+  }
+  // What the parser makes of `(Name)`: the value itself, whatever it is, and no reference.
+  const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
+  if (node.op == grammar::UnaryOp::plus && is_variable) return false;
+  if (!other->is_numeric()) {
+    static constexpr std::string_view kSpellings[] = {"+", "-", "!"};
+    context.fail(node.operand->span, fmt::format("`{}` needs a number or vector, found {}",
+                                                 kSpellings[static_cast<int>(node.op)], describe(*other)));
+  }
+  Value::Terms terms = other->terms();
+  for (int i = 0; i < other->term_count(); ++i) terms[i] = applied(node.op, terms[i]);
+  other = Value(other->term_count(), terms);
+  return false;
+}
+
+}  // namespace
+
+bool evaluate_scalar(Context& context, const Node& node, double& number, std::optional<Value>& other) {
+  switch (node.kind) {
+    case NodeKind::number: number = as<grammar::Number>(node).value; return true;
+    case NodeKind::name:
+      if (const Value* const held = variable(context, node); held && held->is_number()) {
+        number = held->number();
+        return true;
+      }
+      break;
+    case NodeKind::dot:
+      if (item_of_variable(context, as<grammar::Dot>(node), number)) return true;
+      break;
+    case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node), number, other);
+    case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node), number, other);
+    default: break;
+  }
+  other = evaluate(context, node);
+  if (!other->is_number()) return false;
+  number = other->number();
+  return true;
+}
+
+Value evaluate_binary(Context& context, const grammar::Binary& node) {
+  double number = 0;
+  std::optional<Value> other;
+  if (evaluate_binary(context, node, number, other)) return Value(number);
+  return *std::move(other);
+}
+
+[[gnu::noinline]] Value evaluate_dot(Context& context, const grammar::Dot& node) {
+  const NestingGuard guard(context, node.span);
+  double number = 0;
+  if (item_of_variable(context, node, number)) return Value(number);
+  return Value(item_of(context, node, evaluate(context, *node.base)));
+}
+
+Value evaluate_unary(Context& context, const grammar::Unary& node) {
+  double number = 0;
+  std::optional<Value> other;
+  if (evaluate_unary(context, node, number, other)) return Value(number);
+  return *std::move(other);
+}
+
+[[gnu::noinline]] Value evaluate_conditional(Context& context, const grammar::Conditional& node) {
+  const NestingGuard guard(context, node.span);
+  // Both arms, as in POV-Ray: an undeclared name in the arm not taken is an error too.
+  const bool condition = evaluate_condition(context, *node.condition);
+  Value yes = evaluate(context, *node.yes);
+  Value no = evaluate(context, *node.no);
+  return condition ? yes : no;
+}
+
+}  // namespace isl::interpreter
