@@ -4,7 +4,8 @@
 # machine. -fno-math-errno and -fno-trapping-math change no value; -ffast-math is never used.
 add_library(isl_options INTERFACE)
 add_library(isl::options ALIAS isl_options)
-target_include_directories(isl_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+target_include_directories(isl_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(isl_options SYSTEM INTERFACE ${PROJECT_BINARY_DIR})  # bison's header is not ours to polish
 target_compile_features(isl_options INTERFACE cxx_std_20)
 target_compile_options(isl_options INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math

@@ -91,9 +91,8 @@ Value make_array(Context& context, const grammar::Array& node) {
     dimensions.push_back(element_count(context, *dimension));
     total *= static_cast<double>(dimensions.back());
   }
-  constexpr double kBytesAnElement = sizeof(Slot) + sizeof(Slot*);
   context.check_memory(node.span,
-                       total > 1e17 ? static_cast<std::size_t>(-1) : static_cast<std::size_t>(total * kBytesAnElement));
+                       total > 1e17 ? static_cast<std::size_t>(-1) : static_cast<std::size_t>(total * kElementBytes));
   Ref<ArrayValue> array = make_shared_value<ArrayValue>(std::move(dimensions), context.scopes.slots(), context.memory);
   if (node.initialised) {
     ElementStream stream(context, node.items, node.span);

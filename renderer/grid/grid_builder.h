@@ -69,24 +69,27 @@ class GridBuilder {
     grid_.box = Box(bounds.center() - half, bounds.center() + half);
   }
 
-  [[nodiscard]] static Vec3 corner(std::uint32_t index) { return Vec3(index % 4, index / 4 % 4, index / 16); }
+  [[nodiscard]] static Vec3 corner(std::uint32_t index) {
+    const std::uint32_t row = index / kBrickSide;
+    return {double(index % kBrickSide), double(row % kBrickSide), double(row / kBrickSide)};
+  }
 
   /// Which items may touch which cell of the top brick, by their boxes (a cell wider on every side, for rounding's sake).
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> deal_out(std::span<const std::uint32_t> items) const {
     std::vector<std::vector<std::uint32_t>> lists(kBrickCells);
     for (const std::uint32_t item : items) {
       const Box box = classifier_.item_bounds(item);
-      int first[3], last[3];
+      std::size_t first[3], last[3];
       for (int axis = 0; axis < 3; ++axis) {
         const double most = grid_.dimensions[axis] - 1;
         const auto cell = [&](double x) { return std::floor((x - grid_.box.min[axis]) / grid_.cell_size); };
-        first[axis] = static_cast<int>(std::clamp(cell(box.min[axis]) - 1, 0.0, most));
-        last[axis] = static_cast<int>(std::clamp(cell(box.max[axis]) + 1, 0.0, most));
+        first[axis] = static_cast<std::size_t>(std::clamp(cell(box.min[axis]) - 1, 0.0, most));
+        last[axis] = static_cast<std::size_t>(std::clamp(cell(box.max[axis]) + 1, 0.0, most));
       }
-      for (int k = first[2]; k <= last[2]; ++k) {
-        for (int j = first[1]; j <= last[1]; ++j) {
-          for (int i = first[0]; i <= last[0]; ++i) {
-            lists[static_cast<std::size_t>((k * kBrickSide + j) * kBrickSide + i)].push_back(item);
+      for (std::size_t k = first[2]; k <= last[2]; ++k) {
+        for (std::size_t j = first[1]; j <= last[1]; ++j) {
+          for (std::size_t i = first[0]; i <= last[0]; ++i) {
+            lists[(k * kBrickSide + j) * kBrickSide + i].push_back(item);
           }
         }
       }

@@ -9,12 +9,13 @@ namespace isl::render {
 namespace {
 
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
-  const Box box = instance.kind == scene::Object::Kind::blob ? scene.blobs[instance.shape].grid.bounds
-                                                             : bounds(scene.solids[instance.shape]);
+  Box box = instance.kind == scene::Object::Kind::blob ? scene.blobs[instance.shape].grid.bounds
+                                                       : bounds(scene.solids[instance.shape]);
   if (!instance.is_placed || box.isEmpty()) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z);
+    const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                 corner & 4 ? box.max.z : box.min.z);
     world.extendBy(instance.world_from_object.point(p));
   }
   return world;

@@ -105,7 +105,7 @@ struct ConeLanes {
       for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::AndNot(out.m[i], m.m[i]);
       return r;
     };
-    const OctetMask all = zero <= zero;
+    const OctetMask all = zero < Octet(1.0);
     ConeBounds result;
     result.one_piece = only_a | only_b | only_body;
     result.may_a = without(all, (ahead & (from_a_low >= zero)) | only_b);
