@@ -23,7 +23,7 @@ Value arithmetic(BinaryOp op, const Operand& a, const Operand& b) {
       for (int i = 0; i < count; ++i) terms[i] = a[i] * b[i];
       break;
     case BinaryOp::divide:
-      for (int i = 0; i < count; ++i) terms[i] = a[i] / b[i];
+      for (int i = 0; i < count; ++i) terms[i] = quotient(a[i], b[i]);
       break;
     default: ISL_CHECK(false, "`{}` is no arithmetic", spelling(op));
   }

@@ -5,6 +5,8 @@
 #include "grammar/ast.h"
 #include "interpreter/value.h"
 
+#include <limits>
+
 namespace isl::interpreter {
 
 /// `value` with at least `count` terms: a number in each, or a vector padded with zeros. A longer one stays.
@@ -24,7 +26,12 @@ struct Operand {
   [[nodiscard]] double operator[](int i) const { return terms[count == 1 ? 0 : i]; }
 };
 
-/// a op b for + − * /, componentwise. Division by zero is as IEEE has it; the caller warns.
+/// a / b; positive infinity where b is zero, whatever a is (POV-Ray's rule; the caller warns).
+[[nodiscard]] inline double quotient(double a, double b) {
+  return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
+}
+
+/// a op b for + − * /, componentwise.
 [[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Operand& a, const Operand& b);
 
 /// Comparison and logic of two numbers, 0 or 1.

@@ -13,7 +13,8 @@ ContextualWords::ContextualWords(grammar::SymbolTable& symbols)
     : kernel(symbols.intern("kernel")),
       hardness(symbols.intern("hardness")),
       solver(symbols.intern("solver")),
-      tolerance(symbols.intern("tolerance")) {}
+      tolerance(symbols.intern("tolerance")),
+      hf(symbols.intern("hf")) {}
 
 Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const grammar::Unit& unit,
                  const EvaluateOptions& options_, DiagnosticSink& sink)

@@ -32,6 +32,7 @@ inline constexpr std::size_t kOriginBytes = 40;
 struct ContextualWords {
   explicit ContextualWords(grammar::SymbolTable& symbols);
   grammar::Symbol kernel, hardness, solver, tolerance;
+  grammar::Symbol hf;  ///< `.hf` of a pigment function: a height coded in red and green
 };
 
 class Context {

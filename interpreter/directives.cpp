@@ -4,6 +4,7 @@
 #include "interpreter/control.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
+#include "interpreter/functions/functions.h"
 #include "interpreter/readers/rvalue.h"
 #include "interpreter/readers/scene.h"
 
@@ -38,13 +39,14 @@ Value read_to_end(ElementStream& stream, bool& terminated) {
 
 /// The value of a declaration; `terminated` where a macro's or branch's own semicolon ended it.
 Value declared_value(Context& context, const grammar::Declare& node, bool& terminated) {
-  if (node.value.size() == 1 && node.value[0]->kind < NodeKind::word && node.value[0]->kind != NodeKind::call) {
-    return evaluate(context, *node.value[0]);
-  }
-  // A lone macro call is followed without a frame for the list that holds it.
-  if (node.value.size() == 1 && node.value[0]->kind == NodeKind::call) {
+  if (node.value.size() == 1 && node.value[0]->kind == NodeKind::function) return evaluate(context, *node.value[0]);
+  if (node.value.size() == 1 && node.value[0]->kind < NodeKind::word) {
+    if (node.value[0]->kind != NodeKind::call) return evaluate(context, *node.value[0]);
     const auto& call = as<grammar::Call>(*node.value[0]);
-    ElementStream stream(context, call, *called_macro(context, call));
+    const Value callee = called(context, call);
+    if (is_callable(callee)) return call_function(context, call, callee);
+    // A lone macro call is followed without a frame for the list that holds it.
+    ElementStream stream(context, call, callee.as<MacroValue>());
     return read_to_end(stream, terminated);
   }
   ElementStream stream(context, node.value, node.span);
@@ -73,7 +75,11 @@ void declare(Context& context, const grammar::Declare& node) {
     }
     // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
     if (value.kind() == ValueKind::array) value = Value(ValueKind::array, value.as<ArrayValue>().copy());
-    declared_slot(context, node, value).value = std::move(value);
+    Slot& slot = declared_slot(context, node, value);
+    if (slot.value.kind() == ValueKind::function) {
+      context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
+    }
+    slot.value = std::move(value);
   } catch (const Failed&) {
     // The name becomes known all the same, so that each use of it is not one more error.
     if (node.target->kind == NodeKind::name) declared_slot(context, node, {}).value = Value::poison();

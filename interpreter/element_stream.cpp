@@ -3,6 +3,7 @@
 #include "interpreter/control.h"
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
+#include "interpreter/functions/functions.h"
 #include "interpreter/macro_arguments.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,12 @@ void ElementStream::take_call(const grammar::Call& call) {
     // too.
     yield(ElementKind::value, call);
   } else {
-    push_macro(context_, call, *called_macro(context_, call));
+    const Value callee = called(context_, call);
+    if (callee.kind() == ValueKind::macro) {
+      push_macro(context_, call, callee.as<MacroValue>());
+    } else {
+      yield(ElementKind::value, call);
+    }
   }
 }
 
@@ -137,23 +143,20 @@ void ElementStream::advance() {
 
 // ---- Macro calls ----------------------------------------------------------------------------------------------------
 
-const MacroValue* called_macro(Context& context, const grammar::Call& call) {
-  Slot* slot = nullptr;
+Value called(Context& context, const grammar::Call& call) {
   if (call.callee->kind == NodeKind::name) {
     const grammar::Symbol name = as<grammar::Name>(*call.callee).name;
-    slot = context.scopes.find(name);
-    if (!slot) {
-      context.fail(call.callee->span, fmt::format("undeclared macro `{}`", context.text(name)),
+    if (!context.scopes.find(name)) {
+      context.fail(call.callee->span, fmt::format("undeclared macro or function `{}`", context.text(name)),
                    context.suggest_declared(name));
     }
-  } else {
-    slot = &find_slot(context, *call.callee);
   }
-  if (slot->value.kind() == ValueKind::poison) throw Failed{};
-  if (slot->value.kind() != ValueKind::macro) {
-    context.fail(call.span, fmt::format("{} cannot be called; only a macro can", describe(slot->value)));
+  const Value& value = find_slot(context, *call.callee).value;
+  if (value.kind() == ValueKind::poison) throw Failed{};
+  if (value.kind() != ValueKind::macro && !is_callable(value)) {
+    context.fail(call.span, fmt::format("{} cannot be called", describe(value)));
   }
-  return &slot->value.as<MacroValue>();
+  return value;
 }
 
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro) {

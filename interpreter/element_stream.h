@@ -97,7 +97,7 @@ class ElementStream {
 /// Binds the arguments of `call` and pushes the frame that executes the macro's body.
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro);
 
-/// The macro that `call` calls; fails for a callee that is none.
-[[nodiscard]] const MacroValue* called_macro(Context& context, const grammar::Call& call);
+/// What `call` calls: a macro, function or spline; fails for a callee that is none.
+[[nodiscard]] Value called(Context& context, const grammar::Call& call);
 
 }  // namespace isl::interpreter

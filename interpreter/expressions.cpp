@@ -3,6 +3,7 @@
 #include "interpreter/arrays.h"
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/element_stream.h"
+#include "interpreter/functions/functions.h"
 #include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 
@@ -116,7 +117,7 @@ Value evaluate(Context& context, const Node& node) {
     case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node));
     case NodeKind::conditional: return evaluate_conditional(context, as<grammar::Conditional>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
-    case NodeKind::function: context.unsupported(node.span, "function"); throw Failed{};
+    case NodeKind::function: return make_function(context, as<grammar::Function>(node));
     case NodeKind::error: context.report_unparsed(as<grammar::Error>(node)); throw Failed{};
     default: {
       const Node* const items[] = {&node};
@@ -190,7 +191,9 @@ Value read_only_value(ElementStream& stream) {
 }  // namespace
 
 [[gnu::noinline]] Value evaluate_call(Context& context, const grammar::Call& call) {
-  ElementStream stream(context, call, *called_macro(context, call));
+  const Value callee = called(context, call);
+  if (is_callable(callee)) return call_function(context, call, callee);
+  ElementStream stream(context, call, callee.as<MacroValue>());
   if (stream.peek().is(ElementKind::end)) context.fail(call.span, "this macro call yields no value");
   return read_only_value(stream);
 }

@@ -120,7 +120,7 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
     case BinaryOp::divide:
       if (b == 0) [[unlikely]]
         warn_of_zero(context, node, {&b, 1}, 1);
-      return a / b;
+      return quotient(a, b);
     default: return compare(node.op, a, b);
   }
 }

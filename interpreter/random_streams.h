@@ -9,9 +9,9 @@ namespace isl::interpreter {
 
 class RandomStreams {
  public:
-  /// A new stream that starts from `seed` (its low 32 bits); returns its number, which the scene passes to next().
-  [[nodiscard]] double open(double seed) {
-    states_.push_back(static_cast<std::uint32_t>(static_cast<std::int64_t>(seed)));
+  /// A new stream that starts from `seed`; returns its number, which the scene passes to next().
+  [[nodiscard]] double open(std::int32_t seed) {
+    states_.push_back(static_cast<std::uint32_t>(seed));
     return static_cast<double>(states_.size() - 1);
   }
 

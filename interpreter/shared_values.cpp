@@ -20,6 +20,8 @@ std::string_view describe(const Value& value) {
     case ValueKind::texture: return "a texture";
     case ValueKind::transform: return "a transform";
     case ValueKind::camera: return "a camera";
+    case ValueKind::function: return "a function";
+    case ValueKind::spline: return "a spline";
   }
   return "";
 }

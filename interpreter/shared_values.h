@@ -9,6 +9,7 @@
 #include "renderer/scene/database.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,30 @@ struct CameraValue final : Shared {
   explicit CameraValue(const scene::Camera& camera_, const scene::Vec3& sky_) : camera(camera_), sky(sky_) {}
   const scene::Camera camera;
   const scene::Vec3 sky;
+};
+
+struct FunctionValue final : Shared {
+  FunctionValue(scene::FunctionPointer function_, std::size_t bytes_, MemoryAccount& account_)
+      : function(std::move(function_)), bytes(bytes_), account(account_) {
+    account.bytes += bytes;
+  }
+  ~FunctionValue() override { account.bytes -= bytes; }
+
+  const scene::FunctionPointer function;
+  const std::size_t bytes;
+  MemoryAccount& account;
+};
+
+struct SplineValue final : Shared {
+  SplineValue(std::shared_ptr<const scene::Spline> spline_, MemoryAccount& account_)
+      : spline(std::move(spline_)), account(account_) {
+    account.bytes += bytes();
+  }
+  ~SplineValue() override { account.bytes -= bytes(); }
+  [[nodiscard]] std::size_t bytes() const { return spline->points.size() * sizeof(scene::SplinePoint); }
+
+  const std::shared_ptr<const scene::Spline> spline;
+  MemoryAccount& account;
 };
 
 }  // namespace isl::interpreter

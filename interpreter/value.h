@@ -25,6 +25,8 @@ enum class ValueKind : std::uint8_t {
   texture,
   transform,
   camera,
+  function,
+  spline,
 };
 
 /// What messages call a kind: "number", "3-term vector", "string", …

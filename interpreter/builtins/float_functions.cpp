@@ -1,6 +1,8 @@
 // Functions of numbers. Values outside of a function's domain are errors where POV-Ray has errors and warnings where it
 // warns.
 #include "interpreter/builtins/builtins.h"
+#include "interpreter/expressions.h"
+#include "renderer/values/integer.h"
 
 #include <fmt/format.h>
 
@@ -28,9 +30,10 @@ double positive(const Arguments& a) {
   return value;
 }
 
+/// fmod and the quotient of zero are what C makes of them, with a warning.
 double divisor(const Arguments& a) {
   const double value = a.number(1);
-  if (value == 0) a.fail(1, "division by zero");
+  if (value == 0) a.context().warn(a.span(), "division by zero");
   return value;
 }
 
@@ -39,11 +42,27 @@ Value square_root(const Arguments& a) {
   return Value(std::sqrt(a.number(0)));
 }
 
+/// 0⁰ is an error, other powers that are no number only a warning.
 Value power(const Arguments& a) {
+  if (a.number(0) == 0 && a.number(1) == 0) a.fail(0, "0 to the power of 0 has no value");
   const double result = std::pow(a.number(0), a.number(1));
-  if (std::isnan(result))
-    a.fail(0, fmt::format("{:g} to the power of {:g} is no real number", a.number(0), a.number(1)));
+  if (std::isnan(result)) {
+    a.context().warn(a.span(), fmt::format("{:g} to the power of {:g} is no real number", a.number(0), a.number(1)));
+  }
   return Value(result);
+}
+
+Value arc_tangent(const Arguments& a) {
+  const double y = a.number(0), x = a.number(1);
+  if (std::abs(y) < kTolerance && std::abs(x) < kTolerance) a.fail(0, "the origin has no direction");
+  return Value(std::atan2(y, x));
+}
+
+/// Through an integer of 32 bits, as in POV-Ray.
+double integer(const Arguments& a, double value) {
+  const std::int32_t result = values::to_integer(value);
+  if (std::abs(value - result) >= 1) a.context().warn(a.span(), fmt::format("{:g} does not fit into 32 bits", value));
+  return result;
 }
 
 template <class Better>
@@ -65,9 +84,8 @@ Value select(const Arguments& a) {
 
 template <class Operation>
 Value bitwise(const Arguments& a, Operation operation) {
-  std::int64_t result = static_cast<std::int64_t>(std::clamp(a.number(0), -9e15, 9e15));
-  for (std::size_t i = 1; i < a.size(); ++i)
-    result = operation(result, static_cast<std::int64_t>(std::clamp(a.number(i), -9e15, 9e15)));
+  std::int32_t result = values::to_integer(a.number(0));
+  for (std::size_t i = 1; i < a.size(); ++i) result = operation(result, values::to_integer(a.number(i)));
   return Value(static_cast<double>(result));
 }
 
@@ -78,15 +96,11 @@ Value next_random(const Arguments& a) {
 }
 
 Value open_random(const Arguments& a) {
-  // POV-Ray keeps an int; what does not fit has no meaning there.
-  const double seed = a.number(0);
-  if (!(std::abs(seed) < 4294967296.0)) a.fail(0, fmt::format("expected a seed of at most 32 bits, found {:g}", seed));
   a.context().check_memory(a.span(), sizeof(std::uint32_t));
   a.context().memory.bytes += sizeof(std::uint32_t);
-  return Value(a.context().random.open(seed));
+  return Value(a.context().random.open(values::to_integer(a.number(0))));
 }
 
-// int and div go through an integer in POV-Ray: there is no negative zero (hence the `+ 0.0`).
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 const Builtin kFunctions[] = {
@@ -101,7 +115,7 @@ const Builtin kFunctions[] = {
     {word::kw_degrees, 1, 1, [](double v) { return v / kRadiansPerDegree; }},
     {word::kw_exp, 1, 1, [](double v) { return std::exp(v); }},
     {word::kw_floor, 1, 1, [](double v) { return std::floor(v); }},
-    {word::kw_int, 1, 1, [](double v) { return std::trunc(v) + 0.0; }},
+    {word::kw_int, 1, 1, nullptr, [](const Arguments& a) { return Value(integer(a, a.number(0))); }},
     {word::kw_radians, 1, 1, [](double v) { return v * kRadiansPerDegree; }},
     {word::kw_sin, 1, 1, [](double v) { return std::sin(v); }},
     {word::kw_sinh, 1, 1, [](double v) { return std::sinh(v); }},
@@ -109,8 +123,8 @@ const Builtin kFunctions[] = {
     {word::kw_tanh, 1, 1, [](double v) { return std::tanh(v); }},
     {word::kw_acos, 1, 1, nullptr, [](const Arguments& a) { return Value(std::acos(clamped(a))); }},
     {word::kw_asin, 1, 1, nullptr, [](const Arguments& a) { return Value(std::asin(clamped(a))); }},
-    {word::kw_atan2, 2, 2, nullptr, [](const Arguments& a) { return Value(std::atan2(a.number(0), a.number(1))); }},
-    {word::kw_div, 2, 2, nullptr, [](const Arguments& a) { return Value(std::trunc(a.number(0) / divisor(a)) + 0.0); }},
+    {word::kw_atan2, 2, 2, nullptr, arc_tangent},
+    {word::kw_div, 2, 2, nullptr, [](const Arguments& a) { return Value(integer(a, a.number(0) / divisor(a))); }},
     {word::kw_mod, 2, 2, nullptr, [](const Arguments& a) { return Value(std::fmod(a.number(0), divisor(a))); }},
     {word::kw_ln, 1, 1, nullptr, [](const Arguments& a) { return Value(std::log(positive(a))); }},
     {word::kw_log, 1, 1, nullptr, [](const Arguments& a) { return Value(std::log10(positive(a))); }},
@@ -119,11 +133,11 @@ const Builtin kFunctions[] = {
     {word::kw_max, 1, Builtin::kAnyNumber, nullptr, [](const Arguments& a) { return best(a, std::greater<>()); }},
     {word::kw_min, 1, Builtin::kAnyNumber, nullptr, [](const Arguments& a) { return best(a, std::less<>()); }},
     {word::kw_select, 3, 4, nullptr, select},
-    {word::kw_bitwise_and, 2, Builtin::kAnyNumber, nullptr,
+    {word::kw_bitwise_and, 1, Builtin::kAnyNumber, nullptr,
      [](const Arguments& a) { return bitwise(a, std::bit_and<>()); }},
-    {word::kw_bitwise_or, 2, Builtin::kAnyNumber, nullptr,
+    {word::kw_bitwise_or, 1, Builtin::kAnyNumber, nullptr,
      [](const Arguments& a) { return bitwise(a, std::bit_or<>()); }},
-    {word::kw_bitwise_xor, 2, Builtin::kAnyNumber, nullptr,
+    {word::kw_bitwise_xor, 1, Builtin::kAnyNumber, nullptr,
      [](const Arguments& a) { return bitwise(a, std::bit_xor<>()); }},
     {word::kw_rand, 1, 1, nullptr, next_random},
     {word::kw_seed, 1, 1, nullptr, open_random},

@@ -5,6 +5,7 @@
 #include "interpreter/readers/camera.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/objects.h"
+#include "interpreter/readers/spline.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
 
@@ -43,6 +44,10 @@ Value read_block(ElementStream& stream) {
   if (block.word == word::kw_camera) {
     stream.drop();
     return {ValueKind::camera, read_camera(context, block)};
+  }
+  if (block.word == word::kw_spline) {
+    stream.drop();
+    return {ValueKind::spline, make_shared_value<SplineValue>(read_spline(context, block), context.memory)};
   }
   refuse(stream, object_words());
   // Not supported, and reported: an empty object keeps the name usable.

@@ -5,6 +5,7 @@
 
 #include "renderer/scene/camera.h"
 #include "renderer/scene/fields.h"
+#include "renderer/scene/function.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/light.h"
 #include "renderer/scene/objects.h"
@@ -27,6 +28,7 @@ struct Database {
   std::vector<Group> groups;
   std::vector<Object> objects;  ///< what stands in the world
   std::vector<Light> lights;
+  std::vector<FunctionPointer> functions;  ///< those that other records refer to
   std::optional<Camera> camera;
   Texture default_texture;
   Settings settings;

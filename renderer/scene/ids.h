@@ -12,6 +12,7 @@ enum class SolidId : std::uint32_t {};
 enum class GroupId : std::uint32_t {};
 enum class TextureId : std::uint32_t {};
 enum class TransformId : std::uint32_t {};
+enum class FunctionId : std::uint32_t {};
 enum class KernelId : std::uint16_t {};
 
 inline constexpr TextureId kNoTexture{kNone};

@@ -1,0 +1,20 @@
+// Functions and splines as values: made from `function …` and `spline { … }`, and called where a scene calls them.
+#pragma once
+
+#include "interpreter/context.h"
+
+namespace isl::interpreter {
+
+/// `function (a, b) { … }`: an expression, `internal(n)`, or one of the blocks that a function can hold.
+[[nodiscard]] Value make_function(Context& context, const grammar::Function& node);
+
+/// Whether the value is a function or spline, which a call can call.
+[[nodiscard]] bool is_callable(const Value& value);
+
+/// `F(1, 2, 3)`, `S(0.5)`, `S(0.5, cubic_spline)`: a number, or a vector of as many terms as `callee` yields.
+[[nodiscard]] Value call_function(Context& context, const grammar::Call& call, const Value& callee);
+
+/// The function's number in the database, for a record that keeps it; fails where its formula is not known.
+[[nodiscard]] scene::FunctionId function_id(Context& context, const FunctionValue& function, SourceSpan span);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,34 @@
+// Which of the machine's operations the words and operators of a `function {}` stand for.
+#pragma once
+
+#include "grammar/ast.h"
+#include "grammar/symbols.h"
+#include "renderer/scene/function.h"
+
+#include <optional>
+
+namespace isl::interpreter {
+
+[[nodiscard]] scene::Operation operation_of(grammar::BinaryOp op);
+
+/// `sin`, `pow`, `min` …: functions that are one operation.
+struct BuiltinOperation {
+  grammar::Symbol name;
+  scene::Operation operation;
+  std::size_t argument_count;
+  bool is_variadic = false;  ///< argument_count or more, applied from the left
+};
+
+/// Null for a word that means nothing in a function; `select`, `sum` and `prod` are more than one operation.
+[[nodiscard]] const BuiltinOperation* builtin_operation(grammar::Symbol name);
+
+/// `.x`, `.red`, `.gray` … after a call of a function that yields several terms: a term as it is (Operation::copy), or
+/// one computed from the colour.
+struct ResultItem {
+  scene::Operation operation = scene::Operation::copy;
+  std::uint16_t term = 0;  ///< the highest that is needed
+};
+
+[[nodiscard]] std::optional<ResultItem> result_item(grammar::Symbol name);
+
+}  // namespace isl::interpreter

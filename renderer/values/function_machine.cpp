@@ -1,0 +1,160 @@
+#include "renderer/values/function_machine.h"
+
+#include "base/check.h"
+#include "renderer/values/integer.h"
+#include "renderer/values/internal_functions.h"
+#include "renderer/values/spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace isl::values {
+namespace {
+
+using scene::Instruction;
+using scene::Operation;
+using scene::Program;
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+
+/// The three numbers that `select(a, …)` chooses among stand after a.
+double selected(const double* a) { return a[0] < 0 ? a[1] : a[0] == 0 ? a[2] : a[3]; }
+
+/// POV-Ray's weights of the eye.
+double gray(const double* colour) { return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2]; }
+
+/// A height of 16 bits, the upper eight in red and the lower in green; the factor is POV-Ray's, as measured.
+double height(const double* colour) { return 0.996093 * (colour[0] + colour[1] / 255); }
+
+void run(const Program& program, double* frame, Budget& budget) noexcept {
+  const double* const constants = program.constants.data();
+  const auto value = [&](std::uint16_t i) {
+    return i < Instruction::kConstants ? frame[i] : constants[i - Instruction::kConstants];
+  };
+  const std::size_t size = program.code.size();
+  for (std::size_t at = 0; at < size; ++at) {
+    const Instruction in = program.code[at];
+    switch (in.operation) {
+      case Operation::copy: frame[in.to] = value(in.a); break;
+      case Operation::add: frame[in.to] = value(in.a) + value(in.b); break;
+      case Operation::subtract: frame[in.to] = value(in.a) - value(in.b); break;
+      case Operation::multiply: frame[in.to] = value(in.a) * value(in.b); break;
+      case Operation::divide: frame[in.to] = value(in.a) / value(in.b); break;
+      case Operation::call:
+        if (!budget.take()) return;
+        evaluate(*program.callees[in.b], frame + in.a, budget);
+        break;
+      case Operation::select: frame[in.to] = selected(frame + in.a); break;
+      case Operation::gray: frame[in.to] = gray(frame + in.a); break;
+      case Operation::height: frame[in.to] = height(frame + in.a); break;
+      case Operation::loop:
+        if (!(frame[in.a] <= frame[in.b])) at = std::size_t{in.to} - 1;
+        break;
+      case Operation::repeat:
+        if (!budget.take()) return;
+        frame[in.a] += 1;
+        at = std::size_t{in.to} - 1;
+        break;
+      default: frame[in.to] = apply(in.operation, value(in.a), value(in.b)); break;
+    }
+  }
+}
+
+struct Runner {
+  double* frame;
+  Budget& budget;
+
+  void operator()(const Program& program) const { run(program, frame, budget); }
+  void operator()(const scene::InternalFunction& internal) const {
+    frame[0] = internal_functions()[internal.number].evaluate(frame);
+  }
+  void operator()(const scene::TransformFunction& function) const {
+    const scene::Vec3 p = function.transform.point({frame[0], frame[1], frame[2]});
+    frame[0] = p.x;
+    frame[1] = p.y;
+    frame[2] = p.z;
+  }
+  void operator()(const scene::SplineFunction& function) const {
+    const auto terms = evaluate(*function.spline, function.spline->kind, frame[0]);
+    std::copy_n(terms.begin(), function.spline->term_count, frame);
+  }
+  void operator()(const scene::PigmentFunction& function) const {
+    const scene::Colour& c = function.pigment.colour;
+    const double terms[] = {c.red, c.green, c.blue, c.filter, c.transmit};
+    std::copy_n(terms, 5, frame);
+  }
+};
+
+}  // namespace
+
+double apply(Operation operation, double a, double b) noexcept {
+  switch (operation) {
+    case Operation::add: return a + b;
+    case Operation::subtract: return a - b;
+    case Operation::multiply: return a * b;
+    case Operation::divide: return a / b;
+    case Operation::less: return a < b;
+    case Operation::greater: return a > b;
+    case Operation::equal: return a == b;
+    case Operation::less_equal: return a <= b;
+    case Operation::greater_equal: return a >= b;
+    case Operation::not_equal: return a != b;
+    case Operation::logical_and: return a != 0 && b != 0;
+    case Operation::logical_or: return a != 0 || b != 0;
+    case Operation::minimum: return b < a ? b : a;
+    case Operation::maximum: return b > a ? b : a;
+    case Operation::power: return std::pow(a, b);
+    case Operation::remainder: return std::fmod(a, b);
+    case Operation::quotient: return to_integer(a / b);
+    case Operation::arc_tangent_2: return std::atan2(a, b);
+    case Operation::copy: return a;
+    case Operation::negate: return -a;
+    case Operation::absolute: return std::abs(a);
+    case Operation::floor: return std::floor(a);
+    case Operation::ceiling: return std::ceil(a);
+    case Operation::truncate: return to_integer(a);
+    case Operation::square_root: return std::sqrt(a);
+    case Operation::exponential: return std::exp(a);
+    case Operation::logarithm: return std::log(a);
+    case Operation::logarithm_10: return std::log10(a);
+    case Operation::sine: return std::sin(a);
+    case Operation::cosine: return std::cos(a);
+    case Operation::tangent: return std::tan(a);
+    case Operation::arc_sine: return std::asin(a);
+    case Operation::arc_cosine: return std::acos(a);
+    case Operation::arc_tangent: return std::atan(a);
+    case Operation::hyperbolic_sine: return std::sinh(a);
+    case Operation::hyperbolic_cosine: return std::cosh(a);
+    case Operation::hyperbolic_tangent: return std::tanh(a);
+    case Operation::hyperbolic_arc_sine: return std::asinh(a);
+    case Operation::hyperbolic_arc_cosine: return std::acosh(a);
+    case Operation::hyperbolic_arc_tangent: return std::atanh(a);
+    case Operation::degrees: return a / kRadiansPerDegree;
+    case Operation::radians: return a * kRadiansPerDegree;
+    case Operation::select:
+    case Operation::gray:
+    case Operation::height:
+    case Operation::call:
+    case Operation::loop:
+    case Operation::repeat: break;
+  }
+  ISL_CHECK(false, "operation {} is not of two numbers", static_cast<int>(operation));
+}
+
+void evaluate(const scene::Function& function, double* frame, Budget& budget) noexcept {
+  std::visit(Runner{frame, budget}, function.body);
+}
+
+std::array<double, 5> evaluate(const scene::Function& function, std::span<const double> arguments,
+                               Budget& budget) noexcept {
+  ISL_DCHECK(arguments.size() == function.parameter_count, "{} of {}", arguments.size(), function.parameter_count);
+  double frame[scene::Function::kMaxFrame];
+  std::copy(arguments.begin(), arguments.end(), frame);
+  evaluate(function, frame, budget);
+  std::array<double, 5> results{};
+  std::copy_n(frame, std::min<std::size_t>(function.result_count, results.size()), results.begin());
+  return results;
+}
+
+}  // namespace isl::values

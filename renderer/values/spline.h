@@ -1,0 +1,31 @@
+// Splines, made from points in any order and evaluated at a parameter; by POV-Ray's rules, which its manual and probes
+// of the program tell:
+//
+// - linear: straight between neighbours. quadratic: the parabola through a segment's two ends and the point before them
+//   (after them in the first segment). natural: the cubic spline of continuous curvature whose curvature at both ends
+//   is zero. These hold their first and last value outside of their range.
+// - cubic: between two points the cubic with their values and slopes, where a point's slope is the mean of the slopes
+// of the two
+//   chords that meet there. The outermost points only shape the curve: it runs, and holds its ends, from the second to
+//   the last but one.
+#pragma once
+
+#include "renderer/scene/spline.h"
+
+#include <array>
+
+namespace isl::values {
+
+/// The spline's terms at `parameter`, seen as one of `kind`; terms beyond spline.term_count are zero. NaN gives the
+/// last point.
+[[nodiscard]] std::array<double, 5> evaluate(const scene::Spline& spline, scene::SplineKind kind,
+                                             double parameter) noexcept;
+
+/// Puts a point in its place. One at a parameter that is taken replaces the point there, except at the end of the
+/// spline, where it is dropped (POV-Ray's behaviour).
+void insert(scene::Spline& spline, double parameter, const std::array<double, 5>& value);
+
+/// Computes what evaluation needs; call it after the last insert().
+void finish(scene::Spline& spline);
+
+}  // namespace isl::values
