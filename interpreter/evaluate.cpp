@@ -24,6 +24,7 @@ void predeclare(Context& context, std::string_view name, Value value) {
 void bind_predeclared(Context& context) {
   const EvaluateOptions& options = context.options;
   predeclare(context, "Isl", Value(kIslVersion));
+  predeclare(context, "input_file_name", make_string(context, context.main_unit.file.filename().string(), {}));
   predeclare(context, "image_width", Value(static_cast<double>(options.image_width)));
   predeclare(context, "image_height", Value(static_cast<double>(options.image_height)));
   // A run renders one frame: for the scene it is an animation of that frame alone.

@@ -22,7 +22,7 @@ using Table = std::array<const Builtin*, word::kReservedCount>;
 
 Table make_table() {
   Table table{};
-  for (const auto functions : {float_functions(), vector_functions(), string_functions()}) {
+  for (const auto functions : {float_functions(), vector_functions(), string_functions(), time_functions()}) {
     for (const Builtin& function : functions) table[static_cast<std::uint32_t>(function.name)] = &function;
   }
   return table;
@@ -102,10 +102,7 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   const auto count = static_cast<double>(array.dimensions.size());
   if (index == word::kIndex_dimensions) return Value(count);
   const double dimension = evaluate_number(context, *call.arguments[1][0]);
-  if (!(dimension >= 1 && dimension < count + 1)) {
-    context.fail(call.arguments[1][0]->span,
-                 fmt::format("the array has dimensions 1 to {:g}, found {:g}", count, dimension));
-  }
+  if (!(dimension >= 1 && dimension < count + 1)) return Value(0.0);
   return Value(static_cast<double>(array.dimensions[static_cast<std::size_t>(dimension) - 1]));
 }
 

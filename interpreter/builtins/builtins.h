@@ -53,5 +53,9 @@ struct Builtin {
 [[nodiscard]] std::span<const Builtin> float_functions();
 [[nodiscard]] std::span<const Builtin> vector_functions();
 [[nodiscard]] std::span<const Builtin> string_functions();
+[[nodiscard]] std::span<const Builtin> time_functions();
+
+/// The value of `now`.
+[[nodiscard]] double days_since_2000();
 
 }  // namespace isl::interpreter

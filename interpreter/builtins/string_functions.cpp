@@ -1,13 +1,16 @@
-// Functions of strings. Strings are bytes in UTF-8; lengths and positions count bytes, as far as scenes in ASCII can
-// tell.
+// Functions of strings. Strings are UTF-8; lengths and positions count characters (code points), as POV-Ray does in a
+// scene with `charset utf8`.
 #include "interpreter/builtins/builtins.h"
 
+#include "interpreter/builtins/characters.h"
 #include "interpreter/expressions.h"
 
 #include <fmt/format.h>
 #include <fmt/printf.h>
 
-#include <charconv>
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 namespace isl::interpreter {
 namespace {
@@ -27,7 +30,7 @@ Value string_of_number(const Arguments& a) {
 }
 
 Value string_of_vector(const Arguments& a) {
-  const int count = a.integer(0, 2, 5);
+  const int count = std::clamp(a.integer(0, -1000, 1000), 2, Value::kMaxTerms);
   if (!a[1].is_numeric()) a.fail(1, fmt::format("expected a vector, found {}", describe(a[1])));
   const std::string& separator = a.string(2);
   const int width = a.integer(3, -1000, 1000), digits = a.integer(4, -1000, 1000);
@@ -50,14 +53,17 @@ Value concat(const Arguments& a) {
   return result(a, std::move(text));
 }
 
+/// From position 1 on; no characters at all may start anywhere, position 0 included, as in POV-Ray.
 Value substring(const Arguments& a) {
   const std::string& text = a.string(0);
-  const auto first = static_cast<std::size_t>(a.integer(1, 1, 2'000'000'000));
+  const auto first = static_cast<std::size_t>(a.integer(1, 0, 2'000'000'000));
   const auto count = static_cast<std::size_t>(a.integer(2, 0, 2'000'000'000));
-  if (first - 1 + count > text.size()) {
-    a.fail(0, fmt::format("characters {} to {} of a string of {}", first, first + count - 1, text.size()));
+  if (first == 0 || count == 0) return result(a, {});
+  const std::optional<std::string_view> part = characters(text, first - 1, count);
+  if (!part) {
+    a.fail(0, fmt::format("characters {} to {} of a string of {}", first, first + count - 1, character_count(text)));
   }
-  return result(a, text.substr(first - 1, count));
+  return result(a, std::string(*part));
 }
 
 /// The characters of ASCII only, so that the result does not depend on a locale.
@@ -68,40 +74,16 @@ std::string with_case(std::string text, char from, char to, int shift) {
   return text;
 }
 
-/// The number at the start of a string; 0 where there is none, as C's atof.
-Value number_of_string(const Arguments& a) {
-  std::string_view text = a.string(0);
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\n\r"), text.size()));
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return Value(value);
-}
+/// The number at the start of a string; 0 where there is none, as C's strtod (the program stays in the locale "C").
+Value number_of_string(const Arguments& a) { return Value(std::strtod(a.string(0).c_str(), nullptr)); }
 
-Value character(const Arguments& a) {
-  const int code = a.integer(0, 1, 0xFFFF);
-  std::string text;
-  if (code < 0x80) {
-    text = {static_cast<char>(code)};
-  } else if (code < 0x800) {
-    text = {static_cast<char>(0xC0 | code >> 6), static_cast<char>(0x80 | (code & 0x3F))};
-  } else {
-    text = {static_cast<char>(0xE0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 0x3F)),
-            static_cast<char>(0x80 | (code & 0x3F))};
-  }
-  return result(a, std::move(text));
-}
+/// Code 0 is no character at all.
+Value character(const Arguments& a) { return result(a, character_of(static_cast<char32_t>(a.integer(0, 0, 0xFFFF)))); }
 
-Value code_of_character(const Arguments& a) {
-  const std::string& text = a.string(0);
-  if (text.empty()) a.fail(0, "the string is empty");
-  return Value(static_cast<unsigned char>(text[0]));
-}
+Value code_of_character(const Arguments& a) { return Value(static_cast<double>(first_character(a.string(0)))); }
 
-Value order(const Arguments& a) {
-  const int sign = a.string(0).compare(a.string(1));
-  return Value(sign < 0 ? -1.0 : sign > 0 ? 1.0 : 0.0);
-}
+/// The difference of the first characters that differ, as strcmp of old.
+Value order(const Arguments& a) { return Value(static_cast<double>(compare_characters(a.string(0), a.string(1)))); }
 
 const Builtin kFunctions[] = {
     {word::kw_asc, 1, 1, nullptr, code_of_character},
@@ -109,7 +91,8 @@ const Builtin kFunctions[] = {
     {word::kw_concat, 1, Builtin::kAnyNumber, nullptr, concat},
     {word::kw_str, 3, 3, nullptr, string_of_number},
     {word::kw_strcmp, 2, 2, nullptr, order},
-    {word::kw_strlen, 1, 1, nullptr, [](const Arguments& a) { return Value(static_cast<double>(a.string(0).size())); }},
+    {word::kw_strlen, 1, 1, nullptr,
+     [](const Arguments& a) { return Value(static_cast<double>(character_count(a.string(0)))); }},
     {word::kw_strlwr, 1, 1, nullptr,
      [](const Arguments& a) { return result(a, with_case(a.string(0), 'A', 'Z', 'a' - 'A')); }},
     {word::kw_strupr, 1, 1, nullptr,

@@ -75,6 +75,7 @@ Function make_internal(Context& context, const grammar::FunctionCall& node) {
     context.fail(node.span, fmt::format("there is no built-in function `internal({:g})`", number));
   const auto i = static_cast<std::uint16_t>(number);
   Function function = function_of(scene::InternalFunction{i}, 3u + table[i].extra_parameters, 1);
+  if (table[i].takes_scene_noise) ++function.frame_size;
   function.is_missing = !table[i].evaluate;
   return function;
 }
@@ -94,8 +95,13 @@ Function make_block_function(Context& context, const grammar::Function& node, El
   if (block.is_block(word::kw_pigment)) {
     return function_of(scene::PigmentFunction{read_pigment(context, block, context.default_texture.pigment)}, 3, 5);
   }
-  context.unsupported(block.word_span, fmt::format("function {{ {} }}", context.text(block.word)));
-  throw Failed{};
+  if (!block.is_block(word::kw_pattern)) {
+    context.fail(block.word_span, fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found `{}`",
+                                              context.text(block.word)));
+  }
+  Function function = function_of(scene::InternalFunction{}, 3, 1);
+  function.is_missing = true;
+  return function;
 }
 
 bool is_internal(const grammar::Items& body) {
@@ -161,9 +167,10 @@ Value call(Context& context, const grammar::Call& call, const FunctionValue& val
     throw Failed{};
   }
   const NestingGuard guard(context, call.span, kEvaluationUnits);
-  values::Budget budget(static_cast<std::uint64_t>(std::min(context.options.limits.max_turns, 1e18)));
-  const auto terms = values::evaluate(function, arguments.span(), budget);
-  if (budget.is_spent()) {
+  values::Environment environment(values::NoiseGenerator::range_corrected,
+                                  static_cast<std::uint64_t>(std::min(context.options.limits.max_turns, 1e18)));
+  const auto terms = values::evaluate(function, arguments.span(), environment);
+  if (environment.is_spent()) {
     context.stop(call.span,
                  fmt::format("this function takes more than {:g} turns and calls", context.options.limits.max_turns),
                  "`--max-turns` raises the limit");

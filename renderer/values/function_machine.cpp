@@ -27,7 +27,7 @@ double gray(const double* colour) { return 0.297 * colour[0] + 0.589 * colour[1]
 /// A height of 16 bits, the upper eight in red and the lower in green; the factor is POV-Ray's, as measured.
 double height(const double* colour) { return 0.996093 * (colour[0] + colour[1] / 255); }
 
-void run(const Program& program, double* frame, Budget& budget) noexcept {
+void run(const Program& program, double* frame, Environment& environment) noexcept {
   const double* const constants = program.constants.data();
   const auto value = [&](std::uint16_t i) {
     return i < Instruction::kConstants ? frame[i] : constants[i - Instruction::kConstants];
@@ -42,8 +42,8 @@ void run(const Program& program, double* frame, Budget& budget) noexcept {
       case Operation::multiply: frame[in.to] = value(in.a) * value(in.b); break;
       case Operation::divide: frame[in.to] = value(in.a) / value(in.b); break;
       case Operation::call:
-        if (!budget.take()) return;
-        evaluate(*program.callees[in.b], frame + in.a, budget);
+        if (!environment.take_step()) return;
+        evaluate(*program.callees[in.b], frame + in.a, environment);
         break;
       case Operation::select: frame[in.to] = selected(frame + in.a); break;
       case Operation::gray: frame[in.to] = gray(frame + in.a); break;
@@ -52,7 +52,7 @@ void run(const Program& program, double* frame, Budget& budget) noexcept {
         if (!(frame[in.a] <= frame[in.b])) at = std::size_t{in.to} - 1;
         break;
       case Operation::repeat:
-        if (!budget.take()) return;
+        if (!environment.take_step()) return;
         frame[in.a] += 1;
         at = std::size_t{in.to} - 1;
         break;
@@ -63,11 +63,13 @@ void run(const Program& program, double* frame, Budget& budget) noexcept {
 
 struct Runner {
   double* frame;
-  Budget& budget;
+  Environment& environment;
 
-  void operator()(const Program& program) const { run(program, frame, budget); }
+  void operator()(const Program& program) const { run(program, frame, environment); }
   void operator()(const scene::InternalFunction& internal) const {
-    frame[0] = internal_functions()[internal.number].evaluate(frame);
+    const InternalFunction& function = internal_functions()[internal.number];
+    if (function.takes_scene_noise) frame[3] = static_cast<double>(environment.noise_generator());
+    frame[0] = function.evaluate(frame);
   }
   void operator()(const scene::TransformFunction& function) const {
     const scene::Vec3 p = function.transform.point({frame[0], frame[1], frame[2]});
@@ -142,16 +144,16 @@ double apply(Operation operation, double a, double b) noexcept {
   ISL_CHECK(false, "operation {} is not of two numbers", static_cast<int>(operation));
 }
 
-void evaluate(const scene::Function& function, double* frame, Budget& budget) noexcept {
-  std::visit(Runner{frame, budget}, function.body);
+void evaluate(const scene::Function& function, double* frame, Environment& environment) noexcept {
+  std::visit(Runner{frame, environment}, function.body);
 }
 
 std::array<double, 5> evaluate(const scene::Function& function, std::span<const double> arguments,
-                               Budget& budget) noexcept {
+                               Environment& environment) noexcept {
   ISL_DCHECK(arguments.size() == function.parameter_count, "{} of {}", arguments.size(), function.parameter_count);
   double frame[scene::Function::kMaxFrame];
   std::copy(arguments.begin(), arguments.end(), frame);
-  evaluate(function, frame, budget);
+  evaluate(function, frame, environment);
   std::array<double, 5> results{};
   std::copy_n(frame, std::min<std::size_t>(function.result_count, results.size()), results.begin());
   return results;

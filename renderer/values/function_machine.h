@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/scene/function.h"
+#include "renderer/values/noise.h"
 
 #include <array>
 #include <cstdint>
@@ -12,13 +13,17 @@
 
 namespace isl::values {
 
-/// Bounds the turns of `sum` and `prod` and the calls within one evaluation. When it is spent, what is left to do is
-/// skipped and the result means nothing.
-class Budget {
+/// What an evaluation needs besides the function: one a thread.
+class Environment {
  public:
-  explicit Budget(std::uint64_t steps = std::numeric_limits<std::uint64_t>::max()) : steps_(steps) {}
+  /// `steps` bounds the turns of `sum` and `prod` and the calls within all evaluations. When they are spent, what is
+  /// left to do is skipped and the result means nothing.
+  explicit Environment(NoiseGenerator noise_generator, std::uint64_t steps = std::numeric_limits<std::uint64_t>::max())
+      : noise_generator_(noise_generator), steps_(steps) {}
+
+  [[nodiscard]] NoiseGenerator noise_generator() const noexcept { return noise_generator_; }
   /// One more turn or call; false where there is none left.
-  [[nodiscard]] bool take() noexcept {
+  [[nodiscard]] bool take_step() noexcept {
     if (steps_ == 0) return false;
     --steps_;
     return true;
@@ -26,6 +31,7 @@ class Budget {
   [[nodiscard]] bool is_spent() const noexcept { return steps_ == 0; }
 
  private:
+  NoiseGenerator noise_generator_;
   std::uint64_t steps_;
 };
 
@@ -35,10 +41,10 @@ class Budget {
 
 /// `frame` has function.frame_size doubles, of which the first hold the arguments; afterwards the first hold the
 /// results. Arguments outside of a domain give what IEEE arithmetic gives: NaN and infinities travel on, nothing fails.
-void evaluate(const scene::Function& function, double* frame, Budget& budget) noexcept;
+void evaluate(const scene::Function& function, double* frame, Environment& environment) noexcept;
 
 /// The results, the rest zero. `arguments` are as many as the function has parameters.
 [[nodiscard]] std::array<double, 5> evaluate(const scene::Function& function, std::span<const double> arguments,
-                                             Budget& budget) noexcept;
+                                             Environment& environment) noexcept;
 
 }  // namespace isl::values

@@ -13,6 +13,8 @@ struct InternalFunction {
   int extra_parameters = 0;  ///< after x, y, z
   /// The value at p[0], p[1], p[2] with the parameters from p[3] on; null where the formula is not known here.
   double (*evaluate)(const double* p) = nullptr;
+  /// The scene's noise generator is to stand in p[3].
+  bool takes_scene_noise = false;
 
   [[nodiscard]] bool exists() const { return !name.empty(); }
 };

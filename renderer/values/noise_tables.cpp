@@ -1,0 +1,101 @@
+#include "renderer/values/noise_tables.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace isl::values {
+namespace {
+
+/// The generator behind the language's rand() (interpreter/random_streams.h), of which the upper half but its sign is
+/// used.
+class Generator {
+ public:
+  explicit Generator(std::uint32_t seed) : state_(seed) {}
+  std::uint32_t next() {
+    state_ = state_ * 1812433253u + 12345u;
+    return state_ >> 16 & 0x7FFFu;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// CRC-16/ARC: reflected, polynomial x¹⁶ + x¹⁵ + x² + 1, from 0. One byte more.
+std::uint32_t checksum(std::uint32_t crc, std::uint32_t byte) {
+  crc ^= byte;
+  for (int bit = 0; bit < 8; ++bit) crc = (crc & 1u) != 0 ? crc >> 1 ^ 0xA001u : crc >> 1;
+  return crc;
+}
+
+/// Six significant digits, which is what tables of this noise have been handed on with since.
+double rounded(double value) {
+  if (value == 0) return 0;
+  const double unit = std::pow(10.0, 5 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * unit) / unit;
+}
+
+/// The checksum of the vector (s, s, s), s = 0.12345·i, its doubles written with the most significant byte first; as a
+/// number in [−1, 1].
+double random_term(std::size_t i) {
+  constexpr double kStep = 0.12345;
+  const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(i) * kStep);
+  std::uint32_t crc = 0;
+  for (int coordinate = 0; coordinate < 3; ++coordinate) {
+    for (int shift = 56; shift >= 0; shift -= 8) crc = checksum(crc, static_cast<std::uint32_t>(bits >> shift & 0xFFu));
+  }
+  return rounded(crc * (2.0 / 65535.0) - 1);
+}
+
+/// A shuffle from the end: every place once changes with a random one.
+void shuffle(NoiseTables& tables) {
+  for (std::size_t i = 0; i < tables.hash.size(); ++i) tables.hash[i] = static_cast<std::uint16_t>(i);
+  Generator generator(0);
+  for (std::size_t i = tables.hash.size(); i-- > 0;)
+    std::swap(tables.hash[i], tables.hash[generator.next() % NoiseTables::kHashes]);
+}
+
+/// Perlin's initialisation: directions evenly from the ball by rejection, then every second place of the permutation
+/// changes with a random one. (It starts beyond the permutation, with a place that holds 0.)
+void make_gradients(NoiseTables& tables) {
+  constexpr std::size_t kCount = NoiseTables::kGradients;
+  Generator generator(1);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    std::array<double, 3> v{};
+    double squared = 0;
+    do {
+      squared = 0;
+      for (double& term : v) {
+        term = (static_cast<double>(generator.next() % (2 * kCount)) - kCount) / kCount;
+        squared += term * term;
+      }
+    } while (squared > 1 || squared == 0);
+    const double length = std::sqrt(squared);
+    tables.gradients[i] = {v[0] / length, v[1] / length, v[2] / length};
+    tables.permutation[i] = static_cast<std::uint16_t>(i);
+  }
+  tables.permutation[kCount] = 0;
+  for (std::size_t i = kCount; i > 0; i -= 2)
+    std::swap(tables.permutation[i], tables.permutation[generator.next() % kCount]);
+  for (std::size_t i = 0; i < kCount + 2; ++i) {
+    tables.permutation[kCount + i] = tables.permutation[i];
+    tables.gradients[kCount + i] = tables.gradients[i];
+  }
+}
+
+NoiseTables make_tables() {
+  NoiseTables tables{};
+  for (std::size_t i = 0; i < tables.terms.size(); ++i) tables.terms[i] = random_term(i);
+  shuffle(tables);
+  make_gradients(tables);
+  return tables;
+}
+
+}  // namespace
+
+const NoiseTables& noise_tables() noexcept {
+  static const NoiseTables kTables = make_tables();
+  return kTables;
+}
+
+}  // namespace isl::values
