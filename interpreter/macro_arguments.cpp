@@ -66,11 +66,14 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
   while (!stream.peek().is(ElementKind::end)) {
     const Element next = stream.peek();
     if (next.is(ElementKind::value) && next.word != grammar::kNoSymbol) {
+      // Bound before the stream goes on: what follows may end the scope that the name is of.
       stream.drop();
-      if (!stream.peek().is(ElementKind::word)) {
-        push_reference(*next.node);
-      } else {
-        push(read_rvalue_after(stream, evaluate(context_, *next.node)));
+      push_reference(*next.node);
+      if (stream.peek().is(ElementKind::word)) {
+        Value first = context_.argument_slots.back()->value;
+        context_.scopes.slots().release(context_.argument_slots.back());
+        context_.argument_slots.pop_back();
+        push(read_rvalue_after(stream, std::move(first)));
       }
     } else {
       push(read_rvalue(stream));

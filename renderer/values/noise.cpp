@@ -103,9 +103,8 @@ Result sum_octaves(const Vec3& p, const Octaves& octaves, Function function) {
 }  // namespace
 
 NoiseGenerator noise_generator_of(double number) noexcept {
-  const std::int32_t whole = to_integer(number);
-  if (whole == 0 || whole == 1) return NoiseGenerator::original;
-  return whole == 2 ? NoiseGenerator::range_corrected : NoiseGenerator::perlin;
+  const int low_bits = to_integer(number) & 3;
+  return static_cast<NoiseGenerator>(low_bits == 0 ? 1 : low_bits);
 }
 
 double noise(const Vec3& p, NoiseGenerator generator) noexcept {

@@ -20,7 +20,7 @@ enum class NoiseGenerator : std::uint8_t {
   perlin = 3,           ///< about 0.5, flatter at the lattice points
 };
 
-/// 0 and 1 are the original, 2 the corrected, all else Perlin's; fractions are cut off.
+/// By the lowest two bits of the number's whole part, as POV-Ray takes it; 0 is the original.
 [[nodiscard]] NoiseGenerator noise_generator_of(double number) noexcept;
 
 /// In [0, 1]. Coordinates beyond ±2³⁰ have no detail left; NaN gives a number all the same.

@@ -1,0 +1,35 @@
+// Vectors of different lengths meet; colours; optional commas.
+#version 3.7;
+#macro Say(Name, N, V) #debug concat(Name, " ", vstr(N, V, " ", 0, 8), "\n") #end
+Say("number and vector", 3, 2*<1,2,3>+1)
+Say("short and long", 4, <1,2>+<1,2,3,4>)
+Say("short times long", 3, <2,2>*<1,2,3>)
+Say("short over long", 2, <2,2>/<1,2>)
+Say("unit vectors", 3, x+2*y-3*z)
+Say("u and v", 2, u-2*v)
+Say("t", 4, 0+t)
+Say("t and x", 4, 2*t+x)
+Say("no commas", 3, <1 2 3>)
+Say("a difference, not two terms", 2, <1 -2, 3>)
+Say("vector of items", 3, <y.y, (x+z).z, <4,5>.v>)
+Say("colour", 5, rgb <1,2,3>)
+Say("colour with filter", 5, rgbf <1,2,3,4>)
+Say("colour with transmit", 5, rgbt <1,2,3,4>)
+Say("colour with both", 5, rgbft <1,2,3,4,5>)
+Say("grey", 5, rgb 0.5)
+Say("by components", 5, color red 1 green 0.5)
+Say("components over a colour", 5, color rgb <1,2,3> transmit 0.5)
+#declare C = color rgb <1,0.5,0.25>;
+Say("colour plus number", 5, C+0.125)
+Say("colour times vector", 5, C*<2,2,2>)
+Say("colour less colour", 5, C-C*0.5)
+Say("colour of identifier", 5, color C filter 0.25)
+Say("items", 3, <C.red, C.green, C.blue>)
+Say("gray, filter, transmit", 3, <C.gray, C.filter, C.transmit>)
+Say("division by zero", 3, <1,-2,3>/<0,0,1>)
+Say("minus a vector", 3, -<1,2,3>)
+Say("not a vector", 3, !<1,0,3>)
+#declare V2 = <1,2>;
+#declare V4 = <1,2,3,4>;
+Say("identifiers keep their length", 4, V2*V4)
+Say("their items", 2, <V4.t, V2.v>)
