@@ -82,7 +82,10 @@ void declare(Context& context, const grammar::Declare& node) {
     slot.value = std::move(value);
   } catch (const Failed&) {
     // The name becomes known all the same, so that each use of it is not one more error.
-    if (node.target->kind == NodeKind::name) declared_slot(context, node, {}).value = Value::poison();
+    if (node.target->kind == NodeKind::name) {
+      Slot& slot = declared_slot(context, node, {});
+      if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
+    }
     skip_semicolon(context);
   }
 }

@@ -76,7 +76,7 @@ Function make_internal(Context& context, const grammar::FunctionCall& node) {
   const auto i = static_cast<std::uint16_t>(number);
   Function function = function_of(scene::InternalFunction{i}, 3u + table[i].extra_parameters, 1);
   if (table[i].takes_scene_noise) ++function.frame_size;
-  function.is_missing = !table[i].evaluate;
+  if (!table[i].evaluate) function.missing = table[i].name;
   return function;
 }
 
@@ -96,11 +96,13 @@ Function make_block_function(Context& context, const grammar::Function& node, El
     return function_of(scene::PigmentFunction{read_pigment(context, block, context.default_texture.pigment)}, 3, 5);
   }
   if (!block.is_block(word::kw_pattern)) {
-    context.fail(block.word_span, fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found `{}`",
-                                              context.text(block.word)));
+    context.fail(
+        block.word_span,
+        fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found `{}`",
+                    context.text(block.word)));
   }
   Function function = function_of(scene::InternalFunction{}, 3, 1);
-  function.is_missing = true;
+  function.missing = "function { pattern }";
   return function;
 }
 
@@ -162,8 +164,8 @@ Value call(Context& context, const grammar::Call& call, const FunctionValue& val
     context.fail(call.span, fmt::format("this function takes {} argument{}, found {}", function.parameter_count,
                                         function.parameter_count == 1 ? "" : "s", arguments.span().size()));
   }
-  if (function.is_missing) {
-    context.unsupported(call.span, "a call of this built-in function");
+  if (!function.missing.empty()) {
+    context.unsupported(call.span, function.missing);
     throw Failed{};
   }
   const NestingGuard guard(context, call.span, kEvaluationUnits);
@@ -221,8 +223,8 @@ bool is_callable(const Value& value) {
 }
 
 scene::FunctionId function_id(Context& context, const FunctionValue& value, SourceSpan span) {
-  if (value.function->is_missing) {
-    context.unsupported(span, "this built-in function");
+  if (!value.function->missing.empty()) {
+    context.unsupported(span, value.function->missing);
     throw Failed{};
   }
   auto& functions = context.database.functions;

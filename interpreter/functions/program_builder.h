@@ -5,6 +5,7 @@
 #include "renderer/scene/function.h"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace isl::interpreter {
@@ -48,7 +49,7 @@ class ProgramBuilder {
   Operand top_;
   std::size_t frame_size_;
   std::uint32_t depth_ = 1;
-  bool is_missing_ = false;
+  std::string_view missing_;
   bool fits_ = true;
 };
 

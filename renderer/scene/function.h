@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -116,8 +117,9 @@ struct Function {
   std::uint32_t frame_size = 0;
   /// How many functions call one another at most, this one included; at most kMaxDepth.
   std::uint32_t depth = 1;
-  /// It is, or calls, an internal function whose formula is not known here: it can be declared, but not evaluated.
-  bool is_missing = false;
+  /// Names what it is, or calls, whose formula is not known here: such a function can be declared, but not evaluated.
+  /// Empty for nothing; never owned.
+  std::string_view missing;
 
   static constexpr std::uint32_t kMaxFrame = 4096;
   static constexpr std::uint32_t kMaxDepth = 64;

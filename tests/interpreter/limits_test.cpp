@@ -23,6 +23,24 @@ TEST(Limits, EndlessLoopEndsAfterTheTurnsAllowed) {
   EXPECT_THAT(hint(EvaluatedText("#for (I, 0, 1e9) #end", options)), HasSubstr("--max-turns"));
 }
 
+TEST(Limits, LoopsAndCallsWithinFunctionsAreBoundedToo) {
+  EvaluateOptions options;
+  options.limits.max_turns = 1000;
+  constexpr std::string_view kSum = "#declare F = function(a) {{ sum(i, 1, a, i) }} #declare A = F({});";
+  EXPECT_EQ(EvaluatedText(fmt::format(kSum, 900), options).messages(), "");
+  EXPECT_THAT(hint(EvaluatedText(fmt::format(kSum, 1e9), options)), HasSubstr("--max-turns"));
+  EXPECT_THAT(hint(EvaluatedText(fmt::format(kSum, "1/0"), options)), HasSubstr("--max-turns"));
+  std::string doubling = "#declare F0 = function(a) { a }\n";
+  for (int i = 1; i < 40; ++i) doubling += fmt::format("#declare F{0} = function(a) {{ F{1}(a)+F{1}(a) }}\n", i, i - 1);
+  EXPECT_THAT(hint(EvaluatedText(doubling + "#declare A = F39(1);", options)), HasSubstr("--max-turns"));
+}
+
+TEST(Limits, FunctionsCallOneAnotherOnlySoDeep) {
+  std::string chain = "#declare F0 = function(a) { a }\n";
+  for (int i = 1; i < 65; ++i) chain += fmt::format("#declare F{} = function(a) {{ F{}(a) }}\n", i, i - 1);
+  EXPECT_THAT(EvaluatedText(chain).messages(), HasSubstr("this function is too large"));
+}
+
 TEST(Limits, TurnsOfAllLoopsCountTogether) {
   EvaluateOptions options;
   options.limits.max_turns = 1000;

@@ -1,5 +1,5 @@
-// Small scenes that print: both programs must print the same, to the last digit. Each line of a probe is one question about
-// an edge of the language. To ask POV-Ray something, add a line to a file in probes/.
+// Small scenes that print: both programs must print the same, to the last digit. Each line of a probe is one question
+// about an edge of the language. To ask POV-Ray something, add a line to a file in probes/.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::string said_by_povray(const fs::path& scene) {
   const fs::path folder = fs::temp_directory_path() / fs::path("isl_probe_" + scene.stem().string());
   fs::create_directories(folder);
-  const std::string command = "cd '" + folder.string() + "' && povray '+I" + scene.string() +
-                              "' -D -F +W2 +H2 -GA +GDsaid.txt >/dev/null 2>&1";
+  const std::string command =
+      "cd '" + folder.string() + "' && povray '+I" + scene.string() + "' -D -F +W2 +H2 -GA +GDsaid.txt >/dev/null 2>&1";
   const bool ran = std::system(command.c_str()) == 0;
   std::ifstream file(folder / "said.txt");
   std::ostringstream text;

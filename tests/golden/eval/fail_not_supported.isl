@@ -1,4 +1,3 @@
 box { -1, 1 }
 sphere { 0, 1 pigment { marble } }
 sphere { 0, 1 interior { ior 1.5 } }
-#declare F = function(x) { x }

@@ -1,0 +1,14 @@
+#declare V = <1,2,3>;
+#declare Good = function(a) { 2*a }
+#declare C3 = function { internal(79) }
+#declare C4 = function { internal(-1) }
+#declare C5 = function(a) { transform { scale 2 } }
+#declare C6 = function { texture { } }
+#declare Good = 3;
+#declare D1 = Good;
+#declare D2 = Good(1, 2);
+#declare D3 = Good(V);
+#declare D4 = Good + 1;
+#declare D5 = V(3);
+#declare D6 = function { internal(16) };
+#declare D7 = D6(1,2,3, 1,2,3,4,5,6);

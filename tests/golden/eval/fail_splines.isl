@@ -1,0 +1,14 @@
+#declare S = spline { linear_spline 0,<1,2,3> 1,<4,5,6> }
+#declare A1 = spline { linear_spline }
+#declare A2 = spline { linear_spline 0 }
+#declare A3 = spline { linear_spline "a",<1,2> }
+#declare A4 = spline { linear_spline 0,"a" }
+#declare A5 = spline { lineer_spline 0,<1,2> }
+#declare A6 = spline { cubic_spline S }
+#declare B1 = S();
+#declare B2 = S(1, 2);
+#declare B3 = S(1, cubic_spline, 2);
+#declare B4 = S(<1,2>);
+#declare B5 = S + 1;
+#declare B6 = S(1).t;
+#declare B7 = function(a) { S(a).x };
