@@ -1,5 +1,6 @@
 #include "renderer/values/internal_functions.h"
 
+#include "renderer/values/multifractals.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/polynomials.h"
 #include "renderer/values/surfaces.h"
@@ -39,7 +40,7 @@ constexpr InternalFunction kFunctions[] = {
     {"f_helix2", 7},
     {"f_hex_x", 1},
     {"f_hex_y", 1},
-    {"f_hetero_mf", 6},
+    {"f_hetero_mf", 6, heterogeneous_multifractal},
     {"f_hunt_surface", 1, hunt_surface},
     {"f_hyperbolic_torus", 3},
     {"f_isect_ellipsoids", 4},
@@ -69,7 +70,7 @@ constexpr InternalFunction kFunctions[] = {
     {"f_quartic_cylinder", 3},
     {"f_r", 0, radius},
     {"f_ridge", 6},
-    {"f_ridged_mf", 6},
+    {"f_ridged_mf", 6, ridged_multifractal},
     {"f_rounded_box", 4, rounded_box},
     {"f_sphere", 1, sphere},
     {"f_spikes", 5},

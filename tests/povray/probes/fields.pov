@@ -103,3 +103,13 @@ Say("torus", Torus(0.3,0.4,0.5,0.9,0.1))
 Say("torus elsewhere", Torus(-0.7,1.4,-0.9,0.9,0.1))
 Say("clipped", Paraboloid(30,0,0,1))
 Say("clipped above", Paraboloid(30,0,0,-1))
+#declare Hetero = function { internal(29) }
+#declare Ridged = function { internal(59) }
+#for (O, 4, 1, -0.5)  // downwards: POV-Ray keeps amplitudes of the first call, and those of more octaves do for fewer
+  Say("hetero_mf", Hetero(0.3, 0.4, 0.5, 0.6, 2.2, O, 0.9, 0, 2))
+  Say("hetero_mf, weighted", Hetero(-0.3, 0.4, 7.5, 0.6, 2.2, O, 0.9, 1.5, 1))
+  Say("hetero_mf, weighted twice", Hetero(-0.3, 0.4, 7.5, 0.6, 2.2, O, 0.2, 2, 3))
+  Say("ridged_mf", Ridged(0.3, 0.4, 0.5, 0.6, 2.2, O, 0.9, 1.5, 2))
+#end
+Say("hetero_mf of half an octave", Hetero(0.3, 0.4, 0.5, 0.6, 2.2, 0.5, 0.9, 1, 2))
+Say("ridged_mf of no octave", Ridged(0.3, 0.4, 0.5, 0.6, 2.2, 0, 0.9, 1.5, 2))
