@@ -16,8 +16,19 @@ std::string_view describe(const Value& value) {
     case ValueKind::macro: return "a macro";
     case ValueKind::object: return "an object";
     case ValueKind::pigment: return "a pigment";
+    case ValueKind::normal: return "a normal";
     case ValueKind::finish: return "a finish";
     case ValueKind::texture: return "a texture";
+    case ValueKind::material: return "a material";
+    case ValueKind::interior: return "an interior";
+    case ValueKind::colour_map: return "a color_map";
+    case ValueKind::pigment_map: return "a pigment_map";
+    case ValueKind::normal_map: return "a normal_map";
+    case ValueKind::slope_map: return "a slope_map";
+    case ValueKind::texture_map: return "a texture_map";
+    case ValueKind::sky_sphere: return "a sky_sphere";
+    case ValueKind::fog: return "a fog";
+    case ValueKind::rainbow: return "a rainbow";
     case ValueKind::transform: return "a transform";
     case ValueKind::camera: return "a camera";
   }

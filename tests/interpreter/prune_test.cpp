@@ -1,4 +1,5 @@
 #include "interpreter/prune.h"
+#include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ Object object(Object::Kind kind, std::uint32_t shape, scene::TextureId texture =
 TEST(Prune, KeepsWhatGroupsOfGroupsReachAndRenumbersIt) {
   Database database;
   for (int i = 0; i < 4; ++i) database.solids.push_back({.radius_a = i + 1.0});
-  for (int i = 0; i < 3; ++i) database.textures.push_back({.pigment = {{i + 1.0}}, .finish = {}});
+  for (int i = 0; i < 3; ++i) database.textures.push_back(test::plain_texture(database, {i + 1.0}, {}));
   database.groups.resize(3);
   database.groups[0].children = {object(Object::Kind::solid, 3, scene::TextureId{2})};
   database.groups[1].children = {object(Object::Kind::solid, 0)};  // nobody's
