@@ -22,8 +22,8 @@ class TexturePruner {
   /// patterns are handed to `reach_object`.
   [[nodiscard]] bool advance(Column& transforms, const std::function<void(const scene::Object&)>& reach_object);
 
-  /// Keeps what is reached and renumbers what refers to it, transforms included. The columns of `transforms` and of shapes
-  /// are compacted by whoever has them.
+  /// Keeps what is reached and renumbers what refers to it, transforms included. The columns of `transforms` and of
+  /// shapes are compacted by whoever has them.
   void compact(const Column& transforms);
   void renumber(scene::TextureId& id) const;
   void renumber(scene::InteriorId& id) const;

@@ -18,7 +18,7 @@ constexpr PigmentEntry entry(double value, double red, double green, double blue
 }
 
 constexpr PigmentEntry kGrey[] = {entry(0, 0, 0, 0), entry(1, 1, 1, 1)};
-constexpr PigmentEntry kAgate[] = {entry(0, 1, 1, 1),        entry(0.5, 0.95, 0.75, 0.5), entry(0.5, 0.9, 0.7, 0.5),
+constexpr PigmentEntry kAgate[] = {entry(0, 1, 1, 1),         entry(0.5, 0.95, 0.75, 0.5), entry(0.5, 0.9, 0.7, 0.5),
                                    entry(0.6, 0.9, 0.7, 0.4), entry(0.6, 1, 0.7, 0.4),     entry(1, 0.6, 0.3, 0)};
 constexpr PigmentEntry kBozo[] = {entry(0, 1, 1, 1),   entry(0.4, 1, 1, 1), entry(0.4, 0, 1, 0), entry(0.6, 0, 1, 0),
                                   entry(0.6, 0, 0, 1), entry(0.8, 0, 0, 1), entry(0.8, 1, 0, 0), entry(1, 1, 0, 0)};

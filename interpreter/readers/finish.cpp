@@ -43,12 +43,24 @@ struct FlagRow {
   bool Finish::*value;
 };
 
-constexpr FlagRow kFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy}, {word::kw_use_alpha, &Finish::use_alpha}};
+constexpr FlagRow kFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy},
+                              {word::kw_use_alpha, &Finish::use_alpha}};
 
-constexpr grammar::Symbol kKnown[] = {
-    word::kw_ambient,   word::kw_emission,  word::kw_diffuse,  word::kw_brilliance, word::kw_phong,
-    word::kw_phong_size, word::kw_specular, word::kw_roughness, word::kw_metallic,   word::kw_reflection,
-    word::kw_reflection_exponent, word::kw_irid, word::kw_crand, word::kw_conserve_energy, word::kw_use_alpha};
+constexpr grammar::Symbol kKnown[] = {word::kw_ambient,
+                                      word::kw_emission,
+                                      word::kw_diffuse,
+                                      word::kw_brilliance,
+                                      word::kw_phong,
+                                      word::kw_phong_size,
+                                      word::kw_specular,
+                                      word::kw_roughness,
+                                      word::kw_metallic,
+                                      word::kw_reflection,
+                                      word::kw_reflection_exponent,
+                                      word::kw_irid,
+                                      word::kw_crand,
+                                      word::kw_conserve_energy,
+                                      word::kw_use_alpha};
 
 std::string after(ElementStream& stream, grammar::Symbol name) {
   return fmt::format("a number after `{}`", stream.context().text(name));

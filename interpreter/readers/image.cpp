@@ -110,8 +110,14 @@ bool read_image_item(ElementStream& stream, Image& image) {
   }
   if (!next.is(ElementKind::word)) return false;
   switch (static_cast<word::Index>(next.word)) {
-    case word::kIndex_gamma: stream.drop(); read_gamma(stream, image); return true;
-    case word::kIndex_premultiplied: stream.drop(); image.premultiplied = read_optional_truth(stream); return true;
+    case word::kIndex_gamma:
+      stream.drop();
+      read_gamma(stream, image);
+      return true;
+    case word::kIndex_premultiplied:
+      stream.drop();
+      image.premultiplied = read_optional_truth(stream);
+      return true;
     case word::kIndex_map_type:
       stream.drop();
       image.map_type = static_cast<int>(read_number_in(stream, "`map_type`", 0, 7));
@@ -120,11 +126,23 @@ bool read_image_item(ElementStream& stream, Image& image) {
       stream.drop();
       image.interpolate = static_cast<int>(read_number_in(stream, "`interpolate`", 0, 4));
       return true;
-    case word::kIndex_once: stream.drop(); image.once = true; return true;
-    case word::kIndex_use_index: stream.drop(); image.channel = ImageChannel::index; return true;
+    case word::kIndex_once:
+      stream.drop();
+      image.once = true;
+      return true;
+    case word::kIndex_use_index:
+      stream.drop();
+      image.channel = ImageChannel::index;
+      return true;
     case word::kIndex_use_color:
-    case word::kIndex_use_colour: stream.drop(); image.channel = ImageChannel::colour; return true;
-    case word::kIndex_use_alpha: stream.drop(); image.channel = ImageChannel::alpha; return true;
+    case word::kIndex_use_colour:
+      stream.drop();
+      image.channel = ImageChannel::colour;
+      return true;
+    case word::kIndex_use_alpha:
+      stream.drop();
+      image.channel = ImageChannel::alpha;
+      return true;
     case word::kIndex_filter:
       stream.drop();
       read_transparency(stream, image.filter_all, image.filters);

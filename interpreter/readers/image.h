@@ -1,5 +1,5 @@
-// Pictures by name: `png "wood.png" gamma 2.2 map_type 1 …`, as image_map, bump_map, image_pattern and material_map have
-// them. No file is opened here.
+// Pictures by name: `png "wood.png" gamma 2.2 map_type 1 …`, as image_map, bump_map, image_pattern and material_map
+// have them. No file is opened here.
 #pragma once
 
 #include "interpreter/element_stream.h"

@@ -27,9 +27,9 @@ constexpr NumberRow kNumbers[] = {
     {word::kw_fade_power, &Interior::fade_power},
 };
 
-constexpr grammar::Symbol kKnown[] = {word::kw_ior,          word::kw_caustics,   word::kw_dispersion,
-                                      word::kw_dispersion_samples, word::kw_fade_distance, word::kw_fade_power,
-                                      word::kw_fade_color};
+constexpr grammar::Symbol kKnown[] = {
+    word::kw_ior,           word::kw_caustics,   word::kw_dispersion, word::kw_dispersion_samples,
+    word::kw_fade_distance, word::kw_fade_power, word::kw_fade_color};
 
 constexpr double kMinDispersionSamples = 2;
 

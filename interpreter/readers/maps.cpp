@@ -116,15 +116,13 @@ void read_slope_entry(ElementStream& stream, scene::SlopeMap& map) {
 
 scene::PigmentMapId read_colour_map(Context& context, const Element& block) {
   PigmentMap map;
-  const auto declared =
-      read_entries<PigmentMapValue>(context, block, ValueKind::colour_map, map, read_colour_entry);
+  const auto declared = read_entries<PigmentMapValue>(context, block, ValueKind::colour_map, map, read_colour_entry);
   return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
 }
 
 scene::PigmentMapId read_pigment_map(Context& context, const Element& block) {
   PigmentMap map;
-  const auto declared =
-      read_entries<PigmentMapValue>(context, block, ValueKind::pigment_map, map, read_pigment_entry);
+  const auto declared = read_entries<PigmentMapValue>(context, block, ValueKind::pigment_map, map, read_pigment_entry);
   return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
 }
 
@@ -182,8 +180,8 @@ scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind 
   Context& context = stream.context();
   PigmentMap list = default_pigment_list(kind);
   ISL_CHECK(static_cast<int>(list.size()) == count, "{} default colours for {} items", list.size(), count);
-  const int read =
-      read_items(stream, count, [&](int i) { return read_pigment_item(stream, list[static_cast<std::size_t>(i)].pigment); });
+  const int read = read_items(
+      stream, count, [&](int i) { return read_pigment_item(stream, list[static_cast<std::size_t>(i)].pigment); });
   if (read == 0) return default_pigment_list_id(context, kind);
   return add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(list));
 }

@@ -13,8 +13,8 @@ namespace isl::interpreter {
 [[nodiscard]] scene::SlopeMapId read_slope_map(Context& context, const Element& block);
 [[nodiscard]] scene::TextureMapId read_texture_map(Context& context, const Element& block);
 
-// Each reads the items that follow a block pattern's word, at most `count`; what is missing is POV-Ray's default. None for
-// normals where there is no item.
+// Each reads the items that follow a block pattern's word, at most `count`; what is missing is POV-Ray's default. None
+// for normals where there is no item.
 [[nodiscard]] scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind kind, int count);
 [[nodiscard]] scene::NormalMapId read_normal_list(ElementStream& stream, int count);
 [[nodiscard]] scene::TextureMapId read_texture_list(ElementStream& stream, int count);

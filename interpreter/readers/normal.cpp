@@ -15,9 +15,10 @@ using scene::NormalId;
 using scene::PatternKind;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_bump_size, word::kw_bumps,  word::kw_bump_map, word::kw_normal_map,
-                                      word::kw_slope_map, word::kw_scale,  word::kw_rotate,   word::kw_translate,
-                                      word::kw_turbulence, word::kw_accuracy, word::kw_no_bump_scale};
+constexpr grammar::Symbol kKnown[] = {word::kw_bump_size,  word::kw_bumps,        word::kw_bump_map,
+                                      word::kw_normal_map, word::kw_slope_map,    word::kw_scale,
+                                      word::kw_rotate,     word::kw_translate,    word::kw_turbulence,
+                                      word::kw_accuracy,   word::kw_no_bump_scale};
 
 NormalId add_normal(Context& context, Normal&& normal) {
   auto& normals = context.database.normals;
@@ -143,8 +144,8 @@ class NormalReader {
   void check_map(const Element& block) {
     const PatternKind kind = draft_.pattern.kind;
     if (list_length(kind) == 0 && kind != PatternKind::bump_map) return;
-    context_.fail(block.word_span, fmt::format("`{}` cannot be used with `{}`", context_.text(block.word),
-                                               name_of(context_, kind)));
+    context_.fail(block.word_span,
+                  fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), name_of(context_, kind)));
   }
 
   ElementStream& stream_;

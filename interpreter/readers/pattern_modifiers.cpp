@@ -91,7 +91,8 @@ bool read_exponent(ElementStream& stream, Pattern& pattern, std::string_view wha
   if (fractal->magnet != 0) stream.context().fail(span, "a `magnet` has no `exponent`");
   const double exponent = read_number(stream, what);
   const bool is_known = exponent >= 2 && exponent < 34;
-  if (!is_known) stream.context().warn(span, fmt::format("`exponent` is from 2 to 33, found {:g}; 2 is taken", exponent));
+  if (!is_known)
+    stream.context().warn(span, fmt::format("`exponent` is from 2 to 33, found {:g}; 2 is taken", exponent));
   fractal->exponent = is_known ? static_cast<int>(exponent) : 2;
   return true;
 }

@@ -32,8 +32,8 @@ void read_tiling(ElementStream& stream, scene::Pattern& pattern);
 /// `function { … }` as a value of the stream.
 [[nodiscard]] scene::FunctionId read_function_operand(ElementStream& stream);
 
-/// Reads a word that only this pattern has (`agate_turb`, `brick_size` …) if the next element is one; fails where the word
-/// belongs to another pattern.
+/// Reads a word that only this pattern has (`agate_turb`, `brick_size` …) if the next element is one; fails where the
+/// word belongs to another pattern.
 [[nodiscard]] bool read_operand_modifier(ElementStream& stream, scene::Pattern& pattern);
 
 }  // namespace isl::interpreter

@@ -17,15 +17,13 @@ using scene::PatternKind;
 using scene::Pigment;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_color,       word::kw_rgb,        word::kw_srgb,
-                                      word::kw_transmit,    word::kw_color_map,  word::kw_pigment_map,
-                                      word::kw_turbulence,  word::kw_gradient,   word::kw_checker,
-                                      word::kw_image_map,   word::kw_scale,      word::kw_rotate,
-                                      word::kw_translate,   word::kw_frequency,  word::kw_phase};
+constexpr grammar::Symbol kKnown[] = {word::kw_color,     word::kw_rgb,         word::kw_srgb,       word::kw_transmit,
+                                      word::kw_color_map, word::kw_pigment_map, word::kw_turbulence, word::kw_gradient,
+                                      word::kw_checker,   word::kw_image_map,   word::kw_scale,      word::kw_rotate,
+                                      word::kw_translate, word::kw_frequency,   word::kw_phase};
 
 bool is_map_block(const Element& next) {
-  return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) ||
-         next.is_block(word::kw_pigment_map);
+  return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) || next.is_block(word::kw_pigment_map);
 }
 
 /// What chooses from no map: lists, pictures, and what is no pattern.
@@ -127,8 +125,7 @@ class PigmentReader {
       context_.warn(block.word_span, "a map without a pattern before it says nothing");
     } else if (!fits) {
       const std::string_view what = kind == PatternKind::plain ? "a plain colour" : name_of(context_, kind);
-      context_.fail(block.word_span,
-                    fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), what));
+      context_.fail(block.word_span, fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), what));
     }
     record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block);
   }
@@ -159,7 +156,8 @@ class PigmentReader {
     if (kind == PatternKind::average && record.map == scene::kNoPigmentMap) {
       context_.fail(stream_.span(), "`average` needs a `pigment_map`");
     }
-    if (takes_map(kind) && record.map == scene::kNoPigmentMap) record.map = default_pigment_map(context_, draft_.pattern);
+    if (takes_map(kind) && record.map == scene::kNoPigmentMap)
+      record.map = default_pigment_map(context_, draft_.pattern);
     record.pattern = std::move(draft_.pattern);
     auto& pigments = context_.database.pigments;
     context_.check_memory(stream_.span(), sizeof(PatternedPigment));
@@ -193,7 +191,8 @@ scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {
 Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform, Move how) {
   if (pigment.is_plain()) return pigment;
   PatternedPigment record = context.database.pigments[index(pigment.pattern)];
-  if (record.pattern.kind == PatternKind::plain || (how == Move::with_object && record.pattern.uv_mapping)) return pigment;
+  if (record.pattern.kind == PatternKind::plain || (how == Move::with_object && record.pattern.uv_mapping))
+    return pigment;
   PatternDraft draft = draft_of(context, record.pattern);
   move(context, draft, transform);
   record.pattern = std::move(draft.pattern);

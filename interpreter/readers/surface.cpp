@@ -40,8 +40,8 @@ void read_part(Context& context, const Element& block, std::optional<Texture>& t
   const bool is_own = texture.has_value();
   Texture top = texture.value_or(context.default_texture);
   if (top.pattern != scene::kNoTexturePattern) {
-    context.fail(block.word_span, fmt::format("`{}` does not go with a texture that is chosen by a pattern",
-                                              context.text(block.word)));
+    context.fail(block.word_span,
+                 fmt::format("`{}` does not go with a texture that is chosen by a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
     const scene::Pigment base = is_own ? brought_along(context, top.pigment, space) : top.pigment;
@@ -86,8 +86,8 @@ bool read_material_item(ElementStream& stream, Surface& surface) {
     return true;
   }
   const Element next = stream.peek();
-  const bool is_item = next.is_block(word::kw_texture) || next.is_block(word::kw_interior) ||
-                       next.is_block(word::kw_interior_texture);
+  const bool is_item =
+      next.is_block(word::kw_texture) || next.is_block(word::kw_interior) || next.is_block(word::kw_interior_texture);
   return is_item && read_surface_modifier(stream, surface);
 }
 

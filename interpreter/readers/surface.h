@@ -1,5 +1,5 @@
-// What an object's modifiers say of its looks: texture, interior_texture, interior, material, and the pigment, normal and
-// finish that stand there without a texture around them.
+// What an object's modifiers say of its looks: texture, interior_texture, interior, material, and the pigment, normal
+// and finish that stand there without a texture around them.
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -8,9 +8,9 @@
 
 namespace isl::interpreter {
 
-/// Reads one of the blocks into `surface` if the next element is one. What moves the object afterwards moves its textures
-/// too, so they are kept in the object's space: `parent_from_object` is where the object stands by now, and they are taken
-/// back by it.
+/// Reads one of the blocks into `surface` if the next element is one. What moves the object afterwards moves its
+/// textures too, so they are kept in the object's space: `parent_from_object` is where the object stands by now, and
+/// they are taken back by it.
 [[nodiscard]] bool read_surface_modifier(ElementStream& stream, Surface& surface,
                                          const scene::Transform& parent_from_object = {});
 

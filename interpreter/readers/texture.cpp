@@ -18,7 +18,7 @@ using scene::Texture;
 using scene::TexturePattern;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_normal, word::kw_finish, word::kw_texture_map,
+constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_normal, word::kw_finish,   word::kw_texture_map,
                                       word::kw_scale,   word::kw_rotate, word::kw_translate};
 
 Texture with_pattern(Context& context, TexturePattern&& record) {
@@ -127,9 +127,8 @@ class TextureReader {
   }
 
   void set_no_bump_scale() {
-    texture_ = each_layer(context_, texture_, [this](Texture& layer) {
-      layer.normal = without_bump_scale(context_, layer.normal);
-    });
+    texture_ = each_layer(context_, texture_,
+                          [this](Texture& layer) { layer.normal = without_bump_scale(context_, layer.normal); });
   }
 
   void set_uv_mapping() {
@@ -170,8 +169,8 @@ class TextureReader {
     if (next.is_block(word::kw_texture_map)) {
       stream_.drop();
       if (list_length(draft_.pattern.kind) > 0 || draft_.pattern.kind == PatternKind::material_map) {
-        context_.fail(next.word_span, fmt::format("`texture_map` cannot be used with `{}`",
-                                                  name_of(context_, draft_.pattern.kind)));
+        context_.fail(next.word_span,
+                      fmt::format("`texture_map` cannot be used with `{}`", name_of(context_, draft_.pattern.kind)));
       }
       map_ = read_texture_map(context_, next);
     } else if (next.is_word(word::kw_no_bump_scale)) {
@@ -221,8 +220,8 @@ class TextureReader {
 
   Texture close_pattern() {
     if (map_ == scene::kNoTextureMap) {
-      context_.fail(stream_.span(), fmt::format("`{}` in a texture needs a `texture_map`",
-                                                name_of(context_, draft_.pattern.kind)));
+      context_.fail(stream_.span(),
+                    fmt::format("`{}` in a texture needs a `texture_map`", name_of(context_, draft_.pattern.kind)));
     }
     context_.check_memory(stream_.span(), sizeof(TexturePattern));
     return with_pattern(context_, {std::move(draft_.pattern), map_});
@@ -250,7 +249,8 @@ Texture layered(Context& context, const Texture& below, const Texture& top, Sour
     context.fail(span, "a texture that is chosen by a pattern cannot be a layer");
   }
   if (is_opaque(context, top)) return top;
-  return each_layer(context, top, [](Texture& /*layer*/) {}, texture_id(context, below));
+  return each_layer(
+      context, top, [](Texture& /*layer*/) {}, texture_id(context, below));
 }
 
 Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {

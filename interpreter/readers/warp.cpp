@@ -158,8 +158,8 @@ bool read_turbulence_item(ElementStream& stream, scene::Turbulence& turbulence) 
       return true;
     case word::kIndex_octaves:
       stream.drop();
-      turbulence.octaves = static_cast<int>(
-          std::clamp(read_number(stream, "a number after `octaves`"), kMinOctaves, kMaxOctaves));
+      turbulence.octaves =
+          static_cast<int>(std::clamp(read_number(stream, "a number after `octaves`"), kMinOctaves, kMaxOctaves));
       return true;
     case word::kIndex_omega:
       stream.drop();

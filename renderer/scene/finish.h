@@ -27,7 +27,7 @@ struct Finish {
   double specular = 0;
   double roughness = 0.05;
   double metallic = 0;  ///< how far highlights take the pigment's colour
-  Reflection reflection;
+  Reflection reflection{};
   double irid = 0;
   double irid_thickness = 0;
   double irid_turbulence = 0;

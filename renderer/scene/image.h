@@ -1,5 +1,5 @@
-// A picture that a scene names: for image_map, bump_map, image_pattern and material_map. Only its name is known here; the
-// renderer opens it.
+// A picture that a scene names: for image_map, bump_map, image_pattern and material_map. Only its name is known here;
+// the renderer opens it.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -26,10 +26,10 @@ struct PaletteTransparency {
 
 struct Image {
   ImageType type = ImageType::unnamed;
-  std::string file;                  ///< as written; where to look for it is the business of whoever opens it
+  std::string file;                   ///< as written; where to look for it is the business of whoever opens it
   FunctionId function = kNoFunction;  ///< type function: sampled over the unit square, width × height
   int width = 0, height = 0;
-  int map_type = 0;    ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
+  int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
   int interpolate = 0;  ///< POV-Ray's: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance
   bool once = false;
   ImageChannel channel = ImageChannel::automatic;

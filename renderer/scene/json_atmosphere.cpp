@@ -29,9 +29,14 @@ Json fog_json(const Fog& fog) {
 }
 
 Json rainbow_json(const Rainbow& r) {
-  Json json = {{"direction", vector(r.direction)}, {"up", vector(r.up)},      {"angle", r.angle},
-               {"width", r.width},                 {"distance", r.distance},  {"jitter", r.jitter},
-               {"arc_angle", r.arc_angle},         {"falloff_angle", r.falloff_angle}};
+  Json json = {{"direction", vector(r.direction)},
+               {"up", vector(r.up)},
+               {"angle", r.angle},
+               {"width", r.width},
+               {"distance", r.distance},
+               {"jitter", r.jitter},
+               {"arc_angle", r.arc_angle},
+               {"falloff_angle", r.falloff_angle}};
   if (r.colours != kNoPigmentMap) json["colours"] = index(r.colours);
   return json;
 }

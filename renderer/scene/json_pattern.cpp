@@ -7,12 +7,12 @@ namespace {
 
 /// In the order of PatternKind.
 constexpr std::string_view kPatternKinds[] = {
-    "plain",       "agate",    "aoi",          "average",       "boxed",       "bozo",    "brick",     "bump_map",
-    "bumps",       "cells",    "checker",      "crackle",       "cubic",       "cylindrical",          "density_file",
-    "dents",       "facets",   "fractal",      "function",      "gradient",    "granite", "hexagon",   "image_map",
-    "image_pattern", "leopard", "marble",      "material_map",  "object",      "onion",   "pavement",  "pigment_pattern",
-    "planar",      "quilted",  "radial",       "ripples",       "slope",       "spherical", "spiral1", "spiral2",
-    "spotted",     "square",   "tiling",       "triangular",    "waves",       "wood",    "wrinkles"};
+    "plain",   "agate",   "aoi",          "average",  "boxed",     "bozo",        "brick",           "bump_map",
+    "bumps",   "cells",   "checker",      "crackle",  "cubic",     "cylindrical", "density_file",    "dents",
+    "facets",  "fractal", "function",     "gradient", "granite",   "hexagon",     "image_map",       "image_pattern",
+    "leopard", "marble",  "material_map", "object",   "onion",     "pavement",    "pigment_pattern", "planar",
+    "quilted", "radial",  "ripples",      "slope",    "spherical", "spiral1",     "spiral2",         "spotted",
+    "square",  "tiling",  "triangular",   "waves",    "wood",      "wrinkles"};
 static_assert(std::size(kPatternKinds) == static_cast<std::size_t>(PatternKind::wrinkles) + 1);
 
 constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
@@ -31,7 +31,8 @@ struct WarpWriter {
     return json;
   }
   Json operator()(const BlackHoleWarp& w) const {
-    Json json = {{"black_hole", vector(w.centre)}, {"radius", w.radius}, {"strength", w.strength}, {"falloff", w.falloff}};
+    Json json = {
+        {"black_hole", vector(w.centre)}, {"radius", w.radius}, {"strength", w.strength}, {"falloff", w.falloff}};
     if (w.inverse) json["inverse"] = true;
     if (w.repeats) json["repeat"] = vector(w.repeat);
     if (w.is_turbulent) json["turbulence"] = vector(w.turbulence);

@@ -1,9 +1,9 @@
 // What surfaces look like: the record that objects and components refer to.
 //
-// A texture lives in the space of the object that names it, before that object's transform: so what is moved after it was
-// given takes it along and no record changes. A texture given after a transform is moved back by it when it is read. The
-// texture of a blob's component lives in the blob's space. A plain colour is the same everywhere, and none of this
-// concerns it.
+// A texture lives in the space of the object that names it, before that object's transform: so what is moved after it
+// was given takes it along and no record changes. A texture given after a transform is moved back by it when it is
+// read. The texture of a blob's component lives in the blob's space. A plain colour is the same everywhere, and none of
+// this concerns it.
 #pragma once
 
 #include "renderer/scene/finish.h"
@@ -21,7 +21,7 @@ namespace isl::scene {
 struct Texture {
   Pigment pigment{};
   NormalId normal = kNoNormal;
-  FinishId finish = kDefaultFinish;                ///< kDefaultFinish: Finish{}
+  FinishId finish = kDefaultFinish;              ///< kDefaultFinish: Finish{}
   TexturePatternId pattern = kNoTexturePattern;  ///< else pigment, normal and finish say nothing
   TextureId below = kNoTexture;                  ///< the layer under this one
   std::uint32_t uv_mapping = 0;                  ///< 1: pigment and normal are evaluated at (u, v, 0) of the surface
