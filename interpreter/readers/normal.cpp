@@ -164,7 +164,7 @@ NormalId read_normal(Context& context, const Element& block, NormalId base) {
 }
 
 NormalId moved(Context& context, NormalId id, const scene::Transform& transform, Move how) {
-  if (id == scene::kNoNormal) return id;
+  if (id == scene::kNoNormal || transform == scene::Transform()) return id;
   Normal normal = context.database.normals[index(id)];
   if (how == Move::with_object && normal.pattern.uv_mapping) return id;
   PatternDraft draft = draft_of(context, normal.pattern);

@@ -40,7 +40,8 @@ class PigmentReader {
     bool has_type = read_identifier();
     if (stream_.peek().is_word(word::kw_uv_mapping)) {
       stream_.drop();
-      open().pattern.uv_mapping = true;
+      open();
+      draft_.pattern.uv_mapping = true;
       has_type = read_identifier() || has_type;
     }
     if (read_type()) has_type = true;
@@ -60,7 +61,10 @@ class PigmentReader {
       const bool uv_mapping = record_ && draft_.pattern.uv_mapping;
       pigment_ = value.as<PigmentValue>().pigment;
       record_.reset();
-      if (uv_mapping) open().pattern.uv_mapping = true;
+      if (uv_mapping) {
+        open();
+        draft_.pattern.uv_mapping = true;
+      }
     } else if (value.is_numeric() && first.node->kind != grammar::NodeKind::vector) {
       set_colour(to_colour(read_colour_after(stream_, value)));
     } else {
@@ -124,8 +128,9 @@ class PigmentReader {
     if (kind == PatternKind::plain && !has_type) {
       context_.warn(block.word_span, "a map without a pattern before it says nothing");
     } else if (!fits) {
-      const std::string_view what = kind == PatternKind::plain ? "a plain colour" : name_of(context_, kind);
-      context_.fail(block.word_span, fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), what));
+      const std::string what =
+          kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(context_, kind));
+      context_.fail(block.word_span, fmt::format("`{}` cannot be used with {}", context_.text(block.word), what));
     }
     record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block);
   }
@@ -158,7 +163,7 @@ class PigmentReader {
     }
     if (takes_map(kind) && record.map == scene::kNoPigmentMap)
       record.map = default_pigment_map(context_, draft_.pattern);
-    record.pattern = std::move(draft_.pattern);
+    if (kind != PatternKind::plain) record.pattern = std::move(draft_.pattern);
     auto& pigments = context_.database.pigments;
     context_.check_memory(stream_.span(), sizeof(PatternedPigment));
     pigments.push_back(std::move(record));
@@ -189,7 +194,7 @@ scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {
 }
 
 Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform, Move how) {
-  if (pigment.is_plain()) return pigment;
+  if (pigment.is_plain() || transform == scene::Transform()) return pigment;
   PatternedPigment record = context.database.pigments[index(pigment.pattern)];
   if (record.pattern.kind == PatternKind::plain || (how == Move::with_object && record.pattern.uv_mapping))
     return pigment;

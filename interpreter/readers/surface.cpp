@@ -20,22 +20,14 @@ namespace word = grammar::word;
 /// Takes what was written where the object stands by now back into the object's space.
 template <class Moved>
 Moved taken_back(Context& context, const Moved& what, const Transform& parent_from_object) {
-  if (parent_from_object == Transform()) return what;
   return moved(context, what, parent_from_object.inverted(), Move::with_object);
-}
-
-/// Something of the object as it stands by now, for a block that adds to it.
-template <class Moved>
-Moved brought_along(Context& context, const Moved& what, const Transform& parent_from_object) {
-  if (parent_from_object == Transform()) return what;
-  return moved(context, what, parent_from_object, Move::with_object);
 }
 
 void add_layer(Context& context, std::optional<Texture>& texture, const Texture& top, SourceSpan span) {
   texture = texture ? layered(context, *texture, top, span) : top;
 }
 
-/// pigment, normal and finish change the topmost layer.
+/// pigment, normal and finish change the topmost layer, as it looks where the object stands by now.
 void read_part(Context& context, const Element& block, std::optional<Texture>& texture, const Transform& space) {
   const bool is_own = texture.has_value();
   Texture top = texture.value_or(context.default_texture);
@@ -44,11 +36,11 @@ void read_part(Context& context, const Element& block, std::optional<Texture>& t
                  fmt::format("`{}` does not go with a texture that is chosen by a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
-    const scene::Pigment base = is_own ? brought_along(context, top.pigment, space) : top.pigment;
+    const scene::Pigment base = is_own ? moved(context, top.pigment, space, Move::with_object) : top.pigment;
     const scene::Pigment pigment = read_pigment(context, block, base);
     top.pigment = pigment.is_plain() ? pigment : taken_back(context, pigment, space);
   } else if (block.word == word::kw_normal) {
-    const scene::NormalId base = is_own ? brought_along(context, top.normal, space) : top.normal;
+    const scene::NormalId base = is_own ? moved(context, top.normal, space, Move::with_object) : top.normal;
     top.normal = taken_back(context, read_normal(context, block, base), space);
   } else {
     top.finish = finish_id(context, read_finish(context, block, finish_of(context, top)));

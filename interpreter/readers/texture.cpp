@@ -254,7 +254,7 @@ Texture layered(Context& context, const Texture& below, const Texture& top, Sour
 }
 
 Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {
-  if (texture.is_plain()) return texture;
+  if (texture.is_plain() || transform == scene::Transform()) return texture;
   return each_layer(context, texture, [&](Texture& layer) {
     if (how == Move::with_object && layer.uv_mapping != 0) return;
     layer.pigment = moved(context, layer.pigment, transform, how);
