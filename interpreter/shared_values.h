@@ -59,6 +59,7 @@ struct Surface {
   std::optional<scene::Texture> texture;           ///< in the object's space
   std::optional<scene::Texture> interior_texture;  ///< of the inside of the surface, where it differs
   scene::InteriorId interior = scene::kNoInterior;
+  bool uv_mapping = false;  ///< `uv_mapping` stands before the textures: all of them are evaluated at (u, v)
 };
 
 /// An object that is declared or about to be placed: a placement of shapes that already stand in the database, and the

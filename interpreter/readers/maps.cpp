@@ -1,5 +1,6 @@
 #include "interpreter/readers/maps.h"
 
+#include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/default_maps.h"
@@ -48,10 +49,19 @@ std::optional<decltype(Declared::id)> read_entries(Context& context, const Eleme
   return std::nullopt;
 }
 
-double read_value(ElementStream& stream) {
-  const double value = read_number(stream, "the value of an entry");
+/// Whether the next element is an expression that gives a number, not the name of a pigment or such.
+bool is_number_next(ElementStream& stream) {
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::value)) return false;
+  const bool is_variable = next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index;
+  return !is_variable || evaluate(stream.context(), *next.node).is_numeric();
+}
+
+double read_value(ElementStream& stream, EntryValue value) {
+  if (value == EntryValue::optional && !is_number_next(stream)) return 1;
+  const double number = read_number(stream, "the value of an entry");
   stream.accept_comma();
-  return value;
+  return number;
 }
 
 /// A colour whose first expression may have been taken already.
@@ -69,7 +79,7 @@ Colour read_entry_colour(ElementStream& stream) {
 
 /// `[v colour]`, or POV-Ray 1's `[v1, v2 color A color B]`.
 void read_colour_entry(ElementStream& stream, PigmentMap& map) {
-  const double value = read_value(stream);
+  const double value = read_value(stream, EntryValue::needed);
   std::optional<double> second;
   const Element next = stream.peek();
   if (next.is(ElementKind::value) && next.node->kind != grammar::NodeKind::vector) {
@@ -90,24 +100,24 @@ void read_colour_entry(ElementStream& stream, PigmentMap& map) {
   map.push_back({*second, {read_entry_colour(stream)}});
 }
 
-void read_pigment_entry(ElementStream& stream, PigmentMap& map) {
-  const double value = read_value(stream);
+void read_pigment_entry(ElementStream& stream, PigmentMap& map, EntryValue kind) {
+  const double value = read_value(stream, kind);
   map.push_back({value, read_pigment_body(stream, stream.context().default_texture.pigment)});
 }
 
-void read_normal_entry(ElementStream& stream, scene::NormalMap& map) {
-  const double value = read_value(stream);
+void read_normal_entry(ElementStream& stream, scene::NormalMap& map, EntryValue kind) {
+  const double value = read_value(stream, kind);
   map.push_back({value, read_normal_body(stream, stream.context().default_texture.normal)});
 }
 
-void read_texture_entry(ElementStream& stream, scene::TextureMap& map) {
-  const double value = read_value(stream);
+void read_texture_entry(ElementStream& stream, scene::TextureMap& map, EntryValue kind) {
+  const double value = read_value(stream, kind);
   const scene::Texture texture = read_texture_body(stream, stream.context().default_texture);
   map.push_back({value, texture_id(stream.context(), texture)});
 }
 
 void read_slope_entry(ElementStream& stream, scene::SlopeMap& map) {
-  const double value = read_value(stream);
+  const double value = read_value(stream, EntryValue::needed);
   const scene::Vec3 shape = read_vector(stream, "<height, slope>");
   map.push_back({value, shape.x, shape.y});
 }
@@ -120,15 +130,19 @@ scene::PigmentMapId read_colour_map(Context& context, const Element& block) {
   return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
 }
 
-scene::PigmentMapId read_pigment_map(Context& context, const Element& block) {
+scene::PigmentMapId read_pigment_map(Context& context, const Element& block, EntryValue value) {
   PigmentMap map;
-  const auto declared = read_entries<PigmentMapValue>(context, block, ValueKind::pigment_map, map, read_pigment_entry);
+  const auto declared = read_entries<PigmentMapValue>(
+      context, block, ValueKind::pigment_map, map,
+      [value](ElementStream& stream, auto& entries) { read_pigment_entry(stream, entries, value); });
   return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
 }
 
-scene::NormalMapId read_normal_map(Context& context, const Element& block) {
+scene::NormalMapId read_normal_map(Context& context, const Element& block, EntryValue value) {
   scene::NormalMap map;
-  const auto declared = read_entries<NormalMapValue>(context, block, ValueKind::normal_map, map, read_normal_entry);
+  const auto declared = read_entries<NormalMapValue>(
+      context, block, ValueKind::normal_map, map,
+      [value](ElementStream& stream, auto& entries) { read_normal_entry(stream, entries, value); });
   return declared ? *declared : add_map<scene::NormalMapId>(context.database.normal_maps, std::move(map));
 }
 
@@ -138,9 +152,11 @@ scene::SlopeMapId read_slope_map(Context& context, const Element& block) {
   return declared ? *declared : add_map<scene::SlopeMapId>(context.database.slope_maps, std::move(map));
 }
 
-scene::TextureMapId read_texture_map(Context& context, const Element& block) {
+scene::TextureMapId read_texture_map(Context& context, const Element& block, EntryValue value) {
   scene::TextureMap map;
-  const auto declared = read_entries<TextureMapValue>(context, block, ValueKind::texture_map, map, read_texture_entry);
+  const auto declared = read_entries<TextureMapValue>(
+      context, block, ValueKind::texture_map, map,
+      [value](ElementStream& stream, auto& entries) { read_texture_entry(stream, entries, value); });
   return declared ? *declared : add_map<scene::TextureMapId>(context.database.texture_maps, std::move(map));
 }
 

@@ -114,7 +114,7 @@ class NormalReader {
     if (next.is_block(word::kw_normal_map)) {
       stream_.drop();
       check_map(next);
-      normal_.map = read_normal_map(context_, next);
+      normal_.map = read_normal_map(context_, next, entry_value(draft_.pattern.kind));
       return true;
     }
     if (next.is_block(word::kw_slope_map)) {

@@ -132,7 +132,7 @@ class PigmentReader {
           kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(context_, kind));
       context_.fail(block.word_span, fmt::format("`{}` cannot be used with {}", context_.text(block.word), what));
     }
-    record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block);
+    record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block, entry_value(kind));
   }
 
   void set_colour(const scene::Colour& colour) {

@@ -64,11 +64,13 @@ Value colour_map_value(Context& context, const Element& block) {
 }
 
 Value pigment_map_value(Context& context, const Element& block) {
-  return {ValueKind::pigment_map, make_shared_value<PigmentMapValue>(read_pigment_map(context, block))};
+  return {ValueKind::pigment_map,
+          make_shared_value<PigmentMapValue>(read_pigment_map(context, block, EntryValue::needed))};
 }
 
 Value normal_map_value(Context& context, const Element& block) {
-  return {ValueKind::normal_map, make_shared_value<NormalMapValue>(read_normal_map(context, block))};
+  return {ValueKind::normal_map,
+          make_shared_value<NormalMapValue>(read_normal_map(context, block, EntryValue::needed))};
 }
 
 Value slope_map_value(Context& context, const Element& block) {
@@ -76,7 +78,8 @@ Value slope_map_value(Context& context, const Element& block) {
 }
 
 Value texture_map_value(Context& context, const Element& block) {
-  return {ValueKind::texture_map, make_shared_value<TextureMapValue>(read_texture_map(context, block))};
+  return {ValueKind::texture_map,
+          make_shared_value<TextureMapValue>(read_texture_map(context, block, EntryValue::needed))};
 }
 
 Value sky_sphere_value(Context& context, const Element& block) {

@@ -110,9 +110,15 @@ bool read_texture_modifier(ElementStream& stream, std::optional<Texture>& textur
 }
 
 bool read_surface_modifier(ElementStream& stream, Surface& surface, const Transform& space) {
-  if (!stream.peek().is(ElementKind::block)) return false;
   Context& context = stream.context();
-  if (read_texture_modifier(stream, surface.texture, space)) {
+  if (stream.peek().is_word(word::kw_uv_mapping)) {
+    if (surface.texture) context.fail(stream.peek().span, "`uv_mapping` comes before the textures of an object");
+    stream.drop();
+    return surface.uv_mapping = true;
+  }
+  if (!stream.peek().is(ElementKind::block)) return false;
+  if (read_texture_modifier(stream, surface.texture, surface.uv_mapping ? Transform() : space)) {
+    if (surface.uv_mapping) surface.texture = uv_mapped(context, *surface.texture);
     take_old_interior(context, surface);
     return true;
   }

@@ -64,8 +64,7 @@ class TextureReader {
       if (!read_item()) refuse(stream_, kKnown);
     }
     if (no_bump_scale_) set_no_bump_scale();
-    if (uv_mapping) set_uv_mapping();
-    return texture_;
+    return uv_mapping ? uv_mapped(context_, texture_) : texture_;
   }
 
  private:
@@ -131,16 +130,6 @@ class TextureReader {
                           [this](Texture& layer) { layer.normal = without_bump_scale(context_, layer.normal); });
   }
 
-  void set_uv_mapping() {
-    texture_ = each_layer(context_, texture_, [this](Texture& layer) {
-      layer.uv_mapping = 1;
-      if (layer.pattern == scene::kNoTexturePattern) return;
-      TexturePattern record = context_.database.texture_patterns[index(layer.pattern)];
-      record.pattern.uv_mapping = true;
-      layer.pattern = with_pattern(context_, std::move(record)).pattern;
-    });
-  }
-
   // ---- Textures that are chosen by a pattern ------------------------------------------------------------------------
 
   /// The pattern with its list or map and modifiers, to the end; false where there is none.
@@ -172,7 +161,7 @@ class TextureReader {
         context_.fail(next.word_span,
                       fmt::format("`texture_map` cannot be used with `{}`", name_of(context_, draft_.pattern.kind)));
       }
-      map_ = read_texture_map(context_, next);
+      map_ = read_texture_map(context_, next, entry_value(draft_.pattern.kind));
     } else if (next.is_word(word::kw_no_bump_scale)) {
       stream_.drop();  // the pattern scales no bumps; those of its textures say so themselves
     } else if (!read_pattern_modifier(stream_, draft_)) {
@@ -251,6 +240,16 @@ Texture layered(Context& context, const Texture& below, const Texture& top, Sour
   if (is_opaque(context, top)) return top;
   return each_layer(
       context, top, [](Texture& /*layer*/) {}, texture_id(context, below));
+}
+
+Texture uv_mapped(Context& context, const Texture& texture) {
+  return each_layer(context, texture, [&context](Texture& layer) {
+    layer.uv_mapping = 1;
+    if (layer.pattern == scene::kNoTexturePattern) return;
+    TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
+    record.pattern.uv_mapping = true;
+    layer.pattern = with_pattern(context, std::move(record)).pattern;
+  });
 }
 
 Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {

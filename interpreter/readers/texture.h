@@ -19,6 +19,9 @@ namespace isl::interpreter {
 [[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform,
                                    Move how);
 
+/// The texture with every layer evaluated at (u, v) of the surface.
+[[nodiscard]] scene::Texture uv_mapped(Context& context, const scene::Texture& texture);
+
 /// The texture's number in the database; equal textures share one.
 [[nodiscard]] scene::TextureId texture_id(Context& context, const scene::Texture& texture);
 

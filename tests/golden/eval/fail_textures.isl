@@ -14,3 +14,4 @@ sphere { 0, 1 finish { reflection { 0.5 fresnle } } }
 sphere { 0, 1 finish { irid { thickness 1 } } }
 #default { texture { Checked } }
 sphere { 0, 1 normal { Checked } }
+sphere { 0, 1 texture { pigment { rgb 1 } } uv_mapping }

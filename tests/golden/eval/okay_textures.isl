@@ -20,3 +20,7 @@ sphere { 0, 1 texture { uv_mapping checker texture { T } texture { F } } }
 sphere { 0, 1 texture { average texture_map { [1 T] [3 Layers] } } }
 #declare Map = texture_map { [0 T] [1 F] }
 sphere { 0, 1 texture { image_pattern { png "mask.png" } texture_map { Map } } }
+sphere { 0, 1 uv_mapping texture { checker texture { T } texture { F } } }
+sphere { 0, 1 translate x uv_mapping pigment { P } }
+sphere { 0, 1 texture { average texture_map { [T] [2 F] } } }
+sphere { 0, 1 pigment { average pigment_map { [P] [wood] [3 P] } } normal { average normal_map { [N] [bumps 0.2] } } }
