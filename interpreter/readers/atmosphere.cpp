@@ -6,6 +6,7 @@
 #include "interpreter/readers/pigment.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/readers/warp.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -46,8 +47,7 @@ void move(Context& context, SkySphere& sky, const scene::Transform& transform) {
   auto& transforms = context.database.transforms;
   const bool has_one = sky.world_from_sky != scene::kIdentity;
   const scene::Transform total = has_one ? scene::then(transforms[index(sky.world_from_sky)], transform) : transform;
-  sky.world_from_sky = scene::TransformId{static_cast<std::uint32_t>(transforms.size())};
-  transforms.push_back(total);
+  sky.world_from_sky = add_record<scene::TransformId>(context, transforms, total);
 }
 
 bool read_sky_item(ElementStream& stream, SkySphere& sky) {

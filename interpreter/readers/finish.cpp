@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -223,7 +224,7 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
 scene::FinishId finish_id(Context& context, const Finish& finish) {
   static const Finish kDefault;
   if (std::memcmp(&finish, &kDefault, sizeof(Finish)) == 0) return scene::kDefaultFinish;
-  return scene::FinishId{context.finish_table.find_or_add(finish, context.database.finishes)};
+  return share_record<scene::FinishId>(context, context.finish_table, context.database.finishes, finish);
 }
 
 }  // namespace isl::interpreter

@@ -3,6 +3,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/pattern_operands.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -156,9 +157,7 @@ bool read_image_item(ElementStream& stream, Image& image) {
 }
 
 scene::ImageId add_image(Context& context, Image&& image) {
-  auto& images = context.database.images;
-  images.push_back(std::move(image));
-  return scene::ImageId{static_cast<std::uint32_t>(images.size() - 1)};
+  return add_record<scene::ImageId>(context, context.database.images, std::move(image));
 }
 
 }  // namespace isl::interpreter

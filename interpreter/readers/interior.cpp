@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,7 @@ bool read_item(ElementStream& stream, Interior& interior) {
 }  // namespace
 
 scene::InteriorId interior_id(Context& context, const Interior& interior) {
-  return scene::InteriorId{context.interior_table.find_or_add(interior, context.database.interiors)};
+  return share_record<scene::InteriorId>(context, context.interior_table, context.database.interiors, interior);
 }
 
 scene::InteriorId read_interior(Context& context, const Element& block) {

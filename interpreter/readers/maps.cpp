@@ -7,6 +7,7 @@
 #include "interpreter/readers/normal.h"
 #include "interpreter/readers/pigment.h"
 #include "interpreter/readers/texture.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,7 @@ std::optional<decltype(Declared::id)> read_entries(Context& context, const Eleme
   if (map.empty()) {
     context.fail(block.word_span, fmt::format("`{}` needs at least one entry", context.text(block.word)));
   }
+  context.check_memory(block.span, map.size() * sizeof(map.front()));
   return std::nullopt;
 }
 
@@ -127,7 +129,7 @@ void read_slope_entry(ElementStream& stream, scene::SlopeMap& map) {
 scene::PigmentMapId read_colour_map(Context& context, const Element& block) {
   PigmentMap map;
   const auto declared = read_entries<PigmentMapValue>(context, block, ValueKind::colour_map, map, read_colour_entry);
-  return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
+  return declared ? *declared : add_map<scene::PigmentMapId>(context, context.database.pigment_maps, std::move(map));
 }
 
 scene::PigmentMapId read_pigment_map(Context& context, const Element& block, EntryValue value) {
@@ -135,7 +137,7 @@ scene::PigmentMapId read_pigment_map(Context& context, const Element& block, Ent
   const auto declared = read_entries<PigmentMapValue>(
       context, block, ValueKind::pigment_map, map,
       [value](ElementStream& stream, auto& entries) { read_pigment_entry(stream, entries, value); });
-  return declared ? *declared : add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(map));
+  return declared ? *declared : add_map<scene::PigmentMapId>(context, context.database.pigment_maps, std::move(map));
 }
 
 scene::NormalMapId read_normal_map(Context& context, const Element& block, EntryValue value) {
@@ -143,13 +145,13 @@ scene::NormalMapId read_normal_map(Context& context, const Element& block, Entry
   const auto declared = read_entries<NormalMapValue>(
       context, block, ValueKind::normal_map, map,
       [value](ElementStream& stream, auto& entries) { read_normal_entry(stream, entries, value); });
-  return declared ? *declared : add_map<scene::NormalMapId>(context.database.normal_maps, std::move(map));
+  return declared ? *declared : add_map<scene::NormalMapId>(context, context.database.normal_maps, std::move(map));
 }
 
 scene::SlopeMapId read_slope_map(Context& context, const Element& block) {
   scene::SlopeMap map;
   const auto declared = read_entries<SlopeMapValue>(context, block, ValueKind::slope_map, map, read_slope_entry);
-  return declared ? *declared : add_map<scene::SlopeMapId>(context.database.slope_maps, std::move(map));
+  return declared ? *declared : add_map<scene::SlopeMapId>(context, context.database.slope_maps, std::move(map));
 }
 
 scene::TextureMapId read_texture_map(Context& context, const Element& block, EntryValue value) {
@@ -157,7 +159,7 @@ scene::TextureMapId read_texture_map(Context& context, const Element& block, Ent
   const auto declared = read_entries<TextureMapValue>(
       context, block, ValueKind::texture_map, map,
       [value](ElementStream& stream, auto& entries) { read_texture_entry(stream, entries, value); });
-  return declared ? *declared : add_map<scene::TextureMapId>(context.database.texture_maps, std::move(map));
+  return declared ? *declared : add_map<scene::TextureMapId>(context, context.database.texture_maps, std::move(map));
 }
 
 // ---- Lists ----------------------------------------------------------------------------------------------------------
@@ -199,7 +201,7 @@ scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind 
   const int read = read_items(
       stream, count, [&](int i) { return read_pigment_item(stream, list[static_cast<std::size_t>(i)].pigment); });
   if (read == 0) return default_pigment_list_id(context, kind);
-  return add_map<scene::PigmentMapId>(context.database.pigment_maps, std::move(list));
+  return add_map<scene::PigmentMapId>(context, context.database.pigment_maps, std::move(list));
 }
 
 scene::NormalMapId read_normal_list(ElementStream& stream, int count) {
@@ -213,7 +215,7 @@ scene::NormalMapId read_normal_list(ElementStream& stream, int count) {
     return true;
   });
   if (read == 0) return scene::kNoNormalMap;
-  return add_map<scene::NormalMapId>(context.database.normal_maps, std::move(list));
+  return add_map<scene::NormalMapId>(context, context.database.normal_maps, std::move(list));
 }
 
 scene::TextureMapId read_texture_list(ElementStream& stream, int count) {
@@ -228,7 +230,7 @@ scene::TextureMapId read_texture_list(ElementStream& stream, int count) {
     list[static_cast<std::size_t>(i)].texture = texture_id(context, texture);
     return true;
   }));
-  return add_map<scene::TextureMapId>(context.database.texture_maps, std::move(list));
+  return add_map<scene::TextureMapId>(context, context.database.texture_maps, std::move(list));
 }
 
 }  // namespace isl::interpreter

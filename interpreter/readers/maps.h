@@ -25,11 +25,4 @@ enum class EntryValue { needed, optional };
 [[nodiscard]] scene::NormalMapId read_normal_list(ElementStream& stream, int count);
 [[nodiscard]] scene::TextureMapId read_texture_list(ElementStream& stream, int count);
 
-/// Appends the map to its column.
-template <class Id, class Map>
-[[nodiscard]] Id add_map(std::vector<Map>& maps, Map&& map) {
-  maps.push_back(std::move(map));
-  return Id{static_cast<std::uint32_t>(maps.size() - 1)};
-}
-
 }  // namespace isl::interpreter

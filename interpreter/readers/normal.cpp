@@ -4,6 +4,7 @@
 #include "interpreter/readers/image.h"
 #include "interpreter/readers/maps.h"
 #include "interpreter/readers/pattern.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +22,7 @@ constexpr grammar::Symbol kKnown[] = {word::kw_bump_size,  word::kw_bumps,      
                                       word::kw_accuracy,   word::kw_no_bump_scale};
 
 NormalId add_normal(Context& context, Normal&& normal) {
-  auto& normals = context.database.normals;
-  normals.push_back(std::move(normal));
-  return NormalId{static_cast<std::uint32_t>(normals.size() - 1)};
+  return add_record<NormalId>(context, context.database.normals, std::move(normal));
 }
 
 class NormalReader {

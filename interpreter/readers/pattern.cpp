@@ -4,6 +4,7 @@
 #include "interpreter/readers/pattern_operands.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/readers/warp.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -217,8 +218,7 @@ void move(Context& context, PatternDraft& draft, const scene::Transform& transfo
     transforms[index(*last)] = scene::then(transforms[index(*last)], transform);
     return;
   }
-  warps.emplace_back(scene::TransformId{static_cast<std::uint32_t>(transforms.size())});
-  transforms.push_back(transform);
+  warps.emplace_back(add_record<scene::TransformId>(context, transforms, transform));
 }
 
 bool read_pattern_modifier(ElementStream& stream, PatternDraft& draft) {

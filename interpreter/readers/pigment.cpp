@@ -6,6 +6,7 @@
 #include "interpreter/readers/maps.h"
 #include "interpreter/readers/pattern.h"
 #include "interpreter/readers/transform.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,10 @@ bool is_map_block(const Element& next) {
 /// What chooses from no map: lists, pictures, and what is no pattern.
 bool takes_map(PatternKind kind) {
   return list_length(kind) == 0 && kind != PatternKind::image_map && kind != PatternKind::plain;
+}
+
+Pigment with_record(Context& context, PatternedPigment&& record) {
+  return {.pattern = add_record<scene::PigmentId>(context, context.database.pigments, std::move(record))};
 }
 
 class PigmentReader {
@@ -164,10 +169,8 @@ class PigmentReader {
     if (takes_map(kind) && record.map == scene::kNoPigmentMap)
       record.map = default_pigment_map(context_, draft_.pattern);
     if (kind != PatternKind::plain) record.pattern = std::move(draft_.pattern);
-    auto& pigments = context_.database.pigments;
     context_.check_memory(stream_.span(), sizeof(PatternedPigment));
-    pigments.push_back(std::move(record));
-    return Pigment{.pattern = scene::PigmentId{static_cast<std::uint32_t>(pigments.size() - 1)}};
+    return with_record(context_, std::move(record));
   }
 
   ElementStream& stream_;
@@ -188,9 +191,7 @@ Pigment read_pigment(Context& context, const Element& block, const Pigment& base
 
 scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {
   if (!pigment.is_plain()) return pigment.pattern;
-  auto& pigments = context.database.pigments;
-  pigments.push_back({.colour = pigment.colour});
-  return scene::PigmentId{static_cast<std::uint32_t>(pigments.size() - 1)};
+  return with_record(context, {.colour = pigment.colour}).pattern;
 }
 
 Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform, Move how) {
@@ -201,9 +202,7 @@ Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& 
   PatternDraft draft = draft_of(context, record.pattern);
   move(context, draft, transform);
   record.pattern = std::move(draft.pattern);
-  auto& pigments = context.database.pigments;
-  pigments.push_back(std::move(record));
-  return Pigment{.pattern = scene::PigmentId{static_cast<std::uint32_t>(pigments.size() - 1)}};
+  return with_record(context, std::move(record));
 }
 
 }  // namespace isl::interpreter

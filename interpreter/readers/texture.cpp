@@ -7,6 +7,7 @@
 #include "interpreter/readers/normal.h"
 #include "interpreter/readers/pattern.h"
 #include "interpreter/readers/transform.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +23,8 @@ constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_normal, word::k
                                       word::kw_scale,   word::kw_rotate, word::kw_translate};
 
 Texture with_pattern(Context& context, TexturePattern&& record) {
-  auto& patterns = context.database.texture_patterns;
-  patterns.push_back(std::move(record));
-  return Texture{.pattern = scene::TexturePatternId{static_cast<std::uint32_t>(patterns.size() - 1)}};
+  return {.pattern =
+              add_record<scene::TexturePatternId>(context, context.database.texture_patterns, std::move(record))};
 }
 
 /// Applies `change` to the texture and every layer under it, and lays the lowest over `below`.
@@ -184,7 +184,7 @@ class TextureReader {
     }
     expect_end(stream);
     draft_.pattern.kind = PatternKind::checker;
-    map_ = add_map<scene::TextureMapId>(context_.database.texture_maps, std::move(list));
+    map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }
 
   void read_material_map(const Element& block) {
@@ -198,7 +198,7 @@ class TextureReader {
     } while (!stream.peek().is(ElementKind::end));
     draft_.pattern.kind = PatternKind::material_map;
     draft_.pattern.operands = add_image(context_, std::move(image));
-    map_ = add_map<scene::TextureMapId>(context_.database.texture_maps, std::move(list));
+    map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }
 
   scene::TextureId read_list_texture(ElementStream& stream) {
@@ -269,7 +269,7 @@ Texture moved(Context& context, const Texture& texture, const scene::Transform& 
 }
 
 scene::TextureId texture_id(Context& context, const Texture& texture) {
-  return scene::TextureId{context.texture_table.find_or_add(texture, context.database.textures)};
+  return share_record<scene::TextureId>(context, context.texture_table, context.database.textures, texture);
 }
 
 }  // namespace isl::interpreter
