@@ -9,13 +9,15 @@
 #include "interpreter/evaluate.h"
 #include "interpreter/frames.h"
 #include "interpreter/random_streams.h"
+#include "interpreter/record_table.h"
 #include "interpreter/shared_values.h"
-#include "interpreter/texture_table.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace isl::interpreter {
@@ -59,7 +61,11 @@ class Context {
   scene::Texture default_texture;
   bool has_default_texture = false;
   Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
-  TextureTable texture_table;
+  RecordTable<scene::Texture> texture_table;
+  RecordTable<scene::Finish> finish_table;
+  RecordTable<scene::Interior> interior_table;
+  /// POV-Ray's own maps that the scene has come to need, by where their entries are.
+  std::map<std::pair<const void*, std::size_t>, scene::PigmentMapId> default_maps;
 
   // ---- Complaints: each adds the macro and include chain ------------------------------------------------------------
 

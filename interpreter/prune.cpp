@@ -1,5 +1,7 @@
 #include "interpreter/prune.h"
 
+#include "interpreter/prune_textures.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -9,36 +11,6 @@ namespace {
 using scene::Database;
 using scene::Object;
 
-/// One column of the database: which of its records are reached, then where each went.
-class Column {
- public:
-  explicit Column(std::size_t size) : places_(size, scene::kNone) {}
-
-  /// True the first time.
-  bool reach(std::uint32_t i) {
-    const bool is_new = places_[i] == scene::kNone;
-    places_[i] = 0;
-    return is_new;
-  }
-  [[nodiscard]] std::uint32_t place(std::uint32_t i) const { return places_[i]; }
-
-  /// Keeps the records that are reached.
-  template <class Record>
-  void compact(std::vector<Record>& records) {
-    std::uint32_t next = 0;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      if (places_[i] == scene::kNone) continue;
-      places_[i] = next;
-      if (next != i) records[next] = std::move(records[i]);
-      ++next;
-    }
-    records.resize(next);
-  }
-
- private:
-  std::vector<std::uint32_t> places_;
-};
-
 class Pruner {
  public:
   explicit Pruner(Database& database)
@@ -46,14 +18,17 @@ class Pruner {
         blobs_(database.blobs.size()),
         solids_(database.solids.size()),
         groups_(database.groups.size()),
-        textures_(database.textures.size()),
         transforms_(database.transforms.size()),
-        kernels_(database.kernels.size()) {}
+        kernels_(database.kernels.size()),
+        textures_(database) {}
 
   void run() {
     reach(database_.objects);
-    // Groups hold groups: a list of what is still to be looked at, so that depth costs no stack.
-    while (!pending_.empty()) {
+    textures_.reach_atmosphere(transforms_);
+    // Groups hold groups, textures hold textures and a pattern may hold an object: lists of what is still to be looked
+    // at, so that depth costs no stack.
+    while (!pending_.empty() || textures_.advance(transforms_, [this](const Object& object) { reach(object); })) {
+      if (pending_.empty()) continue;
       const std::uint32_t group = pending_.back();
       pending_.pop_back();
       reach(database_.groups[group].children);
@@ -61,33 +36,38 @@ class Pruner {
     blobs_.compact(database_.blobs);
     solids_.compact(database_.solids);
     groups_.compact(database_.groups);
-    textures_.compact(database_.textures);
     transforms_.compact(database_.transforms);
     kernels_.compact(database_.kernels);
+    textures_.compact(transforms_);
     renumber(database_.objects);
+    renumber(database_.pattern_objects);
     for (scene::Group& group : database_.groups) renumber(group.children);
     for (scene::Blob& blob : database_.blobs) renumber(blob);
   }
 
  private:
   void reach(const std::vector<Object>& objects) {
-    for (const Object& object : objects) {
-      if (object.texture != scene::kNoTexture) textures_.reach(index(object.texture));
-      switch (object.kind) {
-        case Object::Kind::solid: solids_.reach(object.shape); break;
-        case Object::Kind::group:
-          if (groups_.reach(object.shape)) pending_.push_back(object.shape);
-          break;
-        case Object::Kind::blob:
-          if (blobs_.reach(object.shape)) reach(database_.blobs[object.shape]);
-          break;
-      }
+    for (const Object& object : objects) reach(object);
+  }
+
+  void reach(const Object& object) {
+    textures_.reach(object.texture);
+    textures_.reach(object.interior_texture);
+    textures_.reach(object.interior);
+    switch (object.kind) {
+      case Object::Kind::solid: solids_.reach(object.shape); break;
+      case Object::Kind::group:
+        if (groups_.reach(object.shape)) pending_.push_back(object.shape);
+        break;
+      case Object::Kind::blob:
+        if (blobs_.reach(object.shape)) reach(database_.blobs[object.shape]);
+        break;
     }
   }
 
   void reach(const scene::Blob& blob) {
     for (const scene::Component& component : blob.components) {
-      if (component.texture != scene::kNoTexture) textures_.reach(index(component.texture));
+      textures_.reach(component.texture);
       if (component.transform != scene::kIdentity) transforms_.reach(index(component.transform));
       kernels_.reach(index(component.kernel));
     }
@@ -99,21 +79,23 @@ class Pruner {
                              : object.kind == Object::Kind::blob ? blobs_
                                                                  : groups_;
       object.shape = column.place(object.shape);
-      if (object.texture != scene::kNoTexture)
-        object.texture = scene::TextureId{textures_.place(index(object.texture))};
+      textures_.renumber(object.texture);
+      textures_.renumber(object.interior_texture);
+      textures_.renumber(object.interior);
     }
   }
 
   void renumber(scene::Blob& blob) {
     for (scene::Component& c : blob.components) {
-      if (c.texture != scene::kNoTexture) c.texture = scene::TextureId{textures_.place(index(c.texture))};
+      textures_.renumber(c.texture);
       if (c.transform != scene::kIdentity) c.transform = scene::TransformId{transforms_.place(index(c.transform))};
       c.kernel = scene::KernelId{static_cast<std::uint16_t>(kernels_.place(index(c.kernel)))};
     }
   }
 
   Database& database_;
-  Column blobs_, solids_, groups_, textures_, transforms_, kernels_;
+  Column blobs_, solids_, groups_, transforms_, kernels_;
+  TexturePruner textures_;
   std::vector<std::uint32_t> pending_;
 };
 

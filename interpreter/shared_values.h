@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,13 +55,20 @@ struct MacroValue final : Shared {
   std::uint32_t origin_name;  ///< OriginTable::keep_name
 };
 
+/// What objects, their drafts and materials say of their looks.
+struct Surface {
+  std::optional<scene::Texture> texture;           ///< in the object's space
+  std::optional<scene::Texture> interior_texture;  ///< of the inside of the surface, where it differs
+  scene::InteriorId interior = scene::kNoInterior;
+  bool uv_mapping = false;  ///< `uv_mapping` stands before the textures: all of them are evaluated at (u, v)
+};
+
 /// An object that is declared or about to be placed: a placement of shapes that already stand in the database, and the
 /// lights that it holds (a union may hold some; a light_source is nothing else).
 struct ObjectValue final : Shared {
   grammar::Symbol word{};  ///< `sphere`, `blob`, … as it was made
   scene::Object object;    ///< shape is kNone for an empty object (lenient) and for lights
-  bool has_texture = false;
-  scene::Texture texture;  ///< where has_texture
+  Surface surface;
   std::vector<scene::Light> lights;
 };
 
@@ -77,6 +85,47 @@ struct FinishValue final : Shared {
 struct TextureValue final : Shared {
   explicit TextureValue(const scene::Texture& texture_) : texture(texture_) {}
   const scene::Texture texture;
+};
+
+struct NormalValue final : Shared {
+  explicit NormalValue(scene::NormalId id_) : id(id_) {}
+  const scene::NormalId id;
+};
+
+struct InteriorValue final : Shared {
+  explicit InteriorValue(scene::InteriorId id_) : id(id_) {}
+  const scene::InteriorId id;
+};
+
+struct MaterialValue final : Shared {
+  explicit MaterialValue(Surface surface_) : surface(std::move(surface_)) {}
+  const Surface surface;
+};
+
+/// A declared map: its number in the database. PigmentMapValue: colour_map and pigment_map.
+template <class Id>
+struct MapValue final : Shared {
+  explicit MapValue(Id id_) : id(id_) {}
+  const Id id;
+};
+using PigmentMapValue = MapValue<scene::PigmentMapId>;
+using NormalMapValue = MapValue<scene::NormalMapId>;
+using SlopeMapValue = MapValue<scene::SlopeMapId>;
+using TextureMapValue = MapValue<scene::TextureMapId>;
+
+struct SkySphereValue final : Shared {
+  explicit SkySphereValue(scene::SkySphere sky_sphere_) : sky_sphere(std::move(sky_sphere_)) {}
+  const scene::SkySphere sky_sphere;
+};
+
+struct FogValue final : Shared {
+  explicit FogValue(const scene::Fog& fog_) : fog(fog_) {}
+  const scene::Fog fog;
+};
+
+struct RainbowValue final : Shared {
+  explicit RainbowValue(const scene::Rainbow& rainbow_) : rainbow(rainbow_) {}
+  const scene::Rainbow rainbow;
 };
 
 struct TransformValue final : Shared {

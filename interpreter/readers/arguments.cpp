@@ -125,14 +125,11 @@ void skip_operands(ElementStream& stream) {
   }
 }
 
-/// Patterns are words and blocks that mean something elsewhere: `pigment { object { … } }`, `texture { cells … }`.
-bool takes_patterns(Symbol word) { return word == grammar::word::kw_pigment || word == grammar::word::kw_texture; }
-
-bool is_unsupported(const ElementStream& stream, const Element& element) {
+bool is_unsupported(const Element& element) {
   const bool is_block = element.is(ElementKind::block);
   if (!is_block && !element.is(ElementKind::word)) return false;
   if (element.word == grammar::kNoSymbol || !grammar::is_reserved(element.word)) return false;
-  return !is_supported_word(element.word) || (is_block && takes_patterns(stream.word()));
+  return !is_supported_word(element.word);
 }
 
 /// A name that is nothing: with a suggestion.
@@ -156,7 +153,7 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   const SourceSpan span = is_named_block ? next.word_span : next.span;
   const std::string where =
       stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
-  if (is_unsupported(stream, next)) {
+  if (is_unsupported(next)) {
     context.unsupported(span, context.text(next.word));
     if (next.is(ElementKind::word)) skip_operands(stream);
     return;

@@ -3,6 +3,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/objects.h"
+#include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
@@ -194,12 +195,15 @@ class BlobReader {
     std::optional<scene::Texture> texture;
     std::optional<scene::Transform> blob_from_component;
     while (!stream.peek().is(ElementKind::end)) {
-      if (read_texture_modifier(stream, texture)) continue;
+      if (read_texture_modifier(stream, texture, blob_from_component.value_or(scene::Transform()))) continue;
       if (const std::optional<scene::Transform> next = read_transform(stream)) {
         blob_from_component = blob_from_component ? scene::then(*blob_from_component, *next) : *next;
       } else {
         refuse(stream, kKnown);
       }
+    }
+    if (texture && blob_from_component) {
+      texture = moved(context_, *texture, *blob_from_component, Move::with_object);
     }
     if (texture) component.texture = texture_id(context_, *texture);
     if (blob_from_component) move(component, *blob_from_component);

@@ -1,6 +1,7 @@
 #include "interpreter/readers/objects.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
 
@@ -65,7 +66,7 @@ void copy_object(ElementStream& stream, const ObjectValue& from, ObjectDraft& dr
   const OriginId origin = draft.object.origin;
   draft.object = from.object;
   draft.object.origin = origin;
-  if (from.has_texture) draft.texture = from.texture;
+  static_cast<Surface&>(draft) = from.surface;
   draft.lights = from.lights;
   for (scene::Light& light : draft.lights) light.origin = origin;
 }
@@ -75,7 +76,7 @@ bool read_object_modifier(ElementStream& stream, ObjectDraft& draft) {
     move(draft, *transform);
     return draft.has_modifiers = true;
   }
-  if (read_texture_modifier(stream, draft.texture)) return draft.has_modifiers = true;
+  if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return draft.has_modifiers = true;
   const Element next = stream.peek();
   if (next.is_word(word::kw_no_shadow)) {
     stream.drop();
@@ -115,15 +116,17 @@ Ref<ObjectValue> read_object(Context& context, const Element& block) {
   Ref<ObjectValue> value = make_shared_value<ObjectValue>();
   value->word = block.word;
   value->object = draft.object;
-  value->has_texture = draft.texture.has_value();
-  if (draft.texture) value->texture = *draft.texture;
+  value->surface = draft;
   value->lights = std::move(draft.lights);
   return value;
 }
 
 scene::Object placed(Context& context, const ObjectValue& value) {
   scene::Object object = value.object;
-  if (value.has_texture) object.texture = texture_id(context, value.texture);
+  const Surface& surface = value.surface;
+  if (surface.texture) object.texture = texture_id(context, *surface.texture);
+  if (surface.interior_texture) object.interior_texture = texture_id(context, *surface.interior_texture);
+  if (surface.interior != scene::kNoInterior) object.interior = surface.interior;
   return object;
 }
 

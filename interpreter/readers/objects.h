@@ -9,10 +9,9 @@
 namespace isl::interpreter {
 
 /// An object while its block is read.
-struct ObjectDraft {
-  scene::Object object;
-  std::optional<scene::Texture> texture;  ///< of its own
-  std::vector<scene::Light> lights;
+struct ObjectDraft : Surface {
+  scene::Object object{};
+  std::vector<scene::Light> lights{};
   bool has_modifiers = false;  ///< geometry cannot follow modifiers
 };
 

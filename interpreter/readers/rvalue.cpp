@@ -2,19 +2,116 @@
 
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/atmosphere.h"
 #include "interpreter/readers/camera.h"
 #include "interpreter/readers/colour.h"
+#include "interpreter/readers/finish.h"
+#include "interpreter/readers/interior.h"
+#include "interpreter/readers/maps.h"
+#include "interpreter/readers/normal.h"
 #include "interpreter/readers/objects.h"
+#include "interpreter/readers/pigment.h"
 #include "interpreter/readers/spline.h"
+#include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace isl::interpreter {
 namespace {
 
 namespace word = grammar::word;
+
+/// A block that makes a value, other than an object.
+struct BlockRow {
+  grammar::Symbol word;
+  Value (*read)(Context&, const Element&);
+};
+
+Value pigment_value(Context& context, const Element& block) {
+  const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment);
+  return {ValueKind::pigment, make_shared_value<PigmentValue>(pigment)};
+}
+
+Value normal_value(Context& context, const Element& block) {
+  const scene::NormalId normal = read_normal(context, block, context.default_texture.normal);
+  return {ValueKind::normal, make_shared_value<NormalValue>(normal)};
+}
+
+Value finish_value(Context& context, const Element& block) {
+  const scene::Finish finish = read_finish(context, block, finish_of(context, context.default_texture));
+  return {ValueKind::finish, make_shared_value<FinishValue>(finish)};
+}
+
+Value texture_value(Context& context, const Element& block) {
+  const scene::Texture texture = read_texture(context, block, context.default_texture);
+  return {ValueKind::texture, make_shared_value<TextureValue>(texture)};
+}
+
+Value material_value(Context& context, const Element& block) {
+  return {ValueKind::material, make_shared_value<MaterialValue>(read_material(context, block))};
+}
+
+Value interior_value(Context& context, const Element& block) {
+  return {ValueKind::interior, make_shared_value<InteriorValue>(read_interior(context, block))};
+}
+
+Value colour_map_value(Context& context, const Element& block) {
+  return {ValueKind::colour_map, make_shared_value<PigmentMapValue>(read_colour_map(context, block))};
+}
+
+Value pigment_map_value(Context& context, const Element& block) {
+  return {ValueKind::pigment_map,
+          make_shared_value<PigmentMapValue>(read_pigment_map(context, block, EntryValue::needed))};
+}
+
+Value normal_map_value(Context& context, const Element& block) {
+  return {ValueKind::normal_map,
+          make_shared_value<NormalMapValue>(read_normal_map(context, block, EntryValue::needed))};
+}
+
+Value slope_map_value(Context& context, const Element& block) {
+  return {ValueKind::slope_map, make_shared_value<SlopeMapValue>(read_slope_map(context, block))};
+}
+
+Value texture_map_value(Context& context, const Element& block) {
+  return {ValueKind::texture_map,
+          make_shared_value<TextureMapValue>(read_texture_map(context, block, EntryValue::needed))};
+}
+
+Value sky_sphere_value(Context& context, const Element& block) {
+  return {ValueKind::sky_sphere, make_shared_value<SkySphereValue>(read_sky_sphere(context, block))};
+}
+
+Value fog_value(Context& context, const Element& block) {
+  return {ValueKind::fog, make_shared_value<FogValue>(read_fog(context, block))};
+}
+
+Value rainbow_value(Context& context, const Element& block) {
+  return {ValueKind::rainbow, make_shared_value<RainbowValue>(read_rainbow(context, block))};
+}
+
+Value transform_value(Context& context, const Element& block) {
+  return {ValueKind::transform, make_shared_value<TransformValue>(read_transform_block(context, block))};
+}
+
+Value camera_value(Context& context, const Element& block) { return {ValueKind::camera, read_camera(context, block)}; }
+
+constexpr BlockRow kBlocks[] = {
+    {word::kw_pigment, pigment_value},         {word::kw_normal, normal_value},
+    {word::kw_finish, finish_value},           {word::kw_texture, texture_value},
+    {word::kw_material, material_value},       {word::kw_interior, interior_value},
+    {word::kw_color_map, colour_map_value},    {word::kw_colour_map, colour_map_value},
+    {word::kw_pigment_map, pigment_map_value}, {word::kw_normal_map, normal_map_value},
+    {word::kw_slope_map, slope_map_value},     {word::kw_texture_map, texture_map_value},
+    {word::kw_sky_sphere, sky_sphere_value},   {word::kw_fog, fog_value},
+    {word::kw_rainbow, rainbow_value},         {word::kw_transform, transform_value},
+    {word::kw_camera, camera_value},
+};
 
 Value read_block(ElementStream& stream) {
   Context& context = stream.context();
@@ -23,27 +120,9 @@ Value read_block(ElementStream& stream) {
     stream.drop();
     return {ValueKind::object, read_object(context, block)};
   }
-  if (block.word == word::kw_pigment) {
+  if (const auto* const row = std::ranges::find(kBlocks, block.word, &BlockRow::word); row != std::end(kBlocks)) {
     stream.drop();
-    return {ValueKind::pigment,
-            make_shared_value<PigmentValue>(read_pigment(context, block, context.default_texture.pigment))};
-  }
-  if (block.word == word::kw_finish) {
-    stream.drop();
-    return {ValueKind::finish,
-            make_shared_value<FinishValue>(read_finish(context, block, context.default_texture.finish))};
-  }
-  if (block.word == word::kw_texture) {
-    stream.drop();
-    return {ValueKind::texture, make_shared_value<TextureValue>(read_texture(context, block, context.default_texture))};
-  }
-  if (block.word == word::kw_transform) {
-    stream.drop();
-    return {ValueKind::transform, make_shared_value<TransformValue>(read_transform_block(context, block))};
-  }
-  if (block.word == word::kw_camera) {
-    stream.drop();
-    return {ValueKind::camera, read_camera(context, block)};
+    return row->read(context, block);
   }
   if (block.word == word::kw_spline) {
     stream.drop();
@@ -79,11 +158,12 @@ Value read_rvalue(ElementStream& stream) {
 Value read_declared(ElementStream& stream) {
   Value value = read_rvalue(stream);
   if (value.kind() != ValueKind::texture) return value;
+  Context& context = stream.context();
   while (stream.peek().is_block(word::kw_texture)) {
     const Element layer = stream.take();
-    const scene::Texture texture = read_texture(stream.context(), layer, stream.context().default_texture);
-    value =
-        Value(ValueKind::texture, make_shared_value<TextureValue>(layered(stream.context(), texture, layer.word_span)));
+    const scene::Texture top = read_texture(context, layer, context.default_texture);
+    const scene::Texture texture = layered(context, value.as<TextureValue>().texture, top, layer.word_span);
+    value = Value(ValueKind::texture, make_shared_value<TextureValue>(texture));
   }
   return value;
 }

@@ -1,9 +1,11 @@
 #include "interpreter/readers/scene.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/atmosphere.h"
 #include "interpreter/readers/camera.h"
 #include "interpreter/readers/objects.h"
 #include "interpreter/readers/settings.h"
+#include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
 
 #include <fmt/format.h>
@@ -19,7 +21,10 @@ void place(Context& context, const ObjectValue& value) {
   if (value.object.shape != scene::kNone) {
     scene::Object object = placed(context, value);
     if (object.texture == scene::kNoTexture && context.has_default_texture) {
-      object.texture = texture_id(context, context.default_texture);
+      // The default stands in the world, not with the object.
+      const scene::Transform& world_from_object = object.parent_from_object;
+      object.texture =
+          texture_id(context, moved(context, context.default_texture, world_from_object.inverted(), Move::with_object));
     }
     context.database.objects.push_back(object);
   }
@@ -38,6 +43,12 @@ void read_block(Context& context, const Element& block) {
     read_background(context, block);
   } else if (block.word == word::kw_global_settings) {
     read_global_settings(context, block);
+  } else if (block.word == word::kw_sky_sphere) {
+    place_sky_sphere(context, block);
+  } else if (block.word == word::kw_fog) {
+    place_fog(context, block);
+  } else if (block.word == word::kw_rainbow) {
+    place_rainbow(context, block);
   } else {
     place(context, *read_object(context, block));
   }
@@ -45,7 +56,8 @@ void read_block(Context& context, const Element& block) {
 
 bool is_top_level_word(grammar::Symbol name) {
   return is_object_word(name) || name == word::kw_camera || name == word::kw_background ||
-         name == word::kw_global_settings;
+         name == word::kw_global_settings || name == word::kw_sky_sphere || name == word::kw_fog ||
+         name == word::kw_rainbow;
 }
 
 void read_statement(ElementStream& stream) {
@@ -87,15 +99,19 @@ void read_default(Context& context, const grammar::Default& node) {
   ElementStream stream(context, node.items, node.span);
   std::optional<scene::Texture> texture = context.default_texture;
   while (!stream.peek().is(ElementKind::end)) {
-    if (stream.peek().is_block(word::kw_camera)) {
-      const Element block = stream.take();
-      context.default_camera = read_camera(context, block);
-    } else if (stream.peek().is_block(word::kw_texture)) {
+    const Element next = stream.peek();
+    if (next.is_block(word::kw_camera)) {
+      stream.drop();
+      context.default_camera = read_camera(context, next);
+    } else if (next.is_block(word::kw_texture)) {
       // Not a layer: it takes the default's place.
-      const Element block = stream.take();
-      texture = read_texture(context, block, context.default_texture);
+      stream.drop();
+      texture = read_texture(context, next, context.default_texture);
+      if (texture->pattern != scene::kNoTexturePattern || texture->below != scene::kNoTexture) {
+        context.fail(next.word_span, "the default texture is a plain one, without layers");
+      }
     } else if (!read_texture_modifier(stream, texture)) {
-      static constexpr grammar::Symbol kKnown[] = {word::kw_texture, word::kw_pigment, word::kw_finish,
+      static constexpr grammar::Symbol kKnown[] = {word::kw_texture, word::kw_pigment, word::kw_normal, word::kw_finish,
                                                    word::kw_camera};
       refuse(stream, kKnown);
     }

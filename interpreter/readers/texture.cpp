@@ -1,168 +1,275 @@
 #include "interpreter/readers/texture.h"
 
 #include "interpreter/readers/arguments.h"
-#include "interpreter/readers/colour.h"
+#include "interpreter/readers/finish.h"
+#include "interpreter/readers/image.h"
+#include "interpreter/readers/maps.h"
+#include "interpreter/readers/normal.h"
+#include "interpreter/readers/pattern.h"
 #include "interpreter/readers/transform.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
 namespace isl::interpreter {
 namespace {
 
-using scene::Finish;
-using scene::Pigment;
+using scene::PatternKind;
 using scene::Texture;
+using scene::TexturePattern;
 namespace word = grammar::word;
 
-/// Reads the numbers of a finish; false where the next element is none of them.
-bool read_finish_item(ElementStream& stream, Finish& finish) {
-  const Element next = stream.peek();
-  if (!next.is(ElementKind::word)) return false;
-  switch (static_cast<word::Index>(next.word)) {
-    case word::kIndex_ambient:
-      stream.drop();
-      finish.ambient = read_colour(stream);
-      return true;
-    case word::kIndex_diffuse:
-      stream.drop();
-      finish.diffuse = read_number(stream, "a number after `diffuse`");
-      return true;
-    case word::kIndex_brilliance:
-      stream.drop();
-      finish.brilliance = read_number(stream, "a number after `brilliance`");
-      return true;
-    case word::kIndex_phong:
-      stream.drop();
-      finish.phong = read_number(stream, "a number after `phong`");
-      return true;
-    case word::kIndex_phong_size:
-      stream.drop();
-      finish.phong_size = read_number(stream, "a number after `phong_size`");
-      return true;
-    case word::kIndex_specular:
-      stream.drop();
-      finish.specular = read_number(stream, "a number after `specular`");
-      return true;
-    case word::kIndex_roughness:
-      stream.drop();
-      finish.roughness = read_positive(stream, "`roughness`");
-      return true;
-    default: return false;
-  }
+constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_normal, word::kw_finish,   word::kw_texture_map,
+                                      word::kw_scale,   word::kw_rotate, word::kw_translate};
+
+Texture with_pattern(Context& context, TexturePattern&& record) {
+  return {.pattern =
+              add_record<scene::TexturePatternId>(context, context.database.texture_patterns, std::move(record))};
 }
 
-/// An identifier at the start of a block, of the block's own kind.
-template <class Wanted>
-const Wanted* read_identifier(ElementStream& stream, ValueKind kind, Value& keep) {
-  if (!stream.peek().is(ElementKind::value)) return nullptr;
-  const SourceSpan span = stream.peek().span;
-  keep = stream.take_value();
-  if (keep.kind() == kind) return &keep.as<Wanted>();
-  stream.context().fail(span, fmt::format("expected {} or its items, found {}",
-                                          kind == ValueKind::finish ? "a finish" : "a texture", describe(keep)));
+/// Applies `change` to the texture and every layer under it, and lays the lowest over `below`.
+template <class Change>
+Texture each_layer(Context& context, const Texture& top, Change change, scene::TextureId below = scene::kNoTexture) {
+  std::vector<Texture> layers{top};
+  while (layers.back().below != scene::kNoTexture)
+    layers.push_back(context.database.textures[index(layers.back().below)]);
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    change(layers[i]);
+    layers[i].below = below;
+    if (i > 0) below = texture_id(context, layers[i]);
+  }
+  return layers.front();
 }
+
+/// Whether nothing of what lies below the texture can show.
+bool is_opaque(const Context& context, Texture layer) {
+  while (layer.below != scene::kNoTexture) layer = context.database.textures[index(layer.below)];
+  return layer.pigment.is_plain() && layer.pigment.colour.filter == 0 && layer.pigment.colour.transmit == 0;
+}
+
+class TextureReader {
+ public:
+  TextureReader(ElementStream& stream, const Texture& base)
+      : stream_(stream), context_(stream.context()), texture_(base) {}
+
+  Texture read() {
+    bool uv_mapping = accept_uv_mapping();
+    const bool is_named = read_identifiers();
+    uv_mapping = uv_mapping || accept_uv_mapping();
+    if (!is_named && read_patterned()) {
+      if (uv_mapping) draft_.pattern.uv_mapping = true;
+      return close_pattern();
+    }
+    while (!stream_.peek().is(ElementKind::end)) {
+      if (!read_item()) refuse(stream_, kKnown);
+    }
+    if (no_bump_scale_) set_no_bump_scale();
+    return uv_mapping ? uv_mapped(context_, texture_) : texture_;
+  }
+
+ private:
+  bool accept_uv_mapping() {
+    const bool is_next = stream_.peek().is_word(word::kw_uv_mapping);
+    if (is_next) stream_.drop();
+    return is_next;
+  }
+
+  /// `texture { Texture Pigment Normal Finish … }`: what was declared, each in place of what the base has.
+  bool read_identifiers() {
+    bool is_texture = false;
+    while (stream_.peek().is(ElementKind::value) && !starts_pattern(stream_.peek())) {
+      const SourceSpan span = stream_.peek().span;
+      const Value value = stream_.take_value();
+      switch (value.kind()) {
+        case ValueKind::texture:
+          texture_ = value.as<TextureValue>().texture;
+          is_texture = true;
+          break;
+        case ValueKind::pigment: texture_.pigment = value.as<PigmentValue>().pigment; break;
+        case ValueKind::normal: texture_.normal = value.as<NormalValue>().id; break;
+        case ValueKind::finish: texture_.finish = finish_id(context_, value.as<FinishValue>().finish); break;
+        default: context_.fail(span, fmt::format("expected a texture or its items, found {}", describe(value)));
+      }
+    }
+    return is_texture;
+  }
+
+  bool read_item() {
+    const Element next = stream_.peek();
+    if (next.is_block(word::kw_pigment) || next.is_block(word::kw_normal) || next.is_block(word::kw_finish)) {
+      check_plain(next);
+      stream_.drop();
+      if (next.word == word::kw_pigment) texture_.pigment = read_pigment(context_, next, texture_.pigment);
+      if (next.word == word::kw_normal) texture_.normal = read_normal(context_, next, texture_.normal);
+      if (next.word == word::kw_finish)
+        texture_.finish = finish_id(context_, read_finish(context_, next, finish_of(context_, texture_)));
+      return true;
+    }
+    if (next.is_word(word::kw_no_bump_scale)) {
+      stream_.drop();
+      return no_bump_scale_ = true;
+    }
+    if (starts_pattern(next)) {
+      context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
+                    "the pattern of a `texture` comes first, and there is something before it");
+    }
+    const std::optional<scene::Transform> transform = read_transform(stream_);
+    if (transform) texture_ = moved(context_, texture_, *transform, Move::itself);
+    return transform.has_value();
+  }
+
+  /// What is chosen by a pattern has no pigment, normal or finish of its own.
+  void check_plain(const Element& block) {
+    if (texture_.pattern == scene::kNoTexturePattern) return;
+    context_.fail(block.word_span, fmt::format("`{}` does not go with a texture that is chosen by a pattern",
+                                               context_.text(block.word)));
+  }
+
+  void set_no_bump_scale() {
+    texture_ = each_layer(context_, texture_,
+                          [this](Texture& layer) { layer.normal = without_bump_scale(context_, layer.normal); });
+  }
+
+  // ---- Textures that are chosen by a pattern ------------------------------------------------------------------------
+
+  /// The pattern with its list or map and modifiers, to the end; false where there is none.
+  bool read_patterned() {
+    const Element next = stream_.peek();
+    if (next.is_block(word::kw_tiles)) {
+      stream_.drop();
+      read_tiles(next);
+    } else if (next.is_block(word::kw_material_map)) {
+      stream_.drop();
+      read_material_map(next);
+    } else if (starts_pattern(next)) {
+      const ReadList read_list = [this](ElementStream& stream, PatternKind /*kind*/, int count) {
+        map_ = read_texture_list(stream, count);
+      };
+      static_cast<void>(read_pattern(stream_, draft_, PatternHost::texture, read_list));
+    } else {
+      return false;
+    }
+    while (!stream_.peek().is(ElementKind::end)) read_modifier();
+    return true;
+  }
+
+  void read_modifier() {
+    const Element next = stream_.peek();
+    if (next.is_block(word::kw_texture_map)) {
+      stream_.drop();
+      if (list_length(draft_.pattern.kind) > 0 || draft_.pattern.kind == PatternKind::material_map) {
+        context_.fail(next.word_span,
+                      fmt::format("`texture_map` cannot be used with `{}`", name_of(context_, draft_.pattern.kind)));
+      }
+      map_ = read_texture_map(context_, next, entry_value(draft_.pattern.kind));
+    } else if (next.is_word(word::kw_no_bump_scale)) {
+      stream_.drop();  // the pattern scales no bumps; those of its textures say so themselves
+    } else if (!read_pattern_modifier(stream_, draft_)) {
+      static constexpr grammar::Symbol kItems[] = {word::kw_texture_map, word::kw_turbulence, word::kw_scale,
+                                                   word::kw_rotate, word::kw_translate};
+      refuse(stream_, kItems);
+    }
+  }
+
+  /// `tiles { texture {} tile2 texture {} }` of POV-Ray 1: a checker.
+  void read_tiles(const Element& block) {
+    ElementStream stream(context_, block);
+    scene::TextureMap list;
+    for (int i = 0; i < 2; ++i) {
+      if (i == 1) {
+        if (!stream.peek().is_word(word::kw_tile2)) fail_expected(stream, "`tile2`");
+        stream.drop();
+      }
+      list.push_back({static_cast<double>(i), read_list_texture(stream)});
+    }
+    expect_end(stream);
+    draft_.pattern.kind = PatternKind::checker;
+    map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
+  }
+
+  void read_material_map(const Element& block) {
+    ElementStream stream(context_, block);
+    scene::Image image = read_image_source(stream);
+    while (read_image_item(stream, image)) {
+    }
+    scene::TextureMap list;
+    do {
+      list.push_back({static_cast<double>(list.size()), read_list_texture(stream)});
+    } while (!stream.peek().is(ElementKind::end));
+    draft_.pattern.kind = PatternKind::material_map;
+    draft_.pattern.operands = add_image(context_, std::move(image));
+    map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
+  }
+
+  scene::TextureId read_list_texture(ElementStream& stream) {
+    if (!stream.peek().is_block(word::kw_texture)) fail_expected(stream, "a `texture`");
+    const Element block = stream.take();
+    return texture_id(context_, read_texture(context_, block, context_.default_texture));
+  }
+
+  Texture close_pattern() {
+    if (map_ == scene::kNoTextureMap) {
+      context_.fail(stream_.span(),
+                    fmt::format("`{}` in a texture needs a `texture_map`", name_of(context_, draft_.pattern.kind)));
+    }
+    context_.check_memory(stream_.span(), sizeof(TexturePattern));
+    return with_pattern(context_, {std::move(draft_.pattern), map_});
+  }
+
+  ElementStream& stream_;
+  Context& context_;
+  Texture texture_;
+  bool no_bump_scale_ = false;
+  PatternDraft draft_{{}, stream_.context().database.transforms.size()};
+  scene::TextureMapId map_ = scene::kNoTextureMap;
+};
 
 }  // namespace
 
-Pigment read_pigment(Context& context, const Element& block, const Pigment& base) {
-  ElementStream stream(context, block);
-  Pigment pigment = base;
-  if (stream.peek().is(ElementKind::value)) {
-    const Element first = stream.peek();
-    const Value value = stream.take_value();
-    if (value.kind() == ValueKind::pigment) {
-      pigment = value.as<PigmentValue>().pigment;
-    } else if (value.is_numeric() && first.node->kind != grammar::NodeKind::vector) {
-      pigment.colour = to_colour(read_colour_after(stream, value));
-    } else {
-      context.fail(first.span, fmt::format("expected a pigment or colour, found {}", describe(value)),
-                   value.is_numeric() ? "write `rgb` before it" : "");
-    }
-  }
-  while (!stream.peek().is(ElementKind::end)) {
-    const Element next = stream.peek();
-    if (next.is(ElementKind::word) && is_colour_word(next.word)) {
-      pigment.colour = read_colour(stream);
-    } else if (next.is_word(word::kw_quick_color) || next.is_word(word::kw_quick_colour)) {
-      stream.drop();
-      static_cast<void>(read_colour(stream));  // for `--quality` below what a plain pigment distinguishes
-    } else if (!read_transform(stream)) {      // a plain colour is the same everywhere
-      static constexpr grammar::Symbol kKnown[] = {word::kw_color, word::kw_rgb, word::kw_srgb, word::kw_transmit};
-      refuse(stream, kKnown);
-    }
-  }
-  return pigment;
-}
-
-Finish read_finish(Context& context, const Element& block, const Finish& base) {
-  ElementStream stream(context, block);
-  Value keep;
-  const auto* named = read_identifier<FinishValue>(stream, ValueKind::finish, keep);
-  Finish finish = named ? named->finish : base;
-  while (!stream.peek().is(ElementKind::end)) {
-    if (read_finish_item(stream, finish)) continue;
-    static constexpr grammar::Symbol kKnown[] = {word::kw_ambient,  word::kw_diffuse,    word::kw_brilliance,
-                                                 word::kw_phong,    word::kw_phong_size, word::kw_specular,
-                                                 word::kw_roughness};
-    refuse(stream, kKnown);
-  }
-  return finish;
-}
+Texture read_texture_body(ElementStream& stream, const Texture& base) { return TextureReader(stream, base).read(); }
 
 Texture read_texture(Context& context, const Element& block, const Texture& base) {
   ElementStream stream(context, block);
-  Value keep;
-  const auto* named = read_identifier<TextureValue>(stream, ValueKind::texture, keep);
-  Texture texture = named ? named->texture : base;
-  while (!stream.peek().is(ElementKind::end)) {
-    if (stream.peek().is_block(word::kw_pigment)) {
-      const Element pigment = stream.take();
-      texture.pigment = read_pigment(context, pigment, texture.pigment);
-    } else if (stream.peek().is_block(word::kw_finish)) {
-      const Element finish = stream.take();
-      texture.finish = read_finish(context, finish, texture.finish);
-    } else if (!read_transform(stream)) {
-      static constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_finish};
-      refuse(stream, kKnown);
-    }
-  }
-  return texture;
+  return read_texture_body(stream, base);
 }
 
-Texture layered(Context& context, const Texture& top, SourceSpan span) {
-  if (top.pigment.colour.filter != 0 || top.pigment.colour.transmit != 0)
-    context.unsupported(span, "a layered texture");
-  return top;
+Texture layered(Context& context, const Texture& below, const Texture& top, SourceSpan span) {
+  if (below.pattern != scene::kNoTexturePattern || top.pattern != scene::kNoTexturePattern) {
+    context.fail(span, "a texture that is chosen by a pattern cannot be a layer");
+  }
+  if (is_opaque(context, top)) return top;
+  return each_layer(
+      context, top, [](Texture& /*layer*/) {}, texture_id(context, below));
 }
 
-bool read_texture_modifier(ElementStream& stream, std::optional<Texture>& texture) {
-  const Element& next = stream.peek();
-  if (!next.is(ElementKind::block)) return false;
-  Context& context = stream.context();
-  const Texture& base = texture ? *texture : context.default_texture;
-  if (next.word == word::kw_texture) {
-    const Element block = stream.take();
-    const Texture top = read_texture(context, block, context.default_texture);
-    texture = texture ? layered(context, top, block.word_span) : top;
-    return true;
-  }
-  if (next.word == word::kw_pigment) {
-    const Element block = stream.take();
-    const Pigment pigment = read_pigment(context, block, base.pigment);
-    texture = Texture{pigment, base.finish};
-    return true;
-  }
-  if (next.word == word::kw_finish) {
-    const Element block = stream.take();
-    const Finish finish = read_finish(context, block, base.finish);
-    texture = Texture{base.pigment, finish};
-    return true;
-  }
-  return false;
+Texture uv_mapped(Context& context, const Texture& texture) {
+  return each_layer(context, texture, [&context](Texture& layer) {
+    layer.uv_mapping = 1;
+    if (layer.pattern == scene::kNoTexturePattern) return;
+    TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
+    record.pattern.uv_mapping = true;
+    layer.pattern = with_pattern(context, std::move(record)).pattern;
+  });
+}
+
+Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {
+  if (texture.is_plain() || transform == scene::Transform()) return texture;
+  return each_layer(context, texture, [&](Texture& layer) {
+    if (how == Move::with_object && layer.uv_mapping != 0) return;
+    layer.pigment = moved(context, layer.pigment, transform, how);
+    layer.normal = moved(context, layer.normal, transform, how);
+    if (layer.pattern == scene::kNoTexturePattern) return;
+    TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
+    if (how == Move::with_object && record.pattern.uv_mapping) return;
+    PatternDraft draft = draft_of(context, record.pattern);
+    move(context, draft, transform);
+    record.pattern = std::move(draft.pattern);
+    layer.pattern = with_pattern(context, std::move(record)).pattern;
+  });
 }
 
 scene::TextureId texture_id(Context& context, const Texture& texture) {
-  return scene::TextureId{context.texture_table.find_or_add(texture, context.database.textures)};
+  return share_record<scene::TextureId>(context, context.texture_table, context.database.textures, texture);
 }
 
 }  // namespace isl::interpreter

@@ -1,25 +1,33 @@
-// pigment, finish, texture: as blocks that make a value, and as modifiers of an object or a blob's component.
+// `texture { … }`: a pigment with a normal and a finish, or a choice of other textures; and layers of them.
 #pragma once
 
 #include "interpreter/element_stream.h"
-
-#include <optional>
+#include "interpreter/readers/pigment.h"
 
 namespace isl::interpreter {
 
-/// Each starts from `base`, or from the identifier that the block begins with.
-[[nodiscard]] scene::Pigment read_pigment(Context& context, const Element& block, const scene::Pigment& base);
-[[nodiscard]] scene::Finish read_finish(Context& context, const Element& block, const scene::Finish& base);
+/// Starts from `base`, or from the identifier that the block begins with.
 [[nodiscard]] scene::Texture read_texture(Context& context, const Element& block, const scene::Texture& base);
+/// The same up to the end of the stream: the entry of a map has no braces of its own.
+[[nodiscard]] scene::Texture read_texture_body(ElementStream& stream, const scene::Texture& base);
 
-/// A texture laid over another. Only an opaque one can be, since it hides what is below.
-[[nodiscard]] scene::Texture layered(Context& context, const scene::Texture& top, SourceSpan span);
+/// `top`, which may be layers itself, laid over `below`. Fails for textures that are chosen by a pattern.
+[[nodiscard]] scene::Texture layered(Context& context, const scene::Texture& below, const scene::Texture& top,
+                                     SourceSpan span);
 
-/// Reads one of the three blocks into `texture` if the next element is one. `texture` is empty as long as nothing was
-/// said; then the first block starts from the scene's default.
-[[nodiscard]] bool read_texture_modifier(ElementStream& stream, std::optional<scene::Texture>& texture);
+/// The texture with all that it is made of moved.
+[[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform,
+                                   Move how);
+
+/// The texture with every layer evaluated at (u, v) of the surface.
+[[nodiscard]] scene::Texture uv_mapped(Context& context, const scene::Texture& texture);
 
 /// The texture's number in the database; equal textures share one.
 [[nodiscard]] scene::TextureId texture_id(Context& context, const scene::Texture& texture);
+
+/// The finish as it was said.
+[[nodiscard]] inline scene::Finish finish_of(const Context& context, const scene::Texture& texture) {
+  return context.database.finish(texture.finish);
+}
 
 }  // namespace isl::interpreter

@@ -20,7 +20,10 @@ bool can_throw_shadow(const scene::Database& database, const scene::Object& obje
                      [&](const scene::Object& child) { return can_throw_shadow(database, child); });
 }
 
-bool has_highlight(const scene::Texture& texture) { return texture.finish.phong > 0 || texture.finish.specular > 0; }
+bool has_highlight(const scene::Database& database, const scene::Texture& texture) {
+  const scene::Finish finish = database.finish(texture.finish);
+  return finish.phong > 0 || finish.specular > 0;
+}
 
 /// Collects the verdicts, so that every effect is in exactly one of the plan's lists.
 class PlanBuilder {
@@ -61,8 +64,9 @@ bool plan_shadows(PlanBuilder& builder, const scene::Database& database, int qua
 
 bool plan_highlights(PlanBuilder& builder, const scene::Database& database, bool lighting) {
   if (!lighting) return builder.leave_out("highlights", "there is no lighting");
-  const bool shiny = has_highlight(database.default_texture) ||
-                     std::any_of(database.textures.begin(), database.textures.end(), has_highlight);
+  const bool shiny = has_highlight(database, database.default_texture) ||
+                     std::any_of(database.textures.begin(), database.textures.end(),
+                                 [&](const scene::Texture& texture) { return has_highlight(database, texture); });
   if (!shiny) return builder.leave_out("highlights", "no finish has phong or specular");
   for (const scene::Light& light : database.lights) {
     if (shines(light) && !light.shadowless) {

@@ -3,10 +3,13 @@
 // light.
 #pragma once
 
+#include "renderer/scene/atmosphere.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/fields.h"
 #include "renderer/scene/function.h"
 #include "renderer/scene/ids.h"
+#include "renderer/scene/image.h"
+#include "renderer/scene/interior.h"
 #include "renderer/scene/light.h"
 #include "renderer/scene/objects.h"
 #include "renderer/scene/settings.h"
@@ -23,12 +26,26 @@ struct Database {
   std::vector<Kernel> kernels;
   std::vector<Transform> transforms;
   std::vector<Texture> textures;
+  std::vector<Finish> finishes;
+  std::vector<PatternedPigment> pigments;
+  std::vector<PigmentMap> pigment_maps;
+  std::vector<Normal> normals;
+  std::vector<NormalMap> normal_maps;
+  std::vector<SlopeMap> slope_maps;
+  std::vector<TexturePattern> texture_patterns;
+  std::vector<TextureMap> texture_maps;
+  std::vector<Image> images;
+  std::vector<Interior> interiors;
   std::vector<Blob> blobs;
   std::vector<Solid> solids;
   std::vector<Group> groups;
   std::vector<Object> objects;  ///< what stands in the world
+  std::vector<Object> pattern_objects;  ///< whose insides `object` patterns ask for; nothing of the world
   std::vector<Light> lights;
   std::vector<FunctionPointer> functions;  ///< those that other records refer to
+  std::optional<SkySphere> sky_sphere;
+  std::vector<Fog> fogs;
+  std::vector<Rainbow> rainbows;
   std::optional<Camera> camera;
   Texture default_texture;
   Settings settings;
@@ -36,6 +53,7 @@ struct Database {
   [[nodiscard]] const Texture& texture(TextureId id) const {
     return id == kNoTexture ? default_texture : textures[index(id)];
   }
+  [[nodiscard]] Finish finish(FinishId id) const { return id == kDefaultFinish ? Finish{} : finishes[index(id)]; }
 };
 
 }  // namespace isl::scene

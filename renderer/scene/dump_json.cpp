@@ -1,5 +1,7 @@
 #include "renderer/scene/dump_json.h"
 
+#include "renderer/scene/json_atmosphere.h"
+#include "renderer/scene/json_pattern.h"
 #include "renderer/scene/json_texture.h"
 #include "renderer/scene/json_values.h"
 
@@ -29,17 +31,39 @@ class Writer {
     Json json = {{"settings", settings()}};
     if (database_.camera) json["camera"] = camera(*database_.camera);
     add(json, "kernels", database_.kernels, kernel);
-    add(json, "textures", database_.textures, [](const Texture& t) { return texture_json(t); });
+    add(json, "textures", database_.textures,
+        [this](const Texture& t) { return texture_json(t, database_.finish(t.finish)); });
+    add(json, "texture_patterns", database_.texture_patterns, texture_pattern_json);
+    add(json, "texture_maps", database_.texture_maps, texture_map_json);
+    add(json, "pigments", database_.pigments, pigment_json);
+    add(json, "pigment_maps", database_.pigment_maps, pigment_map_json);
+    add(json, "normals", database_.normals, normal_json);
+    add(json, "normal_maps", database_.normal_maps, normal_map_json);
+    add(json, "slope_maps", database_.slope_maps, slope_map_json);
+    add(json, "images", database_.images, image_json);
+    add(json, "interiors", database_.interiors, interior_json);
     add(json, "transforms", database_.transforms, transform);
     add(json, "blobs", database_.blobs, [this](const Blob& b) { return blob(b); });
     add(json, "solids", database_.solids, solid);
     add(json, "groups", database_.groups, [this](const Group& g) { return Json{{"children", objects(g.children)}}; });
+    if (!database_.pattern_objects.empty()) json["pattern_objects"] = objects(database_.pattern_objects);
     if (!database_.objects.empty()) json["objects"] = objects(database_.objects);
     add(json, "lights", database_.lights, [this](const Light& l) { return light(l); });
+    add_atmosphere(json);
     return json;
   }
 
  private:
+  void add_atmosphere(Json& json) const {
+    const auto with_origin = [this](Json record, OriginId origin) {
+      add_origin(record, origin);
+      return record;
+    };
+    if (const auto& sky = database_.sky_sphere) json["sky_sphere"] = with_origin(sky_sphere_json(*sky), sky->origin);
+    add(json, "fogs", database_.fogs, [&](const Fog& f) { return with_origin(fog_json(f), f.origin); });
+    add(json, "rainbows", database_.rainbows, [&](const Rainbow& r) { return with_origin(rainbow_json(r), r.origin); });
+  }
+
   template <class Record, class Convert>
   static void add(Json& json, std::string_view key, const std::vector<Record>& records, Convert convert) {
     if (records.empty()) return;
@@ -110,6 +134,8 @@ class Writer {
     for (const Object& object : list) {
       Json entry = {{name(kObjectKinds, object.kind), object.shape}};
       if (object.texture != kNoTexture) entry["texture"] = index(object.texture);
+      if (object.interior_texture != kNoTexture) entry["interior_texture"] = index(object.interior_texture);
+      if (object.interior != kNoInterior) entry["interior"] = index(object.interior);
       if (object.no_shadow) entry["no_shadow"] = true;
       if (object.parent_from_object != Transform()) entry["transform"] = transform(object.parent_from_object);
       add_origin(entry, object.origin);

@@ -1,12 +1,24 @@
-// A texture in the dump of the database. Internal to renderer/scene.
+// Textures, what they are made of, and interiors in the dump of the database. Internal to renderer/scene.
 #pragma once
 
-#include "renderer/scene/texture.h"
+#include "renderer/scene/database.h"
 
 #include <nlohmann/json.hpp>
 
 namespace isl::scene {
 
-[[nodiscard]] nlohmann::ordered_json texture_json(const Texture& texture);
+/// With its finish, which has no number in the dump.
+[[nodiscard]] nlohmann::ordered_json texture_json(const Texture& texture, const Finish& finish);
+[[nodiscard]] nlohmann::ordered_json pigment_json(const PatternedPigment& pigment);
+[[nodiscard]] nlohmann::ordered_json pigment_map_json(const PigmentMap& map);
+[[nodiscard]] nlohmann::ordered_json normal_json(const Normal& normal);
+[[nodiscard]] nlohmann::ordered_json normal_map_json(const NormalMap& map);
+[[nodiscard]] nlohmann::ordered_json slope_map_json(const SlopeMap& map);
+[[nodiscard]] nlohmann::ordered_json texture_pattern_json(const TexturePattern& pattern);
+[[nodiscard]] nlohmann::ordered_json texture_map_json(const TextureMap& map);
+[[nodiscard]] nlohmann::ordered_json interior_json(const Interior& interior);
+
+/// A colour, or {"pigment": its number}.
+[[nodiscard]] nlohmann::ordered_json pigment_reference(const Pigment& pigment);
 
 }  // namespace isl::scene

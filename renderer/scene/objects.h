@@ -18,6 +18,8 @@ struct Object {
   std::uint32_t shape = kNone;     ///< index into solids, blobs or groups
   Transform parent_from_object{};  ///< into the group that holds it, or the world
   TextureId texture = kNoTexture;  ///< kNoTexture: the group's, in the end the scene's default
+  TextureId interior_texture = kNoTexture;  ///< of the inside of the surface; kNoTexture: `texture`
+  InteriorId interior = kNoInterior;        ///< kNoInterior: the group's, in the end none
   OriginId origin{};
 };
 

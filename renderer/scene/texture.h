@@ -1,28 +1,48 @@
-// What surfaces look like.
+// What surfaces look like: the record that objects and components refer to.
+//
+// A texture lives in the space of the object that names it, before that object's transform: so what is moved after it
+// was given takes it along and no record changes. A texture given after a transform is moved back by it when it is
+// read. The texture of a blob's component lives in the blob's space. A plain colour is the same everywhere, and none of
+// this concerns it.
 #pragma once
 
-#include "renderer/scene/colour.h"
+#include "renderer/scene/finish.h"
+#include "renderer/scene/ids.h"
+#include "renderer/scene/normal.h"
+#include "renderer/scene/pigment.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace isl::scene {
 
-struct Pigment {
-  Colour colour{};  ///< POV-Ray's default pigment is black
-};
-
-/// POV-Ray 3.7's defaults.
-struct Finish {
-  Colour ambient{0.1, 0.1, 0.1};
-  double diffuse = 0.6;
-  double brilliance = 1;
-  double phong = 0;
-  double phong_size = 40;
-  double specular = 0;
-  double roughness = 0.05;
-};
-
+/// Either a pigment with a normal and a finish, or (`pattern`) a choice of other textures. Equal ones share a record:
+/// comparable byte by byte.
 struct Texture {
-  Pigment pigment;
-  Finish finish;
+  Pigment pigment{};
+  NormalId normal = kNoNormal;
+  FinishId finish = kDefaultFinish;              ///< kDefaultFinish: Finish{}
+  TexturePatternId pattern = kNoTexturePattern;  ///< else pigment, normal and finish say nothing
+  TextureId below = kNoTexture;                  ///< the layer under this one
+  std::uint32_t uv_mapping = 0;                  ///< 1: pigment and normal are evaluated at (u, v, 0) of the surface
+  std::uint32_t unused = 0;
+
+  /// The same at every point of a surface, but for what the light does.
+  [[nodiscard]] bool is_plain() const {
+    return pigment.is_plain() && normal == kNoNormal && pattern == kNoTexturePattern && below == kNoTexture;
+  }
+};
+
+struct TextureEntry {
+  double value = 0;  ///< as PigmentEntry's; of a material_map the index
+  TextureId texture = kNoTexture;
+};
+using TextureMap = std::vector<TextureEntry>;
+
+/// A texture that is chosen from others by a pattern.
+struct TexturePattern {
+  Pattern pattern{};
+  TextureMapId map = kNoTextureMap;
 };
 
 }  // namespace isl::scene

@@ -2,8 +2,7 @@
 
 namespace isl::render {
 
-Material material_of(const scene::Texture& texture, const scene::Colour& ambient_light) {
-  const scene::Finish& finish = texture.finish;
+Material material_of(const scene::Texture& texture, const scene::Finish& finish, const scene::Colour& ambient_light) {
   Material material;
   material.pigment = rgb(texture.pigment.colour);
   material.ambient = material.pigment * rgb(finish.ambient) * rgb(ambient_light);
@@ -18,10 +17,11 @@ Material material_of(const scene::Texture& texture, const scene::Colour& ambient
 
 MaterialTable::MaterialTable(const scene::Database& database) {
   materials_.reserve(database.textures.size() + 1);
-  for (const scene::Texture& texture : database.textures) {
-    materials_.push_back(material_of(texture, database.settings.ambient_light));
-  }
-  materials_.push_back(material_of(database.default_texture, database.settings.ambient_light));
+  const auto add = [&](const scene::Texture& texture) {
+    materials_.push_back(material_of(texture, database.finish(texture.finish), database.settings.ambient_light));
+  };
+  for (const scene::Texture& texture : database.textures) add(texture);
+  add(database.default_texture);
 }
 
 }  // namespace isl::render

@@ -29,7 +29,8 @@ struct Material {
   [[nodiscard]] bool has_highlight() const { return phong > 0 || specular > 0; }
 };
 
-[[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Colour& ambient_light);
+[[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Finish& finish,
+                                   const scene::Colour& ambient_light);
 
 /// The materials of a database, by texture. Immutable.
 class MaterialTable {

@@ -85,6 +85,19 @@ TEST(Limits, MemoryOfWhatWasGivenUpIsFreeAgain) {
             "");
 }
 
+TEST(Limits, RecordsOfTexturesCount) {
+  EvaluateOptions options;
+  options.limits.max_memory_bytes = 1'000'000;
+  for (const std::string_view body :
+       {"#declare P = pigment { checker }", "#declare N = normal { bumps }", "#declare M = color_map { [0 rgb 1] }",
+        "#declare M = pigment_map { [0 checker] }", "#declare S = slope_map { [0 <0, 1>] }",
+        "#declare T = texture { bozo texture_map { [0 pigment { rgb 1 }] } }",
+        "#declare P = pigment { image_map { png \"a.png\" } }"}) {
+    EXPECT_THAT(hint(EvaluatedText(fmt::format("#while (1) {} #end", body), options)), HasSubstr("--max-memory"))
+        << body;
+  }
+}
+
 TEST(Limits, AnInterruptEndsALoop) {
   const std::atomic<bool> stop = true;
   EvaluateOptions options;

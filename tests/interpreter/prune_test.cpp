@@ -1,4 +1,5 @@
 #include "interpreter/prune.h"
+#include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ Object object(Object::Kind kind, std::uint32_t shape, scene::TextureId texture =
 TEST(Prune, KeepsWhatGroupsOfGroupsReachAndRenumbersIt) {
   Database database;
   for (int i = 0; i < 4; ++i) database.solids.push_back({.radius_a = i + 1.0});
-  for (int i = 0; i < 3; ++i) database.textures.push_back({.pigment = {{i + 1.0}}, .finish = {}});
+  for (int i = 0; i < 3; ++i) database.textures.push_back(test::plain_texture(database, {i + 1.0}, {}));
   database.groups.resize(3);
   database.groups[0].children = {object(Object::Kind::solid, 3, scene::TextureId{2})};
   database.groups[1].children = {object(Object::Kind::solid, 0)};  // nobody's
@@ -57,6 +58,66 @@ TEST(Prune, RenumbersWhatComponentsReferTo) {
   EXPECT_EQ(database.kernels.at(scene::index(kept.kernel)).hardness, 7);
   EXPECT_EQ(database.transforms.at(scene::index(kept.transform)).matrix[3][0], 5);
   EXPECT_EQ(scene::index(kept.texture), 0u);
+}
+
+TEST(Prune, FollowsTexturesThroughMapsPatternsAndLayers) {
+  Database database;
+  database.solids.resize(3);
+  database.solids[2].radius_a = 7;
+  database.finishes.resize(2);
+  database.finishes[1].phong = 5;
+  database.transforms.resize(2);
+  database.transforms[1].matrix[3][0] = 5;
+  database.images.resize(2);
+  database.images[1].file = "kept";
+  // 0 is nobody's in every column; the others are a chain that ends in the solid.
+  database.textures.resize(4);
+  database.textures[1].pigment.pattern = scene::PigmentId{1};
+  database.textures[2].below = scene::TextureId{1};
+  database.textures[2].normal = scene::NormalId{1};
+  database.textures[2].finish = scene::FinishId{1};
+  database.textures[3].pattern = scene::TexturePatternId{1};
+  database.texture_patterns.resize(2);
+  database.texture_patterns[1].pattern.operands = scene::ImageId{1};
+  database.texture_patterns[1].map = scene::TextureMapId{1};
+  database.texture_maps = {{{0, scene::TextureId{0}}}, {{0, scene::TextureId{2}}}};
+  database.pigments.resize(3);
+  database.pigments[1].pattern.operands = scene::PigmentOperands{scene::PigmentId{2}};
+  database.pigments[1].map = scene::PigmentMapId{1};
+  database.pigments[2].pattern.operands = scene::ObjectOperands{1};
+  database.pigments[2].pattern.warps = {scene::TransformId{1}};
+  database.pigment_maps.resize(2);
+  database.pigment_maps[1] = {{0.5, {}}};
+  database.normals.resize(2);
+  database.normals[1].slope_map = scene::SlopeMapId{1};
+  database.slope_maps.resize(2);
+  database.slope_maps[1] = {{0, 0, 3}};
+  database.pattern_objects = {object(Object::Kind::solid, 0), object(Object::Kind::solid, 2)};
+  database.interiors.resize(2);
+  database.interiors[1].ior = 3;
+  database.objects = {object(Object::Kind::solid, 1, scene::TextureId{3})};
+  database.objects[0].interior = scene::InteriorId{1};
+  prune(database);
+
+  EXPECT_EQ(database.interiors.at(scene::index(database.objects[0].interior)).ior, 3);
+  const scene::Texture& top = database.texture(database.objects[0].texture);
+  const scene::TexturePattern& chosen = database.texture_patterns.at(scene::index(top.pattern));
+  EXPECT_EQ(database.images.at(scene::index(std::get<scene::ImageId>(chosen.pattern.operands))).file, "kept");
+  const scene::Texture& layer = database.texture(database.texture_maps.at(scene::index(chosen.map))[0].texture);
+  EXPECT_EQ(database.finish(layer.finish).phong, 5);
+  const scene::Normal& normal = database.normals.at(scene::index(layer.normal));
+  EXPECT_EQ(database.slope_maps.at(scene::index(normal.slope_map))[0].slope, 3);
+  const scene::PatternedPigment& pigment =
+      database.pigments.at(scene::index(database.texture(layer.below).pigment.pattern));
+  EXPECT_EQ(database.pigment_maps.at(scene::index(pigment.map))[0].value, 0.5);
+  const auto inner = std::get<scene::PigmentOperands>(pigment.pattern.operands).pigment;
+  const scene::Pattern& pattern = database.pigments.at(scene::index(inner)).pattern;
+  EXPECT_EQ(database.transforms.at(scene::index(std::get<scene::TransformId>(pattern.warps[0]))).matrix[3][0], 5);
+  const std::uint32_t asked = std::get<scene::ObjectOperands>(pattern.operands).object;
+  EXPECT_EQ(database.solids.at(database.pattern_objects.at(asked).shape).radius_a, 7);
+  EXPECT_EQ(database.solids.size(), 2u);
+  EXPECT_EQ(database.textures.size(), 3u);
+  EXPECT_EQ(database.pigments.size(), 2u);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "tests/support/sphereflake.h"
+#include "tests/support/textures.h"
 
 #include <array>
 #include <cmath>
@@ -56,7 +57,7 @@ scene::Database sphereflake(int levels, const scene::Kernel& kernel) {
   database.kernels.push_back(kernel);
   for (int level = 0; level <= levels; ++level) {
     const double light = 1 - std::pow(0.7, level + 1);
-    database.textures.push_back({.pigment = {{light, light, 1}}, .finish = {}});
+    database.textures.push_back(plain_texture(database, {light, light, 1}, {}));
   }
   scene::Blob& blob = database.blobs.emplace_back();
   grow(blob, child_directions(), Vec3(0), 0.5, Vec3(0, 0, 1), 0, levels);

@@ -1,5 +1,6 @@
 // The plan holds what a scene calls for and nothing else.
 #include "renderer/effects/plan.h"
+#include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
 
@@ -45,7 +46,7 @@ TEST(Plan, without_light_is_empty) {
 TEST(Plan, with_shadowless_lights_only_has_neither_shadows_nor_highlights) {
   scene::Database database = small_scene();
   database.lights[0].shadowless = true;
-  database.default_texture.finish.phong = 1;
+  database.default_texture = isl::test::plain_texture(database, {}, {.phong = 1});
   const Plan plan = plan_of(database);
   EXPECT_TRUE(plan.lighting);
   EXPECT_FALSE(plan.shadows || plan.highlights);
@@ -53,8 +54,7 @@ TEST(Plan, with_shadowless_lights_only_has_neither_shadows_nor_highlights) {
 
 TEST(Plan, with_shiny_textures_has_highlights) {
   scene::Database database = small_scene();
-  database.textures.emplace_back();
-  database.textures[0].finish.specular = 0.1;
+  database.textures.push_back(isl::test::plain_texture(database, {}, {.specular = 0.1}));
   EXPECT_TRUE(plan_of(database).highlights);
 }
 

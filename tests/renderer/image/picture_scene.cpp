@@ -1,4 +1,5 @@
 #include "tests/renderer/image/picture_scene.h"
+#include "tests/support/textures.h"
 
 #include <numbers>
 
@@ -34,7 +35,7 @@ Transform translation(const Vec3& offset) {
 scene::Colour grey(double value) { return {value, value, value}; }
 
 scene::TextureId add_texture(scene::Database& database, const scene::Colour& pigment, const Finish& finish) {
-  database.textures.push_back({{pigment}, finish});
+  database.textures.push_back(isl::test::plain_texture(database, pigment, finish));
   return scene::TextureId(static_cast<std::uint32_t>(database.textures.size() - 1));
 }
 

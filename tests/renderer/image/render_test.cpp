@@ -1,6 +1,7 @@
 // Whole pictures: against closed forms, and against themselves made in other ways.
 #include "renderer/render.h"
 #include "tests/renderer/image/picture_scene.h"
+#include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -183,8 +184,7 @@ TEST(Render, quality_takes_away_shadows_then_light) {
   // The light stands behind an occluder that the camera does not see.
   scene::Database database = lit_sphere({0, 0, -20}, 0.5);
   add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, {}, 2, 0}, {1, 1, 1}, {});
-  database.textures[0].finish.ambient = {0.1, 0.1, 0.1};
-  database.textures[0].pigment.colour = {0.8, 0.8, 0.8};
+  database.textures[0] = isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}});
   RenderOptions options = small(3, 3);
   options.samples = 1;
   const auto middle = [&](int quality) {

@@ -6,6 +6,7 @@
 //     roughness .1 } } sphere { 1.2*y - .2*z, 1, -.7  pigment { rgb <.1, .9, .2> } finish { ambient .1 diffuse .6 } } }
 // seen from −5 z, light_source { <2, 3, -5> rgb <.5, .7, .9> }, in linear 16 bits.
 #include "renderer/shading/lighting.h"
+#include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -50,10 +51,12 @@ double surface_on_axis() {
 TEST(BlendedMaterial, is_the_mean_of_finished_colours) {
   scene::Database database;
   database.textures = {
-      {{{0.9, 0.1, 0.1}}, {.ambient = {0.2, 0.2, 0.2}, .diffuse = 0.8, .phong = 0.5, .phong_size = 5}},
-      {{{0.1, 0.2, 0.9}},
-       {.ambient = {0.05, 0.05, 0.05}, .diffuse = 0.3, .brilliance = 2, .specular = 0.5, .roughness = 0.1}},
-      {{{0.1, 0.9, 0.2}}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.6}}};
+      isl::test::plain_texture(database, {0.9, 0.1, 0.1},
+                    {.ambient = {0.2, 0.2, 0.2}, .diffuse = 0.8, .phong = 0.5, .phong_size = 5}),
+      isl::test::plain_texture(
+          database, {0.1, 0.2, 0.9},
+          {.ambient = {0.05, 0.05, 0.05}, .diffuse = 0.3, .brilliance = 2, .specular = 0.5, .roughness = 0.1}),
+      isl::test::plain_texture(database, {0.1, 0.9, 0.2}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.6})};
   scene::Light light;
   light.location = {2, 3, -5};
   light.colour = {0.5, 0.7, 0.9};

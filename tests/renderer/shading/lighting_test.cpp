@@ -2,6 +2,7 @@
 // 0.6, 0.8>, light colour rgb <0.5, 0.7, 0.9>, ambient 0; assumed_gamma 1, File_Gamma=1.0, 16 bits, rounded to 5
 // digits.
 #include "renderer/shading/lighting.h"
+#include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ constexpr double kPovrayDigits = 2.5e-5;
 class Plane {
  public:
   explicit Plane(const scene::Finish& finish) {
-    database_.textures.push_back({{{0.4, 0.6, 0.8}}, finish});
+    database_.textures.push_back(isl::test::plain_texture(database_, {0.4, 0.6, 0.8}, finish));
     light_.colour = {0.5, 0.7, 0.9};
   }
 
@@ -108,7 +109,7 @@ TEST(Lighting, a_light_at_the_point_itself_gives_nothing) {
 TEST(Lighting, ambient_is_the_finishs_times_the_scenes_times_the_pigment) {
   scene::Database database;
   database.settings.ambient_light = {0.5, 1, 2};
-  database.default_texture = {{{0.4, 0.6, 0.8}}, {.ambient = {0.1, 0.2, 0.3}}};
+  database.default_texture = isl::test::plain_texture(database, {0.4, 0.6, 0.8}, {.ambient = {0.1, 0.2, 0.3}});
   const std::vector<TextureShare> shares{{scene::kNoTexture, 1}};
   const Rgb colour = ambient_colour(MaterialTable(database), {{}, {0, 0, -1}, {0, 0, 1}, shares});
   expect_colour(colour, 0.02, 0.12, 0.48);

@@ -1,0 +1,14 @@
+// `finish { … }`: how a surface answers light.
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+namespace isl::interpreter {
+
+/// Starts from `base`, or from the identifier that the block begins with.
+[[nodiscard]] scene::Finish read_finish(Context& context, const Element& block, const scene::Finish& base);
+
+/// The finish's number in the database; equal finishes share one, and POV-Ray's default is kDefaultFinish.
+[[nodiscard]] scene::FinishId finish_id(Context& context, const scene::Finish& finish);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,28 @@
+// Maps and lists: what a pattern chooses from. `color_map { [0 rgb 1] [1 rgb 0] }` and its kin, and the items of block
+// patterns (`checker A, B`).
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+namespace isl::interpreter {
+
+/// Whether each entry must begin with its value: only the weights of an `average` may be missing, and are 1 then.
+enum class EntryValue { needed, optional };
+[[nodiscard]] constexpr EntryValue entry_value(scene::PatternKind kind) {
+  return kind == scene::PatternKind::average ? EntryValue::optional : EntryValue::needed;
+}
+
+// Each reads a whole block: entries, or the identifier of a map of its kind.
+[[nodiscard]] scene::PigmentMapId read_colour_map(Context& context, const Element& block);
+[[nodiscard]] scene::PigmentMapId read_pigment_map(Context& context, const Element& block, EntryValue value);
+[[nodiscard]] scene::NormalMapId read_normal_map(Context& context, const Element& block, EntryValue value);
+[[nodiscard]] scene::SlopeMapId read_slope_map(Context& context, const Element& block);
+[[nodiscard]] scene::TextureMapId read_texture_map(Context& context, const Element& block, EntryValue value);
+
+// Each reads the items that follow a block pattern's word, at most `count`; what is missing is POV-Ray's default. None
+// for normals where there is no item.
+[[nodiscard]] scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind kind, int count);
+[[nodiscard]] scene::NormalMapId read_normal_list(ElementStream& stream, int count);
+[[nodiscard]] scene::TextureMapId read_texture_list(ElementStream& stream, int count);
+
+}  // namespace isl::interpreter

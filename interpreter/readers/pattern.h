@@ -1,0 +1,45 @@
+// Patterns as pigments, normals and textures hold them: the table of their words, and the modifiers that every pattern
+// takes. Knows nothing of what a pattern chooses from: the host reads its maps and lists.
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+#include <functional>
+
+namespace isl::interpreter {
+
+/// What holds the pattern: it decides which patterns may stand there and what follows them.
+enum class PatternHost { pigment, normal, texture };
+
+/// A pattern while its block is read.
+struct PatternDraft {
+  scene::Pattern pattern;
+  /// Transforms of the database from here on that `pattern.warps` ends with are this draft's own and may be changed.
+  std::size_t first_own_transform = 0;
+};
+
+/// A draft that starts from `pattern`.
+[[nodiscard]] PatternDraft draft_of(Context& context, const scene::Pattern& pattern);
+
+/// Reads the list of items that belongs to a block pattern (`checker A, B`), at most `count`.
+using ReadList = std::function<void(ElementStream& stream, scene::PatternKind kind, int count)>;
+
+/// Whether the next thing is a pattern's word or block.
+[[nodiscard]] bool starts_pattern(const Element& element);
+
+/// Reads a pattern's word or block with its operands into the draft, if the next element is one.
+[[nodiscard]] bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host,
+                                const ReadList& read_list);
+
+/// How many items a block pattern chooses from (checker 2, hexagon 3 …); 0 for a pattern that takes a map.
+[[nodiscard]] int list_length(scene::PatternKind kind);
+/// What the language calls the pattern.
+[[nodiscard]] std::string_view name_of(Context& context, scene::PatternKind kind);
+
+/// Reads a transform, warp, wave, turbulence or other modifier of any pattern, if the next element is one.
+[[nodiscard]] bool read_pattern_modifier(ElementStream& stream, PatternDraft& draft);
+
+/// Moves the pattern; what is evaluated at (u, v) of the surface stays.
+void move(Context& context, PatternDraft& draft, const scene::Transform& transform);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,22 @@
+// `pigment { … }`: a colour, or a pattern that chooses colours from a map or list.
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+namespace isl::interpreter {
+
+/// Starts from `base`, or from the identifier that the block begins with.
+[[nodiscard]] scene::Pigment read_pigment(Context& context, const Element& block, const scene::Pigment& base);
+/// The same up to the end of the stream: the entry of a map has no braces of its own.
+[[nodiscard]] scene::Pigment read_pigment_body(ElementStream& stream, const scene::Pigment& base);
+
+/// The pigment as a record of the database, whatever it is.
+[[nodiscard]] scene::PigmentId patterned_pigment(Context& context, const scene::Pigment& pigment);
+
+/// How something is moved. `with_object`: what is evaluated at (u, v) of the surface stays where it is.
+enum class Move { itself, with_object };
+
+[[nodiscard]] scene::Pigment moved(Context& context, const scene::Pigment& pigment, const scene::Transform& transform,
+                                   Move how);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,13 @@
+// `warp { … }` and the words of turbulence, which stand in warps, patterns and fogs.
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+namespace isl::interpreter {
+
+[[nodiscard]] scene::Warp read_warp(Context& context, const Element& block);
+
+/// Reads `turbulence`, `octaves`, `omega` or `lambda` if the next element is one.
+[[nodiscard]] bool read_turbulence_item(ElementStream& stream, scene::Turbulence& turbulence);
+
+}  // namespace isl::interpreter

@@ -1,0 +1,44 @@
+// Finds equal records of a column, so that a thousand spheres of one colour share one texture.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string_view>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+
+namespace isl::interpreter {
+
+/// Record: a plain struct without padding (what is compared is its bytes).
+template <class Record>
+class RecordTable {
+ public:
+  /// The index in `records` of one that is bitwise equal; appended if there is none.
+  [[nodiscard]] std::uint32_t find_or_add(const Record& record, std::vector<Record>& records) {
+    // Neighbours in a scene mostly share theirs.
+    if (last_ < records.size() && is_same(records[last_], record)) return last_;
+    const auto next = static_cast<std::uint32_t>(records.size());
+    const std::size_t hash = std::hash<std::string_view>()(bytes(record));
+    const auto [first, end] = by_hash_.equal_range(hash);
+    for (auto it = first; it != end; ++it) {
+      if (is_same(records[it->second], record)) return last_ = it->second;
+    }
+    by_hash_.emplace(hash, next);
+    records.push_back(record);
+    return last_ = next;
+  }
+
+ private:
+  static_assert(std::is_trivially_copyable_v<Record> && sizeof(Record) % sizeof(double) == 0);
+  [[nodiscard]] static std::string_view bytes(const Record& record) {
+    return {reinterpret_cast<const char*>(&record), sizeof(record)};
+  }
+  [[nodiscard]] static bool is_same(const Record& a, const Record& b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+
+  std::unordered_multimap<std::size_t, std::uint32_t> by_hash_;
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace isl::interpreter

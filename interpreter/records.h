@@ -1,0 +1,38 @@
+// Appends records to the database and counts them against the scene's limit of memory: they stay until the end,
+// whatever becomes of the values that named them.
+#pragma once
+
+#include "interpreter/context.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace isl::interpreter {
+
+/// The number of the record. Whoever reads a block calls Context::check_memory for what its records take.
+template <class Id, class Record>
+[[nodiscard]] Id add_record(Context& context, std::vector<Record>& column, Record record) {
+  context.memory.bytes += sizeof(Record);
+  column.push_back(std::move(record));
+  return Id{static_cast<std::uint32_t>(column.size() - 1)};
+}
+
+/// The same for a map, a record of entries.
+template <class Id, class Entry>
+[[nodiscard]] Id add_map(Context& context, std::vector<std::vector<Entry>>& column, std::vector<Entry> map) {
+  context.memory.bytes += map.size() * sizeof(Entry);
+  return add_record<Id>(context, column, std::move(map));
+}
+
+/// The number of an equal record, new if there is none.
+template <class Id, class Record>
+[[nodiscard]] Id share_record(Context& context, RecordTable<Record>& table, std::vector<Record>& column,
+                              const Record& record) {
+  const std::size_t size = column.size();
+  const std::uint32_t i = table.find_or_add(record, column);
+  if (column.size() > size) context.memory.bytes += sizeof(Record);
+  return Id{i};
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,48 @@
+// What is seen where nothing stands, and what lies between: sky, fog, rainbow.
+#pragma once
+
+#include "base/source_span.h"
+#include "renderer/scene/colour.h"
+#include "renderer/scene/pigment.h"
+#include "renderer/scene/warp.h"
+
+#include <vector>
+
+namespace isl::scene {
+
+/// Pigments evaluated at the ray's direction, the first at the bottom.
+struct SkySphere {
+  std::vector<Pigment> pigments;
+  Colour emission{1, 1, 1};
+  TransformId world_from_sky = kIdentity;
+  OriginId origin{};
+};
+
+struct Fog {
+  enum class Kind : std::uint8_t { constant, ground };
+  Kind kind = Kind::constant;
+  Colour colour{};
+  double distance = 0;  ///< at which 1/e of what is behind is left; 0: no fog
+  Turbulence turbulence;
+  double turbulence_depth = 0.5;
+  double offset = 0;    ///< ground: below this height the fog is constant
+  double altitude = 0;  ///< ground: how fast it thins out above
+  Vec3 up{0, 1, 0};     ///< of unit length
+  OriginId origin{};
+};
+
+/// Angles in radians.
+struct Rainbow {
+  Vec3 direction{0};  ///< of the light, of unit length
+  Vec3 up{0, 1, 0};   ///< of unit length, at a right angle to the direction
+  double angle = 0;
+  double width = 0;
+  double distance = 0;
+  double jitter = 0;
+  double arc_angle = 0;
+  double falloff_angle = 0;
+  PigmentMapId colours = kNoPigmentMap;  ///< from the innermost ring to the outermost
+  OriginId origin{};
+};
+
+}  // namespace isl::scene

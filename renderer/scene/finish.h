@@ -1,0 +1,47 @@
+// How a surface answers light.
+#pragma once
+
+#include "renderer/scene/colour.h"
+
+#include <cstdint>
+
+namespace isl::scene {
+
+/// Reflection of other things: from `minimum` seen head-on to `maximum` at grazing angles.
+struct Reflection {
+  Colour minimum{}, maximum{};
+  double falloff = 1;
+  double exponent = 1;  ///< of what is reflected
+  double metallic = 0;
+};
+
+/// POV-Ray 3.7's defaults. Comparable byte by byte.
+struct Finish {
+  Colour ambient{0.1, 0.1, 0.1};
+  Colour emission{};
+  double diffuse = 0.6;
+  double diffuse_back = 0;  ///< of light from behind
+  double brilliance = 1;
+  double phong = 0;
+  double phong_size = 40;
+  double specular = 0;
+  double roughness = 0.05;
+  double metallic = 0;  ///< how far highlights take the pigment's colour
+  Reflection reflection{};
+  double irid = 0;
+  double irid_thickness = 0;
+  double irid_turbulence = 0;
+  double crand = 0;
+  double old_ior = 0;  ///< POV-Ray 3.0's place for it: goes to the interior of an object that has none; 0: not said
+  double old_caustics = 0;
+  // A whole word of flags, so that there is no padding.
+  bool diffuse_albedo = false;  ///< the number is the total reflected, not the peak
+  bool phong_albedo = false;
+  bool specular_albedo = false;
+  bool fresnel = false;  ///< reflection by the interior's ior
+  bool conserve_energy = false;
+  bool use_alpha = false;  ///< highlights and reflections are as transparent as the pigment
+  bool unused[2] = {};
+};
+
+}  // namespace isl::scene

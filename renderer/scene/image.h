@@ -1,0 +1,43 @@
+// A picture that a scene names: for image_map, bump_map, image_pattern and material_map. Only its name is known here;
+// the renderer opens it.
+#pragma once
+
+#include "renderer/scene/ids.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isl::scene {
+
+/// The word before the file's name; `unnamed` where there is none: the extension says it.
+enum class ImageType : std::uint8_t { unnamed, exr, gif, hdr, iff, jpeg, pgm, png, pot, ppm, sys, tga, tiff, function };
+
+/// What of a pixel is used. `automatic`: the palette's index where there is a palette and the map is one of bumps or
+/// materials, else the colour.
+enum class ImageChannel : std::uint8_t { automatic, index, colour, alpha };
+
+/// Transparency of one colour of the palette.
+struct PaletteTransparency {
+  int index = 0;
+  double amount = 0;
+};
+
+struct Image {
+  ImageType type = ImageType::unnamed;
+  std::string file;                   ///< as written; where to look for it is the business of whoever opens it
+  FunctionId function = kNoFunction;  ///< type function: sampled over the unit square, width × height
+  int width = 0, height = 0;
+  int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
+  int interpolate = 0;  ///< POV-Ray's: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance
+  bool once = false;
+  ImageChannel channel = ImageChannel::automatic;
+  std::optional<double> gamma;  ///< of the file; none: what the file says
+  bool gamma_srgb = false;      ///< the file has the sRGB curve
+  std::optional<bool> premultiplied;
+  std::optional<double> filter_all, transmit_all;
+  std::vector<PaletteTransparency> filters, transmits;
+};
+
+}  // namespace isl::scene

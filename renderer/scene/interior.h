@@ -1,0 +1,19 @@
+// What fills an object that one can look into.
+#pragma once
+
+#include "renderer/scene/colour.h"
+
+namespace isl::scene {
+
+/// POV-Ray's defaults. Comparable byte by byte.
+struct Interior {
+  double ior = 1;
+  double caustics = 0;
+  double dispersion = 1;
+  double dispersion_samples = 7;
+  double fade_distance = 0;
+  double fade_power = 0;
+  Colour fade_colour{};
+};
+
+}  // namespace isl::scene

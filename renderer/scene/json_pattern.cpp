@@ -1,0 +1,167 @@
+#include "renderer/scene/json_pattern.h"
+
+#include "renderer/scene/json_values.h"
+
+namespace isl::scene {
+namespace {
+
+/// In the order of PatternKind.
+constexpr std::string_view kPatternKinds[] = {
+    "plain",   "agate",   "aoi",          "average",  "boxed",     "bozo",        "brick",           "bump_map",
+    "bumps",   "cells",   "checker",      "crackle",  "cubic",     "cylindrical", "density_file",    "dents",
+    "facets",  "fractal", "function",     "gradient", "granite",   "hexagon",     "image_map",       "image_pattern",
+    "leopard", "marble",  "material_map", "object",   "onion",     "pavement",    "pigment_pattern", "planar",
+    "quilted", "radial",  "ripples",      "slope",    "spherical", "spiral1",     "spiral2",         "spotted",
+    "square",  "tiling",  "triangular",   "waves",    "wood",      "wrinkles"};
+static_assert(std::size(kPatternKinds) == static_cast<std::size_t>(PatternKind::wrinkles) + 1);
+
+constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
+constexpr std::string_view kShapes[] = {"cylindrical", "spherical", "toroidal", "planar", "cubic"};
+constexpr std::string_view kImageTypes[] = {"unnamed", "exr", "gif", "hdr", "iff", "jpeg", "pgm",
+                                            "png",     "pot", "ppm", "sys", "tga", "tiff", "function"};
+constexpr std::string_view kChannels[] = {"automatic", "index", "colour", "alpha"};
+
+struct WarpWriter {
+  Json operator()(TransformId id) const { return {{"transform", index(id)}}; }
+  Json operator()(const Turbulence& w) const { return turbulence_json(w); }
+  Json operator()(const RepeatWarp& w) const {
+    Json json = {{"repeat", std::string_view("xyz").substr(static_cast<std::size_t>(w.axis), 1)}, {"width", w.width}};
+    if (w.offset != Vec3(0)) json["offset"] = vector(w.offset);
+    if (w.flip != Vec3(0)) json["flip"] = vector(w.flip);
+    return json;
+  }
+  Json operator()(const BlackHoleWarp& w) const {
+    Json json = {
+        {"black_hole", vector(w.centre)}, {"radius", w.radius}, {"strength", w.strength}, {"falloff", w.falloff}};
+    if (w.inverse) json["inverse"] = true;
+    if (w.repeats) json["repeat"] = vector(w.repeat);
+    if (w.is_turbulent) json["turbulence"] = vector(w.turbulence);
+    return json;
+  }
+  Json operator()(const MappingWarp& w) const {
+    Json json = {{"warp", name(kShapes, w.shape)}};
+    if (w.shape == MappingWarp::Shape::cube) return json;
+    json["orientation"] = vector(w.orientation);
+    if (w.shape == MappingWarp::Shape::plane) {
+      json["distance"] = w.distance;
+    } else {
+      json["dist_exp"] = w.distance_exponent;
+    }
+    if (w.shape == MappingWarp::Shape::torus) json["major_radius"] = w.major_radius;
+    return json;
+  }
+};
+
+/// Adds the operands to the pattern's JSON.
+struct OperandWriter {
+  Json& json;
+
+  void operator()(std::monostate /*none*/) const {}
+  void operator()(const AgateOperands& o) const { json["agate_turb"] = o.turbulence; }
+  void operator()(const BrickOperands& o) const {
+    json["brick_size"] = vector(o.size);
+    json["mortar"] = o.mortar;
+  }
+  void operator()(const CrackleOperands& o) const {
+    json["form"] = vector(o.form);
+    json["metric"] = o.metric;
+    json["offset"] = o.offset;
+    if (o.is_solid) json["solid"] = true;
+  }
+  void operator()(const DensityFileOperands& o) const {
+    json["file"] = o.file;
+    json["interpolate"] = o.interpolate;
+  }
+  void operator()(const FacetsOperands& o) const {
+    if (o.coords != 0) json["coords"] = o.coords;
+    if (o.size != 0) json["size"] = o.size;
+  }
+  void operator()(const FractalOperands& o) const {
+    json["type"] = o.is_julia ? "julia" : "mandel";
+    if (o.magnet != 0) json["magnet"] = o.magnet;
+    if (o.is_julia) json["c"] = Json::array({o.real, o.imaginary});
+    json["iterations"] = o.iterations;
+    json["exponent"] = o.exponent;
+    json["exterior"] = Json::array({o.exterior_type, o.exterior_factor});
+    json["interior"] = Json::array({o.interior_type, o.interior_factor});
+  }
+  void operator()(const FunctionOperands& o) const {
+    if (o.function != kNoFunction) json["function"] = index(o.function);
+  }
+  void operator()(const GradientOperands& o) const { json["direction"] = vector(o.direction); }
+  void operator()(ImageId id) const { json["image"] = index(id); }
+  void operator()(const ObjectOperands& o) const {
+    if (o.object != kNone) json["object"] = o.object;
+  }
+  void operator()(const PavementOperands& o) const {
+    json["number_of_sides"] = o.sides;
+    json["number_of_tiles"] = o.tiles;
+    json["number"] = o.pattern;
+    json["form"] = o.form;
+    json["interior"] = o.interior;
+    json["exterior"] = o.exterior;
+  }
+  void operator()(const PigmentOperands& o) const { json["pigment"] = index(o.pigment); }
+  void operator()(const QuiltedOperands& o) const {
+    json["control0"] = o.control0;
+    json["control1"] = o.control1;
+  }
+  void operator()(const SlopeOperands& o) const {
+    json[o.is_reference ? "point_at" : "direction"] = vector(o.direction);
+    json["slope"] = Json::array({o.low_slope, o.high_slope});
+    if (!o.has_altitude) return;
+    json["altitude"] = vector(o.altitude);
+    json["altitudes"] = Json::array({o.low_altitude, o.high_altitude});
+  }
+  void operator()(const SpiralOperands& o) const { json["arms"] = o.arms; }
+  void operator()(const TilingOperands& o) const { json["number"] = o.number; }
+};
+
+}  // namespace
+
+Json turbulence_json(const Turbulence& t) {
+  return {{"turbulence", vector(t.amount)}, {"octaves", t.octaves}, {"lambda", t.lambda}, {"omega", t.omega}};
+}
+
+Json pattern_json(const Pattern& p) {
+  Json json = {{"pattern", name(kPatternKinds, p.kind)}};
+  std::visit(OperandWriter{json}, p.operands);
+  if (p.uv_mapping) json["uv_mapping"] = true;
+  if (p.wave != Wave::ramp) json["wave"] = name(kWaves, p.wave);
+  if (p.wave == Wave::poly) json["poly_wave"] = p.exponent;
+  if (p.frequency != 1) json["frequency"] = p.frequency;
+  if (p.phase != 0) json["phase"] = p.phase;
+  if (p.noise_generator != 0) json["noise_generator"] = p.noise_generator;
+  if (p.turbulence.amount != Vec3(0)) json.update(turbulence_json(p.turbulence));
+  if (p.warps.empty()) return json;
+  Json& warps = json["warps"] = Json::array();
+  for (const Warp& warp : p.warps) warps.push_back(std::visit(WarpWriter(), warp));
+  return json;
+}
+
+Json image_json(const Image& i) {
+  Json json = {{"type", name(kImageTypes, i.type)}};
+  if (i.type == ImageType::function) {
+    json["size"] = Json::array({i.width, i.height});
+    if (i.function != kNoFunction) json["function"] = index(i.function);
+  } else {
+    json["file"] = i.file;
+  }
+  if (i.map_type != 0) json["map_type"] = i.map_type;
+  if (i.interpolate != 0) json["interpolate"] = i.interpolate;
+  if (i.once) json["once"] = true;
+  if (i.channel != ImageChannel::automatic) json["channel"] = name(kChannels, i.channel);
+  if (i.gamma) json["gamma"] = *i.gamma;
+  if (i.gamma_srgb) json["gamma"] = "srgb";
+  if (i.premultiplied) json["premultiplied"] = *i.premultiplied;
+  const auto add_transparency = [&](const char* key, const std::optional<double>& all,
+                                    const std::vector<PaletteTransparency>& entries) {
+    if (all) json[std::string(key) + "_all"] = *all;
+    for (const PaletteTransparency& entry : entries) json[key].push_back(Json::array({entry.index, entry.amount}));
+  };
+  add_transparency("filter", i.filter_all, i.filters);
+  add_transparency("transmit", i.transmit_all, i.transmits);
+  return json;
+}
+
+}  // namespace isl::scene
