@@ -17,6 +17,9 @@ class Pruner {
       : database_(database),
         blobs_(database.blobs.size()),
         solids_(database.solids.size()),
+        polynomials_(database.polynomials.size()),
+        triangles_(database.triangles.size()),
+        polygons_(database.polygons.size()),
         groups_(database.groups.size()),
         transforms_(database.transforms.size()),
         kernels_(database.kernels.size()),
@@ -24,6 +27,7 @@ class Pruner {
 
   void run() {
     reach(database_.objects);
+    reach(database_.lights);
     textures_.reach_atmosphere(transforms_);
     // Groups hold groups, textures hold textures and a pattern may hold an object: lists of what is still to be looked
     // at, so that depth costs no stack.
@@ -32,16 +36,27 @@ class Pruner {
       const std::uint32_t group = pending_.back();
       pending_.pop_back();
       reach(database_.groups[group].children);
+      reach(database_.groups[group].lights);
     }
     blobs_.compact(database_.blobs);
     solids_.compact(database_.solids);
+    polynomials_.compact(database_.polynomials);
+    triangles_.compact(database_.triangles);
+    polygons_.compact(database_.polygons);
     groups_.compact(database_.groups);
     transforms_.compact(database_.transforms);
     kernels_.compact(database_.kernels);
     textures_.compact(transforms_);
     renumber(database_.objects);
     renumber(database_.pattern_objects);
-    for (scene::Group& group : database_.groups) renumber(group.children);
+    renumber(database_.lights);
+    for (scene::Group& group : database_.groups) {
+      renumber(group.children);
+      renumber(group.lights);
+    }
+    for (scene::Solid& solid : database_.solids) {
+      if (Column* const details = details_of(solid)) solid.detail = details->place(solid.detail);
+    }
     for (scene::Blob& blob : database_.blobs) renumber(blob);
   }
 
@@ -54,15 +69,35 @@ class Pruner {
     textures_.reach(object.texture);
     textures_.reach(object.interior_texture);
     textures_.reach(object.interior);
+    reach(object.clip);
+    reach(object.bound);
     switch (object.kind) {
-      case Object::Kind::solid: solids_.reach(object.shape); break;
-      case Object::Kind::group:
-        if (groups_.reach(object.shape)) pending_.push_back(object.shape);
-        break;
+      case Object::Kind::solid: reach_solid(object.shape); break;
+      case Object::Kind::group: reach(scene::GroupId{object.shape}); break;
       case Object::Kind::blob:
         if (blobs_.reach(object.shape)) reach(database_.blobs[object.shape]);
         break;
     }
+  }
+
+  void reach(scene::GroupId group) {
+    if (group != scene::kNoGroup && groups_.reach(index(group))) pending_.push_back(index(group));
+  }
+
+  void reach(const std::vector<scene::Light>& lights) {
+    for (const scene::Light& light : lights) reach(light.projected_through);
+  }
+
+  void reach_solid(std::uint32_t i) {
+    solids_.reach(i);
+    if (Column* const details = details_of(database_.solids[i])) details->reach(database_.solids[i].detail);
+  }
+
+  /// The column that holds what does not fit into the solid's own record; null where everything does.
+  Column* details_of(const scene::Solid& solid) {
+    if (scene::is_polynomial(solid.kind)) return &polynomials_;
+    if (scene::is_triangle(solid.kind)) return &triangles_;
+    return solid.kind == scene::SolidKind::polygon ? &polygons_ : nullptr;
   }
 
   void reach(const scene::Blob& blob) {
@@ -82,7 +117,17 @@ class Pruner {
       textures_.renumber(object.texture);
       textures_.renumber(object.interior_texture);
       textures_.renumber(object.interior);
+      renumber(object.clip);
+      renumber(object.bound);
     }
+  }
+
+  void renumber(scene::GroupId& group) const {
+    if (group != scene::kNoGroup) group = scene::GroupId{groups_.place(index(group))};
+  }
+
+  void renumber(std::vector<scene::Light>& lights) const {
+    for (scene::Light& light : lights) renumber(light.projected_through);
   }
 
   void renumber(scene::Blob& blob) {
@@ -94,7 +139,7 @@ class Pruner {
   }
 
   Database& database_;
-  Column blobs_, solids_, groups_, transforms_, kernels_;
+  Column blobs_, solids_, polynomials_, triangles_, polygons_, groups_, transforms_, kernels_;
   TexturePruner textures_;
   std::vector<std::uint32_t> pending_;
 };

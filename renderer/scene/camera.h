@@ -1,17 +1,50 @@
-// From where the picture is taken.
+// From where the picture is taken, and how.
 #pragma once
 
+#include "base/source_span.h"
+#include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
+
+#include <cstdint>
+#include <optional>
 
 namespace isl::scene {
 
-/// A perspective camera after look_at, angle and sky have been applied: the ray through image coordinates (u, v), u and
-/// v from −½ to ½, right and up, goes along direction + u·right + v·up. The vectors carry their lengths.
+enum class CameraKind : std::uint8_t {
+  perspective,
+  orthographic,
+  fisheye,
+  ultra_wide_angle,
+  omnimax,
+  panoramic,
+  cylinder,
+  spherical,
+};
+
+/// A lens that shows only what lies at one distance sharply.
+struct FocalBlur {
+  double aperture = 0;                   ///< diameter of the lens; above 0
+  double focal_distance = 0;             ///< from the location along the direction, to the plane that is sharp
+  int min_samples = 0, max_samples = 1;  ///< rays a pixel
+  double confidence = 0.9;               ///< that a pixel's value is right …
+  double variance = 1.0 / 128;           ///< … to this; in ]0, 1[ and [0, 1]
+};
+
+/// A camera after look_at, angle and sky have been applied. perspective: the ray through image coordinates (u, v), u
+/// and v from −½ to ½, right and up, goes along direction + u·right + v·up. orthographic: it starts at location +
+/// u·right + v·up and goes along direction. The other kinds bend rays by their angles and take the three vectors as
+/// axes. The vectors carry their lengths.
 struct Camera {
   Vec3 location{0, 0, 0};
   Vec3 direction{0, 0, 1};
   Vec3 right{4.0 / 3.0, 0, 0};
   Vec3 up{0, 1, 0};
+  CameraKind kind = CameraKind::perspective;
+  int cylinder_type = 0;  ///< of a cylinder: 1 to 4, upright or lying, from a point or from a line
+  double angle = 0;  ///< radians across the picture; 0 where the kind has none (perspective, orthographic, omnimax)
+  double vertical_angle = 0;  ///< of a spherical camera, radians
+  std::optional<FocalBlur> blur;
+  OriginId origin{};
 };
 
 }  // namespace isl::scene

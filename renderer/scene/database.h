@@ -38,6 +38,9 @@ struct Database {
   std::vector<Interior> interiors;
   std::vector<Blob> blobs;
   std::vector<Solid> solids;
+  std::vector<Polynomial> polynomials;  ///< of solids: Solid::detail
+  std::vector<Triangle> triangles;
+  std::vector<Polygon> polygons;
   std::vector<Group> groups;
   std::vector<Object> objects;  ///< what stands in the world
   std::vector<Object> pattern_objects;  ///< whose insides `object` patterns ask for; nothing of the world

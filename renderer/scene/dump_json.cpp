@@ -2,8 +2,10 @@
 
 #include "renderer/scene/json_atmosphere.h"
 #include "renderer/scene/json_pattern.h"
+#include "renderer/scene/json_solid.h"
 #include "renderer/scene/json_texture.h"
 #include "renderer/scene/json_values.h"
+#include "renderer/scene/json_view.h"
 
 #include <string_view>
 
@@ -13,8 +15,8 @@ namespace {
 constexpr std::string_view kKernelShapes[] = {"quartic", "gaussian"};
 constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
 constexpr std::string_view kSkeletons[] = {"point", "segment", "cone"};
-constexpr std::string_view kSolidKinds[] = {"sphere", "cylinder", "cone", "plane"};
 constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
+constexpr std::string_view kOperations[] = {"union", "merge", "intersection", "difference"};
 
 Json kernel(const Kernel& k) {
   Json json = {{"shape", name(kKernelShapes, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
@@ -29,7 +31,7 @@ class Writer {
 
   [[nodiscard]] Json write() const {
     Json json = {{"settings", settings()}};
-    if (database_.camera) json["camera"] = camera(*database_.camera);
+    if (database_.camera) json["camera"] = camera_json(*database_.camera);
     add(json, "kernels", database_.kernels, kernel);
     add(json, "textures", database_.textures,
         [this](const Texture& t) { return texture_json(t, database_.finish(t.finish)); });
@@ -44,8 +46,8 @@ class Writer {
     add(json, "interiors", database_.interiors, interior_json);
     add(json, "transforms", database_.transforms, transform);
     add(json, "blobs", database_.blobs, [this](const Blob& b) { return blob(b); });
-    add(json, "solids", database_.solids, solid);
-    add(json, "groups", database_.groups, [this](const Group& g) { return Json{{"children", objects(g.children)}}; });
+    add(json, "solids", database_.solids, [this](const Solid& s) { return solid_json(database_, s); });
+    add(json, "groups", database_.groups, [this](const Group& g) { return group(g); });
     if (!database_.pattern_objects.empty()) json["pattern_objects"] = objects(database_.pattern_objects);
     if (!database_.objects.empty()) json["objects"] = objects(database_.objects);
     add(json, "lights", database_.lights, [this](const Light& l) { return light(l); });
@@ -86,16 +88,14 @@ class Writer {
     json["background"] = colour(s.background);
     json["max_trace_level"] = s.max_trace_level;
     json["adc_bailout"] = s.adc_bailout;
+    const Settings unsaid;
+    if (s.irid_wavelength != unsaid.irid_wavelength) json["irid_wavelength"] = colour(s.irid_wavelength);
+    if (s.number_of_waves != unsaid.number_of_waves) json["number_of_waves"] = s.number_of_waves;
+    if (s.noise_generator != unsaid.noise_generator) json["noise_generator"] = s.noise_generator;
+    if (s.mm_per_unit != unsaid.mm_per_unit) json["mm_per_unit"] = s.mm_per_unit;
     if (!s.solver.empty()) json["solver"] = s.solver;
     if (!s.tolerance.empty()) json["tolerance"] = s.tolerance;
     return json;
-  }
-
-  static Json camera(const Camera& c) {
-    return {{"location", vector(c.location)},
-            {"direction", vector(c.direction)},
-            {"right", vector(c.right)},
-            {"up", vector(c.up)}};
   }
 
   [[nodiscard]] Json component(const Component& c, OriginId origin) const {
@@ -119,14 +119,26 @@ class Writer {
     return {{"threshold", b.threshold}, {"components", std::move(components)}};
   }
 
-  static Json solid(const Solid& s) {
-    Json json = {{"kind", name(kSolidKinds, s.kind)}, {"a", vector(s.a)}};
-    const bool has_ends = s.kind == SolidKind::cylinder || s.kind == SolidKind::cone;
-    if (has_ends) json["b"] = vector(s.b);
-    json[s.kind == SolidKind::plane ? "distance" : "radius"] = s.radius_a;
-    if (s.kind == SolidKind::cone) json["radius_b"] = s.radius_b;
-    if (s.open) json["open"] = true;
+  [[nodiscard]] Json group(const Group& g) const {
+    Json json = Json::object();
+    if (g.operation != Operation::unite) json["operation"] = name(kOperations, g.operation);
+    if (g.cutaway_textures) json["cutaway_textures"] = true;
+    if (g.is_light_group) json["global_lights"] = g.global_lights;
+    json["children"] = objects(g.children);
+    add(json, "lights", g.lights, [this](const Light& l) { return light(l); });
     return json;
+  }
+
+  static void add_flags(Json& json, const Object& object) {
+    const std::pair<std::string_view, bool> flags[] = {{"no_shadow", object.no_shadow},
+                                                       {"no_image", object.no_image},
+                                                       {"no_reflection", object.no_reflection},
+                                                       {"double_illuminate", object.double_illuminate},
+                                                       {"hollow", object.hollow},
+                                                       {"inverse", object.inverse}};
+    for (const auto& [flag, is_set] : flags) {
+      if (is_set) json[std::string(flag)] = true;
+    }
   }
 
   [[nodiscard]] Json objects(const std::vector<Object>& list) const {
@@ -136,7 +148,9 @@ class Writer {
       if (object.texture != kNoTexture) entry["texture"] = index(object.texture);
       if (object.interior_texture != kNoTexture) entry["interior_texture"] = index(object.interior_texture);
       if (object.interior != kNoInterior) entry["interior"] = index(object.interior);
-      if (object.no_shadow) entry["no_shadow"] = true;
+      if (object.clip != kNoGroup) entry["clip"] = index(object.clip);
+      if (object.bound != kNoGroup) entry["bound"] = index(object.bound);
+      add_flags(entry, object);
       if (object.parent_from_object != Transform()) entry["transform"] = transform(object.parent_from_object);
       add_origin(entry, object.origin);
       json.push_back(std::move(entry));
@@ -145,8 +159,7 @@ class Writer {
   }
 
   [[nodiscard]] Json light(const Light& l) const {
-    Json json = {{"location", vector(l.location)}, {"colour", colour(l.colour)}};
-    if (l.shadowless) json["shadowless"] = true;
+    Json json = light_json(l);
     add_origin(json, l.origin);
     return json;
   }

@@ -27,6 +27,7 @@ enum class FunctionId : std::uint32_t {};
 enum class KernelId : std::uint16_t {};
 
 inline constexpr TextureId kNoTexture{kNone};
+inline constexpr GroupId kNoGroup{kNone};
 inline constexpr FinishId kDefaultFinish{kNone};
 inline constexpr PigmentId kPlainColour{kNone};
 inline constexpr NormalId kNoNormal{kNone};

@@ -1,6 +1,7 @@
 // What holds for a scene as a whole.
 #pragma once
 
+#include "base/source_span.h"
 #include "renderer/scene/colour.h"
 
 #include <optional>
@@ -19,8 +20,13 @@ struct Settings {
   Colour background{0, 0, 0};
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;
+  Colour irid_wavelength{0.25, 0.18, 0.14};  ///< of red, green and blue light, for thin films
+  int number_of_waves = 10;                  ///< sources of the patterns `waves` and `ripples`
+  int noise_generator = 2;                   ///< 1 to 3: which of POV-Ray's noises patterns use
+  double mm_per_unit = 10;
   std::string solver;     ///< "" where the scene does not say
   std::string tolerance;  ///< as written: "0.05px" or "1e-4"; "" where the scene does not say
+  OriginId solver_origin{}, tolerance_origin{};
 };
 
 }  // namespace isl::scene

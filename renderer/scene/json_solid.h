@@ -1,0 +1,13 @@
+// A solid in the dump of the database. Internal to renderer/scene.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <nlohmann/json.hpp>
+
+namespace isl::scene {
+
+/// With what Solid::detail refers to in place: the number alone says nothing to a reader.
+[[nodiscard]] nlohmann::ordered_json solid_json(const Database& database, const Solid& solid);
+
+}  // namespace isl::scene
