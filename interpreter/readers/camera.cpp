@@ -1,6 +1,7 @@
 #include "interpreter/readers/camera.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/focal_blur.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
 
@@ -8,28 +9,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace isl::interpreter {
 namespace {
 
 using scene::Camera;
+using scene::CameraKind;
 using scene::Vec3;
 namespace word = grammar::word;
 
 /// POV-Ray's default `right` is 1.33 x, whatever the image's shape.
 constexpr Camera kDefault{.right = Vec3(1.33, 0, 0)};
+constexpr Vec3 kDefaultLookAt(0, 0, 1);
 
-bool is_other_type(grammar::Symbol name) {
-  static constexpr grammar::Symbol kTypes[] = {word::kw_orthographic, word::kw_fisheye,   word::kw_ultra_wide_angle,
-                                               word::kw_omnimax,      word::kw_panoramic, word::kw_spherical,
-                                               word::kw_cylinder};
-  return std::ranges::find(kTypes, name) != std::end(kTypes);
-}
+struct KindWord {
+  grammar::Symbol word;
+  CameraKind kind;
+};
+constexpr KindWord kKinds[] = {
+    {word::kw_perspective, CameraKind::perspective}, {word::kw_orthographic, CameraKind::orthographic},
+    {word::kw_fisheye, CameraKind::fisheye},         {word::kw_ultra_wide_angle, CameraKind::ultra_wide_angle},
+    {word::kw_omnimax, CameraKind::omnimax},         {word::kw_panoramic, CameraKind::panoramic},
+    {word::kw_cylinder, CameraKind::cylinder},       {word::kw_spherical, CameraKind::spherical}};
+
+/// Whether `angle` sets the length of direction: what then counts is the vectors. Without an angle these kinds take the
+/// vectors as they are.
+bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }
+
+/// POV-Ray's, where a kind that bends rays has no `angle`.
+constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
 
 class CameraReader {
  public:
   CameraReader(Context& context, const Element& block) : context_(context), stream_(context, block) {
     if (context.default_camera) copy(*context.default_camera);
+    is_copy_ = false;
+    camera_.origin = context.origin(block.span);
   }
 
   Ref<CameraValue> read() {
@@ -39,6 +55,7 @@ class CameraReader {
     check_vectors();
     apply_angle();
     apply_look_at();
+    camera_.blur = blur_.result(stream_, camera_);
     camera_.location = transform_.point(camera_.location);
     camera_.direction = transform_.vector(camera_.direction);
     camera_.right = transform_.vector(camera_.right);
@@ -48,8 +65,12 @@ class CameraReader {
 
  private:
   void copy(const CameraValue& from) {
+    const OriginId origin = camera_.origin;
     camera_ = from.camera;
+    camera_.origin = origin;
     sky_ = from.sky;
+    blur_ = FocalBlurReader(camera_.blur);
+    is_copy_ = true;
   }
 
   void read_identifier() {
@@ -67,17 +88,12 @@ class CameraReader {
       transform_ = scene::then(transform_, *transform);
       return;
     }
-    static constexpr grammar::Symbol kKnown[] = {word::kw_location, word::kw_look_at, word::kw_angle,    word::kw_right,
-                                                 word::kw_up,       word::kw_sky,     word::kw_direction};
+    static constexpr grammar::Symbol kKnown[] = {
+        word::kw_location, word::kw_look_at,   word::kw_angle,    word::kw_right,       word::kw_up,
+        word::kw_sky,      word::kw_direction, word::kw_aperture, word::kw_focal_point, word::kw_blur_samples};
     const Element next = stream_.peek();
     if (!next.is(ElementKind::word)) return refuse(stream_, kKnown);
-    if (is_other_type(next.word)) {
-      stream_.drop();
-      has_other_type_ = true;
-      context_.unsupported(next.span, context_.text(next.word));
-      if (stream_.peek().is(ElementKind::value)) stream_.drop();  // `cylinder 1`
-      return;
-    }
+    if (read_kind(next.word) || blur_.read(stream_)) return;
     Vec3* vector = nullptr;
     switch (static_cast<word::Index>(next.word)) {
       case word::kIndex_location: vector = &camera_.location; break;
@@ -91,17 +107,33 @@ class CameraReader {
         look_at_ = read_after("look_at");
         return;
       case word::kIndex_angle: return read_angle();
-      case word::kIndex_perspective: return stream_.drop();
       default: return refuse(stream_, kKnown);
     }
     stream_.drop();
+    has_size_ |= vector == &camera_.right || vector == &camera_.up;
     *vector = read_after(context_.text(next.word));
   }
 
+  bool read_kind(grammar::Symbol name) {
+    const auto* const row = std::ranges::find(kKinds, name, &KindWord::word);
+    if (row == std::end(kKinds)) return false;
+    stream_.drop();
+    camera_.kind = row->kind;
+    camera_.cylinder_type = 0;
+    if (row->kind == CameraKind::cylinder)
+      camera_.cylinder_type = static_cast<int>(read_number_in(stream_, "the type of a cylindrical camera", 1, 4));
+    return true;
+  }
+
+  /// `angle horizontal`, and for a spherical camera `angle horizontal, vertical`.
   void read_angle() {
     stream_.drop();
     angle_span_ = stream_.peek().span;
     angle_degrees_ = read_number(stream_, "a number after `angle`");
+    vertical_degrees_.reset();
+    if (camera_.kind != CameraKind::spherical) return;
+    const bool has_vertical = stream_.accept_comma() || stream_.peek().is(ElementKind::value);
+    if (has_vertical) vertical_degrees_ = read_number(stream_, "the vertical angle of a spherical camera");
   }
 
   void check_vectors() {
@@ -114,15 +146,44 @@ class CameraReader {
     check(sky_, "sky");
   }
 
-  /// The horizontal angle between the left and the right edge sets the length of direction.
   void apply_angle() {
-    // The angle of a fisheye is not a perspective's.
-    if (!angle_degrees_ || has_other_type_) return;
-    if (!(*angle_degrees_ > 0 && *angle_degrees_ < 180)) {
-      context_.fail(angle_span_, fmt::format("`angle` is above 0 and below 180 degrees, found {:g}", *angle_degrees_));
+    if (angle_degrees_ && *angle_degrees_ < 0)
+      context_.fail(angle_span_, fmt::format("`angle` is not below 0, found {:g}", *angle_degrees_));
+    if (is_flat(camera_.kind)) {
+      camera_.angle = camera_.vertical_angle = 0;
+      apply_flat_angle();
+      if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
+    } else {
+      apply_bent_angle();
     }
+  }
+
+  /// The horizontal angle between the left and the right edge sets the length of direction. As in POV-Ray, none is the
+  /// same as 0.
+  void apply_flat_angle() {
+    if (!angle_degrees_ || *angle_degrees_ == 0) return;
+    if (*angle_degrees_ >= 180)
+      context_.fail(angle_span_, fmt::format("`angle` is below 180 degrees, found {:g}", *angle_degrees_));
     const double length = camera_.right.length() / (2 * std::tan(radians_from_degrees(*angle_degrees_) / 2));
     camera_.direction *= length / camera_.direction.length();
+  }
+
+  /// A parallel view without a size of its own, or with an angle, shows at look_at what a perspective one would.
+  void apply_orthographic_size() {
+    const bool has_angle = angle_degrees_ && *angle_degrees_ != 0;
+    if (is_copy_ || (has_size_ && !has_angle)) return;
+    const double distance = (look_at_.value_or(kDefaultLookAt) - camera_.location).length();
+    if (!(distance > 0)) return;
+    camera_.right *= distance / camera_.direction.length();
+    camera_.up *= distance / camera_.direction.length();
+  }
+
+  void apply_bent_angle() {
+    const bool is_spherical = camera_.kind == CameraKind::spherical;
+    if (camera_.kind == CameraKind::omnimax || (is_copy_ && !angle_degrees_)) return;  // its picture is always the same
+    const double degrees = angle_degrees_.value_or(is_spherical ? kSphericalAngleDegrees : kDefaultAngleDegrees);
+    camera_.angle = radians_from_degrees(degrees);
+    if (is_spherical) camera_.vertical_angle = radians_from_degrees(vertical_degrees_.value_or(degrees / 2));
   }
 
   /// Turns the camera to the point, with `sky` above it; lengths and handedness stay.
@@ -150,8 +211,10 @@ class CameraReader {
   Camera camera_ = kDefault;
   Vec3 sky_{0, 1, 0};
   scene::Transform transform_;
-  bool has_other_type_ = false;  ///< not perspective: read on with --lenient only
-  std::optional<double> angle_degrees_;
+  bool is_copy_ = false;   ///< of a camera that was declared
+  bool has_size_ = false;  ///< `right` or `up` was given
+  FocalBlurReader blur_;
+  std::optional<double> angle_degrees_, vertical_degrees_;
   SourceSpan angle_span_;
   std::optional<Vec3> look_at_;
   SourceSpan look_at_span_;

@@ -1,9 +1,7 @@
 #include "interpreter/readers/objects.h"
 
 #include "interpreter/readers/arguments.h"
-#include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
-#include "interpreter/readers/transform.h"
 
 #include <fmt/format.h>
 
@@ -20,10 +18,30 @@ struct ObjectReader {
 };
 
 constexpr ObjectReader kReaders[] = {
-    {word::kw_blob, read_blob},         {word::kw_sphere, read_sphere},
-    {word::kw_cylinder, read_cylinder}, {word::kw_cone, read_cone},
-    {word::kw_plane, read_plane},       {word::kw_union, read_union},
-    {word::kw_object, read_any_object}, {word::kw_light_source, read_light_source},
+    {word::kw_blob, read_blob},
+    {word::kw_sphere, read_sphere},
+    {word::kw_cylinder, read_cylinder},
+    {word::kw_cone, read_cone},
+    {word::kw_plane, read_plane},
+    {word::kw_box, read_box},
+    {word::kw_torus, read_torus},
+    {word::kw_disc, read_disc},
+    {word::kw_superellipsoid, read_superellipsoid},
+    {word::kw_quadric, read_quadric},
+    {word::kw_cubic, read_cubic},
+    {word::kw_quartic, read_quartic},
+    {word::kw_poly, read_poly},
+    {word::kw_triangle, read_triangle},
+    {word::kw_smooth_triangle, read_smooth_triangle},
+    {word::kw_polygon, read_polygon},
+    {word::kw_union, read_csg},
+    {word::kw_merge, read_csg},
+    {word::kw_intersection, read_csg},
+    {word::kw_difference, read_csg},
+    {word::kw_composite, read_csg},
+    {word::kw_object, read_any_object},
+    {word::kw_light_source, read_light_source},
+    {word::kw_light_group, read_light_group},
 };
 
 constexpr auto kWords = [] {
@@ -39,15 +57,11 @@ const ObjectReader* find_reader(grammar::Symbol name) {
   return nullptr;
 }
 
-void move(ObjectDraft& draft, const scene::Transform& transform) {
-  draft.object.parent_from_object = scene::then(draft.object.parent_from_object, transform);
-  for (scene::Light& light : draft.lights) light.location = transform.point(light.location);
-}
-
-/// Flags that change nothing in what is supported: without media, a solid's inside does not show, and without CSG its
-/// inverse has the same surface.
-bool is_flag_without_effect(grammar::Symbol name) {
-  return name == word::kw_hollow || name == word::kw_inverse || name == word::kw_sturm || name == word::kw_hierarchy;
+/// Groups are shared, so the one that another name stands for stays as it is.
+void cut_textures_away(ElementStream& stream, ObjectDraft& draft) {
+  scene::Group group = stream.context().database.groups[draft.object.shape];
+  group.cutaway_textures = true;
+  set_group(stream, draft, std::move(group));
 }
 
 }  // namespace
@@ -55,6 +69,19 @@ bool is_flag_without_effect(grammar::Symbol name) {
 bool is_object_word(grammar::Symbol name) { return find_reader(name) != nullptr; }
 
 std::span<const grammar::Symbol> object_words() { return kWords; }
+
+scene::GroupId add_group(ElementStream& stream, scene::Group group) {
+  Context& context = stream.context();
+  context.count_primitive(stream.span(), sizeof(scene::Group) + group.children.size() * sizeof(scene::Object) +
+                                             group.lights.size() * sizeof(scene::Light) + kOriginBytes);
+  context.database.groups.push_back(std::move(group));
+  return scene::GroupId{static_cast<std::uint32_t>(context.database.groups.size() - 1)};
+}
+
+void set_group(ElementStream& stream, ObjectDraft& draft, scene::Group group) {
+  draft.object.shape = index(add_group(stream, std::move(group)));
+  draft.object.kind = scene::Object::Kind::group;
+}
 
 void count_copy(Context& context, const ObjectValue& value, SourceSpan span) {
   context.count_primitive(span, sizeof(scene::Object) + kOriginBytes);
@@ -71,40 +98,6 @@ void copy_object(ElementStream& stream, const ObjectValue& from, ObjectDraft& dr
   for (scene::Light& light : draft.lights) light.origin = origin;
 }
 
-bool read_object_modifier(ElementStream& stream, ObjectDraft& draft) {
-  if (const std::optional<scene::Transform> transform = read_transform(stream)) {
-    move(draft, *transform);
-    return draft.has_modifiers = true;
-  }
-  if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return draft.has_modifiers = true;
-  const Element next = stream.peek();
-  if (next.is_word(word::kw_no_shadow)) {
-    stream.drop();
-    draft.object.no_shadow = true;
-    return draft.has_modifiers = true;
-  }
-  if (next.is(ElementKind::word) && is_flag_without_effect(next.word)) {
-    stream.drop();
-    static_cast<void>(read_optional_truth(stream));
-    return draft.has_modifiers = true;
-  }
-  if (next.is_block(word::kw_bounded_by)) {  // a promise that needs no keeping
-    stream.drop();
-    return draft.has_modifiers = true;
-  }
-  return false;
-}
-
-void read_object_modifiers(ElementStream& stream, ObjectDraft& draft) {
-  while (!stream.peek().is(ElementKind::end)) {
-    if (read_object_modifier(stream, draft)) continue;
-    static constexpr grammar::Symbol kKnown[] = {word::kw_translate, word::kw_rotate,    word::kw_scale,
-                                                 word::kw_matrix,    word::kw_transform, word::kw_texture,
-                                                 word::kw_pigment,   word::kw_finish,    word::kw_no_shadow};
-    refuse(stream, kKnown);
-  }
-}
-
 Ref<ObjectValue> read_object(Context& context, const Element& block) {
   const ObjectReader* reader = find_reader(block.word);
   ISL_CHECK(reader, "no reader of `{}`", context.text(block.word));
@@ -113,6 +106,7 @@ Ref<ObjectValue> read_object(Context& context, const Element& block) {
   draft.object.origin = context.origin(block.span);
   reader->read(stream, draft);
   read_object_modifiers(stream, draft);
+  if (draft.cutaway_textures) cut_textures_away(stream, draft);
   Ref<ObjectValue> value = make_shared_value<ObjectValue>();
   value->word = block.word;
   value->object = draft.object;

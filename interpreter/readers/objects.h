@@ -12,6 +12,7 @@ namespace isl::interpreter {
 struct ObjectDraft : Surface {
   scene::Object object{};
   std::vector<scene::Light> lights{};
+  bool cutaway_textures = false;
   bool has_modifiers = false;  ///< geometry cannot follow modifiers
 };
 
@@ -20,6 +21,8 @@ struct ObjectDraft : Surface {
 
 /// Reads a whole block whose word is an object's.
 [[nodiscard]] Ref<ObjectValue> read_object(Context& context, const Element& block);
+/// The next element as an object, a value or a block; null where it is neither, and for what is not supported.
+[[nodiscard]] Ref<ObjectValue> read_child(ElementStream& stream);
 
 /// Reads one modifier that every object takes (transform, texture, flag) into the draft; false where the next is none.
 [[nodiscard]] bool read_object_modifier(ElementStream& stream, ObjectDraft& draft);
@@ -31,16 +34,33 @@ void read_object_modifiers(ElementStream& stream, ObjectDraft& draft);
 /// Counts an object that a bare name places, and its lights, against the scene's limits.
 void count_copy(Context& context, const ObjectValue& value, SourceSpan span);
 
+/// Puts the group into the database and counts it.
+[[nodiscard]] scene::GroupId add_group(ElementStream& stream, scene::Group group);
+/// The same, as the draft's shape.
+void set_group(ElementStream& stream, ObjectDraft& draft, scene::Group group);
+
 // ---- Readers of geometry, one a row of the table: each reads up to the first modifier -------------------------------
 
 void read_sphere(ElementStream& stream, ObjectDraft& draft);
 void read_cylinder(ElementStream& stream, ObjectDraft& draft);
 void read_cone(ElementStream& stream, ObjectDraft& draft);
 void read_plane(ElementStream& stream, ObjectDraft& draft);
+void read_box(ElementStream& stream, ObjectDraft& draft);
+void read_torus(ElementStream& stream, ObjectDraft& draft);
+void read_disc(ElementStream& stream, ObjectDraft& draft);
+void read_superellipsoid(ElementStream& stream, ObjectDraft& draft);
+void read_quadric(ElementStream& stream, ObjectDraft& draft);
+void read_cubic(ElementStream& stream, ObjectDraft& draft);
+void read_quartic(ElementStream& stream, ObjectDraft& draft);
+void read_poly(ElementStream& stream, ObjectDraft& draft);
+void read_triangle(ElementStream& stream, ObjectDraft& draft);
+void read_smooth_triangle(ElementStream& stream, ObjectDraft& draft);
+void read_polygon(ElementStream& stream, ObjectDraft& draft);
 void read_blob(ElementStream& stream, ObjectDraft& draft);
-void read_union(ElementStream& stream, ObjectDraft& draft);
+void read_csg(ElementStream& stream, ObjectDraft& draft);
 void read_any_object(ElementStream& stream, ObjectDraft& draft);
 void read_light_source(ElementStream& stream, ObjectDraft& draft);
+void read_light_group(ElementStream& stream, ObjectDraft& draft);
 
 /// Takes over an object that was declared, as `sphere { Name … }` and `object { Name … }` do.
 void copy_object(ElementStream& stream, const ObjectValue& from, ObjectDraft& draft);

@@ -1,10 +1,11 @@
-// The ordinary solids: sphere, cylinder, cone, plane.
+// The solids of a few numbers: sphere, cylinder, cone, plane, box, torus, disc, superellipsoid.
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
-#include "interpreter/readers/objects.h"
+#include "interpreter/readers/solid_draft.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isl::interpreter {
@@ -14,36 +15,6 @@ using scene::Solid;
 using scene::SolidKind;
 using scene::Vec3;
 namespace word = grammar::word;
-
-void add(ElementStream& stream, ObjectDraft& draft, const Solid& solid) {
-  Context& context = stream.context();
-  context.count_primitive(stream.span(), sizeof(Solid) + sizeof(scene::Object) + kOriginBytes);
-  draft.object.kind = scene::Object::Kind::solid;
-  draft.object.shape = static_cast<std::uint32_t>(context.database.solids.size());
-  context.database.solids.push_back(solid);
-}
-
-/// The first vector of the geometry, or true after copying the object that stands in its place.
-bool read_copy_or_vector(ElementStream& stream, ObjectDraft& draft, std::string_view what, Vec3& vector) {
-  if (!stream.peek().is(ElementKind::value)) fail_expected(stream, what);
-  const SourceSpan span = stream.peek().span;
-  const Value value = stream.take_value();
-  if (value.kind() == ValueKind::object) {
-    copy_object(stream, value.as<ObjectValue>(), draft);
-    return true;
-  }
-  vector = to_vector(stream, value, span, what);
-  return false;
-}
-
-/// POV-Ray takes a negative radius for its absolute value.
-double read_radius(ElementStream& stream) {
-  const SourceSpan span = stream.peek().span;
-  const double radius = std::abs(read_number(stream, "a radius"));
-  if (!(radius > 0 && std::isfinite(radius)))
-    stream.context().fail(span, fmt::format("a radius is above 0, found {:g}", radius));
-  return radius;
-}
 
 bool read_open(ElementStream& stream) {
   if (!stream.peek().is_word(word::kw_open)) return false;
@@ -55,31 +26,42 @@ void check_ends(ElementStream& stream, const Vec3& a, const Vec3& b) {
   if ((b - a).length() < kTolerance) stream.context().fail(stream.span(), "both ends are the same point");
 }
 
+/// A direction that is normalised.
+Vec3 read_normal(ElementStream& stream, std::string_view what) {
+  const SourceSpan span = stream.peek().span;
+  const Vec3 normal = read_vector(stream, what);
+  if (!(normal.length() > 0)) stream.context().fail(span, fmt::format("{} has a length above 0", what));
+  return normal / normal.length();
+}
+
 }  // namespace
 
 void read_sphere(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::sphere};
-  if (read_copy_or_vector(stream, draft, "the centre of the sphere", solid.a)) return;
+  solid.a = read_vector(stream, "the centre of the sphere");
   stream.accept_comma();
-  solid.radius_a = read_radius(stream);
-  add(stream, draft, solid);
+  solid.radius_a = read_radius(stream, "a radius");
+  add_solid(stream, draft, solid);
 }
 
 void read_cylinder(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::cylinder};
-  if (read_copy_or_vector(stream, draft, "the first end of the cylinder", solid.a)) return;
+  solid.a = read_vector(stream, "the first end of the cylinder");
   stream.accept_comma();
   solid.b = read_vector(stream, "the second end of the cylinder");
   stream.accept_comma();
-  solid.radius_a = solid.radius_b = read_radius(stream);
+  solid.radius_a = solid.radius_b = read_radius(stream, "a radius");
   solid.open = read_open(stream);
   check_ends(stream, solid.a, solid.b);
-  add(stream, draft, solid);
+  add_solid(stream, draft, solid);
 }
 
 void read_cone(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::cone};
-  if (read_copy_or_vector(stream, draft, "the first end of the cone", solid.a)) return;
+  solid.a = read_vector(stream, "the first end of the cone");
   stream.accept_comma();
   solid.radius_a = std::abs(read_number(stream, "the radius at the first end"));
   stream.accept_comma();
@@ -91,20 +73,77 @@ void read_cone(ElementStream& stream, ObjectDraft& draft) {
   if (!(solid.radius_a + solid.radius_b > 0) || !std::isfinite(solid.radius_a + solid.radius_b)) {
     stream.context().fail(stream.span(), "a cone needs a finite radius above 0 at one end");
   }
-  add(stream, draft, solid);
+  add_solid(stream, draft, solid);
 }
 
 void read_plane(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::plane};
-  const SourceSpan span = stream.peek().span;
-  if (read_copy_or_vector(stream, draft, "the normal of the plane", solid.a)) return;
-  stream.accept_comma();
   // The normal is normalised, the distance is not scaled with it.
+  solid.a = read_normal(stream, "the normal of the plane");
+  stream.accept_comma();
   solid.radius_a = read_number(stream, "the distance of the plane");
-  const double length = solid.a.length();
-  if (!(length > 0)) stream.context().fail(span, "the normal of a plane has a length above 0");
-  solid.a /= length;
-  add(stream, draft, solid);
+  add_solid(stream, draft, solid);
+}
+
+void read_box(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  const Vec3 p = read_vector(stream, "a corner of the box");
+  stream.accept_comma();
+  const Vec3 q = read_vector(stream, "the opposite corner of the box");
+  Solid solid{.kind = SolidKind::box};
+  for (int i = 0; i < 3; ++i) {
+    solid.a[i] = std::min(p[i], q[i]);
+    solid.b[i] = std::max(p[i], q[i]);
+    if (solid.a[i] == solid.b[i]) {
+      stream.context().warn(stream.span(), fmt::format("this box has no thickness along {}", "xyz"[i]));
+    }
+  }
+  add_solid(stream, draft, solid);
+}
+
+void read_torus(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::torus};
+  solid.radius_a = std::abs(read_number(stream, "the major radius of the torus"));
+  stream.accept_comma();
+  solid.radius_b = read_radius(stream, "the minor radius of the torus");
+  if (!std::isfinite(solid.radius_a)) stream.context().fail(stream.span(), "the radii of a torus are finite");
+  add_solid(stream, draft, solid);
+}
+
+void read_disc(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::disc};
+  solid.a = read_vector(stream, "the centre of the disc");
+  stream.accept_comma();
+  solid.b = read_normal(stream, "the normal of the disc");
+  stream.accept_comma();
+  solid.radius_a = read_radius(stream, "a radius");
+  const bool has_hole = stream.accept_comma() || stream.peek().is(ElementKind::value);
+  if (has_hole) solid.radius_b = std::abs(read_number(stream, "the radius of the hole"));
+  if (!(solid.radius_b < solid.radius_a)) {
+    stream.context().warn(stream.span(), "the hole of this disc is as large as the disc: nothing is left");
+  }
+  add_solid(stream, draft, solid);
+}
+
+void read_superellipsoid(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::value)) fail_expected(stream, "the exponents <e, n> of the superellipsoid");
+  const Value value = stream.take_value();
+  if (!value.is_numeric())
+    stream.context().fail(next.span, fmt::format("expected the exponents <e, n>, found {}", describe(value)));
+  Solid solid{.kind = SolidKind::superellipsoid};
+  solid.radius_a = value.terms()[0];
+  solid.radius_b = value.is_number() ? value.number() : value.terms()[1];
+  if (!(solid.radius_a > 0 && solid.radius_b > 0 && std::isfinite(solid.radius_a + solid.radius_b))) {
+    stream.context().fail(next.span,
+                          fmt::format("both exponents of a superellipsoid are above 0 and finite, found <{:g}, {:g}>",
+                                      solid.radius_a, solid.radius_b));
+  }
+  add_solid(stream, draft, solid);
 }
 
 }  // namespace isl::interpreter

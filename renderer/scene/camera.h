@@ -25,7 +25,7 @@ enum class CameraKind : std::uint8_t {
 struct FocalBlur {
   double aperture = 0;                   ///< diameter of the lens; above 0
   double focal_distance = 0;             ///< from the location along the direction, to the plane that is sharp
-  int min_samples = 0, max_samples = 1;  ///< rays a pixel
+  int min_samples = 0, max_samples = 0;  ///< rays a pixel
   double confidence = 0.9;               ///< that a pixel's value is right …
   double variance = 1.0 / 128;           ///< … to this; in ]0, 1[ and [0, 1]
 };
@@ -43,7 +43,7 @@ struct Camera {
   int cylinder_type = 0;  ///< of a cylinder: 1 to 4, upright or lying, from a point or from a line
   double angle = 0;  ///< radians across the picture; 0 where the kind has none (perspective, orthographic, omnimax)
   double vertical_angle = 0;  ///< of a spherical camera, radians
-  std::optional<FocalBlur> blur;
+  std::optional<FocalBlur> blur{};
   OriginId origin{};
 };
 

@@ -39,7 +39,7 @@ struct Light {
   double tightness = 0;  ///< exponent of the further fall with the angle or distance
   /// Both above 0: the light is divided by (1 + (d/fade_distance)^fade_power)/2.
   double fade_distance = 0, fade_power = 0;
-  std::optional<AreaLight> area;
+  std::optional<AreaLight> area{};
   bool media_interaction = true;
   bool media_attenuation = false;
   GroupId projected_through = kNoGroup;  ///< the light shines only where this lies between; in the light's own space …

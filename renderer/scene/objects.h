@@ -43,9 +43,9 @@ struct Group {
   Operation operation = Operation::unite;
   bool cutaway_textures = false;  ///< children without a texture take that of the child they cut
   bool is_light_group = false;    ///< `lights` shine on the children only
-  bool global_lights = true;      ///< of a light group: the scene's lights shine on the children too
-  std::vector<Object> children;
-  std::vector<Light> lights;  ///< of a light group, in the group's space
+  bool global_lights = false;     ///< of a light group: the scene's lights shine on the children too
+  std::vector<Object> children{};
+  std::vector<Light> lights{};  ///< of a light group, in the group's space
 };
 
 }  // namespace isl::scene

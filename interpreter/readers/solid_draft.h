@@ -1,0 +1,21 @@
+// What the readers of solids share: the first argument, which may be an object to copy, and the record's way into the
+// database.
+#pragma once
+
+#include "interpreter/readers/objects.h"
+
+#include <string_view>
+
+namespace isl::interpreter {
+
+/// Puts the solid into the database, counts it, and makes it the draft's shape. `detail_bytes` is what it takes
+/// besides.
+void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& solid, std::size_t detail_bytes = 0);
+
+/// Copies the object that stands where geometry could begin; false where the next element is none.
+[[nodiscard]] bool read_copy(ElementStream& stream, ObjectDraft& draft);
+
+/// A radius; POV-Ray takes a negative one for its absolute value.
+[[nodiscard]] double read_radius(ElementStream& stream, std::string_view what);
+
+}  // namespace isl::interpreter
