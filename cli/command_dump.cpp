@@ -1,5 +1,6 @@
 // `isl dump`: one box of the data flow as text. What it prints is stable, so that golden tests can hold on to it.
 #include "cli/commands.h"
+#include "cli/drawable.h"
 #include "cli/render_settings.h"
 #include "cli/report.h"
 #include "grammar/dump.h"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
 namespace isl::cli {
@@ -24,16 +26,20 @@ std::string database_text(const Session& session) {
   return scene::dump_json(session.scene().database, [&session](OriginId id) { return place_of(session, id); });
 }
 
-std::string text_of(const DumpCommand& command, Session& session) {
+std::string grid_text(const DumpCommand& command, const scene::Database& database) {
+  const RenderSettings settings = render_settings({command.scene, {}}, database);
+  return render::Tracer(database, settings.tracer).grid_json() + "\n";
+}
+
+/// Precondition: `drawable` is given for the grid.
+std::string text_of(const DumpCommand& command, Session& session, const DrawableScene* drawable) {
   switch (command.stage) {
     case DumpStage::tokens: return grammar::dump_tokens(session.sources(), session.unit().span, session.symbols());
     case DumpStage::ast: return grammar::dump_tree(session.unit().items, session.symbols());
     case DumpStage::database: return database_text(session);
-    case DumpStage::grid: break;
+    case DumpStage::grid: return grid_text(command, drawable->database());
   }
-  const scene::Database& database = session.scene().database;
-  const RenderSettings settings = render_settings({command.scene, {}}, database);
-  return render::Tracer(database, settings.tracer).grid_json() + "\n";
+  return {};
 }
 
 }  // namespace
@@ -45,7 +51,10 @@ ExitCode run(const DumpCommand& command) {
   // Tokens and trees of a text with mistakes are what one wants to see.
   const bool has_result = code == ExitCode::done || (is_text_stage && code == ExitCode::scene_error);
   if (!has_result) return report_failure(session, code);
-  const std::string text = text_of(command, session);
+  std::optional<DrawableScene> drawable;
+  if (command.stage == DumpStage::grid) drawable.emplace(session);
+  if (drawable && drawable->is_refused()) return report_failure(session, ExitCode::scene_error);
+  const std::string text = text_of(command, session, drawable ? &*drawable : nullptr);
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)}, {"dump", text}});
   } else {

@@ -1,6 +1,7 @@
 // `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
 #include "cli/commands.h"
 #include "cli/content_hash.h"
+#include "cli/drawable.h"
 #include "cli/interrupt.h"
 #include "cli/output_files.h"
 #include "cli/progress.h"
@@ -115,9 +116,11 @@ ExitCode run(const RenderCommand& command) {
   std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
   if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  const DrawableScene drawable(session);
+  if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
   if (command.scene.format == OutputFormat::text) print_problems(session);
 
-  const scene::Database& database = session.scene().database;
+  const scene::Database& database = drawable.database();
   const RenderSettings settings = render_settings(command, database);
   const Picture picture = make_picture(command, settings, database);
   const bool complete = picture.result.complete;

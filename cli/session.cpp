@@ -61,11 +61,14 @@ ExitCode Session::evaluate() {
 /// What only the whole scene can tell.
 void Session::check_result() {
   const scene::Database& database = scene_->database;
-  const auto complain = [this](const auto& parsed) {
-    if (!parsed.ok()) sink_.error({}, "global_settings: " + parsed.message());
+  const scene::Settings& settings = database.settings;
+  const auto complain = [this](const auto& parsed, OriginId place) {
+    if (parsed.ok()) return;
+    const interpreter::Origin origin = scene_->origins.resolve(place);
+    sink_.report({Severity::error, origin.span, "global_settings: " + parsed.message(), {}, {}, origin.chain});
   };
-  if (!database.settings.solver.empty()) complain(parse_solver(database.settings.solver));
-  if (!database.settings.tolerance.empty()) complain(parse_tolerance(database.settings.tolerance));
+  if (!settings.solver.empty()) complain(parse_solver(settings.solver), settings.solver_origin);
+  if (!settings.tolerance.empty()) complain(parse_tolerance(settings.tolerance), settings.tolerance_origin);
   if (database.objects.empty()) sink_.warning({}, fmt::format("{} holds no object", display_name()));
 }
 

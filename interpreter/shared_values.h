@@ -66,8 +66,8 @@ struct Surface {
 /// An object that is declared or about to be placed: a placement of shapes that already stand in the database, and the
 /// lights that it holds (a union may hold some; a light_source is nothing else).
 struct ObjectValue final : Shared {
-  grammar::Symbol word{};  ///< `sphere`, `blob`, … as it was made
-  scene::Object object;    ///< shape is kNone for an empty object (lenient) and for lights
+  grammar::Symbol word = grammar::kNoSymbol;  ///< `sphere`, `blob`, … as it was made; none for an empty object
+  scene::Object object;                       ///< shape is kNone for lights
   Surface surface;
   std::vector<scene::Light> lights;
 };

@@ -112,24 +112,10 @@ void expect_end(ElementStream& stream) {
 
 namespace {
 
-/// Skips what belongs to a word that is not supported: its values and colours, as in `checker rgb 1, rgb 0`, and for a
-/// pattern its list of textures.
-void skip_operands(ElementStream& stream) {
-  while (true) {
-    const Element& next = stream.peek();
-    const bool is_operand = next.is(ElementKind::value) || next.is(ElementKind::comma) ||
-                            (next.is(ElementKind::word) && is_colour_word(next.word)) ||
-                            (next.is(ElementKind::block) && next.word == stream.word());
-    if (!is_operand) return;
-    stream.drop();
-  }
-}
-
+/// Whether the element begins something of POV-Ray's that is not here.
 bool is_unsupported(const Element& element) {
-  const bool is_block = element.is(ElementKind::block);
-  if (!is_block && !element.is(ElementKind::word)) return false;
-  if (element.word == grammar::kNoSymbol || !grammar::is_reserved(element.word)) return false;
-  return !is_supported_word(element.word);
+  return (element.is(ElementKind::block) || element.is(ElementKind::word)) && element.word != grammar::kNoSymbol &&
+         is_unsupported_word(element.word);
 }
 
 /// A name that is nothing: with a suggestion.
@@ -153,11 +139,7 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   const SourceSpan span = is_named_block ? next.word_span : next.span;
   const std::string where =
       stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
-  if (is_unsupported(next)) {
-    context.unsupported(span, context.text(next.word));
-    if (next.is(ElementKind::word)) skip_operands(stream);
-    return;
-  }
+  if (is_unsupported(next)) return context.unsupported(span, context.text(next.word));
   const bool is_unknown_block = is_named_block && !grammar::is_reserved(next.word);
   if (next.is(ElementKind::unknown) || is_unknown_block) refuse_name(context, next, known, where);
   if (next.is(ElementKind::value)) {

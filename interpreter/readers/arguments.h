@@ -31,9 +31,8 @@ namespace isl::interpreter {
 /// Fails where anything is left.
 void expect_end(ElementStream& stream);
 
-/// An element that no reader of the enclosing construct takes. What POV-Ray has and we do not is skipped with its
-/// values
-/// ("`media` is not supported"); a misspelt word gets a suggestion from `known`; all else fails.
+/// An element that no reader of the enclosing construct takes. What POV-Ray has and we do not is skipped ("`media` is
+/// not supported"); a misspelt word gets a suggestion from `known`; all else fails.
 void refuse(ElementStream& stream, std::span<const grammar::Symbol> known);
 
 /// The identifier that an expression begins with: how a contextual word reaches its reader when what follows it made

@@ -24,14 +24,11 @@ constexpr CsgWord kCsgWords[] = {{word::kw_union, Operation::unite},
                                  {word::kw_intersection, Operation::intersect},
                                  {word::kw_difference, Operation::subtract}};
 
-bool is_group(const ObjectValue& value) {
-  return value.object.kind == scene::Object::Kind::group && value.object.shape != scene::kNone;
-}
-
 /// Whether a name alone at the start of a block is copied: `union { Name … }` where Name is made of objects itself.
-/// Any other object is the first child.
+/// Any other object is the first child, and so is what stands for an object that is not supported.
 bool is_copy(const Element& element, const ObjectValue& value) {
-  return element.is(ElementKind::value) && is_group(value);
+  const bool is_group = value.object.kind == scene::Object::Kind::group && value.object.shape != scene::kNone;
+  return element.is(ElementKind::value) && is_group && value.word != grammar::kNoSymbol;
 }
 
 /// Children up to the first modifier; true where the whole was copied from another instead.
@@ -71,21 +68,6 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
 
 }  // namespace
 
-Ref<ObjectValue> read_child(ElementStream& stream) {
-  Context& context = stream.context();
-  const Element next = stream.peek();
-  if (next.is(ElementKind::block) && is_object_word(next.word)) {
-    stream.drop();
-    return read_object(context, next);
-  }
-  if (!next.is(ElementKind::value)) return {};
-  const Value value = stream.take_value();
-  if (value.kind() != ValueKind::object) {
-    context.fail(next.span, fmt::format("expected an object, found {}", describe(value)));
-  }
-  return Ref<ObjectValue>(&value.as<ObjectValue>());
-}
-
 void read_csg(ElementStream& stream, ObjectDraft& draft) {
   const auto* const row = std::ranges::find(kCsgWords, stream.word(), &CsgWord::word);
   ISL_CHECK(row != std::end(kCsgWords));
@@ -121,7 +103,6 @@ void read_light_group(ElementStream& stream, ObjectDraft& draft) {
 
 void read_any_object(ElementStream& stream, ObjectDraft& draft) {
   const Ref<ObjectValue> child = read_child(stream);
-  if (!child && stream.peek().is(ElementKind::block)) return refuse(stream, object_words());
   if (!child) fail_expected(stream, "an object");
   copy_object(stream, *child, draft);
 }

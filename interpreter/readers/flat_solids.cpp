@@ -35,12 +35,6 @@ Vec3 normal_of(const std::array<Vec3, 3>& corners) {
   return is_degenerate ? Vec3(0) : across / across.length();
 }
 
-/// An empty union in place of what has no area.
-void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why) {
-  stream.context().warn(stream.span(), fmt::format("{}; it is left out", why));
-  set_group(stream, draft, {});
-}
-
 }  // namespace
 
 void read_triangle(ElementStream& stream, ObjectDraft& draft) {

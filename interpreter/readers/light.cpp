@@ -30,8 +30,6 @@ class LightReader {
     light_.location = read_vector(stream_, "the location of the light");
     stream_.accept_comma();
     light_.colour = read_colour(stream_);
-    if (light_.colour.filter != 0 || light_.colour.transmit != 0)
-      context_.warn(stream_.span(), "filter and transmit of a light's colour have no effect");
     while (!stream_.peek().is(ElementKind::end)) {
       if (!read_item()) refuse(stream_, kKnown);
     }
@@ -186,12 +184,8 @@ class LightReader {
   void read_only_child(const Element& block, scene::Group& group) {
     ElementStream inner(context_, block);
     const Ref<ObjectValue> child = read_child(inner);
-    if (!child) {
-      if (!inner.peek().is(ElementKind::block)) fail_expected(inner, "an object");
-      refuse(inner, object_words());
-    } else if (child->object.shape != scene::kNone) {
-      group.children.push_back(placed(context_, *child));
-    }
+    if (!child) fail_expected(inner, "an object");
+    if (child->object.shape != scene::kNone) group.children.push_back(placed(context_, *child));
     expect_end(inner);
   }
 

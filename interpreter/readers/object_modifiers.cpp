@@ -76,9 +76,13 @@ bool takes_cutaway_textures(const ElementStream& stream, const ObjectDraft& draf
   return group->operation == scene::Operation::intersect || group->operation == scene::Operation::subtract;
 }
 
-/// Hints to POV-Ray's ways of finding surfaces; they change no picture of ours.
+/// What changes no picture of ours: hints to POV-Ray's ways of finding surfaces, and an exception from radiosity.
 bool read_hint(ElementStream& stream, const ObjectDraft& draft) {
   const grammar::Symbol name = stream.peek().word;
+  if (name == word::kw_no_radiosity) {
+    stream.drop();
+    return true;
+  }
   const bool is_blob = draft.object.kind == Object::Kind::blob;
   const bool is_hint = (name == word::kw_sturm && takes_sturm(stream, draft)) ||
                        (name == word::kw_hierarchy && is_blob) || name == word::kw_split_union;
@@ -123,11 +127,9 @@ void read_clip(ElementStream& stream, const ObjectDraft& draft, scene::GroupId& 
   while (!inner.peek().is(ElementKind::end)) {
     const Element next = inner.peek();
     const Ref<ObjectValue> child = read_child(inner);
-    if (!child) {
-      if (!next.is(ElementKind::block)) fail_expected(inner, "an object");
-      refuse(inner, object_words());
-    } else if (child->object.shape != scene::kNone) {
-      if (next.is(ElementKind::value)) count_copy(context, *child, next.span);
+    if (!child) fail_expected(inner, "an object");
+    if (next.is(ElementKind::value)) count_copy(context, *child, next.span);
+    if (child->object.shape != scene::kNone) {
       Object object = placed(context, *child);
       object.parent_from_object = scene::then(object.parent_from_object, object_from_parent);
       group.children.push_back(object);

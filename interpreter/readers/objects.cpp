@@ -1,6 +1,7 @@
 #include "interpreter/readers/objects.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/supported.h"
 #include "interpreter/readers/texture.h"
 
 #include <fmt/format.h>
@@ -112,6 +113,33 @@ Ref<ObjectValue> read_object(Context& context, const Element& block) {
   value->object = draft.object;
   value->surface = draft;
   value->lights = std::move(draft.lights);
+  return value;
+}
+
+Ref<ObjectValue> read_child(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (next.is(ElementKind::block) && is_object_word(next.word)) {
+    stream.drop();
+    return read_object(context, next);
+  }
+  if (next.is(ElementKind::block) && is_unsupported_object(next.word)) {
+    refuse(stream, {});
+    return empty_object(stream);
+  }
+  if (!next.is(ElementKind::value)) return {};
+  const Value value = stream.take_value();
+  if (value.kind() != ValueKind::object) {
+    context.fail(next.span, fmt::format("expected an object, found {}", describe(value)));
+  }
+  return Ref<ObjectValue>(&value.as<ObjectValue>());
+}
+
+Ref<ObjectValue> empty_object(ElementStream& stream) {
+  Ref<ObjectValue> value = make_shared_value<ObjectValue>();
+  value->object.kind = scene::Object::Kind::group;
+  value->object.shape = index(add_group(stream, {}));
+  value->object.origin = stream.context().origin(stream.span());
   return value;
 }
 

@@ -21,8 +21,11 @@ struct ObjectDraft : Surface {
 
 /// Reads a whole block whose word is an object's.
 [[nodiscard]] Ref<ObjectValue> read_object(Context& context, const Element& block);
-/// The next element as an object, a value or a block; null where it is neither, and for what is not supported.
+/// The next element as an object, a value or a block; null where it is neither. An object of a kind that is not
+/// supported is reported and gives an empty one.
 [[nodiscard]] Ref<ObjectValue> read_child(ElementStream& stream);
+/// An object without anything: a union of nothing, so that it may stand wherever an object can.
+[[nodiscard]] Ref<ObjectValue> empty_object(ElementStream& stream);
 
 /// Reads one modifier that every object takes (transform, texture, flag) into the draft; false where the next is none.
 [[nodiscard]] bool read_object_modifier(ElementStream& stream, ObjectDraft& draft);

@@ -130,7 +130,7 @@ Value read_block(ElementStream& stream) {
   }
   refuse(stream, object_words());
   // Not supported, and reported: an empty object keeps the name usable.
-  return {ValueKind::object, make_shared_value<ObjectValue>()};
+  return {ValueKind::object, empty_object(stream)};
 }
 
 }  // namespace

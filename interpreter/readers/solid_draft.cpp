@@ -33,9 +33,13 @@ bool read_copy(ElementStream& stream, ObjectDraft& draft) {
 double read_radius(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const double radius = std::abs(read_number(stream, what));
-  if (!(radius > 0 && std::isfinite(radius)))
-    stream.context().fail(span, fmt::format("{} is above 0 and finite, found {:g}", what, radius));
+  if (!std::isfinite(radius)) stream.context().fail(span, fmt::format("{} is finite, found {:g}", what, radius));
   return radius;
+}
+
+void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why) {
+  stream.context().warn(stream.span(), fmt::format("{}; it is left out", why));
+  set_group(stream, draft, {});
 }
 
 }  // namespace isl::interpreter

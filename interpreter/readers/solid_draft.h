@@ -15,7 +15,10 @@ void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& so
 /// Copies the object that stands where geometry could begin; false where the next element is none.
 [[nodiscard]] bool read_copy(ElementStream& stream, ObjectDraft& draft);
 
-/// A radius; POV-Ray takes a negative one for its absolute value.
+/// A radius, finite; POV-Ray takes a negative one for its absolute value. It may be zero: then there is no surface.
 [[nodiscard]] double read_radius(ElementStream& stream, std::string_view what);
+
+/// An empty union in place of what has no surface, with the warning "<why>; it is left out".
+void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why);
 
 }  // namespace isl::interpreter

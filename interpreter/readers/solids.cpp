@@ -42,6 +42,7 @@ void read_sphere(ElementStream& stream, ObjectDraft& draft) {
   solid.a = read_vector(stream, "the centre of the sphere");
   stream.accept_comma();
   solid.radius_a = read_radius(stream, "a radius");
+  if (solid.radius_a == 0) return leave_out(stream, draft, "this sphere has the radius 0");
   add_solid(stream, draft, solid);
 }
 
@@ -55,6 +56,7 @@ void read_cylinder(ElementStream& stream, ObjectDraft& draft) {
   solid.radius_a = solid.radius_b = read_radius(stream, "a radius");
   solid.open = read_open(stream);
   check_ends(stream, solid.a, solid.b);
+  if (solid.radius_a == 0) return leave_out(stream, draft, "this cylinder has the radius 0");
   add_solid(stream, draft, solid);
 }
 
@@ -63,16 +65,14 @@ void read_cone(ElementStream& stream, ObjectDraft& draft) {
   Solid solid{.kind = SolidKind::cone};
   solid.a = read_vector(stream, "the first end of the cone");
   stream.accept_comma();
-  solid.radius_a = std::abs(read_number(stream, "the radius at the first end"));
+  solid.radius_a = read_radius(stream, "the radius at the first end");
   stream.accept_comma();
   solid.b = read_vector(stream, "the second end of the cone");
   stream.accept_comma();
-  solid.radius_b = std::abs(read_number(stream, "the radius at the second end"));
+  solid.radius_b = read_radius(stream, "the radius at the second end");
   solid.open = read_open(stream);
   check_ends(stream, solid.a, solid.b);
-  if (!(solid.radius_a + solid.radius_b > 0) || !std::isfinite(solid.radius_a + solid.radius_b)) {
-    stream.context().fail(stream.span(), "a cone needs a finite radius above 0 at one end");
-  }
+  if (solid.radius_a == 0 && solid.radius_b == 0) return leave_out(stream, draft, "this cone has the radius 0");
   add_solid(stream, draft, solid);
 }
 
@@ -105,10 +105,10 @@ void read_box(ElementStream& stream, ObjectDraft& draft) {
 void read_torus(ElementStream& stream, ObjectDraft& draft) {
   if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::torus};
-  solid.radius_a = std::abs(read_number(stream, "the major radius of the torus"));
+  solid.radius_a = read_radius(stream, "the major radius of the torus");
   stream.accept_comma();
   solid.radius_b = read_radius(stream, "the minor radius of the torus");
-  if (!std::isfinite(solid.radius_a)) stream.context().fail(stream.span(), "the radii of a torus are finite");
+  if (solid.radius_b == 0) return leave_out(stream, draft, "this torus has the minor radius 0");
   add_solid(stream, draft, solid);
 }
 
@@ -121,10 +121,8 @@ void read_disc(ElementStream& stream, ObjectDraft& draft) {
   stream.accept_comma();
   solid.radius_a = read_radius(stream, "a radius");
   const bool has_hole = stream.accept_comma() || stream.peek().is(ElementKind::value);
-  if (has_hole) solid.radius_b = std::abs(read_number(stream, "the radius of the hole"));
-  if (!(solid.radius_b < solid.radius_a)) {
-    stream.context().warn(stream.span(), "the hole of this disc is as large as the disc: nothing is left");
-  }
+  if (has_hole) solid.radius_b = read_radius(stream, "the radius of the hole");
+  if (solid.radius_b >= solid.radius_a) return leave_out(stream, draft, "this disc has a hole as large as itself");
   add_solid(stream, draft, solid);
 }
 

@@ -1,11 +1,13 @@
-// Which of the reserved words mean something here. Any other is POV-Ray's, and "not supported" rather than
-// "unexpected".
+// Which of POV-Ray's words mean something that is not here: "not supported" rather than "unexpected".
 #pragma once
 
 #include "grammar/symbols.h"
 
 namespace isl::interpreter {
 
-[[nodiscard]] bool is_supported_word(grammar::Symbol word);
+/// Of words that begin a construct; those that stand only inside one that is not supported are skipped with it.
+[[nodiscard]] bool is_unsupported_word(grammar::Symbol word);
+/// Those that make an object.
+[[nodiscard]] bool is_unsupported_object(grammar::Symbol word);
 
 }  // namespace isl::interpreter

@@ -1,0 +1,117 @@
+#include "renderer/scene/unrendered.h"
+
+#include "renderer/scene/unrendered_features.h"
+
+#include <unordered_map>
+
+namespace isl::scene {
+namespace {
+
+/// Walks what stands in the world, each shared group once; what belongs to a shape that cannot be drawn is not looked
+/// into.
+class Finder {
+ public:
+  explicit Finder(const Database& database) : database_(database), is_seen_(database.groups.size(), false) {}
+
+  std::vector<Unrendered> find() {
+    if (database_.camera) look(camera_features(), *database_.camera, database_.camera->origin);
+    look_at(database_.lights);
+    look(texture_features(), database_.default_texture, {});
+    look_at(database_.objects);
+    // Groups hold groups: a list of what is still to be looked at, so that depth costs no stack.
+    for (std::size_t next = 0; next < groups_.size(); ++next) {
+      const Group& group = database_.groups[groups_[next].shape];
+      look(group_features(), group, groups_[next].origin);
+      look_at(group.lights);
+      look_at(group.children);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  struct PlacedGroup {
+    std::uint32_t shape;
+    OriginId origin;
+  };
+
+  void add(std::string_view what, OriginId origin) {
+    const auto [place, is_new] = places_.try_emplace(what, found_.size());
+    if (is_new) found_.push_back({std::string(what), origin, 0});
+    ++found_[place->second].count;
+  }
+
+  template <class Record>
+  void look(std::span<const Feature<Record>> features, const Record& record, OriginId origin) {
+    for (const Feature<Record>& feature : features) {
+      if (feature.is_used(record)) add(feature.what, origin);
+    }
+  }
+
+  void look_at(const std::vector<Light>& lights) {
+    for (const Light& light : lights) look(light_features(), light, light.origin);
+  }
+
+  void look_at(const std::vector<Object>& objects) {
+    for (const Object& object : objects) {
+      if (const std::string_view shape = unrendered_shape(database_, object); !shape.empty()) {
+        add(shape, object.origin);
+        continue;
+      }
+      look(object_features(), object, object.origin);
+      if (object.texture != kNoTexture) look(texture_features(), database_.texture(object.texture), object.origin);
+      if (object.kind == Object::Kind::blob) look_at(database_.blobs[object.shape]);
+      if (object.kind != Object::Kind::group || is_seen_[object.shape]) continue;
+      is_seen_[object.shape] = true;
+      groups_.push_back({object.shape, object.origin});
+    }
+  }
+
+  void look_at(const Blob& blob) {
+    for (std::size_t i = 0; i < blob.components.size(); ++i) {
+      const TextureId texture = blob.components[i].texture;
+      if (texture != kNoTexture) look(texture_features(), database_.texture(texture), blob.origins[i]);
+    }
+  }
+
+  const Database& database_;
+  std::vector<Unrendered> found_;
+  std::unordered_map<std::string_view, std::size_t> places_;  ///< in found_
+  std::vector<bool> is_seen_;                                 ///< by group
+  std::vector<PlacedGroup> groups_;                           ///< in the order in which they were met
+};
+
+template <class Record>
+void leave_out(std::span<const Feature<Record>> features, Record& record) {
+  for (const Feature<Record>& feature : features) {
+    if (feature.is_used(record)) feature.leave_out(record);
+  }
+}
+
+template <class Record>
+void leave_out(std::span<const Feature<Record>> features, std::vector<Record>& records) {
+  for (Record& record : records) leave_out(features, record);
+}
+
+void leave_out_objects(const Database& database, std::vector<Object>& objects) {
+  std::erase_if(objects, [&](const Object& object) { return !unrendered_shape(database, object).empty(); });
+  leave_out(object_features(), objects);
+}
+
+}  // namespace
+
+std::vector<Unrendered> unrendered(const Database& database) { return Finder(database).find(); }
+
+void leave_out_unrendered(Database& database) {
+  if (database.camera) leave_out(camera_features(), *database.camera);
+  leave_out(light_features(), database.lights);
+  leave_out(texture_features(), database.default_texture);
+  leave_out(texture_features(), database.textures);
+  leave_out_objects(database, database.objects);
+  for (Group& group : database.groups) {
+    leave_out_objects(database, group.children);
+    leave_out(light_features(), group.lights);
+  }
+  leave_out(group_features(), database.groups);
+}
+
+}  // namespace isl::scene

@@ -1,0 +1,29 @@
+// The rows of what cannot be drawn yet: for each kind of record, what to look for and how to do without. Internal to
+// renderer/scene.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <span>
+#include <string_view>
+
+namespace isl::scene {
+
+template <class Record>
+struct Feature {
+  std::string_view what;
+  bool (*is_used)(const Record&);
+  void (*leave_out)(Record&);
+};
+
+[[nodiscard]] std::span<const Feature<Camera>> camera_features();
+[[nodiscard]] std::span<const Feature<Light>> light_features();
+/// Of an object apart from its shape.
+[[nodiscard]] std::span<const Feature<Object>> object_features();
+[[nodiscard]] std::span<const Feature<Group>> group_features();
+[[nodiscard]] std::span<const Feature<Texture>> texture_features();
+
+/// What the language calls a shape that cannot be drawn at all; "" for one that can.
+[[nodiscard]] std::string_view unrendered_shape(const Database& database, const Object& object);
+
+}  // namespace isl::scene

@@ -1,0 +1,3 @@
+camera { location x }
+camera { panoramic angle 120 }
+camera { fisheye look_at x }

@@ -1,0 +1,1 @@
+camera { spherical angle 300, 100 look_at x }

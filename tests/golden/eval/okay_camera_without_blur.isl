@@ -1,0 +1,1 @@
+camera { aperture .4 focal_point z angle 0 }
