@@ -57,9 +57,11 @@ bool is_triangle(const Context& context, const scene::Object& object) {
 void check_children(ElementStream& stream, const scene::Group& group, std::size_t count) {
   Context& context = stream.context();
   const std::string_view name = context.text(stream.word());
-  if (count < 2)
-    context.warn(stream.span(), fmt::format("`{}` is made for two objects or more, found {}", name, count));
   const bool needs_inside = group.operation == Operation::intersect || group.operation == Operation::subtract;
+  // POV-Ray warns of a union of one too; generated ones are common and what they mean is clear.
+  if (count == 0) context.warn(stream.span(), fmt::format("this `{}` is empty", name));
+  if (count == 1 && needs_inside)
+    context.warn(stream.span(), fmt::format("`{}` is made for two objects or more", name));
   if (!needs_inside) return;
   const auto has_no_inside = [&](const scene::Object& child) { return is_triangle(context, child); };
   if (std::ranges::any_of(group.children, has_no_inside))

@@ -32,16 +32,17 @@ TEST(Options, ClockFrameAndSizeReachTheScene) {
 TEST(Options, LenientKeepsANameOfWhatIsNotSupported) {
   EvaluateOptions options;
   options.lenient = true;
-  const EvaluatedText scene("#declare Box = box { 0, 1 } union { Box sphere { 0, 1 } }", options);
+  const EvaluatedText scene("#declare Letters = text { } union { Letters sphere { 0, 1 } }", options);
   EXPECT_FALSE(scene.sink().has_errors());
-  EXPECT_THAT(scene.messages(), HasSubstr("warning: `box` is not supported"));
-  ASSERT_EQ(scene.database().groups.size(), 1u);
-  EXPECT_EQ(scene.database().groups[0].children.size(), 1u);
+  EXPECT_THAT(scene.messages(), HasSubstr("warning: `text` is not supported"));
+  ASSERT_EQ(scene.database().groups.size(), 2u);
+  EXPECT_EQ(scene.database().groups[0].children.size(), 0u) << "what stands for the text";
+  EXPECT_EQ(scene.database().groups[1].children.size(), 2u);
 }
 
 TEST(Options, WithoutLenientWhatIsNotSupportedIsAnError) {
-  const EvaluatedText scene("#declare Box = box { 0, 1 } Box");
-  EXPECT_EQ(scene.messages(), "error: `box` is not supported\n");
+  const EvaluatedText scene("#declare Letters = text { } Letters");
+  EXPECT_EQ(scene.messages(), "error: `text` is not supported\n");
 }
 
 TEST(Options, AssumedGammaDefaultsToLinearInTheNewestLanguageOnly) {

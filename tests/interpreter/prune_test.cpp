@@ -37,6 +37,47 @@ TEST(Prune, KeepsWhatGroupsOfGroupsReachAndRenumbersIt) {
   EXPECT_EQ(database.texture(database.groups[0].children[0].texture).pigment.colour.red, 3);
 }
 
+TEST(Prune, RenumbersWhatSolidsHoldElsewhere) {
+  Database database;
+  database.polynomials = {{2, {1}}, {3, {2}}};
+  database.triangles.resize(2);
+  database.triangles[1].corners[0].x = 3;
+  database.polygons = {{}, {{{4, 0, 0}}}};
+  database.solids = {{.kind = scene::SolidKind::quadric, .detail = 0},
+                     {.kind = scene::SolidKind::cubic, .detail = 1},
+                     {.kind = scene::SolidKind::triangle, .detail = 1},
+                     {.kind = scene::SolidKind::polygon, .detail = 1}};
+  for (std::uint32_t i = 1; i < 4; ++i) database.objects.push_back(object(Object::Kind::solid, i));
+  prune(database);
+  ASSERT_EQ(database.polynomials.size(), 1u);
+  ASSERT_EQ(database.triangles.size(), 1u);
+  ASSERT_EQ(database.polygons.size(), 1u);
+  EXPECT_EQ(database.polynomials[database.solids[0].detail].order, 3);
+  EXPECT_EQ(database.triangles[database.solids[1].detail].corners[0].x, 3);
+  EXPECT_EQ(database.polygons[database.solids[2].detail].points[0].x, 4);
+}
+
+TEST(Prune, KeepsWhatClipsBoundsAndIsShoneThrough) {
+  Database database;
+  database.solids = {{.radius_a = 1}, {.radius_a = 2}, {.radius_a = 3}, {.radius_a = 4}};
+  database.groups.resize(4);
+  for (std::uint32_t i = 1; i < 4; ++i) database.groups[i].children = {object(Object::Kind::solid, i)};
+  Object clipped = object(Object::Kind::solid, 0);
+  clipped.clip = scene::GroupId{3};
+  clipped.bound = scene::GroupId{2};
+  database.objects = {clipped};
+  database.lights.resize(1);
+  database.lights[0].projected_through = scene::GroupId{1};
+  prune(database);
+  ASSERT_EQ(database.groups.size(), 3u);
+  const auto radius = [&](scene::GroupId group) {
+    return database.solids[database.groups[scene::index(group)].children[0].shape].radius_a;
+  };
+  EXPECT_EQ(radius(database.objects[0].clip), 4);
+  EXPECT_EQ(radius(database.objects[0].bound), 3);
+  EXPECT_EQ(radius(database.lights[0].projected_through), 2);
+}
+
 TEST(Prune, RenumbersWhatComponentsReferTo) {
   Database database;
   database.kernels.resize(3);

@@ -7,7 +7,9 @@ union { sphere { 0, 1 } plane { y, 0 } split_union on }
 union { Cut translate x }
 object { Cut cutaway_textures }
 difference { sphere { 0, 5 } Cut inverse }
-// A union of one, of light, and an intersection with what has no inside.
+// Few children, light among them, and an intersection with what has no inside.
 union { sphere { 0, 9 } }
+merge { }
+difference { sphere { 0, 10 } }
 union { light_source { 0, 1 } sphere { 0, 8 } translate z }
 intersection { triangle { 0, x, y } sphere { 0, 7 } }
