@@ -12,7 +12,7 @@ namespace isl::cli {
 
 struct SceneExtent {
   Imath::Box3d box;        ///< in world space; holds every bounded surface; empty when there is none
-  bool unbounded = false;  ///< the scene has planes besides
+  bool unbounded = false;  ///< the scene has planes, or what may be without end, besides
 };
 
 [[nodiscard]] SceneExtent extent_of(const scene::Database& database);
@@ -21,7 +21,8 @@ struct SceneExtent {
 /// Precondition: the box is not empty.
 [[nodiscard]] std::string suggest_camera(const Imath::Box3d& box);
 
-/// False where the box lies wholly outside the camera's pyramid; true may still mean hidden.
+/// False where the box lies wholly outside the camera's pyramid; true may still mean hidden. Of cameras that have no
+/// pyramid nothing is known.
 [[nodiscard]] bool may_see(const scene::Camera& camera, const Imath::Box3d& box);
 
 }  // namespace isl::cli

@@ -29,6 +29,7 @@ class Counter {
           sum.fields += inner.fields;
           sum.blobs += inner.blobs;
           sum.solids += inner.solids;
+          sum.lights += inner.lights;
           break;
         }
       }
@@ -38,7 +39,10 @@ class Counter {
 
  private:
   const SceneSummary& of_group(std::uint32_t group) {
-    if (!groups_[group]) groups_[group] = of(database_.groups[group].children);
+    if (!groups_[group]) {
+      groups_[group] = of(database_.groups[group].children);
+      groups_[group]->lights += database_.groups[group].lights.size();
+    }
     return *groups_[group];
   }
 
@@ -55,17 +59,20 @@ std::size_t bytes(const Column& column) {
 
 SceneSummary summarise(const Database& database) {
   SceneSummary summary = Counter(database).of(database.objects);
-  summary.lights = database.lights.size();
+  summary.lights += database.lights.size();
   summary.textures = database.textures.size();
   return summary;
 }
 
 std::size_t database_bytes(const Database& database) {
   std::size_t sum = bytes(database.kernels) + bytes(database.transforms) + bytes(database.textures) +
-                    bytes(database.blobs) + bytes(database.solids) + bytes(database.groups) + bytes(database.objects) +
-                    bytes(database.lights);
+                    bytes(database.blobs) + bytes(database.solids) + bytes(database.polynomials) +
+                    bytes(database.triangles) + bytes(database.polygons) + bytes(database.groups) +
+                    bytes(database.objects) + bytes(database.lights);
   for (const scene::Blob& blob : database.blobs) sum += bytes(blob.components) + bytes(blob.origins);
-  for (const scene::Group& group : database.groups) sum += bytes(group.children);
+  for (const scene::Group& group : database.groups) sum += bytes(group.children) + bytes(group.lights);
+  for (const scene::Polynomial& polynomial : database.polynomials) sum += bytes(polynomial.coefficients);
+  for (const scene::Polygon& polygon : database.polygons) sum += bytes(polygon.points);
   return sum;
 }
 

@@ -1,0 +1,117 @@
+// The box of a blob. Along a direction n, the sum of what every component can reach anywhere in the half-space n·p ≥ a
+// bounds the field there from above, and falls as a grows. Where it meets the threshold no surface lies beyond: found
+// by bisection for the six directions of the axes. A component alone gives the bracket: its support ends outside, its
+// own surface inside.
+#include "renderer/extents/blob_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace isl::render {
+
+using Imath::Box3d;
+using scene::Component;
+using scene::Database;
+using scene::Vec3;
+
+double kernel_value(const KernelConstants& kernel, double q) {
+  const double v = kernel.scale * q;
+  if (v >= kernel.support) return 0;
+  if (kernel.shape == scene::KernelShape::quartic) return kernel.amplitude * (1 - v) * (1 - v);
+  return kernel.amplitude * (std::exp(kernel.a - v) - kernel.cut * (1 + kernel.support - v));
+}
+
+namespace {
+
+/// A component seen along one direction: its two ends' coordinates, and what one radius measures there.
+struct Profile {
+  const KernelConstants* kernel = nullptr;
+  double strength = 0;
+  std::array<double, 2> end{};
+  std::array<double, 2> radius{};
+
+  /// The most that the component reaches in the half-space beyond `a`. Between the ends coordinate and radius are
+  /// linear, so their quotient is monotone and an end has its least value.
+  [[nodiscard]] double most_beyond(double a) const {
+    double root_q = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 2; ++i) {
+      if (end[i] >= a) return strength * kernel_value(*kernel, 0);
+      if (radius[i] > 0) root_q = std::min(root_q, (a - end[i]) / radius[i]);
+    }
+    return strength * kernel_value(*kernel, root_q * root_q);
+  }
+  [[nodiscard]] double support_end() const {
+    const double reach = std::sqrt(kernel->support_q());
+    return std::max(end[0] + reach * radius[0], end[1] + reach * radius[1]);
+  }
+};
+
+Profile profile_of(const Database& database, const std::vector<KernelConstants>& kernels, const Component& c, int axis,
+                   double sign) {
+  static const scene::Transform kSame;
+  const scene::Transform& blob_from_component =
+      c.transform == scene::kIdentity ? kSame : database.transforms[index(c.transform)];
+  const scene::Matrix& m = blob_from_component.matrix;
+  const double stretch = Vec3(m[0][axis], m[1][axis], m[2][axis]).length();
+  const bool is_point = c.skeleton == scene::Skeleton::point;
+  const Vec3 b = is_point ? c.a : c.b;
+  const double radius_b = c.skeleton == scene::Skeleton::cone ? c.radius_b : c.radius_a;
+  Profile profile;
+  profile.kernel = &kernels[index(c.kernel)];
+  profile.strength = c.strength;
+  profile.end = {sign * blob_from_component.point(c.a)[axis], sign * blob_from_component.point(b)[axis]};
+  profile.radius = {c.radius_a * stretch, radius_b * stretch};
+  return profile;
+}
+
+double sum_beyond(std::span<const Profile> profiles, double a) {
+  double sum = 0;
+  for (const Profile& profile : profiles) sum += profile.most_beyond(a);
+  return sum;
+}
+
+/// The least a beyond which the blob has no surface, or nothing when it has none at all.
+std::optional<double> reach(std::vector<Profile>& profiles, double threshold) {
+  double low = std::numeric_limits<double>::infinity();  // the sum over half-spaces from here on reaches the threshold
+  double high = -low;                                    // no support reaches here
+  for (const Profile& profile : profiles) {
+    low = std::min({low, profile.end[0], profile.end[1]});
+    high = std::max(high, profile.support_end());
+  }
+  if (!(sum_beyond(profiles, low) >= threshold)) return std::nullopt;
+  for (const Profile& profile : profiles) {  // components that have a surface alone bring `low` up at once
+    const double own = std::max(profile.end[0], profile.end[1]);
+    if (own > low && profile.most_beyond(own) >= threshold) low = own;
+  }
+  std::erase_if(profiles, [low](const Profile& profile) { return profile.support_end() <= low; });
+  constexpr int kSteps = 24;  // 2⁻²⁴ of a radius: beyond what a printed box shows
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = low + (high - low) / 2;
+    (sum_beyond(profiles, middle) >= threshold ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+Box3d box_of_blob(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob) {
+  Box3d box;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      std::vector<Profile> profiles;
+      for (const Component& c : blob.components) {
+        if (c.strength > 0) profiles.push_back(profile_of(database, kernels, c, axis, sign));
+      }
+      const std::optional<double> a = profiles.empty() ? std::nullopt : reach(profiles, blob.threshold);
+      if (!a) return {};
+      (sign < 0 ? box.min : box.max)[axis] = sign * *a;
+    }
+  }
+  return box;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,120 @@
+#include "renderer/extents/extents.h"
+
+#include "renderer/extents/blob_extent.h"
+#include "renderer/extents/solid_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isl::render {
+namespace {
+
+using scene::Object;
+using scene::Operation;
+using scene::Vec3;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+const Box kEverything{Vec3(-kFar), Vec3(kFar)};
+
+Box common(const Box& a, const Box& b) {
+  Box result;
+  for (int i = 0; i < 3; ++i) {
+    result.min[i] = std::max(a.min[i], b.min[i]);
+    result.max[i] = std::min(a.max[i], b.max[i]);
+    if (result.min[i] > result.max[i]) return {};
+  }
+  return result;
+}
+
+/// A box that holds the mapped box. A side that is infinite makes those infinite that it has a part in.
+Box mapped(const Box& box, const scene::Transform& transform) {
+  if (box.isEmpty()) return {};
+  Box result;
+  for (int i = 0; i < 3; ++i) {
+    result.min[i] = result.max[i] = transform.matrix[3][i];
+    for (int j = 0; j < 3; ++j) {
+      const double factor = transform.matrix[j][i];
+      if (factor == 0) continue;  // times an infinite side it would be no number
+      result.min[i] += std::min(factor * box.min[j], factor * box.max[j]);
+      result.max[i] += std::max(factor * box.min[j], factor * box.max[j]);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool is_finite(const Box& box) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::isinf(box.min[i]) || std::isinf(box.max[i])) return false;
+  }
+  return true;
+}
+
+Box Extents::of(const Object& object) { return boxes_of(object).surface; }
+
+Extents::Boxes Extents::boxes_of(const Object& object) {
+  Boxes boxes;
+  if (object.kind == Object::Kind::solid) {  // tight in the space outside, which a mapped box would not be
+    boxes.surface = boxes.inside = box_of(database_, database_.solids[object.shape], object.parent_from_object);
+  } else {
+    boxes = boxes_of_shape(object);
+    boxes.surface = mapped(boxes.surface, object.parent_from_object);
+    boxes.inside = mapped(boxes.inside, object.parent_from_object);
+  }
+  if (object.inverse) boxes.inside = kEverything;
+  if (object.clip != scene::kNoGroup) {
+    const Box clip = mapped(boxes_of_group(index(object.clip)).inside, object.parent_from_object);
+    boxes.surface = common(boxes.surface, clip);
+    boxes.inside = common(boxes.inside, clip);
+  }
+  // What the scene promises of an object counts where nothing else is known.
+  if (object.bound != scene::kNoGroup && !is_finite(boxes.surface)) {
+    const Box bound = mapped(boxes_of_group(index(object.bound)).inside, object.parent_from_object);
+    boxes.surface = common(boxes.surface, bound);
+    if (!object.inverse) boxes.inside = common(boxes.inside, bound);
+  }
+  return boxes;
+}
+
+Extents::Boxes Extents::boxes_of_shape(const Object& object) {
+  if (object.kind == Object::Kind::group) return boxes_of_group(object.shape);
+  const Box& box = box_of_blob_at(object.shape);
+  return {box, box};
+}
+
+const Box& Extents::box_of_blob_at(std::uint32_t blob) {
+  if (blobs_.size() < database_.blobs.size()) blobs_.resize(database_.blobs.size());
+  for (std::size_t i = kernels_.size(); i < database_.kernels.size(); ++i)
+    kernels_.push_back(kernel_constants(database_.kernels[i]));
+  std::optional<Box>& box = blobs_[blob];
+  if (!box) box = box_of_blob(database_, kernels_, database_.blobs[blob]);
+  return *box;
+}
+
+Extents::Boxes Extents::boxes_of_group(std::uint32_t group_index) {
+  if (groups_.size() < database_.groups.size()) groups_.resize(database_.groups.size());
+  if (groups_[group_index]) return *groups_[group_index];
+  const scene::Group& group = database_.groups[group_index];
+  const bool is_union = group.operation == Operation::unite || group.operation == Operation::merge;
+  Boxes boxes;
+  if (!is_union && !group.children.empty()) boxes.inside = kEverything;
+  bool is_first = true;
+  for (const Object& child : group.children) {
+    const Boxes own = boxes_of(child);
+    // The surface of any combination is made of the children's.
+    boxes.surface.extendBy(own.surface);
+    if (is_union) {
+      boxes.inside.extendBy(own.inside);
+    } else if (group.operation == Operation::intersect || is_first) {
+      boxes.inside = common(boxes.inside, own.inside);
+    }
+    is_first = false;
+  }
+  if (!is_union) boxes.surface = common(boxes.surface, boxes.inside);
+  groups_[group_index] = boxes;
+  return boxes;
+}
+
+}  // namespace isl::render
