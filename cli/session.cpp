@@ -4,6 +4,7 @@
 #include "cli/interrupt.h"
 #include "cli/search_path.h"
 #include "cli/stopwatch.h"
+#include "renderer/queries/object_queries.h"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,8 @@ ExitCode Session::evaluate() {
   options.image_height = options_.size.height;
   options.print_debug = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
   options.stop = &interrupt_flag();
+  render::ObjectQueries queries;
+  options.queries = &queries;
 
   const Stopwatch stopwatch;
   scene_ = interpreter::evaluate(loader_, symbols_, *unit_, options, sink_);

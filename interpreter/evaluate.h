@@ -8,6 +8,7 @@
 #include "grammar/symbols.h"
 #include "interpreter/origin_table.h"
 #include "renderer/scene/database.h"
+#include "renderer/scene/queries.h"
 
 #include <atomic>
 #include <cstddef>
@@ -40,6 +41,8 @@ struct EvaluateOptions {
   int image_width = 800, image_height = 600;
   /// Receives the text of each #debug; may be empty.
   std::function<void(std::string_view)> print_debug;
+  /// Answers `trace`, `inside`, `min_extent` and `max_extent`; where it is null they are errors.
+  scene::Queries* queries = nullptr;
   /// Looked at now and then; where it turns true the evaluation ends with an error. May be null.
   const std::atomic<bool>* stop = nullptr;
 };

@@ -23,6 +23,7 @@ using Table = std::array<const Builtin*, word::kReservedCount>;
 Table make_table() {
   Table table{};
   for (const auto functions : {float_functions(), vector_functions(), string_functions(), time_functions()}) {
+  for (const auto functions : {float_functions(), vector_functions(), object_functions(), string_functions()}) {
     for (const Builtin& function : functions) table[static_cast<std::uint32_t>(function.name)] = &function;
   }
   return table;
@@ -180,6 +181,13 @@ int Arguments::integer(std::size_t i, int low, int high) const {
   if (!(value > low - 1.0 && value < high + 1.0))
     fail(i, fmt::format("expected {} to {}, found {:g}", low, high, value));
   return static_cast<int>(value);
+}
+
+Slot& Arguments::variable(std::size_t i) const {
+  const bool is_alone = i < call_.arguments.size() && call_.arguments[i].size() == 1;
+  const NodeKind kind = is_alone ? call_.arguments[i][0]->kind : NodeKind::error;
+  if (kind != NodeKind::name && kind != NodeKind::index) fail(i, "expected the name of a variable");
+  return find_slot(context_, *call_.arguments[i][0]);
 }
 
 }  // namespace isl::interpreter

@@ -32,6 +32,8 @@ class Arguments {
   [[nodiscard]] const std::string& string(std::size_t i) const;
   /// A number in [low, high], truncated.
   [[nodiscard]] int integer(std::size_t i, int low, int high) const;
+  /// The variable that argument i names, to be written to.
+  [[nodiscard]] Slot& variable(std::size_t i) const;
   [[noreturn]] void fail(std::size_t i, std::string message) const;
 
  private:
@@ -52,6 +54,7 @@ struct Builtin {
 
 [[nodiscard]] std::span<const Builtin> float_functions();
 [[nodiscard]] std::span<const Builtin> vector_functions();
+[[nodiscard]] std::span<const Builtin> object_functions();
 [[nodiscard]] std::span<const Builtin> string_functions();
 [[nodiscard]] std::span<const Builtin> time_functions();
 

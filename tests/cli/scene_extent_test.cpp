@@ -112,10 +112,10 @@ TEST(SceneSummary, CountsWhatSharedGroupsPlaceWithoutVisitingIt) {
   // Forty groups, each placing the one before twice: 2⁴⁰ solids.
   Database database;
   database.solids.push_back({.radius_a = 1});
-  database.groups.push_back({{{.shape = 0}}});
+  database.groups.push_back({.children = {{.shape = 0}}});
   for (std::uint32_t level = 1; level <= 40; ++level) {
     const Object inner{.kind = Object::Kind::group, .shape = level - 1};
-    database.groups.push_back({{inner, inner}});
+    database.groups.push_back({.children = {inner, inner}});
   }
   database.objects.push_back({.kind = Object::Kind::group, .shape = 40});
   EXPECT_EQ(summarise(database).solids, std::uint64_t{1} << 40);

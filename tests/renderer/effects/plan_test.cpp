@@ -68,7 +68,7 @@ TEST(Plan, looks_into_groups) {
   scene::Database database = small_scene();
   scene::Object hidden = database.objects[0];
   hidden.no_shadow = true;
-  database.groups.push_back({{hidden}});
+  database.groups.push_back({.children = {hidden}});
   database.objects[0].kind = scene::Object::Kind::group;
   EXPECT_FALSE(plan_of(database).shadows) << "the only child throws none";
   database.groups[0].children.push_back(scene::Object{});

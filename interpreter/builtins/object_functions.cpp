@@ -1,0 +1,78 @@
+// Functions that ask about objects: trace, inside, min_extent, max_extent. The answers come from outside
+// (renderer/scene/queries.h).
+#include "interpreter/builtins/builtins.h"
+
+#include "renderer/scene/queries.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+namespace word = grammar::word;
+using scene::Vec3;
+
+/// What POV-Ray gives for a side that is infinite, and for an object without a surface.
+constexpr double kFarthest = 1e10;
+
+Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
+
+scene::Queries& queries(const Arguments& a) {
+  if (!a.context().options.queries)
+    a.context().fail(a.span(), "nothing is here that could answer this about an object");
+  return *a.context().options.queries;
+}
+
+/// The object of argument 0, as it would stand in the world.
+const scene::Object& object(const Arguments& a) {
+  if (a[0].kind() != ValueKind::object) a.fail(0, fmt::format("expected an object, found {}", describe(a[0])));
+  const scene::Object& object = a[0].as<ObjectValue>().object;
+  if (object.shape == scene::kNone) a.fail(0, "a light has no surface");
+  return object;
+}
+
+Value trace(const Arguments& a) {
+  Context& context = a.context();
+  const scene::Object& target = object(a);
+  const Vec3 origin = a.vector(1), direction = a.vector(2);
+  Slot* const normal = a.size() == 4 ? &a.variable(3) : nullptr;
+  if (normal && normal->value.term_count() != 3) {
+    a.fail(3, fmt::format("the variable for the normal holds a 3-term vector, found {}", describe(normal->value)));
+  }
+  if (const std::string thing = queries(a).untraceable(context.database, target); !thing.empty())
+    a.fail(0, fmt::format("the surface of {} cannot be found yet", thing));
+  const auto hit = queries(a).trace(context.database, target, origin, direction);
+  if (normal) normal->value = to_value(hit ? hit->normal : Vec3(0));
+  return to_value(hit ? hit->position : Vec3(0));
+}
+
+Value inside(const Arguments& a) {
+  const scene::Object& target = object(a);
+  return Value(queries(a).inside(a.context().database, target, a.vector(1)) ? 1.0 : 0.0);
+}
+
+/// A corner of the box; `sign` is −1 for the least.
+Value corner(const Arguments& a, double sign) {
+  const scene::Object& target = object(a);
+  const Imath::Box3d box = queries(a).extent(a.context().database, target);
+  if (box.isEmpty()) return to_value(Vec3(sign * kFarthest));
+  Vec3 result = sign < 0 ? box.min : box.max;
+  for (int i = 0; i < 3; ++i) result[i] = std::clamp(result[i], -kFarthest, kFarthest);
+  return to_value(result);
+}
+
+const Builtin kFunctions[] = {
+    {word::kw_trace, 3, 4, nullptr, trace},
+    {word::kw_inside, 2, 2, nullptr, inside},
+    {word::kw_min_extent, 1, 1, nullptr, [](const Arguments& a) { return corner(a, -1); }},
+    {word::kw_max_extent, 1, 1, nullptr, [](const Arguments& a) { return corner(a, 1); }},
+};
+
+}  // namespace
+
+std::span<const Builtin> object_functions() { return kFunctions; }
+
+}  // namespace isl::interpreter

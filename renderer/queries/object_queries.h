@@ -1,0 +1,48 @@
+// The answers to what the language asks about objects: traced by the renderer's own tracer, each shape made ready once
+// and always exactly.
+#pragma once
+
+#include "renderer/extents/extents.h"
+#include "renderer/fields/kernels/kernel_constants.h"
+#include "renderer/scene/queries.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace isl::render {
+
+class Tracer;
+
+/// Of one database, which may grow between questions.
+class ObjectQueries final : public scene::Queries {
+ public:
+  ObjectQueries();
+  ~ObjectQueries() override;
+
+  [[nodiscard]] std::string untraceable(const scene::Database& database, const scene::Object& object) override;
+  [[nodiscard]] std::optional<scene::TracedPoint> trace(const scene::Database& database, const scene::Object& object,
+                                                        const scene::Vec3& origin,
+                                                        const scene::Vec3& direction) override;
+  [[nodiscard]] bool inside(const scene::Database& database, const scene::Object& object,
+                            const scene::Vec3& point) override;
+  [[nodiscard]] Imath::Box3d extent(const scene::Database& database, const scene::Object& object) override;
+
+ private:
+  /// What decides the surface of an object in its own space.
+  using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId>;
+  /// A shape made ready, or what of it cannot be.
+  struct TracedShape;
+
+  TracedShape& shape_of(const scene::Database& database, const scene::Object& object);
+  void follow(const scene::Database& database);
+
+  const scene::Database* database_ = nullptr;  ///< what the rest was made from
+  std::vector<KernelConstants> kernels_;
+  std::optional<Extents> extents_;
+  std::map<ShapeKey, std::unique_ptr<TracedShape>> shapes_;
+};
+
+}  // namespace isl::render

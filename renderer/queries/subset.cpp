@@ -1,0 +1,104 @@
+#include "renderer/queries/subset.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace isl::render {
+namespace {
+
+using scene::Object;
+
+/// Copies records and gives them new numbers. What is shared stays shared.
+class Copier {
+ public:
+  explicit Copier(const scene::Database& from) : from_(from) { to_.kernels = from.kernels; }
+
+  scene::Database copy(const Object& object) {
+    Object root = bare(object);
+    root.parent_from_object = {};
+    root.shape = shape(root);
+    root.clip = clip(root.clip);
+    to_.objects.push_back(root);
+    // Groups hold groups: a list of those whose children are still to be copied, so that depth costs no stack.
+    for (std::size_t next = 0; next < pending_.size(); ++next) {
+      std::vector<Object> children;
+      for (const Object& child : from_.groups[pending_[next]].children) {
+        Object copied = bare(child);
+        copied.shape = shape(copied);
+        copied.clip = clip(copied.clip);
+        children.push_back(copied);
+      }
+      to_.groups[next].children = std::move(children);
+    }
+    return std::move(to_);
+  }
+
+ private:
+  static Object bare(const Object& object) {
+    Object result;
+    result.kind = object.kind;
+    result.shape = object.shape;
+    result.inverse = object.inverse;
+    result.parent_from_object = object.parent_from_object;
+    result.clip = object.clip;
+    return result;
+  }
+
+  std::uint32_t shape(const Object& object) {
+    switch (object.kind) {
+      case Object::Kind::solid: return solid(object.shape);
+      case Object::Kind::blob: return blob(object.shape);
+      case Object::Kind::group: break;
+    }
+    return group(object.shape);
+  }
+
+  scene::GroupId clip(scene::GroupId clip) {
+    return clip == scene::kNoGroup ? clip : scene::GroupId{group(index(clip))};
+  }
+
+  std::uint32_t group(std::uint32_t i) {
+    const auto [place, is_new] = groups_.try_emplace(i, static_cast<std::uint32_t>(to_.groups.size()));
+    if (is_new) {
+      pending_.push_back(i);
+      to_.groups.push_back({.operation = from_.groups[i].operation});
+    }
+    return place->second;
+  }
+
+  std::uint32_t blob(std::uint32_t i) {
+    const auto [place, is_new] = blobs_.try_emplace(i, static_cast<std::uint32_t>(to_.blobs.size()));
+    if (!is_new) return place->second;
+    scene::Blob& copied = to_.blobs.emplace_back(from_.blobs[i]);
+    for (scene::Component& c : copied.components) {
+      c.texture = scene::kNoTexture;
+      if (c.transform == scene::kIdentity) continue;
+      to_.transforms.push_back(from_.transforms[index(c.transform)]);
+      c.transform = scene::TransformId{static_cast<std::uint32_t>(to_.transforms.size() - 1)};
+    }
+    return place->second;
+  }
+
+  std::uint32_t solid(std::uint32_t i) {
+    scene::Solid& copied = to_.solids.emplace_back(from_.solids[i]);
+    const auto move = [&](const auto& column, auto& to) {
+      to.push_back(column[copied.detail]);
+      copied.detail = static_cast<std::uint32_t>(to.size() - 1);
+    };
+    if (scene::is_polynomial(copied.kind)) move(from_.polynomials, to_.polynomials);
+    if (scene::is_triangle(copied.kind)) move(from_.triangles, to_.triangles);
+    if (copied.kind == scene::SolidKind::polygon) move(from_.polygons, to_.polygons);
+    return static_cast<std::uint32_t>(to_.solids.size() - 1);
+  }
+
+  const scene::Database& from_;
+  scene::Database to_;
+  std::unordered_map<std::uint32_t, std::uint32_t> groups_, blobs_;  ///< by number in from_
+  std::vector<std::uint32_t> pending_;                               ///< groups of from_, in the order of to_'s
+};
+
+}  // namespace
+
+scene::Database subset(const scene::Database& database, const Object& object) { return Copier(database).copy(object); }
+
+}  // namespace isl::render

@@ -1,0 +1,72 @@
+// `trace`, `inside`, `min_extent` and `max_extent` as a scene calls them; the numbers are what POV-Ray 3.7 prints.
+#include "tests/cli/program_fixture.h"
+
+namespace isl::test {
+namespace {
+
+using testing::HasSubstr;
+
+class ObjectFunctions : public ProgramTest {
+ protected:
+  /// What #debug said.
+  [[nodiscard]] std::string said(std::string_view scene) const {
+    write("scene.isl", scene);
+    return run({"check", "scene.isl"}).err;
+  }
+};
+
+TEST_F(ObjectFunctions, TraceGivesPointAndNormal) {
+  EXPECT_THAT(said(R"(#declare L = sphere { 0, 1 scale <2, 1, 1> }
+#declare N = <1, 2, 3>;
+#debug concat(vstr(3, trace(L, <-5, .5, 0>, x, N), ",", 0, 4), " ", vstr(3, N, ",", 0, 4), "\n")
+#debug concat(vstr(3, trace(L, -5*z, -z, N), ",", 0, 4), " ", vstr(3, N, ",", 0, 4), "\n")
+L)"),
+              HasSubstr("-1.7321,0.5000,0.0000 -0.6547,0.7559,0.0000\n"
+                        "0.0000,0.0000,0.0000 0.0000,0.0000,0.0000\n"));
+}
+
+TEST_F(ObjectFunctions, TraceWritesTheNormalIntoArraysAndThroughParameters) {
+  EXPECT_THAT(said(R"(#declare L = sphere { 0, 1 }
+#declare A = array[1] { <0, 0, 0> }
+#macro Height(X, Z, Normal) trace(L, <X, 9, Z>, -y, Normal) #end
+#declare P = Height(0, 0, A[0]);
+#debug concat(vstr(3, P, ",", 0, 1), " ", vstr(3, A[0], ",", 0, 1), "\n")
+L)"),
+              HasSubstr("0.0,1.0,0.0 0.0,1.0,0.0\n"));
+}
+
+TEST_F(ObjectFunctions, InsideAndExtentsKnowWhatIsNotDrawnYet) {
+  EXPECT_THAT(said(R"(#declare L = difference { box { -1, 1 } torus { 1, .25 } translate 5*x }
+#debug concat(str(inside(L, 5*x), 0, 0), str(inside(L, 6*x), 0, 0), str(inside(L, 0), 0, 0), " ")
+#debug concat(vstr(3, min_extent(L), ",", 0, 2), " ", vstr(3, max_extent(L), ",", 0, 2), "\n")
+L)"),
+              HasSubstr("100 4.00,-1.00,-1.00 6.00,1.00,1.00\n"));
+}
+
+TEST_F(ObjectFunctions, ExtentsWithoutEndAreTenToTheTenth) {
+  EXPECT_THAT(said(R"(#declare L = poly { 2, <1, 0, 0, 0, 0, 0, 0, 0, 0, -1> }
+#debug concat(str(max_extent(L).x, 0, 0), str(min_extent(L).y, 0, 0), "\n")
+L)"),
+              HasSubstr("10000000000-10000000000\n"));
+}
+
+TEST_F(ObjectFunctions, TellWhatTheyCannotAnswer) {
+  const std::string errors = said(R"(#declare T = torus { 1, .2 }
+#declare L = light_source { 0, 1 }
+#declare F = 3;
+#declare P = trace(T, 0, x);
+#declare P = trace(sphere { 0, 1 }, 0, x, F);
+#declare P = trace(object { T }, 0, x, <0, 0, 0>);
+#declare P = inside(L, 0);
+#declare P = min_extent(3);
+)");
+  EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: the surface of `torus` cannot be found yet"));
+  EXPECT_THAT(errors,
+              HasSubstr("5:43: error: `trace`: the variable for the normal holds a 3-term vector, found a number"));
+  EXPECT_THAT(errors, HasSubstr("6:40: error: `trace`: expected the name of a variable"));
+  EXPECT_THAT(errors, HasSubstr("7:21: error: `inside`: a light has no surface"));
+  EXPECT_THAT(errors, HasSubstr("8:25: error: `min_extent`: expected an object, found a number"));
+}
+
+}  // namespace
+}  // namespace isl::test

@@ -1,0 +1,167 @@
+// Boxes against points of the surfaces, and against what POV-Ray 3.7 prints.
+#include "renderer/extents/extents.h"
+
+#include "renderer/extents/solid_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace isl::render {
+namespace {
+
+using scene::Database;
+using scene::Object;
+using scene::Operation;
+using scene::Solid;
+using scene::SolidKind;
+using scene::Vec3;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+void expect_box(const Box& box, const Vec3& low, const Vec3& high) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(box.min[i], low[i], 5e-5) << "axis " << i;
+    EXPECT_NEAR(box.max[i], high[i], 5e-5) << "axis " << i;
+  }
+}
+
+/// About z by an angle in degrees.
+scene::Transform turned(double degrees) {
+  const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+  scene::Transform t;
+  t.matrix = scene::Matrix(c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  t.inverse = t.matrix.transposed();
+  return t;
+}
+
+Box box_of_solid(const Solid& solid, const scene::Transform& transform = {}, Database database = {}) {
+  return box_of(database, solid, transform);
+}
+
+TEST(SolidExtent, OfTurnedSolidsIsTight) {
+  expect_box(box_of_solid({.radius_a = 1}, turned(45)), Vec3(-1), Vec3(1));
+  // POV-Ray: <-1.3660, -0.5, -1>, <0.8660, 1.3660, 1>, the box of the turned box; ours follows the discs.
+  const double r = std::cos(std::numbers::pi / 6);
+  expect_box(box_of_solid({.kind = SolidKind::cylinder, .b = {0, 1, 0}, .radius_a = 1}, turned(30)),
+             {-r - 0.5, -0.5, -1}, {r, r + 0.5, 1});
+  // POV-Ray: ±<1.2075, 0.8415, 1.25>.
+  const Vec3 torus(r + 0.25, 0.5 + 0.25, 1.25);
+  expect_box(box_of_solid({.kind = SolidKind::torus, .radius_a = 1, .radius_b = 0.25}, turned(30)), -torus, torus);
+  expect_box(box_of_solid({.kind = SolidKind::box, .a = Vec3(-1), .b = Vec3(1)}, turned(45)),
+             {-std::sqrt(2), -std::sqrt(2), -1}, {std::sqrt(2), std::sqrt(2), 1});
+}
+
+TEST(SolidExtent, OfSlantedCapsIsThatOfTheirDiscs) {
+  const double reach = std::sqrt(0.5);  // of a unit disc across <1, 1, 0>
+  expect_box(box_of_solid({.kind = SolidKind::cylinder, .b = {1, 1, 0}, .radius_a = 1}), {-reach, -reach, -1},
+             {1 + reach, 1 + reach, 1});
+  expect_box(box_of_solid({.kind = SolidKind::disc, .b = Vec3(1, 1, 0).normalized(), .radius_a = 1}),
+             {-reach, -reach, -1}, {reach, reach, 1});
+}
+
+TEST(SolidExtent, OfAnEllipsoidIsExactAndOfOtherQuadricsEndless) {
+  Database database;
+  database.polynomials = {{2, {1, 0, 0, -2, 4, 0, 0, 9, 0, 0}}, {2, {1, 0, 0, 0, 1, 0, 0, 0, 0, -1}}};
+  const Solid ellipsoid{.kind = SolidKind::quadric, .detail = 0}, tube{.kind = SolidKind::quadric, .detail = 1};
+  expect_box(box_of(database, ellipsoid, {}), {0, -0.5, -1.0 / 3}, {2, 0.5, 1.0 / 3});  // as POV-Ray prints it
+  EXPECT_FALSE(is_finite(box_of(database, tube, {})));
+}
+
+TEST(SolidExtent, OfASuperellipsoidHoldsItsSurfaceAndTouchesIt) {
+  for (const auto& [e, n] : {std::pair(0.3, 0.3), std::pair(1.0, 1.0), std::pair(0.5, 2.0), std::pair(3.0, 0.7)}) {
+    const Solid solid{.kind = SolidKind::superellipsoid, .radius_a = e, .radius_b = n};
+    const Box box = box_of_solid(solid, turned(30));
+    double reached = 0;
+    for (int i = 0; i < 200; ++i) {
+      for (int j = 0; j < 200; ++j) {
+        // The usual parameters: powers of sines and cosines.
+        const double u = i * std::numbers::pi / 199 - std::numbers::pi / 2, v = j * std::numbers::pi / 99.5;
+        const auto power = [](double x, double exponent) { return std::copysign(std::pow(std::abs(x), exponent), x); };
+        const double ring = power(std::cos(u), n);
+        const Vec3 p(ring * power(std::cos(v), e), ring * power(std::sin(v), e), power(std::sin(u), n));
+        const Vec3 world = turned(30).point(p);
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_LE(world[axis], box.max[axis] + 1e-12);
+          EXPECT_GE(world[axis], box.min[axis] - 1e-12);
+        }
+        reached = std::max(reached, world.x / box.max.x);
+      }
+    }
+    EXPECT_GT(reached, 0.99) << e << ' ' << n;
+  }
+}
+
+class GroupExtent : public testing::Test {
+ protected:
+  std::uint32_t add(const Solid& solid) {
+    database_.solids.push_back(solid);
+    return static_cast<std::uint32_t>(database_.solids.size() - 1);
+  }
+  static Object solid(std::uint32_t shape, bool inverse = false) {
+    Object object;
+    object.shape = shape;
+    object.inverse = inverse;
+    return object;
+  }
+  Object group(Operation operation, std::vector<Object> children) {
+    database_.groups.push_back({.operation = operation, .children = std::move(children)});
+    Object object;
+    object.kind = Object::Kind::group;
+    object.shape = static_cast<std::uint32_t>(database_.groups.size() - 1);
+    return object;
+  }
+  [[nodiscard]] Box of(const Object& object) const { return Extents(database_).of(object); }
+
+  Database database_;
+  const std::uint32_t ball_ = add({.radius_a = 1});
+  const std::uint32_t box_ = add({.kind = SolidKind::box, .a = Vec3(0), .b = Vec3(2)});
+  const std::uint32_t floor_ = add({.kind = SolidKind::plane, .a = {0, 1, 0}});
+};
+
+TEST_F(GroupExtent, OfCsgIsWhatTheOperationLeaves) {
+  expect_box(of(group(Operation::unite, {solid(ball_), solid(box_)})), Vec3(-1), Vec3(2));
+  expect_box(of(group(Operation::intersect, {solid(ball_), solid(box_)})), Vec3(0), Vec3(1));
+  expect_box(of(group(Operation::subtract, {solid(ball_), solid(box_)})), Vec3(-1), Vec3(1));
+  expect_box(of(group(Operation::intersect, {solid(ball_), solid(floor_)})), Vec3(-1), {1, 0, 1});
+  expect_box(of(group(Operation::intersect, {solid(ball_), solid(box_, /*inverse=*/true)})), Vec3(-1), Vec3(1));
+  EXPECT_TRUE(of(group(Operation::unite, {})).isEmpty());
+}
+
+TEST_F(GroupExtent, OfAnIntersectionOfWhatIsOutsideIsThatOfTheSurfaces) {
+  expect_box(of(group(Operation::intersect, {solid(ball_, true), solid(box_, true)})), Vec3(-1), Vec3(2));
+}
+
+TEST_F(GroupExtent, OfAHalfSpaceEndsAtItsPlane) {
+  const Box box = of(solid(floor_));
+  EXPECT_EQ(box.max, Vec3(kFar, 0, kFar));
+  EXPECT_EQ(box.min, Vec3(-kFar));
+  EXPECT_FALSE(is_finite(of(group(Operation::unite, {solid(ball_), solid(floor_)}))));
+}
+
+TEST_F(GroupExtent, OfAClippedObjectEndsWhereItIsClipped) {
+  Object clipped = solid(ball_);
+  clipped.clip = scene::GroupId{group(Operation::intersect, {solid(floor_)}).shape};
+  clipped.parent_from_object.matrix[3][1] = 10;
+  expect_box(of(clipped), {-1, 9, -1}, {1, 10, 1});
+}
+
+TEST_F(GroupExtent, OfWhatHasNoEndIsWhatBoundsIt) {
+  Object bounded = solid(floor_);
+  bounded.bound = scene::GroupId{group(Operation::intersect, {solid(box_)}).shape};
+  expect_box(of(bounded), Vec3(0), {2, 0, 2});
+  Object needless = solid(ball_);
+  needless.bound = bounded.bound;
+  expect_box(of(needless), Vec3(-1), Vec3(1));
+}
+
+TEST_F(GroupExtent, FollowsADatabaseThatGrows) {
+  Extents extents(database_);
+  expect_box(extents.of(group(Operation::unite, {solid(ball_)})), Vec3(-1), Vec3(1));
+  expect_box(extents.of(group(Operation::unite, {solid(box_)})), Vec3(0), Vec3(2));
+}
+
+}  // namespace
+}  // namespace isl::render

@@ -1,0 +1,99 @@
+#include "renderer/queries/object_queries.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace isl::render {
+namespace {
+
+using scene::Database;
+using scene::Object;
+using scene::SolidKind;
+using scene::TracedPoint;
+using scene::Vec3;
+
+Object object(Object::Kind kind, std::uint32_t shape) {
+  Object result;
+  result.kind = kind;
+  result.shape = shape;
+  return result;
+}
+
+scene::Transform scaled(const Vec3& s) {
+  scene::Transform t;
+  for (int i = 0; i < 3; ++i) {
+    t.matrix[i][i] = s[i];
+    t.inverse[i][i] = 1 / s[i];
+  }
+  return t;
+}
+
+void expect_near(const Vec3& found, const Vec3& expected) {
+  EXPECT_LT((found - expected).length(), 1e-4) << found << " instead of " << expected;
+}
+
+class Trace : public testing::Test {
+ protected:
+  Trace() { database_.solids = {{.radius_a = 1}, {.kind = SolidKind::torus, .radius_a = 1, .radius_b = 0.2}}; }
+
+  [[nodiscard]] std::optional<TracedPoint> trace(const Object& target, const Vec3& origin, const Vec3& direction) {
+    return queries_.trace(database_, target, origin, direction);
+  }
+
+  Database database_;
+  ObjectQueries queries_;
+};
+
+TEST_F(Trace, FindsPointAndNormalOfAScaledSphereAsPovrayDoes) {
+  Object sphere = object(Object::Kind::solid, 0);
+  sphere.parent_from_object = scaled({2, 1, 1});
+  const auto hit = trace(sphere, {-5, 0.5, 0}, {3, 0, 0});
+  ASSERT_TRUE(hit);
+  expect_near(hit->position, {-1.7321, 0.5, 0});
+  expect_near(hit->normal, {-0.6547, 0.7559, 0});
+}
+
+TEST_F(Trace, MissesBehindItAndWithoutADirection) {
+  const Object sphere = object(Object::Kind::solid, 0);
+  EXPECT_FALSE(trace(sphere, {0, 0, -5}, {0, 0, -1}));
+  EXPECT_FALSE(trace(sphere, {0, 0, -5}, Vec3(0)));
+  const auto from_inside = trace(sphere, Vec3(0), {0, 0, 1});
+  ASSERT_TRUE(from_inside);
+  expect_near(from_inside->position, {0, 0, 1});
+  expect_near(from_inside->normal, {0, 0, 1});
+}
+
+TEST_F(Trace, SeesWhatFlagsHideFromTheCamera) {
+  Object sphere = object(Object::Kind::solid, 0);
+  sphere.no_image = sphere.no_shadow = sphere.double_illuminate = true;
+  EXPECT_EQ(queries_.untraceable(database_, sphere), "");
+  EXPECT_TRUE(trace(sphere, {0, 0, -5}, {0, 0, 1}));
+}
+
+TEST_F(Trace, NamesWhatItCannotFind) {
+  database_.groups = {{.children = {object(Object::Kind::solid, 0), object(Object::Kind::solid, 1)}}};
+  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::group, 0)), "`torus`");
+  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::solid, 0)), "");
+}
+
+TEST_F(Trace, FollowsADatabaseThatGrows) {
+  EXPECT_TRUE(trace(object(Object::Kind::solid, 0), {0, 0, -5}, {0, 0, 1}));
+  database_.kernels.resize(1);
+  scene::Blob blob;
+  blob.threshold = 0.25;
+  blob.components = {{.a = {0, 9, 0}, .radius_a = 1}};
+  blob.origins.resize(1);
+  database_.blobs = {blob};
+  Object moved = object(Object::Kind::blob, 0);
+  moved.parent_from_object.matrix[3][0] = 3;
+  moved.parent_from_object.inverse[3][0] = -3;
+  database_.groups = {{.children = {object(Object::Kind::solid, 0), moved}}};
+  const auto hit = trace(object(Object::Kind::group, 0), {3, 9, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  expect_near(hit->position, {3, 9, -std::sqrt(0.5)});
+  expect_near(hit->normal, {0, 0, -1});
+}
+
+}  // namespace
+}  // namespace isl::render

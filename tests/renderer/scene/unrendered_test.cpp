@@ -1,0 +1,101 @@
+#include "renderer/scene/unrendered.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace isl::scene {
+namespace {
+
+using testing::ElementsAre;
+
+Object object(Object::Kind kind, std::uint32_t shape, std::uint32_t origin = 0) {
+  Object result;
+  result.kind = kind;
+  result.shape = shape;
+  result.origin = {origin};
+  return result;
+}
+
+std::vector<std::string> names(const Database& database) {
+  std::vector<std::string> result;
+  for (const Unrendered& thing : unrendered(database)) result.push_back(thing.what);
+  return result;
+}
+
+TEST(Unrendered, IsNothingWhereEverythingIsDrawn) {
+  Database database;
+  database.camera.emplace();
+  database.lights.resize(1);
+  for (const SolidKind kind : {SolidKind::sphere, SolidKind::cylinder, SolidKind::cone, SolidKind::plane}) {
+    database.solids.push_back({.kind = kind});
+    database.objects.push_back(object(Object::Kind::solid, static_cast<std::uint32_t>(database.solids.size() - 1)));
+  }
+  database.blobs.resize(1);
+  database.groups.push_back({.children = {object(Object::Kind::blob, 0)}});
+  database.objects.push_back(object(Object::Kind::group, 0));
+  EXPECT_THAT(names(database), ElementsAre());
+}
+
+TEST(Unrendered, TellsEachKindOnceWithItsFirstPlaceAndHowOften) {
+  Database database;
+  database.solids = {{.kind = SolidKind::torus}, {.kind = SolidKind::box}};
+  database.objects = {object(Object::Kind::solid, 0, 7), object(Object::Kind::solid, 1, 8),
+                      object(Object::Kind::solid, 0, 9)};
+  const std::vector<Unrendered> things = unrendered(database);
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].what, "`torus`");
+  EXPECT_EQ(things[0].origin, OriginId{7});
+  EXPECT_EQ(things[0].count, 2u);
+  EXPECT_EQ(things[1].what, "`box`");
+}
+
+TEST(Unrendered, LooksIntoUnionsOnceAndNotIntoWhatIsLeftOutWhole) {
+  Database database;
+  database.solids = {{.kind = SolidKind::torus}};
+  database.groups = {{.children = {object(Object::Kind::solid, 0, 5)}},
+                     {.operation = Operation::subtract, .children = {object(Object::Kind::solid, 0)}}};
+  database.objects = {object(Object::Kind::group, 0), object(Object::Kind::group, 0), object(Object::Kind::group, 1)};
+  const std::vector<Unrendered> things = unrendered(database);
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].what, "`difference`");
+  EXPECT_EQ(things[1].what, "`torus`");
+  EXPECT_EQ(things[1].count, 1u);
+}
+
+/// Everything that is on the list, once.
+Database everything() {
+  Database database;
+  database.camera = Camera{.kind = CameraKind::fisheye, .blur = FocalBlur{}};
+  Light light{.kind = LightKind::spotlight, .parallel = true, .fade_distance = 1, .fade_power = 1};
+  light.area.emplace();
+  light.projected_through = GroupId{0};
+  database.lights = {light, {.kind = LightKind::cylinder}};
+  database.textures = {{.pigment = {{.transmit = 1}}, .finish = {}}};
+  for (int kind = 0; kind < kSolidKindCount; ++kind) {
+    database.solids.push_back({.kind = static_cast<SolidKind>(kind)});
+    database.objects.push_back(object(Object::Kind::solid, static_cast<std::uint32_t>(kind)));
+  }
+  database.groups = {{.operation = Operation::merge},
+                     {.is_light_group = true, .lights = {{}}},
+                     {.operation = Operation::intersect},
+                     {.operation = Operation::subtract}};
+  for (std::uint32_t group = 0; group < 4; ++group) database.objects.push_back(object(Object::Kind::group, group));
+  Object odd = object(Object::Kind::solid, 0);
+  odd.no_image = odd.double_illuminate = true;
+  odd.interior_texture = odd.texture = TextureId{0};
+  odd.clip = GroupId{0};
+  database.objects.push_back(odd);
+  return database;
+}
+
+TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
+  Database database = everything();
+  EXPECT_EQ(names(database).size(), 28u);
+  const std::size_t objects = database.objects.size();
+  leave_out_unrendered(database);
+  EXPECT_THAT(names(database), ElementsAre());
+  EXPECT_EQ(database.objects.size(), objects - 13) << "eleven kinds of solids, an intersection and a difference";
+}
+
+}  // namespace
+}  // namespace isl::scene
