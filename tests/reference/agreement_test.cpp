@@ -154,7 +154,7 @@ TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {
     for (int copy = 0; copy < 3; ++copy) {
       scene::Object placed = blob;
       placed.parent_from_object = random_transform(random, 1);
-      database.groups.push_back({{placed}});
+      database.groups.push_back({.children = {placed}});
       scene::Object group;
       group.kind = scene::Object::Kind::group;
       group.shape = static_cast<std::uint32_t>(copy);

@@ -248,7 +248,7 @@ TEST(ReferenceScene, PlacesBlobsThroughGroups) {
   scene::Object child = database.objects[0];
   child.parent_from_object.matrix.setScale(Vec3(2));
   child.parent_from_object.inverse.setScale(Vec3(0.5));
-  database.groups.push_back({{child}});
+  database.groups.push_back({.children = {child}});
   scene::Object& group = database.objects.emplace_back();
   group.kind = scene::Object::Kind::group;
   group.shape = 0;
