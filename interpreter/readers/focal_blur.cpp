@@ -85,8 +85,11 @@ std::optional<scene::FocalBlur> FocalBlurReader::result(ElementStream& stream, c
   } else if (blur.focal_distance == 0) {
     blur.focal_distance = kDefaultFocalDistance;
   }
-  if (!(std::abs(blur.focal_distance) > 0))
-    stream.context().fail(stream.span(), "the `focal_point` lies beside the camera, not in front of it");
+  if (blur.focal_distance == 0) {
+    stream.context().warn(stream.span(),
+                          "the `focal_point` lies beside the camera, not in front of it; there is no blur");
+    return std::nullopt;
+  }
   return blur;
 }
 

@@ -1,1 +1,2 @@
-camera { aperture .4 focal_point z angle 0 }
+// A focal point beside the camera is at no distance that could be sharp.
+camera { aperture .4 focal_point x blur_samples 10 angle 0 }
