@@ -8,4 +8,3 @@ media { scattering { 1, rgb 1 } }
 sphere { 0, 1 interior { ior 1.5 media { emission 1 } } }
 sphere { 0, 1 finish { subsurface { translucency 1 } } }
 #declare D = density { spherical }
-#declare F = function(x) { x }
