@@ -22,8 +22,8 @@ using Table = std::array<const Builtin*, word::kReservedCount>;
 
 Table make_table() {
   Table table{};
-  for (const auto functions : {float_functions(), vector_functions(), string_functions(), time_functions()}) {
-  for (const auto functions : {float_functions(), vector_functions(), object_functions(), string_functions()}) {
+  for (const auto functions :
+       {float_functions(), vector_functions(), object_functions(), string_functions(), time_functions()}) {
     for (const Builtin& function : functions) table[static_cast<std::uint32_t>(function.name)] = &function;
   }
   return table;
