@@ -73,8 +73,12 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
       ->type_name("")
       ->required();
   const std::string group = "The scene";
-  add_list(app, "-I,--include", "DIR", "Search includes here too, after the including file's folder",
+  add_list(app, "-I,--include", "DIR",
+           "Search files here too, after the folder of the file that asks; what is elsewhere cannot be read",
            scene.include_paths)
+      ->group(group);
+  add_list(app, "--allow-write", "DIR", "Let #fopen write files below DIR; may be given again [no writing]",
+           scene.write_folders)
       ->group(group);
   add_list(app, "-D,--define", "NAME=VALUE", "Set a number or string before the scene's first line", defines)
       ->group(group);
@@ -82,9 +86,14 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
       ->group(group);
   add(app, "--clock", "T", "The variable clock [0]", number_from(-kUnbounded, kUnbounded), [&scene](double v) {
     scene.clock = v;
+    scene.clock_on = true;
   })->group(group);
-  add(app, "--frame", "N", "The variable frame_number [0]", integer_from(0, std::numeric_limits<int>::max()),
-      [&scene](std::int64_t v) { scene.frame = static_cast<int>(v); })
+  add(app, "--frame", "N", "Frame of an animation: the variable frame_number [0: none]",
+      integer_from(0, std::numeric_limits<int>::max()),
+      [&scene](std::int64_t v) {
+        scene.frame = static_cast<int>(v);
+        scene.clock_on = true;
+      })
       ->group(group);
   app.add_option("--format", format, "How results and problems are told: text, or one JSON document [text]")
       ->type_name("text|json")
@@ -92,16 +101,17 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
 
   const std::string limits = "Limits against runaway scripts";
   interpreter::Limits& limit = scene.limits;
-  add(app, "--max-depth", "N", "Nesting of macro calls and blocks [1000]", integer_from(1, 100'000),
+  add(app, "--max-depth", "N", "Macro calls and blocks within one another [1000]", integer_from(1, 100'000),
       [&limit](std::int64_t v) { limit.max_depth = static_cast<std::size_t>(v); })
       ->group(limits);
   add(app, "--max-turns", "N", "Turns of all loops [1e9]", number_from(0, kUnbounded), [&limit](double v) {
     limit.max_turns = v;
   })->group(limits);
-  add(app, "--max-primitives", "N", "Solids and blob components [1e7]", number_from(0, kUnbounded), [&limit](double v) {
-    limit.max_primitives = v;
-  })->group(limits);
-  add(app, "--max-memory", "SIZE", "Memory of the evaluated scene, 4G or a share of the machine's [75%]", parse_memory,
+  add(app, "--max-primitives", "N", "Solids, blob components, groups and lights [1e7]", number_from(0, kUnbounded),
+      [&limit](double v) { limit.max_primitives = v; })
+      ->group(limits);
+  add(app, "--max-memory", "SIZE",
+      "Memory of the scene, its texts and what it writes, 4G or a share of the machine's [75%]", parse_memory,
       [&limit](std::size_t v) { limit.max_memory_bytes = v; })
       ->group(limits);
   add(app, "--max-include-depth", "N", "Includes within includes [32]", integer_from(1, 1000),

@@ -22,10 +22,12 @@ enum class OutputFormat : std::uint8_t { text, json };
 struct SceneOptions {
   std::filesystem::path scene;  ///< "-" is standard input
   std::vector<std::filesystem::path> include_paths;
+  std::vector<std::filesystem::path> write_folders;  ///< --allow-write
   std::vector<Define> defines;
   interpreter::Limits limits;
   bool lenient = false;
   double clock = 0;
+  bool clock_on = false;  ///< --clock or --frame was given
   int frame = 0;
   PictureSize size;  ///< scenes ask for image_width and image_height
   OutputFormat format = OutputFormat::text;

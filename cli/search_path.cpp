@@ -1,5 +1,7 @@
 #include "cli/search_path.h"
 
+#include "base/program_folder.h"
+
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
@@ -10,9 +12,9 @@ namespace fs = std::filesystem;
 
 fs::path stdlib_folder() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = program_folder(error);
   if (error) return {};
-  fs::path folder = fs::weakly_canonical(program.parent_path() / ".." / "share" / "isl", error);
+  fs::path folder = fs::weakly_canonical(program / ".." / "share" / "isl", error);
   return !error && fs::is_directory(folder, error) ? folder : fs::path();
 }
 

@@ -9,12 +9,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 namespace isl::cli {
 
 Session::Session(const SceneOptions& options)
     : options_(options),
-      loader_(sources_, symbols_, arena_, sink_, {.include_paths = include_search_path(options.include_paths)}) {}
+      loader_(sources_, symbols_, arena_, sink_,
+              {.include_paths = include_search_path(options.include_paths),
+               .write_folders = options.write_folders,
+               .max_memory_bytes = options.limits.max_memory_bytes}) {}
 
 std::string Session::name() const { return options_.scene == "-" ? "stdin" : options_.scene.stem().string(); }
 
@@ -31,6 +36,12 @@ const interpreter::EvaluatedScene& Session::scene() const {
 }
 
 ExitCode Session::load() {
+  for (const std::filesystem::path& folder : options_.write_folders) {
+    std::error_code error;
+    if (std::filesystem::is_directory(folder, error)) continue;
+    sink_.error({}, fmt::format("--allow-write: `{}` is not a folder", folder.string()));
+    return ExitCode::file_error;
+  }
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();
@@ -45,6 +56,7 @@ ExitCode Session::evaluate() {
   options.defines = options_.defines;
   options.lenient = options_.lenient;
   options.clock = options_.clock;
+  options.clock_on = options_.clock_on;
   options.frame = options_.frame;
   options.image_width = options_.size.width;
   options.image_height = options_.size.height;

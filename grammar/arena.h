@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -23,6 +24,11 @@ class Arena {
   Arena() = default;
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
+
+  /// From here on, what would take more than so many bytes in all throws std::bad_alloc.
+  void set_limit(std::size_t bytes) { limit_ = bytes; }
+  /// Taken from the system so far.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
   /// A copy of `value` that lives as long as the arena.
   template <class T>
@@ -58,7 +64,10 @@ class Arena {
   void* allocate(std::size_t bytes, std::size_t alignment) {
     void* at = next_;
     if (next_ == nullptr || std::align(alignment, bytes, at, left_) == nullptr) {
-      left_ = std::max(kBlockBytes, bytes + alignment);
+      const std::size_t block = std::max(kBlockBytes, bytes + alignment);
+      if (block > limit_ - std::min(bytes_, limit_)) throw std::bad_alloc();
+      bytes_ += block;
+      left_ = block;
       at = blocks_.emplace_back(std::make_unique<std::byte[]>(left_)).get();
       std::align(alignment, bytes, at, left_);
     }
@@ -70,6 +79,8 @@ class Arena {
   std::vector<std::unique_ptr<std::byte[]>> blocks_;
   std::byte* next_ = nullptr;
   std::size_t left_ = 0;
+  std::size_t bytes_ = 0;
+  std::size_t limit_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace isl::grammar

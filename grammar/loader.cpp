@@ -21,35 +21,16 @@ namespace fs = std::filesystem;
 /// What a chain of `1 + 1 + …` may add to a tree beyond its brackets.
 constexpr std::size_t kHeightPerNesting = 4;
 
-bool is_below(const fs::path& file, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
-
-std::string names_of(const std::vector<fs::path>& folders) {
-  std::string text;
-  for (const fs::path& folder : folders) {
-    if (!text.empty()) text += ", ";
-    text += folder.empty() ? "." : folder.string();
-  }
-  return text;
-}
-
 }  // namespace
 
 Loader::Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSink& sink, LoaderOptions options)
-    : map_(map), symbols_(symbols), arena_(arena), sink_(sink), options_(std::move(options)) {
-  for (const fs::path& folder : options_.include_paths) allow(folder);
-}
-
-void Loader::allow(const fs::path& folder) {
-  std::error_code error;
-  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
-  if (!error) allowed_.push_back(canonical);
-}
-
-bool Loader::may_read(const fs::path& canonical) const {
-  return std::any_of(allowed_.begin(), allowed_.end(),
-                     [&](const fs::path& folder) { return is_below(canonical, folder); });
+    : map_(map),
+      symbols_(symbols),
+      arena_(arena),
+      sink_(sink),
+      options_(std::move(options)),
+      access_(options_.include_paths, options_.write_folders) {
+  arena_.set_limit(options_.max_memory_bytes);
 }
 
 const Unit* Loader::fail(LoadError error, SourceSpan where, std::string message, std::string hint) {
@@ -60,8 +41,9 @@ const Unit* Loader::fail(LoadError error, SourceSpan where, std::string message,
 
 const Unit* Loader::parse(std::string name, fs::path file, std::string text, SourceSpan where) {
   const std::size_t errors_before = sink_.error_count();
-  const std::optional<SourceSpan> span = map_.add(std::move(name), std::move(text));
-  if (!span) return fail(LoadError::not_readable, where, "more than 4 GiB of text were read");
+  AccessProblem problem;
+  const std::optional<SourceSpan> span = keep_text(std::move(name), std::move(text), problem);
+  if (!span) return fail(LoadError::not_readable, where, std::move(problem.message), std::move(problem.hint));
   const auto max_height = std::min<std::size_t>(options_.max_nesting, std::numeric_limits<std::uint32_t>::max() / 8);
   ParseState state(map_, arena_, sink_, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
   try {
@@ -70,26 +52,47 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
     Parser(tokens, state).parse();
   } catch (const ScannerFailure& failure) {
     sink_.error(*span, fmt::format("the text cannot be read: {}", failure.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(LoadError::not_readable, where,
+                fmt::format("`{}` takes more memory than there is for the scene", map_.position(span->begin).file),
+                "`--max-memory` raises the limit");
   }
   last_error_ = sink_.error_count() > errors_before ? LoadError::syntax : LoadError::none;
   return &units_.emplace_back(Unit{*span, state.items(), std::move(file)});
 }
 
-const Unit* Loader::load_file(const fs::path& found, const fs::path& canonical, SourceSpan where) {
-  TextFile file = read_text_file(canonical, options_.max_file_bytes);
-  const std::string name = found.string();
+std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {
+  const std::size_t bytes = text.size();
+  if (bytes > options_.max_memory_bytes - std::min(text_bytes_, options_.max_memory_bytes)) {
+    problem = {AccessError::refused, "the files of the scene take more memory than there is for it",
+               "`--max-memory` raises the limit"};
+    return std::nullopt;
+  }
+  const std::optional<SourceSpan> span = map_.add(std::move(name), std::move(text));
+  if (span) {
+    text_bytes_ += bytes;
+  } else {
+    problem = {AccessError::refused, "more than 4 GiB of text were read", {}};
+  }
+  return span;
+}
+
+const Unit* Loader::load_file(const FoundFile& found, SourceSpan where) {
+  TextFile file = access_.read(found, options_.max_file_bytes);
+  const std::string name = found.shown.string();
   if (!file.trouble.empty()) {
     return fail(LoadError::not_readable, where, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
-  const Unit* const unit = parse(name, found, std::move(file.text), where);
-  if (unit != nullptr) cache_[canonical.string()] = {unit, last_error_, file.stamp};
+  access_.add_input(file.stamp);
+  const Unit* const unit = parse(name, found.shown, std::move(file.text), where);
+  if (unit != nullptr) cache_[found.canonical.string()] = {unit, last_error_, file.stamp};
   return unit;
 }
 
 const Unit* Loader::load_scene(const fs::path& file_or_dash) {
   const bool is_standard_input = file_or_dash == "-";
   const fs::path folder = is_standard_input ? fs::path(".") : file_or_dash.parent_path();
-  allow(folder);
+  access_.set_scene_folder(folder);
   TextFile file = is_standard_input ? read_standard_input(options_.max_file_bytes)
                                     : read_text_file(file_or_dash, options_.max_file_bytes);
   const std::string name = is_standard_input ? "standard input" : file_or_dash.string();
@@ -97,6 +100,7 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
     const LoadError error = file.exists ? LoadError::not_readable : LoadError::not_found;
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
+  access_.add_input(file.stamp);
   return parse(name, is_standard_input ? fs::path("./standard input") : file_or_dash, std::move(file.text), {});
 }
 
@@ -106,37 +110,51 @@ const Unit* Loader::load_text(std::string name, std::string text) {
 }
 
 const Unit* Loader::load_include(std::string_view name, SourceSpan where, const Unit& from) {
-  if (name.empty()) return fail(LoadError::not_found, where, "an include needs a file name");
-  std::vector<fs::path> folders{from.file.parent_path()};
-  folders.insert(folders.end(), options_.include_paths.begin(), options_.include_paths.end());
-  bool found_outside = false;
-  for (const fs::path& folder : folders) {
-    std::error_code error;
-    const fs::path found = (folder / name).lexically_normal();
-    const fs::path canonical = fs::canonical(folder / name, error);
-    if (error) continue;
-    if (!may_read(canonical)) {
-      found_outside = true;
-      continue;
+  FoundFile found = access_.find(name, from.file.parent_path());
+  if (found.problem.error != AccessError::none) {
+    const bool is_absent = found.problem.error == AccessError::not_found;
+    return fail(is_absent ? LoadError::not_found : LoadError::not_readable, where, std::move(found.problem.message),
+                std::move(found.problem.hint));
+  }
+  const auto cached = cache_.find(found.canonical.string());
+  if (cached == cache_.end() || cached->second.stamp != found.stamp) return load_file(found, where);
+  last_error_ = cached->second.error;
+  return cached->second.unit;
+}
+
+std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& from, AccessProblem& problem) {
+  FoundFile found = access_.find(name, from.file.parent_path());
+  problem = std::move(found.problem);
+  if (problem.error != AccessError::none) return nullptr;
+  const auto cached = data_.find(found.canonical.string());
+  std::optional<SourceSpan> span;
+  if (cached != data_.end() && cached->second.stamp == found.stamp) {
+    span = cached->second.span;
+  } else {
+    const std::string shown = found.shown.string();
+    TextFile file = access_.read(found, options_.max_file_bytes);
+    if (!file.trouble.empty()) {
+      problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", shown, file.trouble), file.hint};
+      return nullptr;
     }
-    const auto cached = cache_.find(canonical.string());
-    if (cached == cache_.end() || cached->second.stamp != stamp_of(canonical))
-      return load_file(found, canonical, where);
-    last_error_ = cached->second.error;
-    return cached->second.unit;
+    access_.add_input(file.stamp);
+    span = keep_text(shown, std::move(file.text), problem);
+    if (!span) return nullptr;
+    data_[found.canonical.string()] = {*span, file.stamp};
   }
-  if (found_outside) {
-    return fail(LoadError::not_readable, where,
-                fmt::format("`{}` is outside the folders that the scene may read", name), "allow its folder with `-I`");
-  }
-  return fail(LoadError::not_found, where, fmt::format("cannot find `{}`", name),
-              fmt::format("looked for it in {}", names_of(folders)));
+  return std::make_unique<DataFile>(map_.text(*span), span->begin, symbols_, arena_, sink_);
+}
+
+bool Loader::exists(std::string_view name, const Unit& from) const {
+  return access_.find(name, from.file.parent_path()).problem.error == AccessError::none;
 }
 
 void Loader::forget(const fs::path& file) {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
-  if (!error) cache_.erase(canonical.string());
+  const std::string key = error ? file.string() : canonical.string();
+  cache_.erase(key);
+  data_.erase(key);
 }
 
 }  // namespace isl::grammar

@@ -6,6 +6,8 @@
 #include "base/diagnostic.h"
 #include "grammar/arena.h"
 #include "grammar/ast.h"
+#include "grammar/data_file.h"
+#include "grammar/file_access.h"
 #include "grammar/source_map.h"
 #include "grammar/symbols.h"
 #include "grammar/text_file.h"
@@ -13,6 +15,8 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,12 +33,16 @@ struct Unit {
 };
 
 struct LoaderOptions {
-  /// Where includes are looked for after the including file's folder. These folders, the scene's own and what is below
-  /// them are all that an include may read.
-  std::vector<std::filesystem::path> include_paths;
+  /// Where files are looked for after the folder of the file that asks. These folders, the scene's own and what is
+  /// below them are all that a scene may read.
+  std::vector<std::filesystem::path> include_paths = {};
+  /// Below these a scene may write.
+  std::vector<std::filesystem::path> write_folders = {};
   /// Brackets and directives that may be open at once. Trees are at most four times as high.
   std::size_t max_nesting = 1000;
   std::size_t max_file_bytes = 256u << 20;
+  /// Of the texts read and their trees, for each.
+  std::size_t max_memory_bytes = std::size_t{4} << 30;
 };
 
 enum class LoadError { none, not_found, not_readable, syntax };
@@ -56,6 +64,19 @@ class Loader {
   /// since it was parsed is not parsed again.
   [[nodiscard]] const Unit* load_include(std::string_view name, SourceSpan where, const Unit& from);
 
+  /// The values of the file that `#fopen name … read` in `from` means; null where there is none, and `problem` says
+  /// why.
+  [[nodiscard]] std::unique_ptr<DataFile> open_data(std::string_view name, const Unit& from, AccessProblem& problem);
+
+  /// Whether a file could be read by that name.
+  [[nodiscard]] bool exists(std::string_view name, const Unit& from) const;
+
+  /// Where files may stand: for what is read or written beside scenes and their includes.
+  [[nodiscard]] FileAccess& access() { return access_; }
+
+  /// Bytes of all texts read and of their trees. They stay as long as the run.
+  [[nodiscard]] std::size_t bytes_held() const { return text_bytes_ + arena_.bytes(); }
+
   /// Drops what is remembered of a file, because the scene has just written it (a clock's tick may be too coarse to
   /// tell).
   void forget(const std::filesystem::path& file);
@@ -70,20 +91,27 @@ class Loader {
     FileStamp stamp;
   };
 
+  struct CachedData {
+    SourceSpan span;
+    FileStamp stamp;
+  };
+
   const Unit* fail(LoadError error, SourceSpan where, std::string message, std::string hint = {});
   const Unit* parse(std::string name, std::filesystem::path file, std::string text, SourceSpan where);
-  const Unit* load_file(const std::filesystem::path& found, const std::filesystem::path& canonical, SourceSpan where);
-  [[nodiscard]] bool may_read(const std::filesystem::path& canonical) const;
-  void allow(const std::filesystem::path& folder);
+  const Unit* load_file(const FoundFile& file, SourceSpan where);
+  /// Nothing where the limit or the offsets of the source map are used up, and `problem` says so.
+  std::optional<SourceSpan> keep_text(std::string name, std::string text, AccessProblem& problem);
 
   SourceMap& map_;
   SymbolTable& symbols_;
   Arena& arena_;
   DiagnosticSink& sink_;
   LoaderOptions options_;
-  std::vector<std::filesystem::path> allowed_;  ///< canonical folders
+  FileAccess access_;
   std::deque<Unit> units_;
   std::unordered_map<std::string, Cached> cache_;  ///< by canonical path
+  std::unordered_map<std::string, CachedData> data_;
+  std::size_t text_bytes_ = 0;
   LoadError last_error_ = LoadError::none;
 };
 

@@ -1,5 +1,7 @@
 #include "grammar/text_file.h"
 
+#include "grammar/descriptor.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -26,6 +28,7 @@ bool is_control(char character) {
 }
 
 void look_for_text(TextFile& file) {
+  if (!file.trouble.empty()) return;
   const std::string_view text = file.text;
   const auto controls = static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_control));
   if (controls * kBytesPerControl <= text.size()) return;
@@ -37,6 +40,9 @@ FileStamp stamp_from(const struct stat& status) {
   return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino),
           static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
+
+/// What a file that is not regular is.
+std::string what_else(mode_t mode) { return S_ISDIR(mode) ? "it is a folder" : "it is not a regular file"; }
 
 std::string explain(int code) { return std::generic_category().message(code); }
 
@@ -50,7 +56,7 @@ void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
       file.trouble = explain(errno);
       return;
     }
-    if (count == 0) return look_for_text(file);
+    if (count == 0) return;
     file.text.append(buffer.data(), static_cast<std::size_t>(count));
     if (file.text.size() > max_bytes) {
       file.trouble = fmt::format("larger than {} bytes", max_bytes);
@@ -59,51 +65,68 @@ void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
   }
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int value) : value_(value) {}
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
+void read_open_file(const Descriptor& descriptor, std::size_t max_bytes, TextFile& file) {
+  struct stat status {};
+  if (!descriptor.is_open() || ::fstat(descriptor.get(), &status) != 0) {
+    file.exists = errno != ENOENT && errno != ENOTDIR;
+    file.trouble = explain(errno);
+    return;
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return value_; }
+  file.exists = true;
+  file.stamp = stamp_from(status);
+  if (!S_ISREG(status.st_mode)) {
+    file.trouble = what_else(status.st_mode);
+    return;
+  }
+  read_all(descriptor.get(), max_bytes, file);
+}
 
- private:
-  int value_;
-};
+// Without O_NONBLOCK, opening a pipe would wait for a writer before it could be refused.
+constexpr int kReadFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 
 }  // namespace
 
 TextFile read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
   TextFile file;
-  // Without O_NONBLOCK, opening a pipe would wait for a writer before it could be refused.
-  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  read_open_file(Descriptor(::open(path.c_str(), kReadFlags)), max_bytes, file);
+  look_for_text(file);
+  return file;
+}
+
+TextFile read_text_file_at(int folder, const std::string& name, std::size_t max_bytes) {
+  TextFile file = read_bytes_at(folder, name, max_bytes);
+  look_for_text(file);
+  return file;
+}
+
+TextFile read_bytes_at(int folder, const std::string& name, std::size_t max_bytes) {
+  TextFile file;
   struct stat status {};
-  if (descriptor.get() < 0 || ::fstat(descriptor.get(), &status) != 0) {
-    file.exists = errno != ENOENT && errno != ENOTDIR;
-    file.trouble = explain(errno);
+  // Opening a device may do something already (rewind a tape), so it is looked at before.
+  if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(status.st_mode)) {
+    file.exists = true;
+    file.trouble = what_else(status.st_mode);
     return file;
   }
-  file.exists = true;
-  file.stamp = stamp_from(status);
-  if (!S_ISREG(status.st_mode)) {
-    file.trouble = S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file";
-    return file;
-  }
-  read_all(descriptor.get(), max_bytes, file);
+  read_open_file(Descriptor(::openat(folder, name.c_str(), kReadFlags | O_NOFOLLOW)), max_bytes, file);
   return file;
 }
 
 TextFile read_standard_input(std::size_t max_bytes) {
   TextFile file{.text = {}, .trouble = {}, .hint = {}, .exists = true, .stamp = {}};
   read_all(STDIN_FILENO, max_bytes, file);
+  look_for_text(file);
   return file;
 }
 
 FileStamp stamp_of(const std::filesystem::path& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 ? stamp_from(status) : FileStamp{};
+}
+
+FileStamp stamp_at(int folder, const std::string& name) {
+  struct stat status {};
+  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 ? stamp_from(status) : FileStamp{};
 }
 
 }  // namespace isl::grammar

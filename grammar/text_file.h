@@ -29,8 +29,16 @@ struct TextFile {
 /// Never waits for a pipe or a device: those are no scenes.
 [[nodiscard]] TextFile read_text_file(const std::filesystem::path& file, std::size_t max_bytes);
 
+/// The file `name` in the open folder `folder`; a link is refused, and so is what is no regular file, unopened.
+[[nodiscard]] TextFile read_text_file_at(int folder, const std::string& name, std::size_t max_bytes);
+
+/// The same of a file that may hold any bytes.
+[[nodiscard]] TextFile read_bytes_at(int folder, const std::string& name, std::size_t max_bytes);
+
 [[nodiscard]] TextFile read_standard_input(std::size_t max_bytes);
 
 [[nodiscard]] FileStamp stamp_of(const std::filesystem::path& file);
+/// The same of `name` in an open folder; a link's own.
+[[nodiscard]] FileStamp stamp_at(int folder, const std::string& name);
 
 }  // namespace isl::grammar

@@ -155,6 +155,11 @@ void Context::count_primitive(SourceSpan span, std::size_t bytes) {
   memory.bytes += bytes;
 }
 
+void Context::charge_texts(SourceSpan span, std::size_t held_before) {
+  memory.bytes += loader.bytes_held() - held_before;
+  check_memory(span, 0);
+}
+
 void Context::check_memory(SourceSpan span, std::size_t bytes) {
   const std::size_t limit = options.limits.max_memory_bytes;
   if (bytes <= limit && memory.bytes <= limit - bytes) return;

@@ -8,6 +8,7 @@
 #include "grammar/symbols.h"
 #include "interpreter/evaluate.h"
 #include "interpreter/frames.h"
+#include "interpreter/open_files.h"
 #include "interpreter/random_streams.h"
 #include "interpreter/record_table.h"
 #include "interpreter/shared_values.h"
@@ -54,6 +55,7 @@ class Context {
   std::vector<Slot*> argument_slots;   ///< of macro calls whose arguments are being evaluated
   std::vector<Value> argument_values;  ///< of built-in functions whose arguments are being evaluated
   RandomStreams random;
+  OpenFiles files;
   scene::Database database;
   OriginTable origins;
   double language_version = 3.7;
@@ -116,6 +118,8 @@ class Context {
   void count_primitive(SourceSpan span, std::size_t bytes);
   /// Before something of `bytes` is made.
   void check_memory(SourceSpan span, std::size_t bytes);
+  /// Counts what the loader keeps of files read since it held so many bytes.
+  void charge_texts(SourceSpan span, std::size_t held_before);
   /// Native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
   void nest(SourceSpan span, std::size_t units) {
     if ((nesting_ += units) > max_nesting_) [[unlikely]]

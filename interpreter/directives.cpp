@@ -4,6 +4,7 @@
 #include "interpreter/control.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
+#include "interpreter/files.h"
 #include "interpreter/functions/functions.h"
 #include "interpreter/readers/rvalue.h"
 #include "interpreter/readers/scene.h"
@@ -121,8 +122,10 @@ void include(Context& context, const grammar::Include& node) {
                  fmt::format("more than {} files include one another", context.options.limits.max_include_depth),
                  "`--max-include-depth` raises the limit");
   }
+  const std::size_t held = context.loader.bytes_held();
   const grammar::Unit* unit = context.loader.load_include(name, node.path->span, context.current_unit());
   if (!unit) throw Stopped{};
+  context.charge_texts(node.span, held);
   const std::uint32_t file = context.origins.keep_name(std::string(name));
   context.push({.kind = Frame::Kind::include, .items = unit->items, .node = &node, .unit = unit, .origin_name = file},
                node.span);
@@ -169,10 +172,10 @@ void execute(Context& context, const Node& node) {
     case NodeKind::version: return set_version(context, as<grammar::Version>(node));
     case NodeKind::default_: return read_default(context, as<grammar::Default>(node));
     case NodeKind::message: return speak(context, as<grammar::Message>(node));
-    case NodeKind::fopen: return context.unsupported(node.span, "#fopen");
-    case NodeKind::fclose: return context.unsupported(node.span, "#fclose");
-    case NodeKind::read: return context.unsupported(node.span, "#read");
-    case NodeKind::write: return context.unsupported(node.span, "#write");
+    case NodeKind::fopen: return open_file(context, as<grammar::Fopen>(node));
+    case NodeKind::fclose: return close_file(context, as<grammar::Fclose>(node));
+    case NodeKind::read: return read_file(context, as<grammar::Read>(node));
+    case NodeKind::write: return write_file(context, as<grammar::Write>(node));
     default: ISL_CHECK(false, "node kind {} is no directive", static_cast<int>(node.kind));
   }
 }

@@ -3,6 +3,7 @@
 #include "interpreter/context.h"
 #include "interpreter/deep_stack.h"
 #include "interpreter/expressions.h"
+#include "interpreter/files.h"
 #include "interpreter/nesting.h"
 #include "interpreter/prune.h"
 #include "interpreter/readers/scene.h"
@@ -27,11 +28,14 @@ void bind_predeclared(Context& context) {
   predeclare(context, "input_file_name", make_string(context, context.main_unit.file.filename().string(), {}));
   predeclare(context, "image_width", Value(static_cast<double>(options.image_width)));
   predeclare(context, "image_height", Value(static_cast<double>(options.image_height)));
-  // A run renders one frame: for the scene it is an animation of that frame alone.
+  // A run renders one frame: for the scene it is an animation of that frame alone. Without a frame these are 0, as in
+  // POV-Ray, where a clock alone makes no animation.
   for (const std::string_view name : {"frame_number", "initial_frame", "final_frame"}) {
     predeclare(context, name, Value(static_cast<double>(options.frame)));
   }
-  for (const std::string_view name : {"initial_clock", "final_clock"}) predeclare(context, name, Value(options.clock));
+  for (const std::string_view name : {"initial_clock", "final_clock"}) {
+    predeclare(context, name, Value(options.frame > 0 ? options.clock : 0.0));
+  }
   predeclare(context, "clock_delta", Value(0.0));
   for (const auto& [name, value] : options.defines) {
     if (const double* number = std::get_if<double>(&value)) {
@@ -57,6 +61,11 @@ void run(Context& context, const grammar::Unit& unit) {
     // Reported where it was thrown.
   } catch (const std::bad_alloc&) {
     context.report_out_of_memory();
+  }
+  try {
+    close_all_files(context);
+  } catch (const Stopped&) {
+    // One error too many; it was reported.
   }
   scene::Settings& settings = context.database.settings;
   if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.language_version >= 3.7)

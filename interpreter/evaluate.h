@@ -37,7 +37,8 @@ struct EvaluateOptions {
   /// What is not supported is skipped with a warning instead of an error.
   bool lenient = false;
   double clock = 0;
-  int frame = 0;
+  bool clock_on = false;  ///< a clock or frame was asked for
+  int frame = 0;          ///< 0: no animation
   int image_width = 800, image_height = 600;
   /// Receives the text of each #debug; may be empty.
   std::function<void(std::string_view)> print_debug;

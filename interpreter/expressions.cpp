@@ -31,7 +31,10 @@ namespace word = grammar::word;
                  context.suggest_declared(node.name));
   }
   if (slot->value.kind() <= ValueKind::poison) [[unlikely]] {
-    if (slot->value.kind() == ValueKind::none) context.fail(node.span, "this array element is not set");
+    if (slot->value.kind() == ValueKind::none)
+      context.fail(node.span,
+                   fmt::format("`{}` has no value: an array element that is not set, or a file that is closed",
+                               context.text(node.name)));
     throw Failed{};
   }
   if (slot->value.kind() == ValueKind::macro) [[unlikely]] {
@@ -59,6 +62,7 @@ namespace word = grammar::word;
     case word::kIndex_clock: return Value(context.options.clock);
     case word::kIndex_clock_on: return Value(context.options.frame > 0 ? 1.0 : 0.0);
     case word::kIndex_now: return Value(days_since_2000());
+    case word::kIndex_clock_on: return Value(context.options.clock_on ? 1.0 : 0.0);
     case word::kIndex_version: return Value(context.language_version);
     default: context.fail(node.span, fmt::format("`{}` is not supported", context.text(node.word)));
   }

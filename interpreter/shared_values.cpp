@@ -33,6 +33,7 @@ std::string_view describe(const Value& value) {
     case ValueKind::camera: return "a camera";
     case ValueKind::function: return "a function";
     case ValueKind::spline: return "a spline";
+    case ValueKind::file: return "an open file";
   }
   return "";
 }

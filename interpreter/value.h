@@ -38,6 +38,7 @@ enum class ValueKind : std::uint8_t {
   camera,
   function,
   spline,
+  file,
 };
 
 /// What messages call a kind: "number", "3-term vector", "string", …

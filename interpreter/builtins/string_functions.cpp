@@ -4,6 +4,7 @@
 
 #include "interpreter/builtins/characters.h"
 #include "interpreter/expressions.h"
+#include "interpreter/files.h"
 
 #include <fmt/format.h>
 #include <fmt/printf.h>
@@ -90,6 +91,8 @@ const Builtin kFunctions[] = {
     {word::kw_chr, 1, 1, nullptr, character},
     {word::kw_concat, 1, Builtin::kAnyNumber, nullptr, concat},
     {word::kw_str, 3, 3, nullptr, string_of_number},
+    {word::kw_file_exists, 1, 1, nullptr,
+     [](const Arguments& a) { return Value(file_exists(a.context(), a.string(0)) ? 1.0 : 0.0); }},
     {word::kw_strcmp, 2, 2, nullptr, order},
     {word::kw_strlen, 1, 1, nullptr,
      [](const Arguments& a) { return Value(static_cast<double>(character_count(a.string(0)))); }},

@@ -1,5 +1,7 @@
 #include "renderer/image/image_module.h"
 
+#include "base/program_folder.h"
+
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -36,15 +38,15 @@ std::string last_loader_error() {
 Module load() {
   Module module;
   std::error_code problem;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", problem);
+  const fs::path folder = program_folder(problem);
   if (problem) {
     module.error = fmt::format("cannot find where the program is installed: {}", problem.message());
     return module;
   }
-  const fs::path path = find_module(executable.parent_path());
+  const fs::path path = find_module(folder);
   if (path.empty()) {
-    module.error = fmt::format("cannot find the image module {} beside {} or in ../lib/isl from there", kModuleName,
-                               executable.string());
+    module.error =
+        fmt::format("cannot find the image module {} in {} or in ../lib/isl from there", kModuleName, folder.string());
     return module;
   }
   // Never closed: OpenImageIO keeps threads and statics that outlive any one picture.

@@ -1,0 +1,55 @@
+// A file of values, as `#read` takes them one by one: numbers, `<vectors>` and "strings" between commas, with the
+// language's own spelling and comments. Text in, values out; knows no scene.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "grammar/lexer.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace isl::grammar {
+
+/// One value of a data file.
+struct Datum {
+  enum class Kind : std::uint8_t {
+    end,  ///< there is none left
+    number,
+    vector,
+    string,
+    mistake,  ///< `text` says what was expected; nothing more can be read
+  };
+
+  Kind kind = Kind::end;
+  SourceSpan span;
+  int count = 0;                  ///< of terms; 2 to 5 for a vector
+  std::array<double, 5> terms{};  ///< number: the first
+  std::string text;
+};
+
+class DataFile {
+ public:
+  /// `text` starts at the offset `begin` and outlives this. Bad characters go to `sink`. Throws ScannerFailure.
+  DataFile(std::string_view text, std::uint32_t begin, SymbolTable& symbols, Arena& arena, DiagnosticSink& sink)
+      : lexer_(text, begin, symbols, arena, sink) {}
+
+  /// The next value, and the comma after it. POV-Ray takes any token for the comma, and so loses a value where one is
+  /// missing; here that is a mistake, but for `;`. Throws ScannerFailure.
+  [[nodiscard]] Datum next();
+
+  /// The text ended where a comma might have stood: there is nothing more to read.
+  [[nodiscard]] bool is_at_end() const { return at_end_; }
+
+ private:
+  Datum value(const Token& first);
+  Datum vector(const Token& opening);
+  /// A number with its sign; false for anything else, `token` being the one to blame.
+  bool read_number(Token& token, double& number);
+
+  Lexer lexer_;
+  bool at_end_ = false;
+};
+
+}  // namespace isl::grammar

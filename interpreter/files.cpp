@@ -1,0 +1,245 @@
+#include "interpreter/files.h"
+
+#include "interpreter/element_stream.h"
+#include "interpreter/expressions.h"
+#include "interpreter/file_output.h"
+#include "interpreter/readers/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using grammar::Datum;
+using grammar::Node;
+using grammar::NodeKind;
+namespace word = grammar::word;
+
+/// Of what one file may hold that is read to be appended to.
+constexpr std::size_t kMaxAppendedBytes = std::size_t{256} << 20;
+
+/// The text between the quotes as it stands: in a file's name, a backslash is a backslash.
+std::string name_of_file(Context& context, const Node& path) {
+  if (path.kind == NodeKind::string) return std::string(as<grammar::String>(path).raw);
+  Value keep;
+  return evaluate_string(context, path, keep).text;
+}
+
+// ---- Closing --------------------------------------------------------------------------------------------------------
+
+void write_out(Context& context, FileValue& file) {
+  context.memory.bytes -= file.written.size();
+  grammar::FileAccess& access = context.loader.access();
+  const std::string trouble = access.write(file.place, file.name, std::move(file.written));
+  context.loader.forget(file.place.canonical);
+  if (!trouble.empty()) {
+    context.error(file.opened_at, fmt::format("cannot write `{}`: {}", grammar::shown_name(file.name), trouble));
+  }
+}
+
+void close(Context& context, FileValue& file) {
+  if (!file.is_open) return;
+  file.is_open = false;
+  auto& files = context.files.files;
+  files.erase(std::find_if(files.begin(), files.end(), [&](const auto& open) { return open.get() == &file; }));
+  if (!file.is_reader()) write_out(context, file);
+  file.reader.reset();
+  file.place = {};
+}
+
+/// Nothing stands for the file any more, whatever other names it was passed on by.
+void forget_handle(Context& context, grammar::Symbol handle) {
+  context.scopes.find(handle)->value.reset();
+  context.scopes.undef(handle);
+}
+
+// ---- Opening --------------------------------------------------------------------------------------------------------
+
+void open_to_read(Context& context, const grammar::Fopen& node, FileValue& file) {
+  grammar::AccessProblem problem;
+  const std::size_t held = context.loader.bytes_held();
+  file.reader = context.loader.open_data(file.name, context.current_unit(), problem);
+  if (!file.reader) context.fail(node.path->span, problem.message, problem.hint);
+  context.charge_texts(node.span, held);
+}
+
+void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file) {
+  grammar::FileAccess& access = context.loader.access();
+  if (access.may_write()) {
+    file.place = access.find_writable(file.name);
+  } else if (context.options.lenient) {
+    file.place = grammar::FileAccess::in_memory(file.name);
+    context.warn(node.path->span,
+                 fmt::format("`{}` is not written: no folder is named for it; this run alone can read it",
+                             grammar::shown_name(file.name)),
+                 "`--allow-write DIR` lets a scene write below DIR");
+  } else {
+    context.fail(node.path->span,
+                 fmt::format("`{}` may not be written: a scene writes no files unless it is allowed to",
+                             grammar::shown_name(file.name)),
+                 "`--allow-write DIR` lets it write below DIR");
+  }
+  if (file.place.problem.error != grammar::AccessError::none) {
+    context.fail(node.path->span, file.place.problem.message, file.place.problem.hint);
+  }
+  if (node.mode != word::kw_append) return;
+  grammar::TextFile existing = access.read_existing(file.place, kMaxAppendedBytes);
+  if (!existing.trouble.empty() && existing.exists) {
+    context.fail(node.path->span,
+                 fmt::format("cannot append to `{}`: {}", grammar::shown_name(file.name), existing.trouble));
+  }
+  context.check_memory(node.span, existing.text.size());
+  context.memory.bytes += existing.text.size();
+  file.written = std::move(existing.text);
+}
+
+// ---- Reading --------------------------------------------------------------------------------------------------------
+
+FileValue* file_of(Context& context, grammar::Symbol handle, SourceSpan span) {
+  const Slot* const slot = context.scopes.find(handle);
+  if (!slot || slot->value.kind() == ValueKind::none) {
+    context.fail(span, fmt::format("`{}` is not an open file", context.text(handle)),
+                 slot ? "" : context.suggest_declared(handle));
+  }
+  if (slot->value.kind() == ValueKind::poison) throw Failed{};
+  if (slot->value.kind() != ValueKind::file) {
+    context.fail(span, fmt::format("`{}` is {}, not an open file", context.text(handle), describe(slot->value)));
+  }
+  FileValue& file = slot->value.as<FileValue>();
+  if (!file.is_open) context.fail(span, fmt::format("`{}` is closed", grammar::shown_name(file.name)));
+  return &file;
+}
+
+Datum next_datum(Context& context, FileValue& file) {
+  try {
+    Datum datum = file.reader->next();
+    if (datum.kind == Datum::Kind::mistake) {
+      context.fail(datum.span, fmt::format("{}, as `#read` wants it", datum.text));
+    }
+    return datum;
+  } catch (const grammar::ScannerFailure& failure) {
+    context.fail(file.opened_at, fmt::format("cannot read `{}`: {}", file.name, failure.what()));
+  }
+}
+
+Value value_of(Context& context, const Datum& datum) {
+  switch (datum.kind) {
+    case Datum::Kind::number: return Value(datum.terms[0]);
+    case Datum::Kind::vector: return {datum.count, datum.terms};
+    default: return make_string(context, datum.text, datum.span);
+  }
+}
+
+/// Where a value goes: what `#declare target` would write.
+Slot& target_slot(Context& context, const Node& target) {
+  if (target.kind == NodeKind::index) return find_slot(context, target);
+  if (target.kind == NodeKind::name) return context.scopes.declare(as<grammar::Name>(target).name);
+  context.fail(target.span, "expected an identifier or an array element to read into");
+}
+
+std::vector<const Node*> targets_of(const grammar::Read& node) {
+  std::vector<const Node*> targets;  // the commas between them may be missing
+  for (const grammar::Argument& argument : node.targets) {
+    targets.insert(targets.end(), argument.begin(), argument.end());
+  }
+  return targets;
+}
+
+}  // namespace
+
+void open_file(Context& context, const grammar::Fopen& node) {
+  const Slot* const slot = context.scopes.find(node.handle);
+  if (slot && slot->value.kind() > ValueKind::poison) {
+    context.fail(node.span,
+                 fmt::format("`{}` is {} already; a file needs a name of its own", context.text(node.handle),
+                             describe(slot->value)),
+                 slot->value.kind() == ValueKind::file ? "`#fclose` closes it first" : "");
+  }
+  if (node.mode != word::kw_read && node.mode != word::kw_write && node.mode != word::kw_append) {
+    context.fail(node.span, fmt::format("expected `read`, `write` or `append`, found `{}`", context.text(node.mode)));
+  }
+  if (context.files.files.size() == OpenFiles::kMaxOpen) {
+    context.fail(node.span, fmt::format("more than {} files are open at once", OpenFiles::kMaxOpen),
+                 "`#fclose` closes what is done with");
+  }
+  try {
+    Ref<FileValue> file = make_shared_value<FileValue>();
+    file->name = name_of_file(context, *node.path);
+    file->opened_at = node.path->span;
+    if (node.mode == word::kw_read) {
+      open_to_read(context, node, *file);
+    } else {
+      open_to_write(context, node, *file);
+    }
+    context.files.files.push_back(file);
+    context.scopes.declare(node.handle).value = Value(ValueKind::file, file);
+  } catch (const Failed&) {
+    context.scopes.declare(node.handle).value = Value::poison();
+  }
+}
+
+void close_file(Context& context, const grammar::Fclose& node) {
+  const Slot* const slot = context.scopes.find(node.handle);
+  if (!slot) return;
+  if (slot->value.kind() == ValueKind::file) {
+    const Value keep = slot->value;
+    close(context, keep.as<FileValue>());
+  } else if (slot->value.kind() > ValueKind::poison) {
+    context.warn(node.span,
+                 fmt::format("`{}` is {}, not an open file", context.text(node.handle), describe(slot->value)));
+    return;
+  }
+  forget_handle(context, node.handle);
+}
+
+void read_file(Context& context, const grammar::Read& node) {
+  const Ref<FileValue> file(file_of(context, node.handle, node.span));
+  if (!file->is_reader()) {
+    context.fail(node.span, fmt::format("`{}` was not opened for reading", grammar::shown_name(file->name)));
+  }
+  for (const Node* target : targets_of(node)) {
+    if (file->reader->is_at_end()) break;
+    const Datum datum = next_datum(context, *file);
+    if (datum.kind == Datum::Kind::end) break;
+    Value value = value_of(context, datum);
+    target_slot(context, *target).value = std::move(value);
+  }
+  if (!file->reader->is_at_end()) return;
+  close(context, *file);
+  forget_handle(context, node.handle);
+}
+
+void write_file(Context& context, const grammar::Write& node) {
+  const Ref<FileValue> file(file_of(context, node.handle, node.span));
+  if (file->is_reader()) {
+    context.fail(node.span, fmt::format("`{}` was not opened for writing", grammar::shown_name(file->name)));
+  }
+  for (const grammar::Argument& argument : node.values) {
+    ElementStream stream(context, argument, node.span);
+    while (!stream.peek().is(ElementKind::end)) {
+      const std::string bytes = read_output(stream);
+      // All that a run writes counts, not only what is still open: disks are finite too.
+      context.check_memory(node.span, context.files.bytes_written + bytes.size());
+      context.files.bytes_written += bytes.size();
+      context.memory.bytes += bytes.size();
+      file->written += bytes;
+      stream.accept_comma();
+    }
+  }
+}
+
+void close_all_files(Context& context) {
+  while (!context.files.files.empty()) {
+    const Ref<FileValue> file = context.files.files.back();
+    close(context, *file);
+  }
+}
+
+bool file_exists(const Context& context, const std::string& name) {
+  return context.loader.exists(name, context.current_unit());
+}
+
+}  // namespace isl::interpreter

@@ -1,3 +1,0 @@
-#fopen Handle "x.txt" write
-#write (Handle, 1)
-#fclose Handle
