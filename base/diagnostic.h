@@ -42,8 +42,22 @@ class DiagnosticSink {
   /// Errors after which reading a scene stops: more would bury the first ones.
   static constexpr std::size_t kMaxErrors = 20;
 
+  /// Warnings that are kept: a loop, or a text of nothing but oddities, has millions.
+  static constexpr std::size_t kMaxWarnings = 100;
+
+  /// Of a message or hint; names in a text may be of any length.
+  static constexpr std::size_t kMaxTextBytes = 4096;
+
   void report(Diagnostic diagnostic) {
+    cut(diagnostic.message);
+    cut(diagnostic.hint);
     if (diagnostic.severity == Severity::error) ++error_count_;
+    if (diagnostic.severity == Severity::warning && ++warning_count_ > kMaxWarnings) {
+      if (warning_count_ > kMaxWarnings + 1) return;
+      diagnostic = {};
+      diagnostic.severity = Severity::warning;
+      diagnostic.message = std::to_string(kMaxWarnings) + " warnings were shown; no more will be";
+    }
     diagnostics_.push_back(std::move(diagnostic));
   }
   void error(SourceSpan span, std::string message, std::string hint = {}) {
@@ -55,12 +69,22 @@ class DiagnosticSink {
 
   [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
   [[nodiscard]] bool is_full() const { return error_count_ >= kMaxErrors; }
+  [[nodiscard]] bool is_full_of_warnings() const { return warning_count_ > kMaxWarnings; }
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
  private:
+  static void cut(std::string& text) {
+    if (text.size() <= kMaxTextBytes) return;
+    std::size_t end = kMaxTextBytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // not within a character
+    text.resize(end);
+    text += "…";
+  }
+
   std::vector<Diagnostic> diagnostics_;
   std::size_t error_count_ = 0;
+  std::size_t warning_count_ = 0;
 };
 
 }  // namespace isl

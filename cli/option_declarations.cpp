@@ -104,9 +104,9 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add(app, "--max-depth", "N", "Macro calls and blocks within one another [1000]", integer_from(1, 100'000),
       [&limit](std::int64_t v) { limit.max_depth = static_cast<std::size_t>(v); })
       ->group(limits);
-  add(app, "--max-turns", "N", "Turns of all loops [1e9]", number_from(0, kUnbounded), [&limit](double v) {
-    limit.max_turns = v;
-  })->group(limits);
+  add(app, "--max-turns", "N", "Turns of all loops, and macro calls [1e9]", number_from(0, kUnbounded),
+      [&limit](double v) { limit.max_turns = v; })
+      ->group(limits);
   add(app, "--max-primitives", "N", "Solids, blob components, groups and lights [1e7]", number_from(0, kUnbounded),
       [&limit](double v) { limit.max_primitives = v; })
       ->group(limits);

@@ -45,7 +45,8 @@ ExitCode Session::load() {
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();
-  if (unit_ == nullptr) return ExitCode::file_error;  // nothing to parse: missing, closed to us, or no text
+  // Without a tree there was nothing to parse (missing, closed to us, or no text), or more than the limit allows.
+  if (unit_ == nullptr && loader_.last_error() != grammar::LoadError::too_large) return ExitCode::file_error;
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
 }
 

@@ -179,15 +179,14 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
 WritablePlace FileAccess::find_writable(std::string_view name) const {
   if (name.empty())
     return {.problem = {AccessError::refused, "a file needs a name", {}}, .canonical = {}, .folder = {}};
-  WritablePlace first = judge_place(scene_folder_ / name);
-  if (first.problem.error == AccessError::none || fs::path(name).is_absolute()) return first;
-  // Something stands in the way in the scene's own folder: that is what to say.
-  if (first.folder.is_open()) return first;
+  WritablePlace place = judge_place(scene_folder_ / name);
+  if (fs::path(name).is_absolute()) return place;
   for (const Folder& folder : write_folders_) {
-    WritablePlace place = judge_place(folder.path() / name);
-    if (place.problem.error == AccessError::none || place.folder.is_open()) return place;
+    // An open folder is an allowed one: the file may be written there, or something stands in the way.
+    if (place.folder.is_open()) return place;
+    place = judge_place(folder.path() / name);
   }
-  return first;
+  return place;
 }
 
 WritablePlace FileAccess::in_memory(std::string_view name) {

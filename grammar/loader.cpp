@@ -43,7 +43,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
   const std::size_t errors_before = sink_.error_count();
   AccessProblem problem;
   const std::optional<SourceSpan> span = keep_text(std::move(name), std::move(text), problem);
-  if (!span) return fail(LoadError::not_readable, where, std::move(problem.message), std::move(problem.hint));
+  if (!span) return fail(LoadError::too_large, where, std::move(problem.message), std::move(problem.hint));
   const auto max_height = std::min<std::size_t>(options_.max_nesting, std::numeric_limits<std::uint32_t>::max() / 8);
   ParseState state(map_, arena_, sink_, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
   try {
@@ -53,7 +53,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
   } catch (const ScannerFailure& failure) {
     sink_.error(*span, fmt::format("the text cannot be read: {}", failure.what()));
   } catch (const std::bad_alloc&) {
-    return fail(LoadError::not_readable, where,
+    return fail(LoadError::too_large, where,
                 fmt::format("`{}` takes more memory than there is for the scene", map_.position(span->begin).file),
                 "`--max-memory` raises the limit");
   }

@@ -45,7 +45,7 @@ struct LoaderOptions {
   std::size_t max_memory_bytes = std::size_t{4} << 30;
 };
 
-enum class LoadError { none, not_found, not_readable, syntax };
+enum class LoadError { none, not_found, not_readable, too_large, syntax };
 
 /// Every load_ function gives nullptr only if there was no text to parse, which is reported; after syntax errors it
 /// gives what could still be parsed, the errors being in the sink and `last_error()` telling. Nothing may be moved away

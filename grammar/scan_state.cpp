@@ -20,6 +20,12 @@ struct Directive {
   TokenKind kind;
 };
 
+/// A piece of the text for a message: its beginning, where it is longer than anyone would read.
+std::string shown(std::string_view text) {
+  constexpr std::size_t kShown = 64;
+  return text.size() <= kShown ? std::string(text) : std::string(text.substr(0, kShown)) + "…";
+}
+
 constexpr auto kDirectives = std::to_array<Directive>({
 #define ISL_DIRECTIVE(word, token) {word, Kind::TOK_##token},
 #include "grammar/directives.def"
@@ -133,7 +139,7 @@ Token ScanState::number(std::string_view text) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), token.number);
   if (result.ec != std::errc::result_out_of_range) return token;
   token.number = std::strtod(std::string(text).c_str(), nullptr);  // from_chars does not say on which side it was
-  if (token.number > 1) complain(span(), fmt::format("the number {} is too large", text));
+  if (token.number > 1) complain(span(), fmt::format("the number {} is too large", shown(text)));
   return token;
 }
 
@@ -141,14 +147,14 @@ std::optional<Token> ScanState::directive(std::string_view text) {
   const std::string_view word = text.substr(text.find_first_not_of(std::string_view("# \t\r\f\v\0\x1A", 8)));
   if (const Directive* const found = find_directive(word)) return simple(found->kind);
   if (const auto near = closest(word, kDirectiveWords)) {
-    complain(span(), fmt::format("unknown directive `#{}`", word), fmt::format("did you mean `#{}`?", *near));
+    complain(span(), fmt::format("unknown directive `#{}`", shown(word)), fmt::format("did you mean `#{}`?", *near));
     return simple(find_directive(*near)->kind);
   }
   const std::string_view after = text_.substr(end_ - file_begin_);
   const std::size_t next = after.find_first_not_of(" \t\r\n");
   const bool calls_macro = next != std::string_view::npos && after[next] == '(';
   if (calls_macro) return this->word(word);
-  complain(span(), fmt::format("unknown directive `#{}`", word));
+  complain(span(), fmt::format("unknown directive `#{}`", shown(word)));
   return std::nullopt;
 }
 

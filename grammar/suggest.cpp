@@ -17,6 +17,9 @@ bool equal_but_for_case(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// Of words that are compared letter by letter, which takes the product of their lengths.
+constexpr std::size_t kLongestWord = 64;
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view from, std::string_view to, std::size_t limit) {
@@ -45,7 +48,7 @@ std::optional<std::string_view> closest(std::string_view word, std::span<const s
   for (const std::string_view candidate : candidates) {
     if (candidate == word) continue;
     if (equal_but_for_case(word, candidate)) return candidate;
-    if (best_distance == 1) continue;
+    if (best_distance == 1 || word.size() > kLongestWord) continue;
     const std::size_t distance = edit_distance(word, candidate, best_distance - 1);
     if (distance >= best_distance) continue;
     best = candidate;

@@ -46,6 +46,8 @@ std::string what_else(mode_t mode) { return S_ISDIR(mode) ? "it is a folder" : "
 
 std::string explain(int code) { return std::generic_category().message(code); }
 
+std::string too_large(std::size_t max_bytes) { return fmt::format("larger than {} bytes", max_bytes); }
+
 /// Reads until the end; a file that grows meanwhile is still limited.
 void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
   std::array<char, 65536> buffer{};
@@ -59,7 +61,7 @@ void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
     if (count == 0) return;
     file.text.append(buffer.data(), static_cast<std::size_t>(count));
     if (file.text.size() > max_bytes) {
-      file.trouble = fmt::format("larger than {} bytes", max_bytes);
+      file.trouble = too_large(max_bytes);
       return;
     }
   }
@@ -76,6 +78,10 @@ void read_open_file(const Descriptor& descriptor, std::size_t max_bytes, TextFil
   file.stamp = stamp_from(status);
   if (!S_ISREG(status.st_mode)) {
     file.trouble = what_else(status.st_mode);
+    return;
+  }
+  if (static_cast<std::uintmax_t>(status.st_size) > max_bytes) {
+    file.trouble = too_large(max_bytes);
     return;
   }
   read_all(descriptor.get(), max_bytes, file);

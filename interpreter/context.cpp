@@ -44,10 +44,8 @@ void Context::stop(SourceSpan span, std::string message, std::string hint) {
 }
 
 void Context::warn(SourceSpan span, std::string message, std::string hint) {
-  if (warnings_.size() == kMaxWarnings || !warnings_.emplace(span.begin, span.end, message).second) return;
+  if (sink_.is_full_of_warnings() || !warnings_.emplace(span.begin, span.end, message).second) return;
   sink_.report({Severity::warning, span, std::move(message), std::move(hint), {}, chain()});
-  if (warnings_.size() == kMaxWarnings)
-    sink_.warning({}, fmt::format("{} warnings were shown; no more will be", kMaxWarnings));
 }
 
 void Context::report_out_of_memory() {
@@ -130,8 +128,8 @@ void Context::too_deep(SourceSpan span) {
 }
 
 void Context::too_many_turns(SourceSpan span) {
-  stop(span, fmt::format("loops have made more than {:g} turns", options.limits.max_turns),
-       "is a loop without end? `--max-turns` raises the limit");
+  stop(span, fmt::format("loops and macro calls have made more than {:g} turns", options.limits.max_turns),
+       "is one without end? `--max-turns` raises the limit");
 }
 
 void Context::nested_too_deeply(SourceSpan span, std::size_t units) {

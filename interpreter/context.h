@@ -75,7 +75,7 @@ class Context {
   [[noreturn]] void stop(SourceSpan span, std::string message, std::string hint = {});
   /// Reports and goes on; stops when there are too many.
   void error(SourceSpan span, std::string message, std::string hint = {});
-  /// Reports, once for each place and text, and not more than kMaxWarnings in all: a loop may warn a million times.
+  /// Reports, once for each place and text: a loop may warn a million times.
   void warn(SourceSpan span, std::string message, std::string hint = {});
   /// Something that could not be parsed is reached: an error, unless reading it reported it already.
   void report_unparsed(const grammar::Error& node) {
@@ -104,15 +104,12 @@ class Context {
 
   // ---- Limits -------------------------------------------------------------------------------------------------------
 
-  /// One more turn of a loop.
+  /// One more turn of a loop, or one more macro call: two calls in a macro double with every depth, and end as late as
+  /// a loop does.
   void count_turn(SourceSpan span) {
     if (++turns_ > options.limits.max_turns) [[unlikely]]
       too_many_turns(span);
     if ((static_cast<std::uint64_t>(turns_) & 1023u) == 0) check_stop(span);
-  }
-  /// One more macro call; only for the interrupt.
-  void count_call(SourceSpan span) {
-    if ((++calls_ & 1023u) == 0) check_stop(span);
   }
   /// One more component, solid, group or light that takes `bytes`.
   void count_primitive(SourceSpan span, std::size_t bytes);
@@ -139,13 +136,10 @@ class Context {
   [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
 
-  static constexpr std::size_t kMaxWarnings = 100;
-
   DiagnosticSink& sink_;
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< said already
   std::size_t depth_ = 0;
   double turns_ = 0;
-  std::uint64_t calls_ = 0;
   double primitives_ = 0;
   std::size_t nesting_ = 0;
   std::size_t max_nesting_;

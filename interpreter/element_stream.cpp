@@ -161,7 +161,7 @@ Value called(Context& context, const grammar::Call& call) {
 
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro) {
   const grammar::Macro& definition = macro.definition;
-  context.count_call(call.span);
+  context.count_turn(call.span);
   ArgumentSlots arguments(context, call, definition);
   context.push({.kind = Frame::Kind::macro,
                 .items = definition.body,

@@ -24,7 +24,7 @@ namespace isl::interpreter {
 /// What bounds a runaway script. Exceeding one is an error that names the option and ends the evaluation.
 struct Limits {
   std::size_t max_depth = 1000;                         ///< macro calls and nested objects in progress at once
-  double max_turns = 1e9;                               ///< of all loops together
+  double max_turns = 1e9;                               ///< of all loops together, and macro calls
   double max_primitives = 1e7;                          ///< blob components, solids, groups and lights
   std::size_t max_memory_bytes = std::size_t{4} << 30;  ///< of what the scene holds, roughly
   std::size_t max_include_depth = 32;

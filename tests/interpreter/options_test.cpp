@@ -29,6 +29,18 @@ TEST(Options, ClockFrameAndSizeReachTheScene) {
   EXPECT_EQ(scene.said(), "0.50 7 1.333");
 }
 
+TEST(Options, ClockAndFrameAreWhatTheOptionsSay) {
+  constexpr std::string_view kScene =
+      "#debug vstr(5, <clock, clock_on, frame_number, initial_frame, final_frame>, \" \", 0, 1) "
+      "#debug vstr(3, <initial_clock, final_clock, clock_delta>, \"/\", 0, 1)";
+  EvaluateOptions options;
+  options.clock = 0.5;
+  options.clock_on = true;
+  EXPECT_EQ(EvaluatedText(kScene, options).said(), "0.5 1.0 0.0 0.0 0.00.0/0.0/0.0");
+  options.frame = 3;
+  EXPECT_EQ(EvaluatedText(kScene, options).said(), "0.5 1.0 3.0 3.0 3.00.5/0.5/0.0");
+}
+
 TEST(Options, LenientKeepsANameOfWhatIsNotSupported) {
   EvaluateOptions options;
   options.lenient = true;

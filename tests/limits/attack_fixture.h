@@ -1,0 +1,32 @@
+// Runs the program on a hostile scene within bounds of time and memory that the system enforces.
+#pragma once
+
+#include "tests/cli/program_fixture.h"
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isl::test {
+
+class AttackTest : public ProgramTest {
+ protected:
+  /// No attack may take longer; most end in a fraction of a second. Generous, because test machines are busy.
+  static constexpr std::chrono::seconds kTimeBound{60};
+  /// Address space of the program. Its memory limit is set to a tenth of it, since texts, their trees and values count
+  /// apart.
+  static constexpr std::size_t kAddressSpaceBytes = std::size_t{3} << 30;
+
+  /// `isl check` of the text as scene.isl. Fails where it took too long, crashed or printed pages of messages.
+  [[nodiscard]] ProcessResult check(std::string_view text, std::vector<std::string> options = {});
+  /// The same of a file that is there already.
+  [[nodiscard]] ProcessResult check_file(const std::string& name, std::vector<std::string> options = {});
+
+  /// What the program says of a scene that must be refused: exit code 1.
+  [[nodiscard]] std::string refusal(std::string_view text, std::vector<std::string> options = {});
+};
+
+[[nodiscard]] std::string repeated(std::string_view text, std::size_t count);
+
+}  // namespace isl::test

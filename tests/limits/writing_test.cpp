@@ -1,0 +1,170 @@
+// What a scene may not write: anything at all without --allow-write, and with it nothing outside the folder named, no
+// link, and none of the files that it is read from.
+#include "tests/limits/attack_fixture.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+
+namespace isl::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Writing : public AttackTest {
+ protected:
+  Writing() {
+    write("scenes/near.inc", "#declare Near = 1;");
+    write("scenes/data.txt", "1, 2");
+    write("precious.txt", "precious");
+    fs::create_directory(folder() / "out");
+    fs::create_symlink("../precious.txt", folder() / "out/link.txt");
+    fs::create_symlink("../nothing.txt", folder() / "out/dangling.txt");
+    fs::create_directory_symlink("..", folder() / "out/up");
+    fs::create_directory(folder() / "out/inner");
+  }
+
+  /// What a scene in scenes/ says when it writes to a file of that name.
+  ProcessResult try_writing(const std::string& name, const std::string& mode, std::vector<std::string> options) {
+    write("scenes/scene.isl", kScene + fmt::format("#fopen F \"{}\" {} #write (F, \"taken\") #fclose F\n", name, mode));
+    return check_file("scenes/scene.isl", std::move(options));
+  }
+
+  [[nodiscard]] std::vector<std::string> tree() const {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder())) names.push_back(entry.path());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  const std::string kScene = "#include \"near.inc\" #fopen In \"data.txt\" read #read (In, A)\n";
+};
+
+TEST_F(Writing, NothingUnlessItIsAllowed) {
+  const std::vector<std::string> before = tree();
+  for (const std::string mode : {"write", "append"}) {
+    const ProcessResult result = try_writing("x.txt", mode, {});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("`--allow-write DIR` lets it write below DIR"));
+    EXPECT_THAT(result.err, HasSubstr("scene.isl:2:10"));
+  }
+  EXPECT_EQ(tree().size(), before.size() + 1) << "the scene, and no more";
+}
+
+TEST_F(Writing, NotEvenLeniently) {
+  const ProcessResult result = try_writing("x.txt", "write", {"--lenient"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("warning: `x.txt` is not written"));
+  EXPECT_FALSE(exists("scenes/x.txt"));
+  EXPECT_FALSE(exists("x.txt"));
+}
+
+TEST_F(Writing, NothingOutsideTheFolderNamed) {
+  for (const std::string& name :
+       {std::string("../precious.txt"), (folder() / "precious.txt").string(), std::string("link.txt"),
+        std::string("dangling.txt"), std::string("up/precious.txt"), std::string("inner/../../precious.txt"),
+        std::string("inner/../up/precious.txt"), std::string("/tmp/isl_attack.txt"), std::string("/dev/null"),
+        std::string("inner"), std::string("."), std::string(".."), std::string("inner/"), std::string(""),
+        std::string("missing/x.txt")}) {
+    for (const std::string mode : {"write", "append"}) {
+      const ProcessResult result = try_writing(name, mode, {"--allow-write", "out"});
+      EXPECT_EQ(result.exit_code, 1) << name << "\n" << result.err;
+      EXPECT_THAT(result.err, HasSubstr("scene.isl:2:10: error:")) << name;
+    }
+  }
+  EXPECT_EQ(read("precious.txt"), "precious");
+  EXPECT_FALSE(exists("nothing.txt"));
+  EXPECT_FALSE(fs::exists("/tmp/isl_attack.txt"));
+}
+
+TEST_F(Writing, NoPipe) {
+  ASSERT_EQ(mkfifo((folder() / "out/pipe.txt").c_str(), 0600), 0);
+  EXPECT_THAT(try_writing("pipe.txt", "write", {"--allow-write", "out"}).err, HasSubstr("it is not a regular file"));
+}
+
+TEST_F(Writing, NeverTheFilesThatTheSceneIsReadFrom) {
+  for (const std::string name : {"scene.isl", "near.inc", "data.txt"}) {
+    for (const std::string mode : {"write", "append"}) {
+      const ProcessResult result = try_writing(name, mode, {"--allow-write", "scenes"});
+      EXPECT_EQ(result.exit_code, 1) << name;
+      EXPECT_THAT(result.err, HasSubstr("the scene is read from it")) << name;
+    }
+  }
+  EXPECT_THAT(read("scenes/scene.isl"), testing::StartsWith(kScene));
+  EXPECT_EQ(read("scenes/near.inc"), "#declare Near = 1;");
+  EXPECT_EQ(read("scenes/data.txt"), "1, 2");
+}
+
+TEST_F(Writing, AnotherNameOfAFileOutsideLeavesThatFileAlone) {
+  fs::create_hard_link(folder() / "precious.txt", folder() / "out/hard.txt");
+  EXPECT_EQ(try_writing("hard.txt", "write", {"--allow-write", "out"}).exit_code, 0);
+  EXPECT_EQ(read("precious.txt"), "precious");
+  EXPECT_EQ(read("out/hard.txt"), "taken");
+}
+
+TEST_F(Writing, WhatIsAllowedIsWrittenAndLeavesNothingElse) {
+  const std::vector<std::string> before = tree();
+  EXPECT_EQ(try_writing("x.txt", "write", {"--allow-write", "out"}).exit_code, 0);
+  EXPECT_EQ(read("out/x.txt"), "taken");
+  EXPECT_EQ(try_writing("x.txt", "append", {"--allow-write", "out"}).exit_code, 0);
+  EXPECT_EQ(read("out/x.txt"), "takentaken");
+  EXPECT_EQ(try_writing("x.txt", "write", {"--allow-write", "scenes"}).exit_code, 0);
+  EXPECT_EQ(read("scenes/x.txt"), "taken");
+  EXPECT_EQ(tree().size(), before.size() + 3);
+}
+
+TEST_F(Writing, ReadsBackWhatItWrote) {
+  write("scenes/scene.isl",
+        "#fopen F \"made.inc\" write #write (F, \"#declare Made = \", 6*7, \";\") #fclose F\n"
+        "#include \"made.inc\" #debug str(Made, 0, 0)\n"
+        "#fopen F \"made.inc\" write #write (F, \"#declare Made = 43;\") #fclose F\n"
+        "#include \"made.inc\" #debug str(Made, 0, 0)\n");
+  EXPECT_THAT(check_file("scenes/scene.isl", {"--allow-write", "out"}).err, HasSubstr("4243"));
+}
+
+TEST_F(Writing, BinaryFormsAreThoseOfPovRay) {
+  write("scenes/scene.isl",
+        "#fopen F \"b\" write #write (F, uint8 65.7, uint8 300, uint8 -1, sint8 -5, sint8 200, uint16le 65536, "
+        "uint16be 2.5, sint16be -1.5, sint16be <1, 2, 3>, sint32le 3e9, sint32be -2, uint8 65, 66) #fclose F");
+  EXPECT_EQ(check_file("scenes/scene.isl", {"--allow-write", "out"}).exit_code, 0);
+  constexpr std::string_view kExpected(
+      "B\xFF\0\xFB\x7F\xFF\xFF\0\x03\xFF\xFF\0\x01\0\x02\0\x03\xFF\xFF\xFF\x7F\xFF\xFF\xFF\xFE"
+      "A66",
+      28);
+  EXPECT_EQ(read("out/b"), kExpected);
+}
+
+TEST_F(Writing, EndlessWritingEndsAtTheMemoryLimit) {
+  EXPECT_THAT(refusal("#declare S = \"0123456789\"; #for (I, 1, 10) #declare S = concat(S, S); #end\n"
+                      "#fopen F \"x\" write #while (1) #write (F, S) #end",
+                      {"--allow-write", "out"}),
+              HasSubstr("`--max-memory` raises the limit"));
+  EXPECT_THAT(refusal("#declare S = \"0123456789\"; #for (I, 1, 15) #declare S = concat(S, S); #end\n"
+                      "#while (1) #fopen F \"x\" write #write (F, S) #fclose F #end",
+                      {"--allow-write", "out"}),
+              HasSubstr("`--max-memory` raises the limit"));
+}
+
+TEST_F(Writing, EndlessWritingAndIncludingEndsAtTheMemoryLimit) {
+  EXPECT_THAT(refusal("#declare S = \"//34567890\"; #for (I, 1, 18) #declare S = concat(S, S); #end\n"
+                      "#while (1) #fopen F \"x.inc\" write #write (F, S) #fclose F #include \"x.inc\" #end",
+                      {"--allow-write", "out"}),
+              HasSubstr("`--max-memory` raises the limit"));
+}
+
+TEST_F(Writing, TooManyOpenFilesAreRefused) {
+  std::string text;
+  for (int i = 0; i < 65; ++i) text += fmt::format("#fopen F{0} \"{0}\" write\n", i);
+  EXPECT_THAT(refusal(text, {"--allow-write", "out"}), HasSubstr("more than 64 files are open at once"));
+}
+
+TEST_F(Writing, AFolderThatIsNoneIsSaid) {
+  const ProcessResult result = try_writing("x.txt", "write", {"--allow-write", "none"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("--allow-write: `none` is not a folder"));
+}
+
+}  // namespace
+}  // namespace isl::test
