@@ -29,8 +29,8 @@ def said_by_povray(scene):
     with tempfile.TemporaryDirectory() as folder:
         log = pathlib.Path(folder) / "debug.txt"
         run = subprocess.run(
-            ["povray", f"+I{scene}", "-D", "+W8", "+H8", "-F", "-GA", f"+GD{log}"], capture_output=True, text=True,
-            cwd=folder)
+            ["povray", f"+I{scene}", "-D", "+W8", "+H8", "-F", "-GA", f"+GD{log.name}"], capture_output=True,
+            text=True, cwd=folder)
         words = log.read_text().split() if log.exists() else []
         return words, [] if run.returncode == 0 else run.stderr.splitlines()[-4:]
 
