@@ -60,7 +60,6 @@ namespace word = grammar::word;
     case word::kIndex_off:
     case word::kIndex_false: return Value(0.0);
     case word::kIndex_clock: return Value(context.options.clock);
-    case word::kIndex_clock_on: return Value(context.options.frame > 0 ? 1.0 : 0.0);
     case word::kIndex_now: return Value(days_since_2000());
     case word::kIndex_clock_on: return Value(context.options.clock_on ? 1.0 : 0.0);
     case word::kIndex_version: return Value(context.language_version);
