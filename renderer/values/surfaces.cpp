@@ -2,8 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isl::values {
+namespace {
+
+/// Distance from the middle of a cross-section, by the p-norm with p = 2/shape: the largest coordinate for shape 0,
+/// Euclid's for 1.
+double from_middle(double a, double b, double shape) {
+  a = std::abs(a);
+  b = std::abs(b);
+  if (shape == 0) return std::max(a, b);
+  return std::pow(std::pow(a, 2 / shape) + std::pow(b, 2 / shape), shape / 2);
+}
+
+}  // namespace
 
 double radius(const double* p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
@@ -38,6 +51,28 @@ double superellipsoid(const double* p) {
   const double section = std::pow(std::abs(p[0]), 2 / east_west) + std::pow(std::abs(p[1]), 2 / east_west);
   const double all = std::pow(section, east_west / north_south) + std::pow(std::abs(p[2]), 2 / north_south);
   return 1 - std::pow(all, north_south / 2);
+}
+
+/// In the half-plane through the axis, the tube's middle is where the angle about y, plus the height's share, is half a
+/// turn. Where that is far away, the distance to the opposite tube bounds the value.
+double helix_1(const double* p) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double count = p[3], period = p[4], minor = p[5], major = p[6], stretch = p[7], shape = p[8];
+  const double rotation = p[9] * std::numbers::pi / 180;
+  const double from_axis = std::sqrt(p[0] * p[0] + p[2] * p[2]);
+  double phase = std::fmod(count * (std::atan2(p[2], p[0]) + p[1] * period), kTurn);
+  if (phase < 0) phase += kTurn;
+  const double along = (phase - std::numbers::pi) / (period * count * stretch), across = from_axis - major;
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  return std::min(from_middle(across * c - along * s, across * s + along * c, shape), from_axis + major) - minor;
+}
+
+/// Horizontal sections all are the same shape, moved about the axis and turned with it.
+double helix_2(const double* p) {
+  const double minor = p[5], major = p[6], shape = p[8], angle = p[1] * p[4];
+  const double c = std::cos(angle), s = std::sin(angle);
+  const double x = p[0] - major * c, z = p[2] - major * s;
+  return from_middle(x * c + z * s, z * c - x * s, shape) - minor;
 }
 
 }  // namespace isl::values

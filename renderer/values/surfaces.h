@@ -16,4 +16,9 @@ namespace isl::values {
 [[nodiscard]] double rounded_box(const double* p);
 [[nodiscard]] double superellipsoid(const double* p);
 
+/// Coils about y: flat rings that climb, and a circle that is pushed upwards as it runs round. Cross-sections from a
+/// square (0) over a circle (1) to a diamond (2) and beyond.
+[[nodiscard]] double helix_1(const double* p);
+[[nodiscard]] double helix_2(const double* p);
+
 }  // namespace isl::values

@@ -113,3 +113,13 @@ Say("clipped above", Paraboloid(30,0,0,-1))
 #end
 Say("hetero_mf of half an octave", Hetero(0.3, 0.4, 0.5, 0.6, 2.2, 0.5, 0.9, 1, 2))
 Say("ridged_mf of no octave", Ridged(0.3, 0.4, 0.5, 0.6, 2.2, 0, 0.9, 1.5, 2))
+#declare Helix1 = function { internal(25) }
+#declare Helix2 = function { internal(26) }
+#for (I, -2, 2, 0.4)
+  Say("helix1", Helix1(0.7, I, -0.4, 2, 3, 0.1, 0.8, 1, 1, 0))
+  Say("helix1, turned squares", Helix1(-0.7, I, 0.4, 1, 2.5, 0.1, 0.8, 1.5, 0, 30))
+  Say("helix1, rounded", Helix1(0.7, I, 0.4, 3, 2.5, 0.1, 0.8, 0.7, 0.4, 10))
+  Say("helix2", Helix2(0.7, I, -0.4, 2, 3, 0.3, 0.2, 1, 1, 0))
+  Say("helix2, diamonds", Helix2(-0.7, I, -0.4, 2, 3, 0.3, 0.2, 1, 2, 30))
+  Say("helix2, squares", Helix2(-0.7, I, -0.4, 2, 3, 0.3, 0.2, 1, 0, 30))
+#end
