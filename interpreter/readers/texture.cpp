@@ -27,26 +27,6 @@ Texture with_pattern(Context& context, TexturePattern&& record) {
               add_record<scene::TexturePatternId>(context, context.database.texture_patterns, std::move(record))};
 }
 
-/// Applies `change` to the texture and every layer under it, and lays the lowest over `below`.
-template <class Change>
-Texture each_layer(Context& context, const Texture& top, Change change, scene::TextureId below = scene::kNoTexture) {
-  std::vector<Texture> layers{top};
-  while (layers.back().below != scene::kNoTexture)
-    layers.push_back(context.database.textures[index(layers.back().below)]);
-  for (std::size_t i = layers.size(); i-- > 0;) {
-    change(layers[i]);
-    layers[i].below = below;
-    if (i > 0) below = texture_id(context, layers[i]);
-  }
-  return layers.front();
-}
-
-/// Whether nothing of what lies below the texture can show.
-bool is_opaque(const Context& context, Texture layer) {
-  while (layer.below != scene::kNoTexture) layer = context.database.textures[index(layer.below)];
-  return layer.pigment.is_plain() && layer.pigment.colour.filter == 0 && layer.pigment.colour.transmit == 0;
-}
-
 class TextureReader {
  public:
   TextureReader(ElementStream& stream, const Texture& base)
@@ -63,7 +43,7 @@ class TextureReader {
     while (!stream_.peek().is(ElementKind::end)) {
       if (!read_item()) refuse(stream_, kKnown);
     }
-    if (no_bump_scale_) set_no_bump_scale();
+    if (no_bump_scale_) texture_ = without_bump_scale(context_, texture_);
     return uv_mapping ? uv_mapped(context_, texture_) : texture_;
   }
 
@@ -123,11 +103,6 @@ class TextureReader {
     if (texture_.pattern == scene::kNoTexturePattern) return;
     context_.fail(block.word_span, fmt::format("`{}` does not go with a texture that is chosen by a pattern",
                                                context_.text(block.word)));
-  }
-
-  void set_no_bump_scale() {
-    texture_ = each_layer(context_, texture_,
-                          [this](Texture& layer) { layer.normal = without_bump_scale(context_, layer.normal); });
   }
 
   // ---- Textures that are chosen by a pattern ------------------------------------------------------------------------
@@ -231,45 +206,6 @@ Texture read_texture_body(ElementStream& stream, const Texture& base) { return T
 Texture read_texture(Context& context, const Element& block, const Texture& base) {
   ElementStream stream(context, block);
   return read_texture_body(stream, base);
-}
-
-Texture layered(Context& context, const Texture& below, const Texture& top, SourceSpan span) {
-  if (below.pattern != scene::kNoTexturePattern || top.pattern != scene::kNoTexturePattern) {
-    context.fail(span, "a texture that is chosen by a pattern cannot be a layer");
-  }
-  if (is_opaque(context, top)) return top;
-  return each_layer(
-      context, top, [](Texture& /*layer*/) {}, texture_id(context, below));
-}
-
-Texture uv_mapped(Context& context, const Texture& texture) {
-  return each_layer(context, texture, [&context](Texture& layer) {
-    layer.uv_mapping = 1;
-    if (layer.pattern == scene::kNoTexturePattern) return;
-    TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
-    record.pattern.uv_mapping = true;
-    layer.pattern = with_pattern(context, std::move(record)).pattern;
-  });
-}
-
-Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {
-  if (texture.is_plain() || transform == scene::Transform()) return texture;
-  return each_layer(context, texture, [&](Texture& layer) {
-    if (how == Move::with_object && layer.uv_mapping != 0) return;
-    layer.pigment = moved(context, layer.pigment, transform, how);
-    layer.normal = moved(context, layer.normal, transform, how);
-    if (layer.pattern == scene::kNoTexturePattern) return;
-    TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
-    if (how == Move::with_object && record.pattern.uv_mapping) return;
-    PatternDraft draft = draft_of(context, record.pattern);
-    move(context, draft, transform);
-    record.pattern = std::move(draft.pattern);
-    layer.pattern = with_pattern(context, std::move(record)).pattern;
-  });
-}
-
-scene::TextureId texture_id(Context& context, const Texture& texture) {
-  return share_record<scene::TextureId>(context, context.texture_table, context.database.textures, texture);
 }
 
 }  // namespace isl::interpreter

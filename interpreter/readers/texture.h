@@ -19,6 +19,9 @@ namespace isl::interpreter {
 [[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform,
                                    Move how);
 
+/// The texture with bumps whose height transforms do not scale.
+[[nodiscard]] scene::Texture without_bump_scale(Context& context, const scene::Texture& texture);
+
 /// The texture with every layer evaluated at (u, v) of the surface.
 [[nodiscard]] scene::Texture uv_mapped(Context& context, const scene::Texture& texture);
 

@@ -44,4 +44,7 @@ struct Finish {
   bool unused[2] = {};
 };
 
+static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * sizeof(double) + 8 * sizeof(bool),
+              "no padding");
+
 }  // namespace isl::scene

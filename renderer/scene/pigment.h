@@ -20,6 +20,8 @@ struct Pigment {
   [[nodiscard]] bool is_plain() const { return pattern == kPlainColour; }
 };
 
+static_assert(sizeof(Pigment) == sizeof(Colour) + 2 * sizeof(std::uint32_t), "no padding");
+
 /// A pigment that varies, or that has more to say than its colour.
 struct PatternedPigment {
   Pattern pattern{};

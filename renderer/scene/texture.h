@@ -33,6 +33,8 @@ struct Texture {
   }
 };
 
+static_assert(sizeof(Texture) == sizeof(Pigment) + 6 * sizeof(std::uint32_t), "no padding");
+
 struct TextureEntry {
   double value = 0;  ///< as PigmentEntry's; of a material_map the index
   TextureId texture = kNoTexture;
