@@ -17,7 +17,7 @@ using grammar::as;
 using grammar::Node;
 using grammar::NodeKind;
 using grammar::Symbol;
-using scene::Operation;
+using scene::Opcode;
 using Operand = ProgramBuilder::Operand;
 namespace word = grammar::word;
 
@@ -55,7 +55,7 @@ class Compiler {
       const Element next = stream.peek();
       if (!next.is(ElementKind::value) || !begins_with_sign(*next.node)) fail_expected(stream, "an operator");
       const Operand term = compile_element(stream, what);
-      sum = builder_.apply(Operation::add, sum, term, at);
+      sum = builder_.apply(Opcode::add, sum, term, at);
     }
     return sum;
   }
@@ -159,7 +159,7 @@ class Compiler {
     const Operand operand = compile(*node.operand);
     if (node.op == grammar::UnaryOp::plus) return operand;
     if (node.op == grammar::UnaryOp::logical_not) context_.fail(node.span, "there is no `!` in a function");
-    return builder_.apply(Operation::negate, operand, operand, at);
+    return builder_.apply(Opcode::negate, operand, operand, at);
   }
 
   Operand compile_binary(const grammar::Binary& node) {
@@ -242,11 +242,11 @@ class Compiler {
     const scene::FunctionPointer function = callee.as<FunctionValue>().function;
     const Operand first = compile_function_call(call, function);
     const std::optional<ResultItem> item =
-        node.item == context_.words.hf ? ResultItem{Operation::height, 2} : result_item(node.item);
+        node.item == context_.words.hf ? ResultItem{Opcode::height, 2} : result_item(node.item);
     if (!item || item->term >= function->result_count)
       context_.fail(node.span, fmt::format("`.{}` does not exist in the {} terms that this function yields",
                                            context_.text(node.item), function->result_count));
-    if (item->operation == Operation::copy) return static_cast<Operand>(first + item->term);
+    if (item->operation == Opcode::copy) return static_cast<Operand>(first + item->term);
     builder_.emit(item->operation, first, first, first);
     builder_.release(first);
     return builder_.take();
@@ -283,7 +283,7 @@ class Compiler {
       context_.fail(node.span, fmt::format("`select` takes 3 to 4 arguments, found {}", node.arguments.size()));
     const Operand first = place_arguments(node.arguments, node.span);
     if (node.arguments.size() == 3) builder_.move(builder_.take(), static_cast<Operand>(first + 2));
-    builder_.emit(Operation::select, first, first, first);
+    builder_.emit(Opcode::select, first, first, first);
     builder_.release(first);
     return builder_.take();
   }
@@ -311,12 +311,12 @@ class Compiler {
     const auto last = static_cast<Operand>(first + 1);
     locals_.push_back({name, first});
     const Operand start = builder_.position();
-    builder_.emit(Operation::loop, 0, first, last);
+    builder_.emit(Opcode::loop, 0, first, last);
     const Operand at = builder_.top();
     const Operand term = compile_argument(node.arguments[3], node.span);
-    builder_.emit(is_sum ? Operation::add : Operation::multiply, result, result, term);
+    builder_.emit(is_sum ? Opcode::add : Opcode::multiply, result, result, term);
     builder_.release(at);
-    builder_.emit(Operation::repeat, start, first, first);
+    builder_.emit(Opcode::repeat, start, first, first);
     check_size();
     builder_.set_target(start, builder_.position());
     locals_.pop_back();

@@ -9,12 +9,12 @@
 
 namespace isl::interpreter {
 
-[[nodiscard]] scene::Operation operation_of(grammar::BinaryOp op);
+[[nodiscard]] scene::Opcode operation_of(grammar::BinaryOp op);
 
 /// `sin`, `pow`, `min` …: functions that are one operation.
 struct BuiltinOperation {
   grammar::Symbol name;
-  scene::Operation operation;
+  scene::Opcode operation;
   std::size_t argument_count;
   bool is_variadic = false;  ///< argument_count or more, applied from the left
 };
@@ -22,10 +22,10 @@ struct BuiltinOperation {
 /// Null for a word that means nothing in a function; `select`, `sum` and `prod` are more than one operation.
 [[nodiscard]] const BuiltinOperation* builtin_operation(grammar::Symbol name);
 
-/// `.x`, `.red`, `.gray` … after a call of a function that yields several terms: a term as it is (Operation::copy), or
+/// `.x`, `.red`, `.gray` … after a call of a function that yields several terms: a term as it is (Opcode::copy), or
 /// one computed from the colour.
 struct ResultItem {
-  scene::Operation operation = scene::Operation::copy;
+  scene::Opcode operation = scene::Opcode::copy;
   std::uint16_t term = 0;  ///< the highest that is needed
 };
 

@@ -9,7 +9,7 @@ namespace isl::interpreter {
 
 using scene::Function;
 using scene::Instruction;
-using scene::Operation;
+using scene::Opcode;
 
 namespace {
 
@@ -49,7 +49,7 @@ ProgramBuilder::Operand ProgramBuilder::take(std::size_t count) {
   return first;
 }
 
-void ProgramBuilder::emit(Operation operation, Operand to, Operand a, Operand b) {
+void ProgramBuilder::emit(Opcode operation, Operand to, Operand a, Operand b) {
   if (program_.code.size() >= kMaxNumber) {
     fits_ = false;
   } else {
@@ -57,7 +57,7 @@ void ProgramBuilder::emit(Operation operation, Operand to, Operand a, Operand b)
   }
 }
 
-ProgramBuilder::Operand ProgramBuilder::apply(Operation operation, Operand a, Operand b, Operand at) {
+ProgramBuilder::Operand ProgramBuilder::apply(Opcode operation, Operand a, Operand b, Operand at) {
   const std::optional<double> left = constant_value(a), right = constant_value(b);
   release(at);
   if (left && right) {
@@ -74,7 +74,7 @@ ProgramBuilder::Operand ProgramBuilder::apply(Operation operation, Operand a, Op
 }
 
 void ProgramBuilder::move(Operand to, Operand from) {
-  if (to != from) emit(Operation::copy, to, from, from);
+  if (to != from) emit(Opcode::copy, to, from, from);
 }
 
 void ProgramBuilder::call(const scene::FunctionPointer& callee, Operand first) {
@@ -83,7 +83,7 @@ void ProgramBuilder::call(const scene::FunctionPointer& callee, Operand first) {
   const auto number = static_cast<std::size_t>(known - callees.begin());
   if (known == callees.end()) callees.push_back(callee);
   fits_ = fits_ && number < kMaxNumber;
-  emit(Operation::call, first, first, static_cast<Operand>(number));
+  emit(Opcode::call, first, first, static_cast<Operand>(number));
   frame_size_ = std::max<std::size_t>(frame_size_, first + std::size_t{callee->frame_size});
   depth_ = std::max(depth_, callee->depth + 1);
   if (missing_.empty()) missing_ = callee->missing;

@@ -28,10 +28,10 @@ class ProgramBuilder {
 
   /// The operation's result in a register of its own at `at` (where the operands' temporaries began); folded where both
   /// are known.
-  [[nodiscard]] Operand apply(scene::Operation operation, Operand a, Operand b, Operand at);
+  [[nodiscard]] Operand apply(scene::Opcode operation, Operand a, Operand b, Operand at);
   /// Makes sure that the value is in that register.
   void move(Operand to, Operand from);
-  void emit(scene::Operation operation, Operand to, Operand a, Operand b);
+  void emit(scene::Opcode operation, Operand to, Operand a, Operand b);
   /// Calls `callee` with the arguments from register `first` on.
   void call(const scene::FunctionPointer& callee, Operand first);
 

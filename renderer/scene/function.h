@@ -22,7 +22,7 @@ struct Function;
 using FunctionPointer = std::shared_ptr<const Function>;
 
 /// What one instruction does, with its registers `to`, `a`, `b` of the frame.
-enum class Operation : std::uint8_t {
+enum class Opcode : std::uint8_t {
   copy,  ///< to = a
   add,
   subtract,
@@ -77,7 +77,7 @@ enum class Operation : std::uint8_t {
 /// Registers from kConstants on are numbers of constants.
 struct Instruction {
   static constexpr std::uint16_t kConstants = 0x8000;
-  Operation operation{};
+  Opcode operation{};
   std::uint16_t to = 0, a = 0, b = 0;
 };
 

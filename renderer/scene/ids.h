@@ -21,7 +21,6 @@ enum class SlopeMapId : std::uint32_t {};
 enum class TextureMapId : std::uint32_t {};
 enum class ImageId : std::uint32_t {};
 enum class InteriorId : std::uint32_t {};
-enum class FunctionId : std::uint32_t {};
 enum class TransformId : std::uint32_t {};
 enum class FunctionId : std::uint32_t {};
 enum class KernelId : std::uint16_t {};

@@ -13,7 +13,7 @@ namespace isl::values {
 namespace {
 
 using scene::Instruction;
-using scene::Operation;
+using scene::Opcode;
 using scene::Program;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
@@ -36,22 +36,22 @@ void run(const Program& program, double* frame, Environment& environment) noexce
   for (std::size_t at = 0; at < size; ++at) {
     const Instruction in = program.code[at];
     switch (in.operation) {
-      case Operation::copy: frame[in.to] = value(in.a); break;
-      case Operation::add: frame[in.to] = value(in.a) + value(in.b); break;
-      case Operation::subtract: frame[in.to] = value(in.a) - value(in.b); break;
-      case Operation::multiply: frame[in.to] = value(in.a) * value(in.b); break;
-      case Operation::divide: frame[in.to] = value(in.a) / value(in.b); break;
-      case Operation::call:
+      case Opcode::copy: frame[in.to] = value(in.a); break;
+      case Opcode::add: frame[in.to] = value(in.a) + value(in.b); break;
+      case Opcode::subtract: frame[in.to] = value(in.a) - value(in.b); break;
+      case Opcode::multiply: frame[in.to] = value(in.a) * value(in.b); break;
+      case Opcode::divide: frame[in.to] = value(in.a) / value(in.b); break;
+      case Opcode::call:
         if (!environment.take_step()) return;
         evaluate(*program.callees[in.b], frame + in.a, environment);
         break;
-      case Operation::select: frame[in.to] = selected(frame + in.a); break;
-      case Operation::gray: frame[in.to] = gray(frame + in.a); break;
-      case Operation::height: frame[in.to] = height(frame + in.a); break;
-      case Operation::loop:
+      case Opcode::select: frame[in.to] = selected(frame + in.a); break;
+      case Opcode::gray: frame[in.to] = gray(frame + in.a); break;
+      case Opcode::height: frame[in.to] = height(frame + in.a); break;
+      case Opcode::loop:
         if (!(frame[in.a] <= frame[in.b])) at = std::size_t{in.to} - 1;
         break;
-      case Operation::repeat:
+      case Opcode::repeat:
         if (!environment.take_step()) return;
         frame[in.a] += 1;
         at = std::size_t{in.to} - 1;
@@ -90,56 +90,56 @@ struct Runner {
 
 }  // namespace
 
-double apply(Operation operation, double a, double b) noexcept {
+double apply(Opcode operation, double a, double b) noexcept {
   switch (operation) {
-    case Operation::add: return a + b;
-    case Operation::subtract: return a - b;
-    case Operation::multiply: return a * b;
-    case Operation::divide: return a / b;
-    case Operation::less: return a < b;
-    case Operation::greater: return a > b;
-    case Operation::equal: return a == b;
-    case Operation::less_equal: return a <= b;
-    case Operation::greater_equal: return a >= b;
-    case Operation::not_equal: return a != b;
-    case Operation::logical_and: return a != 0 && b != 0;
-    case Operation::logical_or: return a != 0 || b != 0;
-    case Operation::minimum: return b < a ? b : a;
-    case Operation::maximum: return b > a ? b : a;
-    case Operation::power: return std::pow(a, b);
-    case Operation::remainder: return std::fmod(a, b);
-    case Operation::quotient: return to_integer(a / b);
-    case Operation::arc_tangent_2: return std::atan2(a, b);
-    case Operation::copy: return a;
-    case Operation::negate: return -a;
-    case Operation::absolute: return std::abs(a);
-    case Operation::floor: return std::floor(a);
-    case Operation::ceiling: return std::ceil(a);
-    case Operation::truncate: return to_integer(a);
-    case Operation::square_root: return std::sqrt(a);
-    case Operation::exponential: return std::exp(a);
-    case Operation::logarithm: return std::log(a);
-    case Operation::logarithm_10: return std::log10(a);
-    case Operation::sine: return std::sin(a);
-    case Operation::cosine: return std::cos(a);
-    case Operation::tangent: return std::tan(a);
-    case Operation::arc_sine: return std::asin(a);
-    case Operation::arc_cosine: return std::acos(a);
-    case Operation::arc_tangent: return std::atan(a);
-    case Operation::hyperbolic_sine: return std::sinh(a);
-    case Operation::hyperbolic_cosine: return std::cosh(a);
-    case Operation::hyperbolic_tangent: return std::tanh(a);
-    case Operation::hyperbolic_arc_sine: return std::asinh(a);
-    case Operation::hyperbolic_arc_cosine: return std::acosh(a);
-    case Operation::hyperbolic_arc_tangent: return std::atanh(a);
-    case Operation::degrees: return a / kRadiansPerDegree;
-    case Operation::radians: return a * kRadiansPerDegree;
-    case Operation::select:
-    case Operation::gray:
-    case Operation::height:
-    case Operation::call:
-    case Operation::loop:
-    case Operation::repeat: break;
+    case Opcode::add: return a + b;
+    case Opcode::subtract: return a - b;
+    case Opcode::multiply: return a * b;
+    case Opcode::divide: return a / b;
+    case Opcode::less: return a < b;
+    case Opcode::greater: return a > b;
+    case Opcode::equal: return a == b;
+    case Opcode::less_equal: return a <= b;
+    case Opcode::greater_equal: return a >= b;
+    case Opcode::not_equal: return a != b;
+    case Opcode::logical_and: return a != 0 && b != 0;
+    case Opcode::logical_or: return a != 0 || b != 0;
+    case Opcode::minimum: return b < a ? b : a;
+    case Opcode::maximum: return b > a ? b : a;
+    case Opcode::power: return std::pow(a, b);
+    case Opcode::remainder: return std::fmod(a, b);
+    case Opcode::quotient: return to_integer(a / b);
+    case Opcode::arc_tangent_2: return std::atan2(a, b);
+    case Opcode::copy: return a;
+    case Opcode::negate: return -a;
+    case Opcode::absolute: return std::abs(a);
+    case Opcode::floor: return std::floor(a);
+    case Opcode::ceiling: return std::ceil(a);
+    case Opcode::truncate: return to_integer(a);
+    case Opcode::square_root: return std::sqrt(a);
+    case Opcode::exponential: return std::exp(a);
+    case Opcode::logarithm: return std::log(a);
+    case Opcode::logarithm_10: return std::log10(a);
+    case Opcode::sine: return std::sin(a);
+    case Opcode::cosine: return std::cos(a);
+    case Opcode::tangent: return std::tan(a);
+    case Opcode::arc_sine: return std::asin(a);
+    case Opcode::arc_cosine: return std::acos(a);
+    case Opcode::arc_tangent: return std::atan(a);
+    case Opcode::hyperbolic_sine: return std::sinh(a);
+    case Opcode::hyperbolic_cosine: return std::cosh(a);
+    case Opcode::hyperbolic_tangent: return std::tanh(a);
+    case Opcode::hyperbolic_arc_sine: return std::asinh(a);
+    case Opcode::hyperbolic_arc_cosine: return std::acosh(a);
+    case Opcode::hyperbolic_arc_tangent: return std::atanh(a);
+    case Opcode::degrees: return a / kRadiansPerDegree;
+    case Opcode::radians: return a * kRadiansPerDegree;
+    case Opcode::select:
+    case Opcode::gray:
+    case Opcode::height:
+    case Opcode::call:
+    case Opcode::loop:
+    case Opcode::repeat: break;
   }
   ISL_CHECK(false, "operation {} is not of two numbers", static_cast<int>(operation));
 }

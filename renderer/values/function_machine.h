@@ -35,9 +35,9 @@ class Environment {
   std::uint64_t steps_;
 };
 
-/// One operation on numbers alone (those up to `radians` in scene::Operation); b is ignored where it takes one.
+/// One operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored where it takes one.
 /// What the machine itself runs, and what folds constants.
-[[nodiscard]] double apply(scene::Operation operation, double a, double b) noexcept;
+[[nodiscard]] double apply(scene::Opcode operation, double a, double b) noexcept;
 
 /// `frame` has function.frame_size doubles, of which the first hold the arguments; afterwards the first hold the
 /// results. Arguments outside of a domain give what IEEE arithmetic gives: NaN and infinities travel on, nothing fails.

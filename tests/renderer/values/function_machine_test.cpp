@@ -14,7 +14,7 @@ namespace {
 
 using scene::Function;
 using scene::Instruction;
-using scene::Operation;
+using scene::Opcode;
 using scene::Program;
 
 constexpr std::uint16_t kFirstConstant = Instruction::kConstants;
@@ -28,7 +28,7 @@ double call(const Function& function, std::vector<double> arguments, Environment
 Function square_and_one() {
   Program program;
   program.constants = {1};
-  program.code = {{Operation::multiply, 1, 0, 0}, {Operation::add, 0, 1, kFirstConstant}};
+  program.code = {{Opcode::multiply, 1, 0, 0}, {Opcode::add, 0, 1, kFirstConstant}};
   Function function;
   function.body = program;
   function.parameter_count = 1;
@@ -40,12 +40,12 @@ Function square_and_one() {
 Function sum_to() {
   Program program;
   program.constants = {0, 1};
-  program.code = {{Operation::copy, 1, kFirstConstant, kFirstConstant},
-                  {Operation::copy, 2, kFirstConstant + 1, kFirstConstant + 1},
-                  {Operation::loop, 5, 2, 0},
-                  {Operation::add, 1, 1, 2},
-                  {Operation::repeat, 2, 2, 2},
-                  {Operation::copy, 0, 1, 1}};
+  program.code = {{Opcode::copy, 1, kFirstConstant, kFirstConstant},
+                  {Opcode::copy, 2, kFirstConstant + 1, kFirstConstant + 1},
+                  {Opcode::loop, 5, 2, 0},
+                  {Opcode::add, 1, 1, 2},
+                  {Opcode::repeat, 2, 2, 2},
+                  {Opcode::copy, 0, 1, 1}};
   Function function;
   function.body = program;
   function.parameter_count = 1;
@@ -58,7 +58,7 @@ TEST(FunctionMachine, RunsInstructionsInOrder) { EXPECT_EQ(call(square_and_one()
 TEST(FunctionMachine, CallsOtherFunctionsInTheirOwnFrame) {
   Program program;
   program.callees = {std::make_shared<Function>(square_and_one())};
-  program.code = {{Operation::copy, 1, 0, 0}, {Operation::call, 1, 1, 0}, {Operation::add, 0, 0, 1}};
+  program.code = {{Opcode::copy, 1, 0, 0}, {Opcode::call, 1, 1, 0}, {Opcode::add, 0, 0, 1}};
   Function function;
   function.body = program;
   function.parameter_count = 1;
