@@ -28,7 +28,7 @@ class Pruner {
   void run() {
     reach(database_.objects);
     reach(database_.lights);
-    textures_.reach_atmosphere(transforms_);
+    textures_.reach_world(transforms_);
     // Groups hold groups, textures hold textures and a pattern may hold an object: lists of what is still to be looked
     // at, so that depth costs no stack.
     while (!pending_.empty() || textures_.advance(transforms_, [this](const Object& object) { reach(object); })) {

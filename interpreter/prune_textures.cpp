@@ -44,13 +44,16 @@ void TexturePruner::reach(scene::InteriorId id) { mark(interiors_, id); }
 
 void TexturePruner::reach(const scene::Pigment& pigment) { reach(pigments_, Kind::pigment, index(pigment.pattern)); }
 
-void TexturePruner::reach_atmosphere(Column& transforms) {
+void TexturePruner::reach_world(Column& transforms) {
   if (database_.sky_sphere) {
     mark(transforms, database_.sky_sphere->world_from_sky);
     for (const scene::Pigment& pigment : database_.sky_sphere->pigments) reach(pigment);
   }
   for (const scene::Rainbow& rainbow : database_.rainbows)
     reach(pigment_maps_, Kind::pigment_map, index(rainbow.colours));
+  if (!database_.camera) return;
+  reach(normals_, Kind::normal, index(database_.camera->normal));
+  if (database_.camera->blur && database_.camera->blur->bokeh) reach(*database_.camera->blur->bokeh);
 }
 
 void TexturePruner::reach(const scene::Pattern& pattern, Column& transforms,
@@ -181,6 +184,9 @@ void TexturePruner::compact(const Column& transforms) {
     renumber_in(transforms, database_.sky_sphere->world_from_sky);
   }
   for (scene::Rainbow& rainbow : database_.rainbows) renumber_in(pigment_maps_, rainbow.colours);
+  if (!database_.camera) return;
+  renumber_in(normals_, database_.camera->normal);
+  if (database_.camera->blur && database_.camera->blur->bokeh) renumber(*database_.camera->blur->bokeh);
 }
 
 }  // namespace isl::interpreter

@@ -16,7 +16,8 @@ class TexturePruner {
   // Each marks the record, if the number is one, and puts what it refers to on the list.
   void reach(scene::TextureId id);
   void reach(scene::InteriorId id);
-  void reach_atmosphere(Column& transforms);
+  /// What sky, rainbows and the camera refer to.
+  void reach_world(Column& transforms);
 
   /// Looks at one record of the list; false when it is empty. Transforms are marked in `transforms`, the objects of
   /// patterns are handed to `reach_object`.

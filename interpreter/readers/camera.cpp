@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/focal_blur.h"
+#include "interpreter/readers/normal.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
 
@@ -92,8 +93,14 @@ class CameraReader {
         word::kw_location, word::kw_look_at,   word::kw_angle,    word::kw_right,       word::kw_up,
         word::kw_sky,      word::kw_direction, word::kw_aperture, word::kw_focal_point, word::kw_blur_samples};
     const Element next = stream_.peek();
+    if (next.is_block(word::kw_normal)) {
+      stream_.drop();
+      camera_.normal = read_normal(context_, next, camera_.normal);
+      return;
+    }
+    if (blur_.read(stream_)) return;
     if (!next.is(ElementKind::word)) return refuse(stream_, kKnown);
-    if (read_kind(next.word) || blur_.read(stream_)) return;
+    if (read_kind(next.word)) return;
     Vec3* vector = nullptr;
     switch (static_cast<word::Index>(next.word)) {
       case word::kIndex_location: vector = &camera_.location; break;

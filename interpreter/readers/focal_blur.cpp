@@ -1,6 +1,7 @@
 #include "interpreter/readers/focal_blur.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/pigment.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,11 @@ FocalBlurReader::FocalBlurReader(const std::optional<scene::FocalBlur>& blur) {
 
 bool FocalBlurReader::read(ElementStream& stream) {
   const Element next = stream.peek();
+  if (next.is_block(word::kw_bokeh)) {
+    stream.drop();
+    read_bokeh(stream.context(), next);
+    return true;
+  }
   if (!next.is(ElementKind::word)) return false;
   switch (static_cast<word::Index>(next.word)) {
     case word::kIndex_aperture:
@@ -46,6 +52,15 @@ bool FocalBlurReader::read(ElementStream& stream) {
       return true;
     default: return false;
   }
+}
+
+/// `bokeh { pigment { … } }`
+void FocalBlurReader::read_bokeh(Context& context, const Element& block) {
+  ElementStream stream(context, block);
+  if (!stream.peek().is_block(word::kw_pigment)) fail_expected(stream, "a pigment");
+  const Element pigment = stream.take();
+  blur_.bokeh = read_pigment(context, pigment, {});
+  expect_end(stream);
 }
 
 /// `blur_samples max` or `blur_samples min, max`.

@@ -1,4 +1,5 @@
-// A camera's focal blur: aperture, focal_point, blur_samples, confidence, variance. Only the reader of cameras uses it.
+// A camera's focal blur: aperture, focal_point, blur_samples, confidence, variance, bokeh. Only the reader of cameras
+// uses it.
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -21,6 +22,7 @@ class FocalBlurReader {
   [[nodiscard]] std::optional<scene::FocalBlur> result(ElementStream& stream, const scene::Camera& camera) const;
 
  private:
+  void read_bokeh(Context& context, const Element& block);
   void read_samples(ElementStream& stream);
   /// A number, or the default with a warning where it is out of its range.
   void read_share(ElementStream& stream, double& share, bool may_be_limit);

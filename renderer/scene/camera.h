@@ -3,6 +3,7 @@
 
 #include "base/source_span.h"
 #include "renderer/scene/ids.h"
+#include "renderer/scene/pigment.h"
 #include "renderer/scene/transform.h"
 
 #include <cstdint>
@@ -28,6 +29,8 @@ struct FocalBlur {
   int min_samples = 0, max_samples = 0;  ///< rays a pixel
   double confidence = 0.9;               ///< that a pixel's value is right …
   double variance = 1.0 / 128;           ///< … to this; in ]0, 1[ and [0, 1]
+  std::optional<Pigment>
+      bokeh{};  ///< over the lens, x and y from 0 to 1: how bright it shines there; none: evenly, round
 };
 
 /// A camera after look_at, angle and sky have been applied. perspective: the ray through image coordinates (u, v), u
@@ -44,6 +47,7 @@ struct Camera {
   double angle = 0;  ///< radians across the picture; 0 where the kind has none (perspective, orthographic, omnimax)
   double vertical_angle = 0;  ///< of a spherical camera, radians
   std::optional<FocalBlur> blur{};
+  NormalId normal = kNoNormal;  ///< bends rays as bumps at the image's point (u, v) would
   OriginId origin{};
 };
 

@@ -56,6 +56,10 @@ struct Database {
   [[nodiscard]] const Texture& texture(TextureId id) const {
     return id == kNoTexture ? default_texture : textures[index(id)];
   }
+  /// Of a pigment that is the same everywhere.
+  [[nodiscard]] const Colour& colour(const Pigment& pigment) const {
+    return pigment.is_plain() ? pigment.colour : pigments[index(pigment.pattern)].colour;
+  }
   [[nodiscard]] Finish finish(FinishId id) const { return id == kDefaultFinish ? Finish{} : finishes[index(id)]; }
 };
 

@@ -1,5 +1,6 @@
 #include "renderer/scene/json_view.h"
 
+#include "renderer/scene/json_texture.h"
 #include "renderer/scene/json_values.h"
 
 namespace isl::scene {
@@ -10,11 +11,13 @@ constexpr std::string_view kCameraKinds[] = {"perspective", "orthographic", "fis
 constexpr std::string_view kLightKinds[] = {"point", "spotlight", "cylinder"};
 
 Json blur_json(const FocalBlur& blur) {
-  return {{"aperture", blur.aperture},
-          {"focal_distance", blur.focal_distance},
-          {"samples", Json::array({blur.min_samples, blur.max_samples})},
-          {"confidence", blur.confidence},
-          {"variance", blur.variance}};
+  Json json = {{"aperture", blur.aperture},
+               {"focal_distance", blur.focal_distance},
+               {"samples", Json::array({blur.min_samples, blur.max_samples})},
+               {"confidence", blur.confidence},
+               {"variance", blur.variance}};
+  if (blur.bokeh) json["bokeh"] = pigment_reference(*blur.bokeh);
+  return json;
 }
 
 Json area_json(const AreaLight& area) {
@@ -42,6 +45,7 @@ Json camera_json(const Camera& c) {
   if (c.angle != 0) json["angle"] = c.angle;
   if (c.vertical_angle != 0) json["vertical_angle"] = c.vertical_angle;
   if (c.blur) json["blur"] = blur_json(*c.blur);
+  if (c.normal != kNoNormal) json["normal"] = index(c.normal);
   return json;
 }
 

@@ -1,6 +1,7 @@
 #include "renderer/scene/unrendered.h"
 
 #include "renderer/scene/unrendered_features.h"
+#include "renderer/scene/unrendered_textures.h"
 
 #include <unordered_map>
 
@@ -16,7 +17,11 @@ class Finder {
   std::vector<Unrendered> find() {
     if (database_.camera) look(camera_features(), *database_.camera, database_.camera->origin);
     look_at(database_.lights);
-    look(texture_features(), database_.default_texture, {});
+    for (const WorldFeature& feature : world_features()) {
+      if (const std::size_t count = feature.count(database_); count > 0)
+        add(feature.what, feature.origin(database_), count);
+    }
+    look_at(database_.default_texture, {});
     look_at(database_.objects);
     // Groups hold groups: a list of what is still to be looked at, so that depth costs no stack.
     for (std::size_t next = 0; next < groups_.size(); ++next) {
@@ -34,10 +39,10 @@ class Finder {
     OriginId origin;
   };
 
-  void add(std::string_view what, OriginId origin) {
+  void add(std::string_view what, OriginId origin, std::uint64_t count = 1) {
     const auto [place, is_new] = places_.try_emplace(what, found_.size());
     if (is_new) found_.push_back({std::string(what), origin, 0});
-    ++found_[place->second].count;
+    found_[place->second].count += count;
   }
 
   template <class Record>
@@ -45,6 +50,13 @@ class Finder {
     for (const Feature<Record>& feature : features) {
       if (feature.is_used(record)) add(feature.what, origin);
     }
+  }
+
+  void look_at(const Texture& texture, OriginId origin) {
+    for (const TextureFeature& feature : texture_features()) {
+      if (feature.is_used(database_, texture)) add(feature.what, origin);
+    }
+    look(finish_features(), database_.finish(texture.finish), origin);
   }
 
   void look_at(const std::vector<Light>& lights) {
@@ -58,7 +70,7 @@ class Finder {
         continue;
       }
       look(object_features(), object, object.origin);
-      if (object.texture != kNoTexture) look(texture_features(), database_.texture(object.texture), object.origin);
+      if (object.texture != kNoTexture) look_at(database_.texture(object.texture), object.origin);
       if (object.kind == Object::Kind::blob) look_at(database_.blobs[object.shape]);
       if (object.kind != Object::Kind::group || is_seen_[object.shape]) continue;
       is_seen_[object.shape] = true;
@@ -69,7 +81,7 @@ class Finder {
   void look_at(const Blob& blob) {
     for (std::size_t i = 0; i < blob.components.size(); ++i) {
       const TextureId texture = blob.components[i].texture;
-      if (texture != kNoTexture) look(texture_features(), database_.texture(texture), blob.origins[i]);
+      if (texture != kNoTexture) look_at(database_.texture(texture), blob.origins[i]);
     }
   }
 
@@ -92,6 +104,12 @@ void leave_out(std::span<const Feature<Record>> features, std::vector<Record>& r
   for (Record& record : records) leave_out(features, record);
 }
 
+void leave_out(const Database& database, Texture& texture) {
+  for (const TextureFeature& feature : texture_features()) {
+    if (feature.is_used(database, texture)) feature.leave_out(database, texture);
+  }
+}
+
 void leave_out_objects(const Database& database, std::vector<Object>& objects) {
   std::erase_if(objects, [&](const Object& object) { return !unrendered_shape(database, object).empty(); });
   leave_out(object_features(), objects);
@@ -104,8 +122,12 @@ std::vector<Unrendered> unrendered(const Database& database) { return Finder(dat
 void leave_out_unrendered(Database& database) {
   if (database.camera) leave_out(camera_features(), *database.camera);
   leave_out(light_features(), database.lights);
-  leave_out(texture_features(), database.default_texture);
-  leave_out(texture_features(), database.textures);
+  for (const WorldFeature& feature : world_features()) {
+    if (feature.count(database) > 0) feature.leave_out(database);
+  }
+  leave_out(database, database.default_texture);
+  for (Texture& texture : database.textures) leave_out(database, texture);
+  leave_out(finish_features(), database.finishes);
   leave_out_objects(database, database.objects);
   for (Group& group : database.groups) {
     leave_out_objects(database, group.children);

@@ -22,6 +22,8 @@ constexpr Feature<Camera> kCameraFeatures[] = {
     camera_kind<CameraKind::spherical>("a `spherical` camera"),
     {"focal blur", [](const Camera& camera) { return camera.blur.has_value(); },
      [](Camera& camera) { camera.blur.reset(); }},
+    {"`normal` of a camera", [](const Camera& camera) { return camera.normal != kNoNormal; },
+     [](Camera& camera) { camera.normal = kNoNormal; }},
 };
 
 constexpr Feature<Light> kLightFeatures[] = {
@@ -58,11 +60,16 @@ constexpr Feature<Group> kGroupFeatures[] = {
      [](Group& group) { group.is_light_group = false; }},
 };
 
-bool is_transparent(const Colour& colour) { return colour.filter != 0 || colour.transmit != 0; }
-
-constexpr Feature<Texture> kTextureFeatures[] = {
-    {"a transparent pigment", [](const Texture& texture) { return is_transparent(texture.pigment.colour); },
-     [](Texture& texture) { texture.pigment.colour.filter = texture.pigment.colour.transmit = 0; }},
+constexpr WorldFeature kWorldFeatures[] = {
+    {"`sky_sphere`", [](const Database& database) { return std::size_t{database.sky_sphere.has_value()}; },
+     [](const Database& database) { return database.sky_sphere->origin; },
+     [](Database& database) { database.sky_sphere.reset(); }},
+    {"`fog`", [](const Database& database) { return database.fogs.size(); },
+     [](const Database& database) { return database.fogs[0].origin; },
+     [](Database& database) { database.fogs.clear(); }},
+    {"`rainbow`", [](const Database& database) { return database.rainbows.size(); },
+     [](const Database& database) { return database.rainbows[0].origin; },
+     [](Database& database) { database.rainbows.clear(); }},
 };
 
 /// By SolidKind; "" for what is drawn.
@@ -82,7 +89,7 @@ std::span<const Feature<Camera>> camera_features() { return kCameraFeatures; }
 std::span<const Feature<Light>> light_features() { return kLightFeatures; }
 std::span<const Feature<Object>> object_features() { return kObjectFeatures; }
 std::span<const Feature<Group>> group_features() { return kGroupFeatures; }
-std::span<const Feature<Texture>> texture_features() { return kTextureFeatures; }
+std::span<const WorldFeature> world_features() { return kWorldFeatures; }
 
 std::string_view unrendered_shape(const Database& database, const Object& object) {
   switch (object.kind) {

@@ -4,6 +4,7 @@
 
 #include "renderer/scene/database.h"
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -16,12 +17,20 @@ struct Feature {
   void (*leave_out)(Record&);
 };
 
+struct WorldFeature {
+  std::string_view what;
+  std::size_t (*count)(const Database&);
+  OriginId (*origin)(const Database&);  ///< of the first, where there is one
+  void (*leave_out)(Database&);
+};
+
 [[nodiscard]] std::span<const Feature<Camera>> camera_features();
 [[nodiscard]] std::span<const Feature<Light>> light_features();
 /// Of an object apart from its shape.
 [[nodiscard]] std::span<const Feature<Object>> object_features();
 [[nodiscard]] std::span<const Feature<Group>> group_features();
-[[nodiscard]] std::span<const Feature<Texture>> texture_features();
+/// Of what stands in no object.
+[[nodiscard]] std::span<const WorldFeature> world_features();
 
 /// What the language calls a shape that cannot be drawn at all; "" for one that can.
 [[nodiscard]] std::string_view unrendered_shape(const Database& database, const Object& object);

@@ -17,7 +17,8 @@ Material material_of(const scene::Texture& texture, const scene::Finish& finish,
 
 MaterialTable::MaterialTable(const scene::Database& database) {
   materials_.reserve(database.textures.size() + 1);
-  const auto add = [&](const scene::Texture& texture) {
+  const auto add = [&](scene::Texture texture) {
+    texture.pigment = {database.colour(texture.pigment)};
     materials_.push_back(material_of(texture, database.finish(texture.finish), database.settings.ambient_light));
   };
   for (const scene::Texture& texture : database.textures) add(texture);

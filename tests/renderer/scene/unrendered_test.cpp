@@ -70,7 +70,30 @@ Database everything() {
   light.area.emplace();
   light.projected_through = GroupId{0};
   database.lights = {light, {.kind = LightKind::cylinder}};
-  database.textures = {{.pigment = {{.transmit = 1}}, .finish = {}}};
+  database.camera->normal = NormalId{0};
+  database.normals.resize(1);
+  database.sky_sphere.emplace();
+  database.fogs.resize(2);
+  database.rainbows.resize(1);
+  database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
+                       {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
+                       {.pattern = TexturePatternId{0}}};
+  database.finishes = {{.emission = {1, 0, 0},
+                        .diffuse_back = 1,
+                        .phong = 1,
+                        .metallic = 1,
+                        .reflection = {.maximum = {0, 1, 0}},
+                        .irid = 1,
+                        .crand = 1,
+                        .phong_albedo = true}};
+  database.pigments.resize(1);
+  database.pigments[0].pattern.kind = PatternKind::marble;
+  database.pigments[0].map = PigmentMapId{0};
+  database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}}};
+  database.texture_patterns.resize(1);
+  database.texture_patterns[0].pattern.kind = PatternKind::checker;
+  database.texture_patterns[0].map = TextureMapId{0};
+  database.texture_maps = {{{0, TextureId{1}}}};
   for (int kind = 0; kind < kSolidKindCount; ++kind) {
     database.solids.push_back({.kind = static_cast<SolidKind>(kind)});
     database.objects.push_back(object(Object::Kind::solid, static_cast<std::uint32_t>(kind)));
@@ -85,16 +108,32 @@ Database everything() {
   odd.interior_texture = odd.texture = TextureId{0};
   odd.clip = GroupId{0};
   database.objects.push_back(odd);
+  for (std::uint32_t texture = 1; texture < 3; ++texture) {
+    database.objects.push_back(object(Object::Kind::solid, 0));
+    database.objects.back().texture = TextureId{texture};
+  }
   return database;
 }
 
 TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 28u);
+  EXPECT_EQ(names(database).size(), 43u);
   const std::size_t objects = database.objects.size();
   leave_out_unrendered(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.objects.size(), objects - 13) << "eleven kinds of solids, an intersection and a difference";
+  EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
+  EXPECT_EQ(database.textures[2].pigment.colour, (Colour{0.5, 0.5, 0})) << "the first of what the pattern chooses from";
+}
+
+TEST(Unrendered, APlainPigmentMayHaveAPreviewColourToo) {
+  Database database;
+  database.pigments = {{.pattern = {}, .colour = {1, 0, 0}, .quick_colour = Colour{0, 1, 0}}};
+  database.textures = {{.pigment = {.pattern = PigmentId{0}}}};
+  database.solids.resize(1);
+  database.objects = {object(Object::Kind::solid, 0)};
+  database.objects[0].texture = TextureId{0};
+  EXPECT_THAT(names(database), ElementsAre());
 }
 
 }  // namespace

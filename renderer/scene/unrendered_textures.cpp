@@ -1,0 +1,93 @@
+#include "renderer/scene/unrendered_textures.h"
+
+namespace isl::scene {
+namespace {
+
+bool is_transparent(const Colour& colour) { return colour.filter != 0 || colour.transmit != 0; }
+
+bool is_patterned(const Database& database, const Pigment& pigment) {
+  return !pigment.is_plain() && database.pigments[index(pigment.pattern)].pattern.kind != PatternKind::plain;
+}
+
+/// For a pigment that cannot be drawn: its preview colour, else the mean of the plain colours that it chooses from,
+/// else grey.
+Colour stand_in(const Database& database, const PatternedPigment& pigment) {
+  if (pigment.quick_colour) return *pigment.quick_colour;
+  Colour sum;
+  int count = 0;
+  if (pigment.map != kNoPigmentMap) {
+    for (const PigmentEntry& entry : database.pigment_maps[index(pigment.map)]) {
+      if (!entry.pigment.is_plain()) continue;
+      sum.red += entry.pigment.colour.red;
+      sum.green += entry.pigment.colour.green;
+      sum.blue += entry.pigment.colour.blue;
+      ++count;
+    }
+  }
+  if (count == 0) return {0.5, 0.5, 0.5};
+  return {sum.red / count, sum.green / count, sum.blue / count};
+}
+
+void make_opaque(const Database& database, Texture& texture) {
+  Colour colour = database.colour(texture.pigment);
+  colour.filter = colour.transmit = 0;
+  texture.pigment = {colour};
+}
+
+/// The first of the textures that the pattern chooses from; its own pattern and layers are left out in the next rows.
+void choose_first(const Database& database, Texture& texture) {
+  for (int depth = 0; texture.pattern != kNoTexturePattern; ++depth) {
+    constexpr int kDeepest = 100;  // maps of maps; nobody writes them deeper
+    const TextureMapId map = database.texture_patterns[index(texture.pattern)].map;
+    const bool has_entry = depth < kDeepest && map != kNoTextureMap && !database.texture_maps[index(map)].empty();
+    const Texture first = has_entry ? database.texture(database.texture_maps[index(map)][0].texture) : Texture();
+    texture = first;
+  }
+}
+
+constexpr TextureFeature kTextureFeatures[] = {
+    {"a texture chosen by a pattern",
+     [](const Database&, const Texture& texture) { return texture.pattern != kNoTexturePattern; }, choose_first},
+    {"a texture of layers", [](const Database&, const Texture& texture) { return texture.below != kNoTexture; },
+     [](const Database&, Texture& texture) { texture.below = kNoTexture; }},
+    {"a pigment by a pattern",
+     [](const Database& database, const Texture& texture) { return is_patterned(database, texture.pigment); },
+     [](const Database& database, Texture& texture) {
+       texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
+     }},
+    {"a transparent pigment",
+     [](const Database& database, const Texture& texture) {
+       return !is_patterned(database, texture.pigment) && is_transparent(database.colour(texture.pigment));
+     },
+     make_opaque},
+    {"`normal`", [](const Database&, const Texture& texture) { return texture.normal != kNoNormal; },
+     [](const Database&, Texture& texture) { texture.normal = kNoNormal; }},
+};
+
+bool shines(const Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; }
+
+bool reflects(const Finish& finish) { return shines(finish.reflection.minimum) || shines(finish.reflection.maximum); }
+
+// `conserve_energy`, `use_alpha` and `fresnel` are not here: they say nothing without transparency or reflection.
+constexpr Feature<Finish> kFinishFeatures[] = {
+    {"`reflection`", reflects, [](Finish& finish) { finish.reflection = {}; }},
+    {"`emission`", [](const Finish& finish) { return shines(finish.emission); },
+     [](Finish& finish) { finish.emission = {}; }},
+    {"`diffuse` of light from behind", [](const Finish& finish) { return finish.diffuse_back != 0; },
+     [](Finish& finish) { finish.diffuse_back = 0; }},
+    {"`metallic`",
+     [](const Finish& finish) { return finish.metallic != 0 && (finish.phong > 0 || finish.specular > 0); },
+     [](Finish& finish) { finish.metallic = 0; }},
+    {"`albedo`",
+     [](const Finish& finish) { return finish.diffuse_albedo || finish.phong_albedo || finish.specular_albedo; },
+     [](Finish& finish) { finish.diffuse_albedo = finish.phong_albedo = finish.specular_albedo = false; }},
+    {"`irid`", [](const Finish& finish) { return finish.irid != 0; }, [](Finish& finish) { finish.irid = 0; }},
+    {"`crand`", [](const Finish& finish) { return finish.crand != 0; }, [](Finish& finish) { finish.crand = 0; }},
+};
+
+}  // namespace
+
+std::span<const TextureFeature> texture_features() { return kTextureFeatures; }
+std::span<const Feature<Finish>> finish_features() { return kFinishFeatures; }
+
+}  // namespace isl::scene
