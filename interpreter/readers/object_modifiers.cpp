@@ -158,9 +158,8 @@ bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
     move(draft, *transform);
     return true;
   }
-  if (stream.peek().is(ElementKind::block)) {
-    return read_surface_modifier(stream, draft, draft.object.parent_from_object) || read_clips(stream, draft);
-  }
+  if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return true;
+  if (stream.peek().is(ElementKind::block)) return read_clips(stream, draft);
   if (!stream.peek().is(ElementKind::word)) return false;
   return read_flag(stream, draft) || read_hint(stream, draft) || read_cutaway_textures(stream, draft);
 }
