@@ -184,7 +184,7 @@ TEST(Render, quality_takes_away_shadows_then_light) {
   // The light stands behind an occluder that the camera does not see.
   scene::Database database = lit_sphere({0, 0, -20}, 0.5);
   add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, {}, 2, 0}, {1, 1, 1}, {});
-  database.textures[0] = isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}});
+  database.textures[0] = isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.5});
   RenderOptions options = small(3, 3);
   options.samples = 1;
   const auto middle = [&](int quality) {
