@@ -170,7 +170,7 @@ void execute(Context& context, const Node& node) {
     case NodeKind::macro: return define_macro(context, as<grammar::Macro>(node));
     case NodeKind::include: return include(context, as<grammar::Include>(node));
     case NodeKind::version: return set_version(context, as<grammar::Version>(node));
-    case NodeKind::default_: return read_default(context, as<grammar::Default>(node));
+    case NodeKind::default_: return read_default(context, as<grammar::Default>(node).items, node.span);
     case NodeKind::message: return speak(context, as<grammar::Message>(node));
     case NodeKind::fopen: return open_file(context, as<grammar::Fopen>(node));
     case NodeKind::fclose: return close_file(context, as<grammar::Fclose>(node));

@@ -54,7 +54,8 @@ std::optional<decltype(Declared::id)> read_entries(Context& context, const Eleme
 /// Whether the next element is an expression that gives a number, not the name of a pigment or such.
 bool is_number_next(ElementStream& stream) {
   const Element next = stream.peek();
-  if (!next.is(ElementKind::value)) return false;
+  // A function there is the pattern that the entry's pigment begins with.
+  if (!next.is(ElementKind::value) || next.node->kind == grammar::NodeKind::function) return false;
   const bool is_variable = next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index;
   return !is_variable || evaluate(stream.context(), *next.node).is_numeric();
 }

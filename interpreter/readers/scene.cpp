@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace isl::interpreter {
@@ -36,37 +37,44 @@ void set_camera(Context& context, const CameraValue& value, SourceSpan span) {
   context.database.camera = value.camera;
 }
 
-void read_block(Context& context, const Element& block) {
-  if (block.word == word::kw_camera) {
-    set_camera(context, *read_camera(context, block), block.word_span);
-  } else if (block.word == word::kw_background) {
-    read_background(context, block);
-  } else if (block.word == word::kw_global_settings) {
-    read_global_settings(context, block);
-  } else if (block.word == word::kw_sky_sphere) {
-    place_sky_sphere(context, block);
-  } else if (block.word == word::kw_fog) {
-    place_fog(context, block);
-  } else if (block.word == word::kw_rainbow) {
-    place_rainbow(context, block);
-  } else {
-    place(context, *read_object(context, block));
-  }
+void place_camera(Context& context, const Element& block) {
+  set_camera(context, *read_camera(context, block), block.word_span);
 }
 
-bool is_top_level_word(grammar::Symbol name) {
-  return is_object_word(name) || name == word::kw_camera || name == word::kw_background ||
-         name == word::kw_global_settings || name == word::kw_sky_sphere || name == word::kw_fog ||
-         name == word::kw_rainbow;
+void set_default(Context& context, const Element& block) { read_default(context, block.items, block.span); }
+
+/// What stands at the top level and is no object. `default` without its `#` is how old scenes have it.
+struct Statement {
+  grammar::Symbol word;
+  void (*read)(Context&, const Element&);
+};
+constexpr Statement kStatements[] = {
+    {word::kw_camera, place_camera},   {word::kw_background, read_background},
+    {word::kw_fog, place_fog},         {word::kw_global_settings, read_global_settings},
+    {word::kw_rainbow, place_rainbow}, {word::kw_sky_sphere, place_sky_sphere},
+    {word::kw_default, set_default},
+};
+
+/// False where the element is no block of the top level.
+bool read_block(ElementStream& stream) {
+  const Element block = stream.peek();
+  if (!block.is(ElementKind::block)) return false;
+  const auto* const statement = std::ranges::find(kStatements, block.word, &Statement::word);
+  const bool is_object = is_object_word(block.word);
+  if (statement == std::end(kStatements) && !is_object) return false;
+  stream.drop();
+  if (is_object) {
+    place(stream.context(), *read_object(stream.context(), block));
+  } else {
+    statement->read(stream.context(), block);
+  }
+  return true;
 }
 
 void read_statement(ElementStream& stream) {
   Context& context = stream.context();
   const Element next = stream.peek();
-  if (next.is(ElementKind::block) && is_top_level_word(next.word)) {
-    stream.drop();
-    return read_block(context, next);
-  }
+  if (read_block(stream)) return;
   if (next.is(ElementKind::value)) {
     const Value value = stream.take_value();
     if (value.kind() != ValueKind::object) {
@@ -95,8 +103,8 @@ void read_scene(Context& context, const grammar::Unit& unit) {
   }
 }
 
-void read_default(Context& context, const grammar::Default& node) {
-  ElementStream stream(context, node.items, node.span);
+void read_default(Context& context, grammar::Items items, SourceSpan span) {
+  ElementStream stream(context, items, span);
   std::optional<scene::Texture> texture = context.default_texture;
   while (!stream.peek().is(ElementKind::end)) {
     const Element next = stream.peek();

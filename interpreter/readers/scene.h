@@ -9,6 +9,6 @@ namespace isl::interpreter {
 void read_scene(Context& context, const grammar::Unit& unit);
 
 /// `#default { texture {} … }`.
-void read_default(Context& context, const grammar::Default& node);
+void read_default(Context& context, grammar::Items items, SourceSpan span);
 
 }  // namespace isl::interpreter
