@@ -121,9 +121,29 @@ read_both() {
   row "whole process, numbers | isl check" lua_numbers_process isl_check_process
 }
 
+# Scripts that make nothing: what loops and calls cost.
+scripts_both() {
+  heading "reading: Parse Time | time.parse + time.evaluate" POV-Ray
+  local name
+  for name in while fibonacci; do
+    local scene=$bench/scenes/$name.pov
+    for ((i = 0; i < runs; ++i)); do
+      povray_run 0 2
+      note "povray_$name" "$(printed_time Parse)"
+      note "povray_${name}_process" "$seconds"
+      isl_run 0 2
+      note "isl_$name" "$(isl_read_time)"
+      note "isl_${name}_process" "$seconds"
+    done
+    row "$name.pov" "povray_$name" "isl_$name"
+    row "$name.pov, whole process" "povray_${name}_process" "isl_${name}_process"
+  done
+}
+
 machine
 povray --version 2>&1 | sed -n '/^POV-Ray/p'
 echo "medians of $runs, least..greatest; ratio above 1: isl is faster"
 compare_pictures
 trace_both
 read_both
+scripts_both
