@@ -4,6 +4,7 @@
 #include "interpreter/transforms.h"
 #include "renderer/values/integer.h"
 #include "renderer/values/noise.h"
+#include "renderer/values/single_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ Value rotate_about_axis(const Arguments& a) {
 Value turbulence(const Arguments& a) {
   constexpr int kMaxOctaves = 10;
   const int count = std::clamp(values::to_integer(a.number(2)), 1, kMaxOctaves);
-  const float lambda = static_cast<float>(a.number(0)), omega = static_cast<float>(a.number(1));
+  const double lambda = values::to_single(a.number(0)), omega = values::to_single(a.number(1));
   return to_value(values::vector_turbulence(a.vector(3), {.lambda = lambda, .omega = omega, .count = count}));
 }
 
