@@ -4,15 +4,10 @@
 #include "renderer/render.h"
 
 #include "base/check.h"
+#include "base/parallel.h"
 #include "renderer/image/adaptive.h"
 #include "renderer/image/progress.h"
 #include "renderer/image/sample_pattern.h"
-
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -62,7 +57,8 @@ class Rendering {
     trace_tiles(film_.rect(), 0, 1, [](const Pixel&) { return true; });
     if (stopped()) return;
     DisplayedPass displayed(film_.rect());
-    tbb::parallel_for(film_.rect().y0, film_.rect().y1, [&](int y) { displayed.fill_row(film_, y); });
+    parallel_for(static_cast<std::size_t>(film_.rect().height()),
+                 [&](std::size_t row) { displayed.fill_row(film_, film_.rect().y0 + static_cast<int>(row)); });
     progress_.begin_stage(1, tiles_of(window_, options_.tile_order).size());
     trace_tiles(window_, 1, pattern_.size(),
                 [&](const Pixel& pixel) { return displayed.is_rough(pixel.x, pixel.y, options_.aa); });
@@ -76,7 +72,7 @@ class Rendering {
   [[nodiscard]] RenderResult result() {
     RenderResult result;
     result.image = film_.develop(window_, options_.width, options_.height, options_.alpha);
-    workspaces_.combine_each([&](const Workspace& workspace) {
+    workspaces_.for_each([&](const Workspace& workspace) {
       result.statistics.rays += workspace.counts;
       result.statistics.counters += workspace.counters;
     });
@@ -98,16 +94,11 @@ class Rendering {
   template <class Wanted>
   void trace_tiles(const PixelRect& rect, std::size_t first, std::size_t last, const Wanted& wanted) {
     const std::vector<PixelRect> tiles = tiles_of(rect, options_.tile_order);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            if (stopped()) return;
-            trace_tile(tiles[i], first, last, wanted);
-            progress_.step();
-          }
-        },
-        tbb::simple_partitioner{});
+    parallel_for(tiles.size(), [&](std::size_t i) {
+      if (stopped()) return;
+      trace_tile(tiles[i], first, last, wanted);
+      progress_.step();
+    });
   }
 
   template <class Wanted>
@@ -138,7 +129,7 @@ class Rendering {
   std::vector<SampleOffset> pattern_;
   WaveRenderer wave_;
   Progress progress_;
-  tbb::enumerable_thread_specific<Workspace> workspaces_;
+  PerThread<Workspace> workspaces_;
   std::atomic<bool> skipped_ = false;
 };
 
@@ -149,13 +140,9 @@ RenderResult render(const scene::Database& database, const Tracer& tracer, const
   ISL_CHECK(options.threads >= 0, "{} threads", options.threads);
   Plan plan = plan_of(database, options.quality);
   Rendering rendering(database, tracer, options, plan);
-  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  // The arena says how many work here; the global limit must allow more than there are cores, if that many were asked
-  // for.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
+  const int threads = options.threads > 0 ? options.threads : default_thread_count();
   const auto begin = std::chrono::steady_clock::now();
-  arena.execute([&] { rendering.run(); });
+  with_threads(threads, [&] { rendering.run(); });
   rendering.finish();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   RenderResult result = rendering.result();

@@ -10,9 +10,8 @@
 // side and joined in their order, so that the grid is the same whatever the number of threads.
 #pragma once
 
+#include "base/parallel.h"
 #include "renderer/grid/grid.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -35,9 +34,9 @@ class GridBuilder {
     lay_out_top_brick(bounds);
     const std::vector<std::vector<std::uint32_t>> lists = deal_out(items);
     std::vector<Part> parts(kBrickCells);
-    tbb::parallel_for(0u, kBrickCells, [&](std::uint32_t index) {
+    parallel_for(kBrickCells, [&](std::size_t index) {
       if (lists[index].empty()) return;
-      const Vec3 low = grid_.box.min + corner(index) * grid_.cell_size;
+      const Vec3 low = grid_.box.min + corner(static_cast<std::uint32_t>(index)) * grid_.cell_size;
       parts[index].top = build_cell(parts[index], low, grid_.cell_size, lists[index], 0);
     });
     join(parts);
