@@ -1,9 +1,6 @@
 #include "interpreter/arithmetic.h"
 
-#include "interpreter/expressions.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace isl::interpreter {
 
@@ -28,20 +25,6 @@ Value arithmetic(BinaryOp op, const Operand& a, const Operand& b) {
     default: ISL_CHECK(false, "`{}` is no arithmetic", spelling(op));
   }
   return {count, terms};
-}
-
-double compare(BinaryOp op, double a, double b) {
-  switch (op) {
-    case BinaryOp::less: return a < b;
-    case BinaryOp::greater: return a > b;
-    case BinaryOp::equal: return a == b || std::abs(a - b) < kTolerance;
-    case BinaryOp::less_equal: return a <= b + kTolerance;
-    case BinaryOp::greater_equal: return a >= b - kTolerance;
-    case BinaryOp::not_equal: return !(a == b || std::abs(a - b) < kTolerance);
-    case BinaryOp::logical_and: return std::abs(a) > kTolerance && std::abs(b) > kTolerance;
-    case BinaryOp::logical_or: return std::abs(a) > kTolerance || std::abs(b) > kTolerance;
-    default: ISL_CHECK(false, "`{}` is no comparison", spelling(op));
-  }
 }
 
 std::string_view spelling(BinaryOp op) {

@@ -2,9 +2,11 @@
 // padded with zeros. Pure functions; who reports errors is the caller.
 #pragma once
 
+#include "base/check.h"
 #include "grammar/ast.h"
 #include "interpreter/value.h"
 
+#include <cmath>
 #include <limits>
 
 namespace isl::interpreter {
@@ -12,9 +14,9 @@ namespace isl::interpreter {
 /// `value` with at least `count` terms: a number in each, or a vector padded with zeros. A longer one stays.
 [[nodiscard]] inline Value promoted(const Value& value, int count) {
   if (value.term_count() >= count) return value;
-  Value::Terms terms = value.terms();
-  if (value.is_number()) terms.fill(0);
-  for (int i = 0; i < count && value.is_number(); ++i) terms[i] = value.number();
+  if (!value.is_number()) return {count, value.terms()};
+  Value::Terms terms{};
+  for (int i = 0; i < count; ++i) terms[i] = value.number();
   return {count, terms};
 }
 
@@ -34,8 +36,24 @@ struct Operand {
 /// a op b for + − * /, componentwise.
 [[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Operand& a, const Operand& b);
 
+/// POV-Ray's slack in `=`, `!=`, `<=`, `>=`, in truth, and in loops.
+inline constexpr double kTolerance = 1e-10;
+
 /// Comparison and logic of two numbers, 0 or 1.
-[[nodiscard]] double compare(grammar::BinaryOp op, double a, double b);
+[[nodiscard]] inline double compare(grammar::BinaryOp op, double a, double b) {
+  using enum grammar::BinaryOp;
+  switch (op) {
+    case less: return a < b;
+    case greater: return a > b;
+    case equal: return a == b || std::abs(a - b) < kTolerance;
+    case less_equal: return a <= b + kTolerance;
+    case greater_equal: return a >= b - kTolerance;
+    case not_equal: return !(a == b || std::abs(a - b) < kTolerance);
+    case logical_and: return std::abs(a) > kTolerance && std::abs(b) > kTolerance;
+    case logical_or: return std::abs(a) > kTolerance || std::abs(b) > kTolerance;
+    default: ISL_CHECK(false, "operator {} is no comparison", static_cast<int>(op));
+  }
+}
 
 /// How the operator is written.
 [[nodiscard]] std::string_view spelling(grammar::BinaryOp op);

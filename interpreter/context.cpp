@@ -72,7 +72,7 @@ std::string Context::suggest_declared(Symbol name) const {
 
 const grammar::Unit& Context::current_unit() const {
   if (frames.empty() || frames.back().call == Frame::kNoCall) return main_unit;
-  return *frames[frames.back().call].unit;
+  return *frames[frames.back().call].called.unit;
 }
 
 std::vector<ExpansionFrame> Context::chain() const {
@@ -82,7 +82,7 @@ std::vector<ExpansionFrame> Context::chain() const {
     const Frame& frame = frames[call];
     const bool is_macro = frame.kind == Frame::Kind::macro;
     result.push_back({is_macro ? ExpansionFrame::Kind::macro : ExpansionFrame::Kind::include,
-                      origins.name(frame.origin_name), frame.node->span});
+                      origins.name(frame.called.origin_name), frame.node->span});
     call = call == 0 ? Frame::kNoCall : frames[call - 1].call;
   }
   return result;
@@ -91,24 +91,24 @@ std::vector<ExpansionFrame> Context::chain() const {
 OriginTable::Chain Context::make_chain(std::uint32_t call, OriginTable::Chain outer) {
   Frame& frame = frames[call];
   const auto kind = frame.kind == Frame::Kind::macro ? ExpansionFrame::Kind::macro : ExpansionFrame::Kind::include;
-  frame.chain = origins.extend(outer, kind, frame.origin_name, frame.node->span);
-  return *frame.chain;
+  frame.called.chain = origins.extend(outer, kind, frame.called.origin_name, frame.node->span);
+  return frame.called.chain;
 }
 
 OriginTable::Chain Context::chain_of(std::uint32_t call) {
   // Mostly the call around this one has its chain already.
   const std::uint32_t outer = call == 0 ? Frame::kNoCall : frames[call - 1].call;
-  if (outer == Frame::kNoCall || frames[outer].chain)
-    return make_chain(call, outer == Frame::kNoCall ? 0 : *frames[outer].chain);
+  if (outer == Frame::kNoCall || frames[outer].called.chain != Frame::kNoChain)
+    return make_chain(call, outer == Frame::kNoCall ? 0 : frames[outer].called.chain);
   // Iterative, because recursion in a scene must not become recursion here: find the calls without a chain, then make
   // their chains from the outside in.
   std::uint32_t known = call;
   std::vector<std::uint32_t> missing;
-  while (known != Frame::kNoCall && !frames[known].chain) {
+  while (known != Frame::kNoCall && frames[known].called.chain == Frame::kNoChain) {
     missing.push_back(known);
     known = known == 0 ? Frame::kNoCall : frames[known - 1].call;
   }
-  OriginTable::Chain chain = known == Frame::kNoCall ? 0 : *frames[known].chain;
+  OriginTable::Chain chain = known == Frame::kNoCall ? 0 : frames[known].called.chain;
   for (; !missing.empty(); missing.pop_back()) chain = make_chain(missing.back(), chain);
   return chain;
 }
@@ -116,8 +116,8 @@ OriginTable::Chain Context::chain_of(std::uint32_t call) {
 OriginId Context::origin(SourceSpan span) {
   const std::uint32_t call = frames.empty() ? Frame::kNoCall : frames.back().call;
   if (call == Frame::kNoCall) return origins.add(span, 0);
-  const Frame& frame = frames[call];
-  return origins.add(span, frame.chain ? *frame.chain : chain_of(call));
+  const OriginTable::Chain chain = frames[call].called.chain;
+  return origins.add(span, chain != Frame::kNoChain ? chain : chain_of(call));
 }
 
 // ---- Limits ---------------------------------------------------------------------------------------------------------
@@ -127,9 +127,17 @@ void Context::too_deep(SourceSpan span) {
        "is a recursion without end? `--max-depth` raises the limit");
 }
 
-void Context::too_many_turns(SourceSpan span) {
-  stop(span, fmt::format("loops and macro calls have made more than {:g} turns", options.limits.max_turns),
-       "is one without end? `--max-turns` raises the limit");
+void Context::look_at_turns(SourceSpan span) {
+  // A count of turns is exact as a double: nobody lives to see 2⁵³.
+  constexpr std::uint64_t kTurnsBetweenLooks = 1024;
+  if (static_cast<double>(turns_) > options.limits.max_turns) {
+    stop(span, fmt::format("loops and macro calls have made more than {:g} turns", options.limits.max_turns),
+         "is one without end? `--max-turns` raises the limit");
+  }
+  check_stop(span);
+  next_look_ = turns_ + 1;
+  const double left = options.limits.max_turns - static_cast<double>(turns_);
+  if (left > kTurnsBetweenLooks) next_look_ = turns_ + kTurnsBetweenLooks;
 }
 
 void Context::nested_too_deeply(SourceSpan span, std::size_t units) {

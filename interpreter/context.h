@@ -94,8 +94,11 @@ class Context {
 
   // ---- Frames -------------------------------------------------------------------------------------------------------
 
-  /// Pushes a frame; one that is not a call belongs to the call below it. Calls and blocks count as depth at `span`.
-  Frame& push(const Frame& frame, SourceSpan span);
+  /// Pushes a frame over `items`. Blocks count as depth at `span`.
+  Frame& push(Frame::Kind kind, grammar::Items items, const grammar::Node* node, SourceSpan span);
+  /// Pushes the frame of a macro call or an include; macro calls count as depth. The caller enters its scope.
+  void push_call(Frame::Kind kind, grammar::Items items, const grammar::Node& node, const grammar::Unit& unit,
+                 std::uint32_t origin_name);
   /// Ends the innermost frame and, for a call, its scope.
   void pop();
   /// The file whose text is being executed.
@@ -107,9 +110,8 @@ class Context {
   /// One more turn of a loop, or one more macro call: two calls in a macro double with every depth, and end as late as
   /// a loop does.
   void count_turn(SourceSpan span) {
-    if (++turns_ > options.limits.max_turns) [[unlikely]]
-      too_many_turns(span);
-    if ((static_cast<std::uint64_t>(turns_) & 1023u) == 0) check_stop(span);
+    if (++turns_ >= next_look_) [[unlikely]]
+      look_at_turns(span);
   }
   /// One more component, solid, group or light that takes `bytes`.
   void count_primitive(SourceSpan span, std::size_t bytes);
@@ -129,8 +131,13 @@ class Context {
   [[nodiscard]] OriginId origin(SourceSpan span);
 
  private:
+  void count_depth(SourceSpan span) {
+    if (depth_ >= options.limits.max_depth) [[unlikely]]
+      too_deep(span);
+    ++depth_;
+  }
   [[noreturn]] void too_deep(SourceSpan span);
-  [[noreturn]] void too_many_turns(SourceSpan span);
+  void look_at_turns(SourceSpan span);
   [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
   void check_stop(SourceSpan span);
   [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);
@@ -139,7 +146,8 @@ class Context {
   DiagnosticSink& sink_;
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< said already
   std::size_t depth_ = 0;
-  double turns_ = 0;
+  std::uint64_t turns_ = 0;
+  std::uint64_t next_look_ = 1;  ///< at turns_
   double primitives_ = 0;
   std::size_t nesting_ = 0;
   std::size_t max_nesting_;
@@ -147,19 +155,27 @@ class Context {
 
 // ---- What every macro call and branch does --------------------------------------------------------------------------
 
-inline Frame& Context::push(const Frame& frame, SourceSpan span) {
-  if (frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::block) {
-    if (depth_ >= options.limits.max_depth) [[unlikely]]
-      too_deep(span);
-    ++depth_;
-  }
-  const bool is_call = frame.kind == Frame::Kind::macro || frame.kind == Frame::Kind::include;
-  const std::uint32_t call = is_call          ? static_cast<std::uint32_t>(frames.size())
-                             : frames.empty() ? Frame::kNoCall
-                                              : frames.back().call;
-  Frame& pushed = frames.emplace_back(frame);
-  pushed.call = call;
-  return pushed;
+inline Frame& Context::push(Frame::Kind kind, grammar::Items items, const grammar::Node* node, SourceSpan span) {
+  if (kind == Frame::Kind::block) count_depth(span);
+  const std::uint32_t call = frames.empty() ? Frame::kNoCall : frames.back().call;
+  Frame& frame = frames.emplace_back();
+  frame.kind = kind;
+  frame.call = call;
+  frame.node = node;
+  frame.set_items(items);
+  return frame;
+}
+
+inline void Context::push_call(Frame::Kind kind, grammar::Items items, const grammar::Node& node,
+                               const grammar::Unit& unit, std::uint32_t origin_name) {
+  if (kind == Frame::Kind::macro) count_depth(node.span);
+  const auto call = static_cast<std::uint32_t>(frames.size());
+  Frame& frame = frames.emplace_back();
+  frame.kind = kind;
+  frame.call = call;
+  frame.node = &node;
+  frame.set_items(items);
+  frame.called = {&unit, origin_name, Frame::kNoChain};
 }
 
 inline void Context::pop() {

@@ -13,7 +13,7 @@ using grammar::Node;
 using grammar::NodeKind;
 
 void push_branch(Context& context, const Node& node, Items items) {
-  if (!items.empty()) context.push({.kind = Frame::Kind::branch, .items = items, .node = &node}, node.span);
+  if (!items.empty()) context.push(Frame::Kind::branch, items, &node, node.span);
 }
 
 /// Whether a #for whose variable stands at `value` makes another turn. The slack is POV-Ray's: 0 to 1 by 0.1 is eleven
@@ -27,19 +27,19 @@ void start_for(Context& context, const grammar::For& node) {
   const double end = evaluate_number(context, *node.end);
   const double step = node.step ? evaluate_number(context, *node.step) : 1;
   if (std::abs(step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
-  context.scopes.local(node.variable).value = Value(start);
+  context.scopes.local(node.variable).value.set_number(start);
   if (!has_turn(start, end, step)) return;
   context.count_turn(node.span);
-  context.push({.kind = Frame::Kind::for_, .items = node.body, .node = &node, .end = end, .step = step}, node.span);
+  context.push(Frame::Kind::for_, node.body, &node, node.span).range = {end, step};
 }
 
 bool continue_for(Context& context, Frame& frame) {
   const auto& node = as<grammar::For>(*frame.node);
   Slot* const slot = context.scopes.find(node.variable);
   if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` is not a number any more");
-  const double value = slot->value.number() + frame.step;
-  slot->value = Value(value);
-  return has_turn(value, frame.end, frame.step);
+  const double value = slot->value.number() + frame.range.step;
+  slot->value.set_number(value);
+  return has_turn(value, frame.range.end, frame.range.step);
 }
 
 bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
@@ -54,7 +54,7 @@ void start_switch(Context& context, const grammar::Switch& node) {
   while (taken < node.cases.size() && !matches(context, node.cases[taken], subject)) ++taken;
   if (taken == node.cases.size() && !node.has_default) return;
   const Items items = taken < node.cases.size() ? node.cases[taken].body : node.otherwise;
-  context.push({.kind = Frame::Kind::case_, .items = items, .node = &node, .next_case = taken + 1}, node.span);
+  context.push(Frame::Kind::case_, items, &node, node.span).next_case = taken + 1;
 }
 
 bool continue_switch(Frame& frame) {
@@ -62,8 +62,7 @@ bool continue_switch(Frame& frame) {
   const bool has_next =
       frame.next_case < node.cases.size() || (frame.next_case == node.cases.size() && node.has_default);
   if (!has_next) return false;
-  frame.position = 0;
-  frame.items = frame.next_case < node.cases.size() ? node.cases[frame.next_case].body : node.otherwise;
+  frame.set_items(frame.next_case < node.cases.size() ? node.cases[frame.next_case].body : node.otherwise);
   ++frame.next_case;
   return true;
 }
@@ -90,18 +89,14 @@ void start_control(Context& context, const Node& node) {
     case NodeKind::if_block: {
       const auto& n = as<grammar::IfBlock>(node);
       const bool taken = evaluate_condition(context, *n.condition);
-      context.push({.kind = Frame::Kind::if_block,
-                    .condition = taken,
-                    .items = taken ? n.then_prelude : n.else_prelude,
-                    .node = &node},
-                   node.span);
+      context.push(Frame::Kind::if_block, taken ? n.then_prelude : n.else_prelude, &node, node.span).condition = taken;
       break;
     }
     case NodeKind::while_: {
       const auto& n = as<grammar::While>(node);
       if (!evaluate_condition(context, *n.condition)) break;
       context.count_turn(node.span);
-      context.push({.kind = Frame::Kind::while_, .items = n.body, .node = &node}, node.span);
+      context.push(Frame::Kind::while_, n.body, &node, node.span);
       break;
     }
     case NodeKind::for_: start_for(context, as<grammar::For>(node)); break;
@@ -111,19 +106,24 @@ void start_control(Context& context, const Node& node) {
 }
 
 bool continue_frame(Context& context, Frame& frame) {
-  bool goes_on = false;
-  // The condition may open nested streams, which move the frames in memory: no reference to `frame` survives it.
-  const std::size_t index = static_cast<std::size_t>(&frame - context.frames.data());
   switch (frame.kind) {
-    case Frame::Kind::while_: goes_on = evaluate_condition(context, *as<grammar::While>(*frame.node).condition); break;
-    case Frame::Kind::for_: goes_on = continue_for(context, frame); break;
+    case Frame::Kind::while_: {
+      // The condition may open nested streams, which move the frames in memory: no reference to `frame` survives it.
+      const auto& node = as<grammar::While>(*frame.node);
+      if (!evaluate_condition(context, *node.condition)) return false;
+      context.count_turn(node.span);
+      context.frames.back().set_items(node.body);
+      return true;
+    }
+    case Frame::Kind::for_: {
+      if (!continue_for(context, frame)) return false;
+      context.count_turn(frame.node->span);
+      frame.set_items(as<grammar::For>(*frame.node).body);
+      return true;
+    }
     case Frame::Kind::case_: return continue_switch(frame);
     default: return false;
   }
-  if (!goes_on) return false;
-  context.count_turn(context.frames[index].node->span);
-  context.frames[index].position = 0;
-  return true;
 }
 
 void break_out(Context& context, std::size_t base, const Node& node) {
@@ -133,7 +133,7 @@ void break_out(Context& context, std::size_t base, const Node& node) {
     const bool is_target = kind == Frame::Kind::while_ || kind == Frame::Kind::for_ || kind == Frame::Kind::case_;
     if (kind == Frame::Kind::macro) {
       // Returns: the frame stays for the stream to finish in its own way.
-      frames.back().position = frames.back().items.size();
+      frames.back().next = frames.back().end;
       return;
     }
     if (frames.size() == base + 1 || kind == Frame::Kind::include) {

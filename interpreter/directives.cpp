@@ -6,6 +6,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/files.h"
 #include "interpreter/functions/functions.h"
+#include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 #include "interpreter/readers/scene.h"
 
@@ -21,8 +22,8 @@ using grammar::NodeKind;
 /// A directive's own semicolon is the next item of the list that holds it.
 bool skip_semicolon(Context& context) {
   Frame& frame = context.frames.back();
-  if (frame.position == frame.items.size() || frame.items[frame.position]->kind != NodeKind::semicolon) return false;
-  ++frame.position;
+  if (frame.next == frame.end || (*frame.next)->kind != NodeKind::semicolon) return false;
+  ++frame.next;
   return true;
 }
 
@@ -38,60 +39,76 @@ Value read_to_end(ElementStream& stream, bool& terminated) {
   return value;
 }
 
-/// The value of a declaration; `terminated` where a macro's or branch's own semicolon ended it.
-Value declared_value(Context& context, const grammar::Declare& node, bool& terminated) {
-  if (node.value.size() == 1 && node.value[0]->kind == NodeKind::function) return evaluate(context, *node.value[0]);
-  if (node.value.size() == 1 && node.value[0]->kind < NodeKind::word) {
-    if (node.value[0]->kind != NodeKind::call) return evaluate(context, *node.value[0]);
-    const auto& call = as<grammar::Call>(*node.value[0]);
-    const Value callee = called(context, call);
-    if (is_callable(callee)) return call_function(context, call, callee);
-    // A lone macro call is followed without a frame for the list that holds it.
-    ElementStream stream(context, call, callee.as<MacroValue>());
-    return read_to_end(stream, terminated);
+/// The value of a declaration, as evaluate_scalar gives it; `terminated` where a macro's or branch's own semicolon
+/// ended it.
+bool declared_value(Context& context, const grammar::Declare& node, double& number, std::optional<Value>& other,
+                    bool& terminated) {
+  const Node* const only = node.value.size() == 1 ? node.value[0] : nullptr;
+  if (only && only->kind < NodeKind::word && only->kind != NodeKind::call)
+    return evaluate_scalar(context, *only, number, other);
+  if (only && only->kind == NodeKind::function) {
+    other = evaluate(context, *only);
+  } else if (only && only->kind == NodeKind::call) {
+    const auto& call = as<grammar::Call>(*only);
+    const Value& callee = called(context, call);
+    if (is_callable(callee)) {
+      other = call_function(context, call, callee);
+    } else {
+      // A lone macro call is followed without a frame for the list that holds it.
+      ElementStream stream(context, call, callee.as<MacroValue>());
+      other = read_to_end(stream, terminated);
+    }
+  } else {
+    ElementStream stream(context, node.value, node.span);
+    other = read_to_end(stream, terminated);
   }
-  ElementStream stream(context, node.value, node.span);
-  return read_to_end(stream, terminated);
+  if (!other->is_number()) return false;
+  number = other->number();
+  return true;
 }
 
-Slot& declared_slot(Context& context, const grammar::Declare& node, const Value& value) {
-  if (node.target->kind == NodeKind::index) {
-    Slot& slot = find_slot(context, *node.target);
-    check_array_nesting(context, value, node.span);
-    return slot;
-  }
+Slot& declared_slot(Context& context, const grammar::Declare& node) {
+  if (node.target->kind == NodeKind::index) return find_slot(context, *node.target);
   if (node.target->kind != NodeKind::name) throw Failed{};
   const grammar::Symbol name = as<grammar::Name>(*node.target).name;
   return node.local ? context.scopes.local(name) : context.scopes.declare(name);
 }
 
-void declare(Context& context, const grammar::Declare& node) {
+[[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
   try {
     bool terminated = false;
-    Value value = declared_value(context, node, terminated);
+    double number = 0;
+    std::optional<Value> other;
+    const bool is_number = declared_value(context, node, number, other, terminated);
     if (!terminated) terminated = skip_semicolon(context);
-    if (!terminated && value.is_numeric() && context.language_version >= 3.5) {
-      context.error({node.span.end, node.span.end},
-                    fmt::format("a `;` is missing after the declaration of {}", describe(value)));
+    if (!terminated && (is_number || other->is_numeric()) && context.language_version >= 3.5) [[unlikely]] {
+      context.error({node.span.end, node.span.end}, fmt::format("a `;` is missing after the declaration of {}",
+                                                                describe(is_number ? Value(number) : *other)));
     }
-    // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
-    if (value.kind() == ValueKind::array) value = Value(ValueKind::array, value.as<ArrayValue>().copy());
-    Slot& slot = declared_slot(context, node, value);
+    Slot& slot = declared_slot(context, node);
     if (slot.value.kind() == ValueKind::function) {
       context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
     }
-    slot.value = std::move(value);
+    if (is_number) {
+      slot.value.set_number(number);
+    } else if (other->kind() == ValueKind::array) {
+      if (node.target->kind == NodeKind::index) check_array_nesting(context, *other, node.span);
+      // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
+      slot.value = Value(ValueKind::array, other->as<ArrayValue>().copy());
+    } else {
+      slot.value = *std::move(other);
+    }
   } catch (const Failed&) {
     // The name becomes known all the same, so that each use of it is not one more error.
     if (node.target->kind == NodeKind::name) {
-      Slot& slot = declared_slot(context, node, {});
+      Slot& slot = declared_slot(context, node);
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
     }
     skip_semicolon(context);
   }
 }
 
-void undefine(Context& context, const grammar::Undef& node) {
+[[gnu::noinline]] void undefine(Context& context, const grammar::Undef& node) {
   if (node.target->kind == NodeKind::index) {
     if (Slot* slot = find_slot_if_declared(context, *node.target)) slot->value = Value();
   } else if (node.target->kind == NodeKind::name) {
@@ -100,7 +117,7 @@ void undefine(Context& context, const grammar::Undef& node) {
   skip_semicolon(context);
 }
 
-void define_macro(Context& context, const grammar::Macro& node) {
+[[gnu::noinline]] void define_macro(Context& context, const grammar::Macro& node) {
   const std::uint32_t name = context.origins.keep_name(std::string(context.text(node.name)));
   context.scopes.global(node.name).value =
       Value(ValueKind::macro, make_shared_value<MacroValue>(node, context.current_unit(), name));
@@ -108,7 +125,7 @@ void define_macro(Context& context, const grammar::Macro& node) {
 
 // ---- Files ----------------------------------------------------------------------------------------------------------
 
-void include(Context& context, const grammar::Include& node) {
+[[gnu::noinline]] void include(Context& context, const grammar::Include& node) {
   Value keep;
   // In a file's name, a backslash is a backslash.
   const std::string_view name = node.path->kind == NodeKind::string
@@ -127,14 +144,13 @@ void include(Context& context, const grammar::Include& node) {
   if (!unit) throw Stopped{};
   context.charge_texts(node.span, held);
   const std::uint32_t file = context.origins.keep_name(std::string(name));
-  context.push({.kind = Frame::Kind::include, .items = unit->items, .node = &node, .unit = unit, .origin_name = file},
-               node.span);
+  context.push_call(Frame::Kind::include, unit->items, node, *unit, file);
   context.scopes.enter();
 }
 
 // ---- Messages and the rest ------------------------------------------------------------------------------------------
 
-void speak(Context& context, const grammar::Message& node) {
+[[gnu::noinline]] void speak(Context& context, const grammar::Message& node) {
   Value keep;
   const std::string& text = evaluate_string(context, *node.text, keep).text;
   skip_semicolon(context);
@@ -147,7 +163,7 @@ void speak(Context& context, const grammar::Message& node) {
   }
 }
 
-void set_version(Context& context, const grammar::Version& node) {
+[[gnu::noinline]] void set_version(Context& context, const grammar::Version& node) {
   const double version = evaluate_number(context, *node.value);
   skip_semicolon(context);
   if (version > 3.85) context.warn(node.span, fmt::format("version {:g} of the language is not known here", version));
@@ -157,6 +173,7 @@ void set_version(Context& context, const grammar::Version& node) {
 
 }  // namespace
 
+// Whatever it calls stays out of line: it runs for every directive, and is then no more than a jump.
 void execute(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::if_:

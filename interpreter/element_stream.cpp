@@ -20,12 +20,12 @@ ElementStream::ElementStream(Context& context, const Element& block)
       base_(context.frames.size()),
       word_(block.word),
       span_(block.span) {
-  context_.push({.kind = Frame::Kind::block, .items = block.items}, block.span);
+  context_.push(Frame::Kind::block, block.items, nullptr, block.span);
 }
 
 ElementStream::ElementStream(Context& context, grammar::Items items, SourceSpan span)
     : context_(context), nesting_(context, span, kStreamUnits), base_(context.frames.size()), span_(span) {
-  context_.push({.kind = Frame::Kind::value, .items = items}, span);
+  context_.push(Frame::Kind::value, items, nullptr, span);
 }
 
 ElementStream::ElementStream(Context& context, const grammar::Call& call, const MacroValue& macro)
@@ -67,7 +67,7 @@ void ElementStream::take_call(const grammar::Call& call) {
     // too.
     yield(ElementKind::value, call);
   } else {
-    const Value callee = called(context_, call);
+    const Value& callee = called(context_, call);
     if (callee.kind() == ValueKind::macro) {
       push_macro(context_, call, callee.as<MacroValue>());
     } else {
@@ -96,13 +96,13 @@ bool ElementStream::finish_frame() {
 void ElementStream::advance() {
   while (!ready_) {
     Frame& frame = context_.frames.back();
-    if (frame.position == frame.items.size()) {
+    if (frame.next == frame.end) {
       if (finish_frame()) continue;
       element_ = {.kind = ElementKind::end, .span = span_};
       ready_ = true;
       return;
     }
-    const Node& node = *frame.items[frame.position++];
+    const Node& node = **frame.next++;
     switch (node.kind) {
       case NodeKind::number:
       case NodeKind::string:
@@ -143,7 +143,7 @@ void ElementStream::advance() {
 
 // ---- Macro calls ----------------------------------------------------------------------------------------------------
 
-Value called(Context& context, const grammar::Call& call) {
+const Value& called(Context& context, const grammar::Call& call) {
   if (call.callee->kind == NodeKind::name) {
     const grammar::Symbol name = as<grammar::Name>(*call.callee).name;
     if (!context.scopes.find(name)) {
@@ -161,14 +161,11 @@ Value called(Context& context, const grammar::Call& call) {
 
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro) {
   const grammar::Macro& definition = macro.definition;
+  const grammar::Unit& unit = macro.unit;
+  const std::uint32_t origin_name = macro.origin_name;
   context.count_turn(call.span);
   ArgumentSlots arguments(context, call, definition);
-  context.push({.kind = Frame::Kind::macro,
-                .items = definition.body,
-                .node = &call,
-                .unit = &macro.unit,
-                .origin_name = macro.origin_name},
-               call.span);
+  context.push_call(Frame::Kind::macro, definition.body, call, unit, origin_name);
   context.scopes.enter();
   arguments.bind_to(definition.parameters);
 }

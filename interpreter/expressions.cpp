@@ -140,6 +140,7 @@ std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector
 
 double evaluate_number(Context& context, const Node& node) {
   double number = 0;
+  if (is_at_hand(context, node, number)) return number;
   std::optional<Value> other;
   if (!evaluate_scalar(context, node, number, other)) {
     context.fail(node.span, fmt::format("expected a number, found {}", describe(*other)));
@@ -195,7 +196,7 @@ Value read_only_value(ElementStream& stream) {
 }  // namespace
 
 [[gnu::noinline]] Value evaluate_call(Context& context, const grammar::Call& call) {
-  const Value callee = called(context, call);
+  const Value& callee = called(context, call);
   if (is_callable(callee)) return call_function(context, call, callee);
   ElementStream stream(context, call, callee.as<MacroValue>());
   if (stream.peek().is(ElementKind::end)) context.fail(call.span, "this macro call yields no value");

@@ -2,15 +2,13 @@
 // directive in parentheses) is followed here too.
 #pragma once
 
+#include "interpreter/arithmetic.h"
 #include "interpreter/context.h"
 
 #include <string>
 #include <vector>
 
 namespace isl::interpreter {
-
-/// POV-Ray's slack in `=`, `!=`, `<=`, `>=`, in truth, and in loops.
-inline constexpr double kTolerance = 1e-10;
 
 /// Fails where the expression has no value.
 [[nodiscard]] Value evaluate(Context& context, const grammar::Node& node);

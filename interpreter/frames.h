@@ -8,10 +8,11 @@
 #include "interpreter/origin_table.h"
 
 #include <cstdint>
-#include <optional>
+#include <type_traits>
 
 namespace isl::interpreter {
 
+/// Small and plain, because every branch and every macro call makes one.
 struct Frame {
   enum class Kind : std::uint8_t {
     block,     ///< the body of a `{}`, bottom of its ElementStream; counts as depth
@@ -25,25 +26,39 @@ struct Frame {
     include,
   };
   static constexpr std::uint32_t kNoCall = 0xFFFFFFFFu;
+  static constexpr OriginTable::Chain kNoChain = 0xFFFFFFFFu;
 
-  Kind kind = Kind::block;
-  bool condition = false;  ///< if_block: which branch was taken
-  grammar::Items items;
-  std::size_t position = 0;
-  const grammar::Node* node = nullptr;  ///< the directive or call behind the frame
-  std::uint32_t call = kNoCall;         ///< index of the innermost macro or include frame, this one included
+  /// Of a macro call or an include.
+  struct Call {
+    const grammar::Unit* unit;
+    std::uint32_t origin_name;
+    OriginTable::Chain chain;  ///< made when first asked for, kNoChain before
+  };
+  /// Of a #for.
+  struct Range {
+    double end;
+    double step;
+  };
 
-  // macro and include
-  const grammar::Unit* unit = nullptr;
-  std::uint32_t origin_name = 0;
-  std::optional<OriginTable::Chain> chain = {};  ///< made when first asked for
+  Kind kind;
+  bool condition;                    ///< if_block: which branch was taken
+  std::uint32_t call;                ///< index of the innermost macro or include frame, this one included
+  const grammar::Node* const* next;  ///< what is left of the items
+  const grammar::Node* const* end;
+  const grammar::Node* node;  ///< the directive or call behind the frame; null for block and value
+  union {
+    Call called;            ///< macro, include
+    Range range;            ///< for_
+    std::size_t next_case;  ///< case_
+  };
 
-  // for_
-  double end = 0;
-  double step = 1;
-
-  // case_
-  std::size_t next_case = 0;
+  [[nodiscard]] bool is_call() const { return kind == Kind::macro || kind == Kind::include; }
+  /// Goes on with `items`.
+  void set_items(grammar::Items items) {
+    next = items.data();
+    end = items.data() + items.size();
+  }
 };
+static_assert(std::is_trivially_copyable_v<Frame> && sizeof(Frame) == 48);
 
 }  // namespace isl::interpreter

@@ -2,6 +2,7 @@
 
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
+#include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 
 #include <fmt/format.h>
@@ -44,6 +45,19 @@ void ArgumentSlots::push(Value value) {
   context_.argument_slots.push_back(slot);
 }
 
+void ArgumentSlots::push_value_of(const Node& node) {
+  double number = 0;
+  std::optional<Value> other;
+  const bool is_number = evaluate_scalar(context_, node, number, other);
+  Slot* const slot = context_.scopes.slots().make();
+  if (is_number) {
+    slot->value.set_number(number);
+  } else {
+    slot->value = *std::move(other);
+  }
+  context_.argument_slots.push_back(slot);
+}
+
 /// A lone identifier goes by reference; a name that stands for a macro does not.
 bool ArgumentSlots::push_reference(const Node& node) {
   if (node.kind != NodeKind::name && node.kind != NodeKind::index) return false;
@@ -58,7 +72,7 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
   const bool is_single =
       argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
   if (is_single) {
-    if (!push_reference(*argument[0])) push(evaluate(context_, *argument[0]));
+    if (!push_reference(*argument[0])) push_value_of(*argument[0]);
     return;
   }
   // Several actuals without commas between them, a colour of several words, a block, or whatever a macro yields.

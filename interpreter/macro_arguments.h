@@ -22,6 +22,7 @@ class ArgumentSlots {
  private:
   void read(const grammar::Argument& argument);
   void push(Value value);
+  void push_value_of(const grammar::Node& node);
   bool push_reference(const grammar::Node& node);
   void release();
 

@@ -39,7 +39,7 @@ namespace word = grammar::word;
     case word::kIndex_filter: i = 3; break;
     case word::kIndex_transmit: i = 4; break;
     // POV-Ray's weights.
-    case word::kIndex_gray: return 0.297 * base.terms()[0] + 0.589 * base.terms()[1] + 0.114 * base.terms()[2];
+    case word::kIndex_gray: return 0.297 * base.term(0) + 0.589 * base.term(1) + 0.114 * base.term(2);
     default: break;
   }
   if (i < 0)
@@ -79,15 +79,9 @@ struct Side {
 };
 
 void evaluate_side(Context& context, const Node& node, Side& side) {
-  if (const Value* const held = variable(context, node)) {
-    if (held->is_number()) {
-      side.number = held->number();
-    } else {
-      side.value = held;
-    }
-    return;
-  }
-  if (!evaluate_scalar(context, node, side.number, side.kept)) side.value = &*side.kept;
+  if (is_at_hand(context, node, side.number)) return;
+  side.value = variable(context, node);
+  if (!side.value && !evaluate_scalar(context, node, side.number, side.kept)) side.value = &*side.kept;
 }
 
 /// Evaluating such a node runs nothing that could change a variable.
@@ -105,21 +99,26 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
                fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)));
 }
 
-[[gnu::noinline]] void warn_of_zero(Context& context, const grammar::Binary& node, const Operand& divisor, int count) {
-  // A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.
+/// A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.
+[[nodiscard]] bool has_zero(const Operand& divisor, int count) {
   for (int i = 0; i < count; ++i) {
-    if (divisor[i] == 0) return context.warn(node.op_span.empty() ? node.span : node.op_span, "division by zero");
+    if (divisor[i] == 0) return true;
   }
+  return false;
 }
 
-[[nodiscard]] double of_numbers(Context& context, const grammar::Binary& node, const double& a, const double& b) {
+[[gnu::noinline]] void warn_of_zero(Context& context, const grammar::Binary& node) {
+  context.warn(node.op_span.empty() ? node.span : node.op_span, "division by zero");
+}
+
+[[nodiscard]] inline double of_numbers(Context& context, const grammar::Binary& node, double a, double b) {
   switch (node.op) {
     case BinaryOp::add: return a + b;
     case BinaryOp::subtract: return a - b;
     case BinaryOp::multiply: return a * b;
     case BinaryOp::divide:
       if (b == 0) [[unlikely]]
-        warn_of_zero(context, node, {&b, 1}, 1);
+        warn_of_zero(context, node);
       return quotient(a, b);
     default: return compare(node.op, a, b);
   }
@@ -136,13 +135,13 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
                              describe(left.value ? *left.value : *right.value)));
   }
   const Operand a = left.operand(), b = right.operand();
-  if (node.op == BinaryOp::divide) warn_of_zero(context, node, b, std::max(a.count, b.count));
+  if (node.op == BinaryOp::divide && has_zero(b, std::max(a.count, b.count))) warn_of_zero(context, node);
   return arithmetic(node.op, a, b);
 }
 
-[[gnu::noinline]] bool evaluate_binary(Context& context, const grammar::Binary& node, double& number,
-                                       std::optional<Value>& other) {
-  const NestingGuard guard(context, node.span);
+/// The general case: any operand may be anything.
+[[nodiscard]] [[gnu::noinline]] bool evaluate_sides(Context& context, const grammar::Binary& node, double& number,
+                                                    std::optional<Value>& other) {
   Side left, right;
   if (is_still(*node.right)) {
     evaluate_side(context, *node.left, left);
@@ -158,6 +157,17 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
   if (!other->is_number()) return false;
   number = other->number();
   return true;
+}
+
+[[nodiscard]] [[gnu::noinline]] bool evaluate_binary(Context& context, const grammar::Binary& node, double& number,
+                                                     std::optional<Value>& other) {
+  double left = 0, right = 0;
+  if (is_at_hand(context, *node.left, left) && is_at_hand(context, *node.right, right)) {
+    number = of_numbers(context, node, left, right);
+    return true;
+  }
+  const NestingGuard guard(context, node.span);
+  return evaluate_sides(context, node, number, other);
 }
 
 // ---- One operand ----------------------------------------------------------------------------------------------------
@@ -195,14 +205,8 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
 }  // namespace
 
 bool evaluate_scalar(Context& context, const Node& node, double& number, std::optional<Value>& other) {
+  if (is_at_hand(context, node, number)) return true;
   switch (node.kind) {
-    case NodeKind::number: number = as<grammar::Number>(node).value; return true;
-    case NodeKind::name:
-      if (const Value* const held = variable(context, node); held && held->is_number()) {
-        number = held->number();
-        return true;
-      }
-      break;
     case NodeKind::dot:
       if (item_of_variable(context, as<grammar::Dot>(node), number)) return true;
       break;

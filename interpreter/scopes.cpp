@@ -1,6 +1,6 @@
 #include "interpreter/scopes.h"
 
-#include "base/check.h"
+#include <algorithm>
 
 namespace isl::interpreter {
 
@@ -12,10 +12,9 @@ SlotPool::~SlotPool() {
 
 Scopes::~Scopes() {
   while (!table_begin_.empty()) leave();
-  for (Binding& binding : innermost_) {
-    while (binding.slot) pop(binding);
+  for (const Binding& binding : innermost_) {
+    if (binding.slot) slots_.release(binding.slot);
   }
-  for (const Binding* binding : spare_) delete binding;
 }
 
 Slot& Scopes::declare(Symbol name) {
@@ -24,30 +23,41 @@ Slot& Scopes::declare(Symbol name) {
 }
 
 Slot& Scopes::local(Symbol name) {
-  Binding& top = innermost(name);
-  if (top.slot && top.table == table_begin_.size()) return *top.slot;
-  push(top, slots_.make());
-  if (!table_begin_.empty()) bound_.push_back(name);
-  return *top.slot;
+  const Binding& top = innermost(name);
+  if (top.slot && top.table == table()) return *top.slot;
+  Slot* const slot = slots_.make();
+  if (table() > 0) {
+    bind(name, slot);
+  } else {
+    innermost(name) = {slot, 0};
+  }
+  return *slot;
 }
 
 Slot& Scopes::global(Symbol name) {
   Binding* binding = &innermost(name);
-  while (binding->outer) binding = binding->outer;
-  if (binding->slot && binding->table == 0) return *binding->slot;
-  Slot* slot = slots_.make();
-  if (binding->slot) {
-    binding->outer = new Binding{slot, 0, nullptr};
-  } else {
-    *binding = {slot, 0, nullptr};
+  if (binding->slot && binding->table > 0) {
+    // The outermost that hides it knows it.
+    const auto outermost =
+        std::ranges::find_if(trail_, [name](const Trace& trace) { return trace.name == name && !trace.is_gone; });
+    binding = &outermost->hidden;
   }
-  return *slot;
+  if (!binding->slot) *binding = {slots_.make(), 0};
+  return *binding->slot;
 }
 
 bool Scopes::undef(Symbol name) {
   Binding& top = innermost(name);
   if (!top.slot) return false;
-  pop(top);
+  slots_.release(top.slot);
+  if (top.table == 0) {
+    top = {};
+  } else {
+    auto trace = trail_.rbegin();
+    while (trace->name != name || trace->is_gone) ++trace;
+    trace->is_gone = true;
+    top = trace->hidden;
+  }
   return true;
 }
 

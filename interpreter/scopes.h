@@ -1,6 +1,6 @@
 // Names and what they stand for. Scoping is dynamic, as in POV-Ray: a macro sees its caller's locals. It is implemented
-// by shallow binding: each symbol has its stack of bindings with the innermost on top, so that a lookup is one array
-// access; a scope remembers what it bound and takes it off when it ends.
+// by shallow binding: each symbol has its innermost binding at hand, so that a lookup is one array access; a trail
+// remembers what each binding hides, and brings it back when the scope ends.
 #pragma once
 
 #include "base/check.h"
@@ -77,28 +77,31 @@ class Scopes {
 
  private:
   struct Binding {
-    Slot* slot = nullptr;
-    std::uint32_t table = 0;
-    Binding* outer = nullptr;
+    Slot* slot = nullptr;     ///< null where undeclared
+    std::uint32_t table = 0;  ///< the global one is 0
+  };
+  /// A binding of a table other than the global one.
+  struct Trace {
+    grammar::Symbol name;
+    Binding hidden;
+    bool is_gone = false;  ///< an #undef took it away
   };
 
   Binding& innermost(grammar::Symbol name);
   void make_room(std::uint32_t symbol);
-  void push(Binding& top, Slot* slot);
-  void pop(Binding& top);
+  [[nodiscard]] std::uint32_t table() const { return static_cast<std::uint32_t>(table_begin_.size()); }
 
   SlotPool slots_;
-  std::vector<Binding> innermost_;        ///< by symbol; slot null where undeclared
-  std::vector<Binding*> spare_;           ///< recycled outer bindings
-  std::vector<grammar::Symbol> bound_;    ///< by every open table, outermost first
-  std::vector<std::size_t> table_begin_;  ///< where in bound_ each open table but the global one begins
+  std::vector<Binding> innermost_;        ///< by symbol
+  std::vector<Trace> trail_;              ///< of every open table, outermost first
+  std::vector<std::size_t> table_begin_;  ///< where in trail_ each open table but the global one begins
 };
 
 // ---- What every macro call does -------------------------------------------------------------------------------------
 
 inline Slot* SlotPool::make() {
   Slot* slot = nullptr;
-  if (free_.empty()) {
+  if (free_.empty()) [[unlikely]] {
     slot = new Slot;
   } else {
     slot = free_.back();
@@ -115,45 +118,23 @@ inline Scopes::Binding& Scopes::innermost(grammar::Symbol name) {
   return innermost_[i];
 }
 
-inline void Scopes::push(Binding& top, Slot* slot) {
-  Binding* outer = nullptr;
-  if (top.slot) {
-    if (spare_.empty()) {
-      outer = new Binding;
-    } else {
-      outer = spare_.back();
-      spare_.pop_back();
-    }
-    *outer = top;
-  }
-  top = {slot, static_cast<std::uint32_t>(table_begin_.size()), outer};
-}
-
-inline void Scopes::pop(Binding& top) {
-  slots_.release(top.slot);
-  if (Binding* outer = top.outer) {
-    top = *outer;
-    spare_.push_back(outer);
-  } else {
-    top = {};
-  }
-}
-
 inline void Scopes::bind(grammar::Symbol name, Slot* slot) {
-  ISL_DCHECK(!table_begin_.empty());
-  push(innermost(name), slot);
-  bound_.push_back(name);
+  ISL_DCHECK(table() > 0);
+  Binding& top = innermost(name);
+  trail_.push_back({name, top});
+  top = {slot, table()};
 }
 
-inline void Scopes::enter() { table_begin_.push_back(bound_.size()); }
+inline void Scopes::enter() { table_begin_.push_back(trail_.size()); }
 
 inline void Scopes::leave() {
-  const auto table = static_cast<std::uint32_t>(table_begin_.size());
-  while (bound_.size() > table_begin_.back()) {
-    Binding& top = innermost_[static_cast<std::uint32_t>(bound_.back())];
-    bound_.pop_back();
-    // An #undef may have taken the binding away already.
-    if (top.slot && top.table == table) pop(top);
+  for (const std::size_t begin = table_begin_.back(); trail_.size() > begin; trail_.pop_back()) {
+    const Trace& trace = trail_.back();
+    if (trace.is_gone) [[unlikely]]
+      continue;
+    Binding& top = innermost_[static_cast<std::uint32_t>(trace.name)];
+    slots_.release(top.slot);
+    top = trace.hidden;
   }
   table_begin_.pop_back();
 }

@@ -50,8 +50,8 @@ class Value {
   static constexpr int kMaxTerms = 5;
   using Terms = std::array<double, kMaxTerms>;
 
-  Value() : terms_{} {}
-  explicit Value(double number) : kind_(ValueKind::numeric), term_count_(1), terms_{number} {}
+  Value() {}
+  explicit Value(double number) : kind_(ValueKind::numeric), term_count_(1) { terms_[0] = number; }
   /// `count` terms of `terms`; the rest must be zero.
   Value(int count, const Terms& terms)
       : kind_(ValueKind::numeric), term_count_(static_cast<std::uint8_t>(count)), terms_(terms) {}
@@ -84,14 +84,20 @@ class Value {
       shared_.~Ref();
   }
 
-  /// Back to ValueKind::none, with as little writing as that takes.
+  /// Back to ValueKind::none.
   void reset() {
-    if (is_shared()) [[unlikely]] {
+    if (is_shared()) [[unlikely]]
       shared_.~Ref();
-      new (&terms_) Terms{};
-    }
     kind_ = ValueKind::none;
     term_count_ = 0;
+  }
+  /// Becomes a number, with as little writing as that takes.
+  void set_number(double number) {
+    if (is_shared()) [[unlikely]]
+      shared_.~Ref();
+    kind_ = ValueKind::numeric;
+    term_count_ = 1;
+    terms_[0] = number;
   }
 
   [[nodiscard]] ValueKind kind() const { return kind_; }
@@ -100,7 +106,10 @@ class Value {
   /// 1 for a number, 2 to 5 for vectors, 0 for what is not numeric.
   [[nodiscard]] int term_count() const { return term_count_; }
   [[nodiscard]] double number() const { return terms_[0]; }
+  /// Those past term_count() are zero in a vector; a number has nothing but the first.
   [[nodiscard]] const Terms& terms() const { return terms_; }
+  /// Term `i`, zero past the last.
+  [[nodiscard]] double term(int i) const { return i < term_count_ ? terms_[i] : 0; }
 
   /// The shared thing; the caller has looked at kind().
   template <class T>
@@ -112,22 +121,26 @@ class Value {
  private:
   [[nodiscard]] bool is_shared() const { return kind_ > ValueKind::numeric; }
   void copy_payload(const Value& other) {
-    if (is_shared()) [[unlikely]] {
+    if (term_count_ == 1) {
+      terms_[0] = other.terms_[0];
+    } else if (term_count_ != 0) {
+      terms_ = other.terms_;
+    } else if (is_shared()) {
       new (&shared_) Ref<Shared>(other.shared_);
-    } else {
-      new (&terms_) Terms(other.terms_);
     }
   }
   void take_payload(Value& other) noexcept {
-    if (is_shared()) [[unlikely]] {
+    if (term_count_ == 1) {
+      terms_[0] = other.terms_[0];
+    } else if (term_count_ != 0) {
+      terms_ = other.terms_;
+    } else if (is_shared()) {
       new (&shared_) Ref<Shared>(std::move(other.shared_));
-    } else {
-      new (&terms_) Terms(other.terms_);
     }
   }
 
   ValueKind kind_ = ValueKind::none;
-  std::uint8_t term_count_ = 0;
+  std::uint8_t term_count_ = 0;  ///< 0 for all that is not numeric
   union {
     Terms terms_;
     Ref<Shared> shared_;

@@ -39,7 +39,7 @@ Value string_of_vector(const Arguments& a) {
   std::string text;
   for (int i = 0; i < count; ++i) {
     if (i > 0) text += separator;
-    text += formatted(a[1].terms()[i], width, digits);
+    text += formatted(a[1].term(i), width, digits);
   }
   return result(a, std::move(text));
 }

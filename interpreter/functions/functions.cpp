@@ -216,7 +216,8 @@ bool is_callable(const Value& value) {
   return value.kind() == ValueKind::function || value.kind() == ValueKind::spline;
 }
 
-[[gnu::noinline]] Value call_function(Context& context, const grammar::Call& node, const Value& callee) {
+// The callee is a copy: evaluating the arguments may undeclare the variable that held it.
+[[gnu::noinline]] Value call_function(Context& context, const grammar::Call& node, Value callee) {
   const NestingGuard guard(context, node.span);
   return callee.kind() == ValueKind::function ? call(context, node, callee.as<FunctionValue>())
                                               : call(context, node, callee.as<SplineValue>());

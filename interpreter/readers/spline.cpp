@@ -1,5 +1,6 @@
 #include "interpreter/readers/spline.h"
 
+#include "interpreter/arithmetic.h"
 #include "interpreter/readers/arguments.h"
 #include "renderer/values/spline.h"
 
@@ -35,8 +36,7 @@ void read_point(ElementStream& stream, scene::Spline& spline) {
   const Value value = stream.take_value();
   if (!value.is_numeric())
     context.fail(next.span, fmt::format("expected a number or vector, found {}", describe(value)));
-  Value::Terms terms = value.terms();
-  if (value.is_number()) terms[1] = terms[0];
+  const Value::Terms terms = promoted(value, 2).terms();
   spline.term_count = std::max({spline.term_count, value.term_count(), 2});
   values::insert(spline, parameter, terms);
   stream.accept_comma();

@@ -86,5 +86,24 @@ TEST(Scopes, AGlobalCanBeMadeBelowALocal) {
   EXPECT_EQ(number(scopes, kA), 1);
 }
 
+TEST(Scopes, UndefUncoversTableByTable) {
+  Scopes scopes;
+  scopes.declare(kA).value = Value(1.0);
+  scopes.enter();
+  scopes.local(kA).value = Value(2.0);
+  scopes.enter();
+  scopes.local(kA).value = Value(3.0);
+  EXPECT_TRUE(scopes.undef(kA));
+  EXPECT_EQ(number(scopes, kA), 2);
+  EXPECT_TRUE(scopes.undef(kA));
+  EXPECT_EQ(number(scopes, kA), 1);
+  scopes.global(kA).value = Value(4.0);
+  scopes.leave();
+  scopes.leave();
+  EXPECT_EQ(number(scopes, kA), 4);
+  EXPECT_TRUE(scopes.undef(kA));
+  EXPECT_EQ(scopes.find(kA), nullptr);
+}
+
 }  // namespace
 }  // namespace isl::interpreter
