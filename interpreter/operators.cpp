@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isl::interpreter {
@@ -20,29 +21,33 @@ namespace word = grammar::word;
 
 // ---- Items ----------------------------------------------------------------------------------------------------------
 
-[[nodiscard]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
+/// Which term an item is, by its word; kGray, and kNoItem for a word that is none.
+constexpr std::int8_t kNoItem = -1, kGray = -2;
+constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
+  std::array<std::int8_t, word::kReservedCount> terms{};
+  terms.fill(kNoItem);
+  terms[word::kIndex_x] = terms[word::kIndex_u] = terms[word::kIndex_red] = 0;
+  terms[word::kIndex_y] = terms[word::kIndex_v] = terms[word::kIndex_green] = 1;
+  terms[word::kIndex_z] = terms[word::kIndex_blue] = 2;
+  terms[word::kIndex_t] = terms[word::kIndex_filter] = 3;
+  terms[word::kIndex_transmit] = 4;
+  terms[word::kIndex_gray] = kGray;
+  return terms;
+}();
+
+[[nodiscard]] int term_of_item(grammar::Symbol item) {
+  return grammar::is_reserved(item) ? kTermOfItem[static_cast<std::uint32_t>(item)] : kNoItem;
+}
+
+[[nodiscard]] [[gnu::noinline]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
   if (!base.is_numeric() || base.is_number()) {
     context.fail(node.span,
                  fmt::format("`.{}` needs a vector or colour, found {}", context.text(node.item), describe(base)));
   }
-  int i = -1;
-  switch (static_cast<word::Index>(node.item)) {
-    case word::kIndex_x:
-    case word::kIndex_u:
-    case word::kIndex_red: i = 0; break;
-    case word::kIndex_y:
-    case word::kIndex_v:
-    case word::kIndex_green: i = 1; break;
-    case word::kIndex_z:
-    case word::kIndex_blue: i = 2; break;
-    case word::kIndex_t:
-    case word::kIndex_filter: i = 3; break;
-    case word::kIndex_transmit: i = 4; break;
-    // POV-Ray's weights.
-    case word::kIndex_gray: return 0.297 * base.term(0) + 0.589 * base.term(1) + 0.114 * base.term(2);
-    default: break;
-  }
-  if (i < 0)
+  const int i = term_of_item(node.item);
+  // POV-Ray's weights.
+  if (i == kGray) return 0.297 * base.term(0) + 0.589 * base.term(1) + 0.114 * base.term(2);
+  if (i == kNoItem)
     context.fail(node.span, fmt::format("`.{}` is not an item of a vector or colour", context.text(node.item)));
   if (i >= base.term_count()) {
     context.fail(node.span, fmt::format("`.{}` does not exist in {}", context.text(node.item), describe(base)));
@@ -55,13 +60,6 @@ namespace word = grammar::word;
   if (node.kind != NodeKind::name) return nullptr;
   const Slot* const slot = context.scopes.find(as<grammar::Name>(node).name);
   return slot && slot->value.is_numeric() ? &slot->value : nullptr;
-}
-
-/// An item of a variable, which can be had without copying the variable.
-[[nodiscard]] bool item_of_variable(Context& context, const grammar::Dot& node, double& number) {
-  const Value* const base = variable(context, *node.base);
-  if (base) number = item_of(context, node, *base);
-  return base != nullptr;
 }
 
 // ---- Two operands ---------------------------------------------------------------------------------------------------
@@ -204,12 +202,17 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
 
 }  // namespace
 
+bool is_item_at_hand(Context& context, const grammar::Dot& node, double& number) {
+  const Value* const base = variable(context, *node.base);
+  if (!base) return false;
+  const int i = term_of_item(node.item);
+  number = i >= 0 && i < base->term_count() && !base->is_number() ? base->terms()[i] : item_of(context, node, *base);
+  return true;
+}
+
 bool evaluate_scalar(Context& context, const Node& node, double& number, std::optional<Value>& other) {
   if (is_at_hand(context, node, number)) return true;
   switch (node.kind) {
-    case NodeKind::dot:
-      if (item_of_variable(context, as<grammar::Dot>(node), number)) return true;
-      break;
     case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node), number, other);
     case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node), number, other);
     default: break;
@@ -230,7 +233,7 @@ Value evaluate_binary(Context& context, const grammar::Binary& node) {
 [[gnu::noinline]] Value evaluate_dot(Context& context, const grammar::Dot& node) {
   const NestingGuard guard(context, node.span);
   double number = 0;
-  if (item_of_variable(context, node, number)) return Value(number);
+  if (is_item_at_hand(context, node, number)) return Value(number);
   return Value(item_of(context, node, evaluate(context, *node.base)));
 }
 

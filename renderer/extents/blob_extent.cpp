@@ -100,9 +100,11 @@ std::optional<double> reach(std::vector<Profile>& profiles, double threshold) {
 
 Box3d box_of_blob(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob) {
   Box3d box;
+  std::vector<Profile> profiles;
+  profiles.reserve(blob.components.size());  // once for all directions: touching new memory took most of the time
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
-      std::vector<Profile> profiles;
+      profiles.clear();
       for (const Component& c : blob.components) {
         if (c.strength > 0) profiles.push_back(profile_of(database, kernels, c, axis, sign));
       }
