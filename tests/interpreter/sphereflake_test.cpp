@@ -40,6 +40,14 @@ TEST(Sphereflake, IsTheSameAsTheOneMadeWithoutTheLanguage) {
   }
 }
 
+TEST(Sphereflake, ABallTakesLessThan200Bytes) {
+  const EvaluatedText scene = flake(4);
+  const scene::Blob& blob = scene.database().blobs.at(0);
+  const std::size_t bytes = blob.components.capacity() * sizeof(scene::Component) +
+                            blob.origins.capacity() * sizeof(OriginId) + scene.origins().memory_bytes();
+  EXPECT_LT(static_cast<double>(bytes) / static_cast<double>(blob.components.size()), 200);
+}
+
 TEST(Sphereflake, EachBallKnowsTheCallsThatMadeIt) {
   const EvaluatedText scene = flake(2);
   const GrowingArray<OriginId>& origins = scene.database().blobs.at(0).origins;

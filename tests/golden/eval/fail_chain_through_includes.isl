@@ -1,0 +1,2 @@
+#declare Size = "wide";
+#include "calls_ball.inc"
