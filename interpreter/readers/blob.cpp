@@ -97,10 +97,13 @@ class BlobReader {
     stream_.drop();
     const SourceSpan span = stream_.peek().span;
     const std::string name = read_string(stream_, "a kernel's name as a string");
-    if (name != "quartic" && name != "gaussian") {
-      context_.fail(span, fmt::format("there is no kernel \"{}\"", name), "there are \"quartic\" and \"gaussian\"");
+    const auto* const known = std::ranges::find(scene::kKernelWords, name);
+    if (known == std::end(scene::kKernelWords)) {
+      context_.fail(span, fmt::format("there is no kernel \"{}\"", name),
+                    fmt::format("there are \"{}\"", fmt::join(scene::kKernelWords, "\", \"")));
     }
-    Kernel kernel{name == "quartic" ? KernelShape::quartic : KernelShape::gaussian, RadiusMeaning::surface, 4};
+    const auto shape = static_cast<KernelShape>(known - std::begin(scene::kKernelWords));
+    Kernel kernel{shape, RadiusMeaning::surface, 4};
     if (leading_name(stream_.peek()) == context_.words.hardness) {
       const SourceSpan hardness_span = stream_.peek().span;
       kernel.hardness = read_contextual_number(stream_, "a number after `hardness`");

@@ -18,13 +18,6 @@ using scene::Component;
 using scene::Database;
 using scene::Vec3;
 
-double kernel_value(const KernelConstants& kernel, double q) {
-  const double v = kernel.scale * q;
-  if (v >= kernel.support) return 0;
-  if (kernel.shape == scene::KernelShape::quartic) return kernel.amplitude * (1 - v) * (1 - v);
-  return kernel.amplitude * (std::exp(kernel.a - v) - kernel.cut * (1 + kernel.support - v));
-}
-
 namespace {
 
 /// A component seen along one direction: its two ends' coordinates, and what one radius measures there.

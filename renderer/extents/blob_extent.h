@@ -14,7 +14,4 @@ namespace isl::render {
 [[nodiscard]] Imath::Box3d box_of_blob(const scene::Database& database, const std::vector<KernelConstants>& kernels,
                                        const scene::Blob& blob);
 
-/// φ(q): kernel_constants.h has the formulas.
-[[nodiscard]] double kernel_value(const KernelConstants& kernel, double q);
-
 }  // namespace isl::render

@@ -9,8 +9,7 @@
 #endif
 
 #include "renderer/compiled_scene.h"
-#include "renderer/fields/kernels/gaussian-inl.h"
-#include "renderer/fields/kernels/quartic-inl.h"
+#include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/trace_kernel.h"
 
 #include <array>
@@ -90,14 +89,9 @@ inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const
     const FieldGroup& group = table.group_of(items[next]);
     std::uint32_t last = next;
     while (last < count && items[last] < group.end) ++last;
-    switch (group.kernel.shape) {
-      case scene::KernelShape::quartic:
-        add_point_group(Quartic(group.kernel), table, group, items + next, last - next, point, gx, gy, gz, result);
-        break;
-      case scene::KernelShape::gaussian:
-        add_point_group(Gaussian(group.kernel), table, group, items + next, last - next, point, gx, gy, gz, result);
-        break;
-    }
+    with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+      add_point_group(kernel, table, group, items + next, last - next, point, gx, gy, gz, result);
+    });
     next = last;
   }
   result.gradient = {sum(gx), sum(gy), sum(gz)};

@@ -93,15 +93,6 @@ Limb make_limb(const Prepared& p) {
   return {p.a, ab / length, length, p.radius_a, (p.radius_b - p.radius_a) / length};
 }
 
-double scalar_value(const KernelConstants& k, double v) {
-  if (!(v < k.support)) return 0;
-  switch (k.shape) {
-    case scene::KernelShape::quartic: return (1 - v) * (1 - v);
-    case scene::KernelShape::gaussian: return std::exp(k.a - v) - k.cut * (1 + k.support - v);
-  }
-  return 0;
-}
-
 struct Range {
   double low, high;
 };
@@ -224,8 +215,8 @@ FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std
                              ? limb_q(table.limbs[component - table.first_limb], box)
                              : squared_distance({table.x[component], table.y[component], table.z[component]}, box);
   if (!(table.scale[component] * argument.low < group.kernel.support)) return {0, 0};
-  const double near = table.amplitude[component] * scalar_value(group.kernel, table.scale[component] * argument.low);
-  const double far = table.amplitude[component] * scalar_value(group.kernel, table.scale[component] * argument.high);
+  const double near = table.amplitude[component] * kernel_profile(group.kernel, table.scale[component] * argument.low);
+  const double far = table.amplitude[component] * kernel_profile(group.kernel, table.scale[component] * argument.high);
   return {std::min(near, far), std::max(near, far)};
 }
 

@@ -17,6 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+HWY_INLINE double exp(double y) { return std::exp(y); }
+
 HWY_INLINE Octet exp(const Octet& y) {
   constexpr double kLog2E = 0x1.71547652b82fep+0;
   constexpr double kLn2High = 0x1.62e42feep-1;      // ln 2 to 32 bits …

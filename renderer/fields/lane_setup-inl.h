@@ -13,8 +13,7 @@
 #endif
 
 #include "renderer/fields/component_table.h"
-#include "renderer/fields/kernels/gaussian-inl.h"
-#include "renderer/fields/kernels/quartic-inl.h"
+#include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/fields/lane_columns-inl.h"
 
 #include <bit>
@@ -38,8 +37,9 @@ class LaneSetup {
   explicit LaneSetup(LaneMemory& memory) : m_(memory) {}
 
   /// `items` ascend, and the seven entries behind them can be read and name components too (Grid::kListTail).
-  [[nodiscard]] HWY_INLINE LaneSums gather_list(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count,
-                                     const Vec3& origin, const Vec3& direction, double t0, double t1) {
+  [[nodiscard]] HWY_INLINE LaneSums gather_list(const ComponentTable& table, const std::uint32_t* items,
+                                                std::uint32_t count, const Vec3& origin, const Vec3& direction,
+                                                double t0, double t1) {
     m_.runs.clear();
     m_.reserve_lanes(count);
     std::uint32_t next = 0;
@@ -52,14 +52,9 @@ class LaneSetup {
         while (last < count && items[last] < group.end) ++last;
       }
       const std::uint32_t first_quadratic = quadratics_, first_cone = cones_;
-      switch (group.kernel.shape) {
-        case scene::KernelShape::quartic:
-          add_group(Quartic(group.kernel), table, group, items + next, last - next, origin, direction, t0, t1);
-          break;
-        case scene::KernelShape::gaussian:
-          add_group(Gaussian(group.kernel), table, group, items + next, last - next, origin, direction, t0, t1);
-          break;
-      }
+      with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+        add_group(kernel, table, group, items + next, last - next, origin, direction, t0, t1);
+      });
       close_run(group, first_quadratic, first_cone);
       next = last;
     }
@@ -68,8 +63,9 @@ class LaneSetup {
 
  private:
   template <class Kernel>
-  HWY_INLINE void add_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
-                 std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
+  HWY_INLINE void add_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
+                            const std::uint32_t* items, std::uint32_t count, const Vec3& origin, const Vec3& direction,
+                            double t0, double t1) {
     sums_.exponent = std::max(sums_.exponent, group.kernel.support);
     const std::uint32_t first_quadratic = quadratics_, first_cone = cones_;
     switch (group.form) {
@@ -100,8 +96,8 @@ class LaneSetup {
   }
 
   template <class Kernel>
-  HWY_INLINE void add_points(const Kernel& kernel, const ComponentTable& table, const std::uint32_t* items, std::uint32_t count,
-                  const Vec3& origin, const Vec3& direction, double t0, double t1) {
+  HWY_INLINE void add_points(const Kernel& kernel, const ComponentTable& table, const std::uint32_t* items,
+                             std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
     const Octet ox(origin.x), oy(origin.y), oz(origin.z), dx(direction.x), dy(direction.y), dz(direction.z);
     const double dd = direction.length2();
     const Octet inverse_dd(1 / dd), from(t0), to(t1), zero(0.0);

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -98,6 +99,10 @@ HWY_INLINE bool none(const OctetMask& m) {
   for (std::size_t i = 0; i < kRegisters; ++i) r = r && hn::AllFalse(Lanes(), m.m[i]);
   return r;
 }
+// The same for one number, where a formula serves both.
+HWY_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
+HWY_INLINE double sqrt(double x) { return std::sqrt(x); }
+
 /// Bit i is lane i.
 HWY_INLINE std::uint32_t bits(const OctetMask& m) {
   std::uint32_t r = 0;

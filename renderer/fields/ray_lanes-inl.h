@@ -45,7 +45,9 @@ class RayLanes {
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
   [[nodiscard]] std::uint32_t field_count() const { return sums_.field_count; }
   /// No value of F − T on the stretch is greater than this.
-  [[nodiscard]] double upper_bound() const { return sums_.peak * (1 + relative_noise_) - threshold_ + threshold_noise_; }
+  [[nodiscard]] double upper_bound() const {
+    return sums_.peak * (1 + relative_noise_) - threshold_ + threshold_noise_;
+  }
   /// Bounds of the rounding in the value and the slope at t. That of a sum of n fields is 2⁻⁵² Σ|fᵢ|(n + 16 + 2v) +
   /// 2⁻⁵²(n + 16)T, the exponential magnifying the error of its argument v; that of the position is four half units of
   /// t.
@@ -57,7 +59,7 @@ class RayLanes {
   [[nodiscard]] FieldAt at(double t) const {
     FieldSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
     for (const LaneRun& run : m_.runs) {
-      with_kernel(run, [&](const auto& kernel) HWY_ATTR { add_at(kernel, run, t, sums); });
+      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_at(kernel, run, t, sums); });
     }
     return {sum(sums.value) - threshold_, sum(sums.slope), sum(sums.magnitude), sum(sums.steepness)};
   }
@@ -66,7 +68,7 @@ class RayLanes {
   [[nodiscard]] double curvature(double t) const {
     Octet total(0.0);
     for (const LaneRun& run : m_.runs) {
-      with_kernel(run, [&](const auto& kernel) HWY_ATTR { total = total + curvature_of(kernel, run, t); });
+      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { total = total + curvature_of(kernel, run, t); });
     }
     return sum(total);
   }
@@ -74,20 +76,12 @@ class RayLanes {
   [[nodiscard]] Remainder remainder(double t0, double t1) const {
     Octet value(0.0), slope(0.0);
     for (const LaneRun& run : m_.runs) {
-      with_kernel(run, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, value, slope); });
+      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, value, slope); });
     }
     return {sum(value), sum(slope)};
   }
 
  private:
-  template <class Use>
-  static HWY_INLINE void with_kernel(const LaneRun& run, Use&& use) {
-    switch (run.kernel->shape) {
-      case scene::KernelShape::quartic: use(Quartic(*run.kernel)); break;
-      case scene::KernelShape::gaussian: use(Gaussian(*run.kernel)); break;
-    }
-  }
-
   // ---- Evaluation ---------------------------------------------------------------------------------------------------
 
   [[nodiscard]] HWY_INLINE OctetMask on_piece(const LaneRun& run, std::uint32_t i, const Octet& t,
@@ -187,7 +181,7 @@ class RayLanes {
       const Octet far = max(abs(a), abs(b));
       const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
       const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
-      const OctetMask smooth = whole & (u_far < room);
+      const OctetMask smooth = whole & (u_far < room) & kernel.is_smooth(lane.v0 + u_near, lane.v0 + u_far);
       const OctetMask counts = (u_near < room) & (from <= to);
       add_bounds(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h,
                  value, slope);
@@ -196,7 +190,7 @@ class RayLanes {
       const ConeLanes cone = load_cone(m_, i);
       const ConeBounds v = cone.bounds(t0, t1, run.kernel->scale, run.kernel->support);
       const OctetMask counts = v.least < kernel.support();
-      const OctetMask smooth = v.one_piece & (v.greatest < kernel.support());
+      const OctetMask smooth = v.one_piece & (v.greatest < kernel.support()) & kernel.is_smooth(v.least, v.greatest);
       add_bounds(v.compose(kernel), smooth, counts, cone.amplitude, h, value, slope);
     }
   }

@@ -12,14 +12,13 @@
 namespace isl::scene {
 namespace {
 
-constexpr std::string_view kKernelShapes[] = {"quartic", "gaussian"};
 constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
 constexpr std::string_view kSkeletons[] = {"point", "segment", "cone"};
 constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
 constexpr std::string_view kOperations[] = {"union", "merge", "intersection", "difference"};
 
 Json kernel(const Kernel& k) {
-  Json json = {{"shape", name(kKernelShapes, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
+  Json json = {{"shape", name(kKernelWords, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
   if (k.meaning == RadiusMeaning::surface) json["hardness"] = k.hardness;
   return json;
 }

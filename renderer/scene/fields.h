@@ -7,11 +7,23 @@
 #include "renderer/scene/transform.h"
 
 #include <cstdint>
+#include <string_view>
 
 namespace isl::scene {
 
 /// The shape of φ(q), q = squared distance to the skeleton over the squared radius.
-enum class KernelShape : std::uint8_t { quartic, gaussian };
+enum class KernelShape : std::uint8_t {
+#define ISL_KERNEL(word, Type) word,
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
+};
+
+/// What a scene calls each shape.
+inline constexpr std::string_view kKernelWords[] = {
+#define ISL_KERNEL(word, Type) #word,
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
+};
 
 /// What a component's radius means. `surface`: the radius of the surface that the component has alone (ours: φ(1) = 1,
 /// φ′(1) = −hardness). `support`: where the field ends (POV-Ray's own components: φ(q) = (1 − q)², q = 1 at the

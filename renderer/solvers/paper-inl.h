@@ -11,8 +11,7 @@
 #endif
 
 #include "renderer/compiled_scene.h"
-#include "renderer/fields/kernels/gaussian-inl.h"
-#include "renderer/fields/kernels/quartic-inl.h"
+#include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/cubic.h"
@@ -77,11 +76,9 @@ class PaperSearch {
   };
 
   [[nodiscard]] static KernelValue kernel_value(const KernelConstants& k, const Octet& v) {
-    switch (k.shape) {
-      case scene::KernelShape::quartic: return Quartic(k).value_and_slope(v);
-      case scene::KernelShape::gaussian: return Gaussian(k).value_and_slope(v);
-    }
-    return {Octet(0.0), Octet(0.0)};
+    KernelValue result;
+    with_kernel(k, [&](const auto& kernel) HWY_ATTR { result = kernel.value_and_slope(v); });
+    return result;
   }
 
   /// The interpolants of one component: its support on the ray is one interval, the sets v ≤ c being convex.

@@ -5,6 +5,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#ifdef __SANITIZE_THREAD__
+#define SKIP_UNDER_THREAD_SANITIZER() GTEST_SKIP() << "ThreadSanitizer keeps no stack of more than 65,535 calls"
+#else
+#define SKIP_UNDER_THREAD_SANITIZER() static_cast<void>(0)
+#endif
+
 namespace isl::test {
 namespace {
 
@@ -93,9 +99,7 @@ TEST(Depth, DeeplyNestedExpressionsWork) {
 }
 
 TEST(Depth, ExpressionsInEveryCallOfADeepRecursionWorkOrAreAnError) {
-#ifdef __SANITIZE_THREAD__
-  GTEST_SKIP() << "ThreadSanitizer keeps no stack of more than 65,535 calls";
-#endif
+  SKIP_UNDER_THREAD_SANITIZER();
   // Each of the calls in progress holds an expression 200 deep: more than the stack is made for.
   const EvaluatedText scene("#macro F(N) " + repeated("(1 + ", 200) + "F(N + 1)" + repeated(")", 200) +
                             " #end #declare A = F(0);");
@@ -111,6 +115,7 @@ TEST(Depth, LimitIsWhatTheOptionSays) {
 }
 
 TEST(Depth, AGreatLimitGetsAGreatStack) {
+  SKIP_UNDER_THREAD_SANITIZER();
   interpreter::EvaluateOptions options;
   options.limits.max_depth = 100'000;
   const EvaluatedText scene("#macro S(N) #if (N < 1) 0 #else (1 + S(N - 1)) #end #end #debug str(S(90000), 0, 0)",

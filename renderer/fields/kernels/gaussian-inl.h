@@ -1,12 +1,15 @@
-// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S = support.
+// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S =
+// support.
 //
 // The window is linear in v, so it changes φ′ by a constant and no higher derivative. Along a ray on which v = v₀ + κτ²
 // (point, segment), with y = κτ² and p = e^{a−v₀}:
 //   f″ = κ p (4y − 2) e^{−y} + 2κ cut,   f⁗ = κ² p (16y² − 48y + 12) e^{−y}.
 // s(y) = (4y − 2)e^{−y} rises to 4e^{−3/2} < 0.8926 at y = 3/2 and falls after it; it is concave for y < 5/2, so that
-// −2 + 4y ≤ s(y) on [0, ½] (chord) and s(y) ≤ −2 + 6y (tangent at 0). |16y² − 48y + 12|e^{−y} falls for y > 4.09 (where the
-// quadratic's logarithmic slope drops below 1); before that it is bounded by a falling staircase over √y, each step the maximum
-// to its right.
+// −2 + 4y ≤ s(y) on [0, ½] (chord) and s(y) ≤ −2 + 6y (tangent at 0). |16y² − 48y + 12|e^{−y} falls for y > 4.09 (where
+// the quadratic's logarithmic slope drops below 1); before that it is bounded by a falling staircase over √y, each step
+// the maximum to its right. Constants: v = aq, S = aQ; the tangent (in q) is taken off at the support's border, so that
+// value and slope vanish there: cut = e^{−a(Q−1)} = δ, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), Q = 1 + ln(1/δ)/a, amplitude
+// 1/(1 − δ(1 + ln 1/δ)).
 #if defined(ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
@@ -26,11 +29,26 @@ struct Gaussian {
 
   HWY_INLINE explicit Gaussian(const KernelConstants& k) : a(k.a), support_(k.support), cut(k.cut) {}
 
+  /// Where it is cut off, relative to its value at the surface: a tail below a thousandth of the threshold.
+  static constexpr double kCut = 1e-3;
+
+  [[nodiscard]] static KernelConstants constants(double h) {
+    const double log_cut = std::log(1 / kCut), kept = 1 - kCut * (1 + log_cut);
+    KernelConstants constants;
+    constants.a = h * kept / (1 - kCut);
+    constants.scale = constants.a;
+    constants.support = constants.a + log_cut;
+    constants.amplitude = 1 / kept;
+    constants.cut = kCut;
+    return constants;
+  }
+
   [[nodiscard]] HWY_INLINE Octet support() const { return Octet(support_); }
 
   /// φ for v within the support.
-  [[nodiscard]] HWY_INLINE Octet value(const Octet& v) const {
-    return exp(Octet(a) - v) - Octet(cut) * (Octet(1 + support_) - v);
+  template <class N>
+  [[nodiscard]] HWY_INLINE N value(const N& v) const {
+    return exp(N(a) - v) - N(cut) * (N(1 + support_) - v);
   }
   [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
     const Octet e = exp(Octet(a) - v);
@@ -38,6 +56,10 @@ struct Gaussian {
   }
   /// φ″(v).
   [[nodiscard]] HWY_INLINE Octet curvature(const Octet& v) const { return exp(Octet(a) - v); }
+
+  [[nodiscard]] HWY_INLINE OctetMask is_smooth(const Octet& v_low, const Octet& v_high) const {
+    return v_low <= v_high;
+  }
 
   /// Bounds of f = φ(v₀ + κτ²) for κτ² in [u_near, u_far], within the support.
   [[nodiscard]] HWY_INLINE SecondAndFourth on_quadratic(const Octet& v0, const Octet& kappa, const Octet& u_near,

@@ -1,4 +1,9 @@
-// What every kernel says of itself to the code that bounds a field along a ray.
+// What every kernel says of itself to the code that evaluates a field and bounds it along a ray. A kernel is a class
+// with
+//   static KernelConstants constants(double hardness)      a constructor from KernelConstants
+//   support()   value(v)   value_and_slope(v)   curvature(v) = φ″   slopes(v_least)   on_quadratic(v₀, κ, u_near,
+//   u_far) is_smooth(v_low, v_high): whether the bounds of f⁗ hold between, which they do not where φ″ jumps
+// and a row in renderer/scene/kernel_shapes.def.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_
@@ -8,6 +13,9 @@
 
 #include "renderer/fields/kernels/kernel_constants.h"
 #include "renderer/fields/octet-inl.h"
+
+#include <algorithm>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {

@@ -1,37 +1,34 @@
 #include "renderer/fields/kernels/kernel_constants.h"
 
 #include "base/check.h"
-
-#include <cmath>
+#include "renderer/fields/kernels/kernels-inl.h"
 
 namespace isl::render {
 
 KernelConstants kernel_constants(const scene::Kernel& kernel) {
   KernelConstants constants;
-  constants.shape = kernel.shape;
   if (kernel.meaning == scene::RadiusMeaning::support) {
-    ISL_CHECK(kernel.shape == scene::KernelShape::quartic);
+    ISL_CHECK(kernel.shape == scene::KernelShape::quartic, "shape {}", static_cast<int>(kernel.shape));
     return constants;
   }
-  const double h = kernel.hardness;
-  ISL_CHECK(h > 0 && h <= 500, "{}", h);
+  ISL_CHECK(kernel.hardness > 0 && kernel.hardness <= 500, "{}", kernel.hardness);
   switch (kernel.shape) {
-    case scene::KernelShape::quartic:
-      constants.scale = 1 / (1 + 2 / h);
-      constants.amplitude = (1 + h / 2) * (1 + h / 2);
-      break;
-    case scene::KernelShape::gaussian: {
-      const double log_cut = std::log(1 / kGaussianCut);
-      const double kept = 1 - kGaussianCut * (1 + log_cut);
-      constants.a = h * kept / (1 - kGaussianCut);
-      constants.scale = constants.a;
-      constants.support = constants.a + log_cut;
-      constants.amplitude = 1 / kept;
-      constants.cut = kGaussianCut;
-      break;
-    }
+#define ISL_KERNEL(word, Type)                                   \
+  case scene::KernelShape::word:                                 \
+    constants = HWY_NAMESPACE::Type::constants(kernel.hardness); \
+    break;
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
   }
+  constants.shape = kernel.shape;
   return constants;
+}
+
+double kernel_profile(const KernelConstants& constants, double v) {
+  if (!(v < constants.support)) return 0;
+  double value = 0;
+  HWY_NAMESPACE::with_each_kernel(constants, [&](const auto& kernel) { value = kernel.value(v); });
+  return value;
 }
 
 }  // namespace isl::render

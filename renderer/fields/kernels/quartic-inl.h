@@ -3,6 +3,7 @@
 // Along a ray on which v = v₀ + κτ² (point, segment): with u = κτ²
 //   f″ = −4κ(1 − v₀ − 3u), monotone in u;   f⁗ = 24κ², a constant.
 // On any other skeleton, from bounds of v and its derivatives: φ′ = −2(1 − v), φ″ = 2, φ‴ = φ⁗ = 0.
+// Constants: v = q/Q with Q = 1 + 2/h and amplitude (1 + h/2)²: the slope at q = 1 is −2 amplitude (1 − 1/Q)/Q = −h.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_
@@ -19,11 +20,19 @@ namespace HWY_NAMESPACE {
 struct Quartic {
   HWY_INLINE explicit Quartic(const KernelConstants&) {}
 
+  [[nodiscard]] static KernelConstants constants(double h) {
+    KernelConstants constants;
+    constants.scale = 1 / (1 + 2 / h);
+    constants.amplitude = (1 + h / 2) * (1 + h / 2);
+    return constants;
+  }
+
   [[nodiscard]] HWY_INLINE Octet support() const { return Octet(1.0); }
 
   /// φ for v within the support.
-  [[nodiscard]] HWY_INLINE Octet value(const Octet& v) const {
-    const Octet w = Octet(1.0) - v;
+  template <class N>
+  [[nodiscard]] HWY_INLINE N value(const N& v) const {
+    const N w = N(1.0) - v;
     return w * w;
   }
   [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
@@ -32,6 +41,10 @@ struct Quartic {
   }
   /// φ″(v).
   [[nodiscard]] HWY_INLINE Octet curvature(const Octet&) const { return Octet(2.0); }
+
+  [[nodiscard]] HWY_INLINE OctetMask is_smooth(const Octet& v_low, const Octet& v_high) const {
+    return v_low <= v_high;
+  }
 
   /// Bounds of f = φ(v₀ + κτ²) for κτ² in [u_near, u_far], within the support.
   [[nodiscard]] HWY_INLINE SecondAndFourth on_quadratic(const Octet& v0, const Octet& kappa, const Octet& u_near,

@@ -1,0 +1,118 @@
+// The Cauchy kernel (McCormack and Sherstyuk 1998) less its tangent at the border: with v = q, ε = 1/σ², A = ε + v,
+// B = ε + Q and d = Q − v,
+//   φ(v) = 1/A² − 1/B² − 2d/B³ = d²(B + 2A)/(A²B³), v < Q;   φ′ = −2/A³ + 2/B³ = −2d(B² + AB + A²)/(A³B³),
+//   φ″ = 6/A⁴, φ‴ = −24/A⁵, φ⁗ = 120/A⁶. Amplitude and sign apart.
+// Along a ray on which v = v₀ + κτ² (point, segment), with u = κτ², p = ε + v₀ and y = u/p:
+//   f″ = κ(4/B³ + (20u − 4p)/(p + u)⁴): the second term rises to (20·0.6 − 4)/1.6⁴/p³ = 1.220703125/p³ at y = 0.6 and
+//   falls after it, f⁗ = κ²(72p² − 1008pu + 840u²)/(p + u)⁶, which falls from y = 2 on; before that it is bounded by a
+//   falling staircase over y, each step the maximum to its right.
+// Constants: of the Cauchy kernels with φ(1) = 1 and φ′(1) = −h the one that has φ(0) = eʰ, the unwindowed Gaussian's
+// value. With r = B/A at v = 1, φ′/φ = −2(r² + r + 1)/(A(r − 1)(r + 2)) = −h gives r for any ε; φ(0)/φ(1) = eʰ then is
+// one equation for ε.
+#if defined(ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
+#undef ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
+#endif
+
+#include "renderer/fields/kernels/kernel_bounds-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct Cauchy {
+  double epsilon, support_, border;  ///< ε, Q, B
+
+  HWY_INLINE explicit Cauchy(const KernelConstants& k) : epsilon(k.a), support_(k.support), border(k.a + k.support) {}
+
+  [[nodiscard]] static KernelConstants constants(double h) {
+    // ε > ε₀, the least for which r exists; ln(φ(0)/φ(1)) − h falls from above zero to below it as ε grows.
+    const double least = std::max(0.0, 2 / h - 1);
+    const auto width = [&](double epsilon) {              // Q − 1
+      const double excess = 6 / (h * (1 + epsilon) - 2);  // r² + r − 2
+      return (1 + epsilon) * 2 * excess / (std::sqrt(9 + 4 * excess) + 3);
+    };
+    const auto is_too_small = [&](double epsilon) {
+      const double a = 1 + epsilon, d = width(epsilon), b = a + d;
+      return 2 * std::log((1 + d) / d) + std::log((b + 2 * epsilon) / (b + 2 * a)) + 2 * std::log(a / epsilon) > h;
+    };
+    double low = -300, high = 300;  // of ln(ε − ε₀); ε = e^{−h/2} for the hardest, 500, and about 1/h for the softest
+    for (int step = 0; step < 64; ++step) {
+      const double middle = 0.5 * (low + high);
+      (is_too_small(least + std::exp(middle)) ? low : high) = middle;
+    }
+    KernelConstants constants;
+    constants.a = least + std::exp(low);
+    constants.support = 1 + width(constants.a);
+    constants.amplitude = 1 / Cauchy(constants).value(1.0);
+    return constants;
+  }
+
+  [[nodiscard]] HWY_INLINE Octet support() const { return Octet(support_); }
+
+  /// φ for v within the support.
+  template <class N>
+  [[nodiscard]] HWY_INLINE N value(const N& v) const {
+    const N a = N(epsilon) + v, d = N(support_) - v;
+    return d * d * (N(border) + N(2.0) * a) / (a * a * N(border * border * border));
+  }
+  [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
+    const Octet b(border), a = Octet(epsilon) + v, d = Octet(support_) - v;
+    const Octet factor = d / (a * a * Octet(border * border * border));
+    return {factor * d * (b + Octet(2.0) * a), Octet(-2.0) * factor * (b * b + a * b + a * a) / a};
+  }
+  /// φ″(v).
+  [[nodiscard]] HWY_INLINE Octet curvature(const Octet& v) const {
+    return Octet(6.0) / fourth_power(Octet(epsilon) + v);
+  }
+
+  [[nodiscard]] HWY_INLINE OctetMask is_smooth(const Octet& v_low, const Octet& v_high) const {
+    return v_low <= v_high;
+  }
+
+  /// Bounds of f = φ(v₀ + κτ²) for κτ² in [u_near, u_far], within the support.
+  [[nodiscard]] HWY_INLINE SecondAndFourth on_quadratic(const Octet& v0, const Octet& kappa, const Octet& u_near,
+                                                        const Octet& u_far) const {
+    const Octet p = Octet(epsilon) + v0, window(4 / (border * border * border));
+    const auto second = [&](const Octet& u)
+                            HWY_ATTR { return (Octet(20.0) * u - Octet(4.0) * p) / fourth_power(p + u); };
+    const Octet near = second(u_near), far = second(u_far), top = Octet(0.6) * p;
+    const Octet high = select((u_near < top) & (u_far > top), Octet(1.220703125) / (p * p * p), max(near, far));
+    const Octet reach = p + u_near;
+    const Octet tail = (Octet(72.0) * p * p - Octet(1008.0) * p * u_near + Octet(840.0) * u_near * u_near) /
+                       (fourth_power(reach) * reach * reach);
+    const Octet fourth = select(u_near >= Octet(2.0) * p, tail, profile4(u_near / p) / fourth_power(p));
+    return {kappa * (window + min(near, far)), kappa * (window + high), kappa * kappa * fourth};
+  }
+
+  [[nodiscard]] HWY_INLINE SlopeBounds slopes(const Octet& v_least) const {
+    const Octet a = Octet(epsilon) + v_least, a4 = fourth_power(a);
+    return {Octet(0.0) - value_and_slope(v_least).slope, Octet(6.0) / a4, Octet(24.0) / (a4 * a),
+            Octet(120.0) / (a4 * a * a)};
+  }
+
+ private:
+  [[nodiscard]] static HWY_INLINE Octet fourth_power(const Octet& x) {
+    const Octet square = x * x;
+    return square * square;
+  }
+  /// max over z ≥ y of |72 − 1008z + 840z²|/(1 + z)⁶, from above, for y < 2.
+  [[nodiscard]] static HWY_INLINE Octet profile4(const Octet& y) {
+    struct Step {
+      double from, bound;
+    };
+    constexpr Step kSteps[] = {{0.01, 58.42}, {0.02, 46.34}, {0.04, 33.45}, {0.3, 32.08}, {0.4, 26.14}, {0.5, 19.50},
+                               {0.6, 13.74},  {0.7, 9.20},   {0.8, 5.79},   {0.9, 3.30},  {1.0, 2.04}};
+    Octet bound(72.0);
+    for (const Step& step : kSteps) bound = select(y >= Octet(step.from), Octet(step.bound), bound);
+    return bound;
+  }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
