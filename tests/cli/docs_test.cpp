@@ -1,7 +1,9 @@
 // Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/.
+// What such a block prints is what a block marked `text` says that follows it directly.
 #include "tests/cli/program_fixture.h"
 
 #include <fstream>
+#include <optional>
 
 namespace isl::test {
 namespace {
@@ -11,22 +13,35 @@ namespace fs = std::filesystem;
 struct CodeBlock {
   std::string place;  ///< file:line
   std::string text;
+  std::optional<std::string> output{};  ///< where the page shows what the scene prints
 };
 
 std::vector<CodeBlock> code_blocks_of(const fs::path& file) {
   std::vector<CodeBlock> blocks;
   std::ifstream text(file);
-  bool inside = false;
+  bool inside = false;             // of a block of any kind
+  std::string* content = nullptr;  // what the lines of a scene or an output are added to
+  bool follows_scene = false;      // nothing but empty lines lie between the last scene and here
   std::size_t number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
-    if (!inside && line == "```isl") {
-      blocks.push_back({file.filename().string() + ":" + std::to_string(number + 1), ""});
-      inside = true;
-    } else if (line.starts_with("```")) {
-      inside = false;
+    const bool is_fence = line.starts_with("```");
+    if (inside && !is_fence) {
+      if (content) *content += line + "\n";
     } else if (inside) {
-      blocks.back().text += line + "\n";
+      follows_scene = content && content == &blocks.back().text;
+      content = nullptr;
+      inside = false;
+    } else if (is_fence) {
+      inside = true;
+      if (line == "```isl") {
+        blocks.push_back({file.filename().string() + ":" + std::to_string(number + 1), ""});
+        content = &blocks.back().text;
+      } else if (line == "```text" && follows_scene) {
+        content = &blocks.back().output.emplace();
+      }
+    } else if (!line.empty()) {
+      follows_scene = false;
     }
   }
   return blocks;
@@ -43,18 +58,23 @@ std::vector<fs::path> files_below(const fs::path& folder, std::string_view exten
 
 class Docs : public ProgramTest {};
 
-TEST_F(Docs, CodeBlocksCanBeRead) {
+TEST_F(Docs, CodeBlocksCanBeReadAndPrintWhatIsShown) {
   std::vector<fs::path> pages = files_below(fs::path(ISL_SOURCE_DIR) / "docs", ".md");
   pages.push_back(fs::path(ISL_SOURCE_DIR) / "README.md");
-  std::size_t count = 0;
+  std::size_t count = 0, output_count = 0;
   for (const fs::path& page : pages) {
     for (const CodeBlock& block : code_blocks_of(page)) {
       ++count;
-      const ProcessResult result = run({"check", write("block.isl", block.text)});
-      EXPECT_EQ(result.exit_code, 0) << block.place << "\n" << result.err;
+      // As JSON the problems go elsewhere, so that only #debug writes to standard error.
+      const ProcessResult result = run({"check", "--format", "json", write("block.isl", block.text)});
+      EXPECT_EQ(result.exit_code, 0) << block.place << "\n" << result.out;
+      if (!block.output) continue;
+      ++output_count;
+      EXPECT_EQ(result.err, *block.output) << block.place;
     }
   }
   EXPECT_GT(count, 0u) << "README.md shows a first scene";
+  EXPECT_GT(output_count, 0u) << "docs/language.md shows what scenes print";
 }
 
 TEST_F(Docs, ScenesCanBeRead) {
