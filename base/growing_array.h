@@ -50,7 +50,7 @@ class GrowingArray {
 
   void push_back(const T& record) {
     if (size_ == capacity_) [[unlikely]] {
-      const T copy = record;  // it may lie in the array
+      const T copy = record;  // NOLINT(performance-unnecessary-copy-initialization): it may lie in the array
       reserve(capacity_ < 8 ? 16 : capacity_ + capacity_ / 2);
       new (data_ + size_++) T(copy);
     } else {

@@ -69,7 +69,8 @@ std::size_t database_bytes(const Database& database) {
                     bytes(database.blobs) + bytes(database.solids) + bytes(database.polynomials) +
                     bytes(database.triangles) + bytes(database.polygons) + bytes(database.groups) +
                     bytes(database.objects) + bytes(database.lights);
-  for (const scene::Blob& blob : database.blobs) sum += bytes(blob.components) + bytes(blob.origins);
+  for (const scene::Blob& blob : database.blobs)
+    sum += bytes(blob.components) + bytes(blob.origins) + bytes(blob.corners);
   for (const scene::Group& group : database.groups) sum += bytes(group.children) + bytes(group.lights);
   for (const scene::Polynomial& polynomial : database.polynomials) sum += bytes(polynomial.coefficients);
   for (const scene::Polygon& polygon : database.polygons) sum += bytes(polygon.points);

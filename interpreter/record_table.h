@@ -35,7 +35,10 @@ class RecordTable {
   [[nodiscard]] static std::string_view bytes(const Record& record) {
     return {reinterpret_cast<const char*>(&record), sizeof(record)};
   }
-  [[nodiscard]] static bool is_same(const Record& a, const Record& b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+  /// Same bits: what differs in its padding or the sign of a zero alone is kept twice, and nothing else comes of it.
+  [[nodiscard]] static bool is_same(const Record& a, const Record& b) {
+    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
+  }
 
   std::unordered_multimap<std::size_t, std::uint32_t> by_hash_;
   std::uint32_t last_ = 0;

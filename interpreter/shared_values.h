@@ -98,7 +98,7 @@ struct InteriorValue final : Shared {
 };
 
 struct MaterialValue final : Shared {
-  explicit MaterialValue(Surface surface_) : surface(std::move(surface_)) {}
+  explicit MaterialValue(const Surface& surface_) : surface(surface_) {}
   const Surface surface;
 };
 

@@ -216,9 +216,10 @@ bool is_callable(const Value& value) {
   return value.kind() == ValueKind::function || value.kind() == ValueKind::spline;
 }
 
-// The callee is a copy: evaluating the arguments may undeclare the variable that held it.
-[[gnu::noinline]] Value call_function(Context& context, const grammar::Call& node, Value callee) {
+[[gnu::noinline]] Value call_function(Context& context, const grammar::Call& node, const Value& variable) {
   const NestingGuard guard(context, node.span);
+  // Evaluating the arguments may undeclare the variable that holds it.
+  const Value callee = variable;  // NOLINT(performance-unnecessary-copy-initialization)
   return callee.kind() == ValueKind::function ? call(context, node, callee.as<FunctionValue>())
                                               : call(context, node, callee.as<SplineValue>());
 }

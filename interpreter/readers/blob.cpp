@@ -2,6 +2,7 @@
 // as skeletons (radius of the surface that each has alone).
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/blob_component.h"
 #include "interpreter/readers/objects.h"
 #include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 namespace isl::interpreter {
 namespace {
@@ -26,8 +28,18 @@ namespace word = grammar::word;
 /// Beyond it a component's field is a step within a hundredth of its radius.
 constexpr double kMaxHardness = 500;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_sphere,    word::kw_cylinder, word::kw_cone,    word::kw_component,
-                                      word::kw_threshold, word::kw_strength, word::kw_pigment, word::kw_texture};
+constexpr grammar::Symbol kOther[] = {word::kw_component, word::kw_threshold, word::kw_strength, word::kw_pigment,
+                                      word::kw_texture};
+
+/// What may stand in a blob, for suggestions.
+const std::vector<grammar::Symbol>& known_words() {
+  static const std::vector<grammar::Symbol> words = [] {
+    std::vector<grammar::Symbol> all(component_words().begin(), component_words().end());
+    all.insert(all.end(), std::begin(kOther), std::end(kOther));
+    return all;
+  }();
+  return words;
+}
 
 class BlobReader {
  public:
@@ -49,7 +61,7 @@ class BlobReader {
   bool read_item() {
     const Element next = stream_.peek();
     if (next.is(ElementKind::block)) {
-      if (next.word == word::kw_sphere || next.word == word::kw_cylinder || next.word == word::kw_cone) {
+      if (is_component_word(next.word)) {
         stream_.drop();
         read_component(next);
         return true;
@@ -77,7 +89,7 @@ class BlobReader {
     } else if (next.is(ElementKind::value)) {
       return !read_copy();
     }
-    if (!read_object_modifier(stream_, draft_)) refuse(stream_, kKnown);
+    if (!read_object_modifier(stream_, draft_)) refuse(stream_, known_words());
     return true;
   }
 
@@ -130,31 +142,7 @@ class BlobReader {
 
   void read_component(const Element& block) {
     ElementStream stream(context_, block);
-    Component component;
-    component.a = read_vector(stream, "a point");
-    stream.accept_comma();
-    if (block.word == word::kw_sphere) {
-      component.radius_a = component.radius_b = read_positive(stream, "a radius");
-    } else if (block.word == word::kw_cylinder) {
-      component.skeleton = Skeleton::segment;
-      component.b = read_vector(stream, "the second end");
-      stream.accept_comma();
-      component.radius_a = component.radius_b = read_positive(stream, "a radius");
-    } else {
-      if (!is_ours_)
-        context_.fail(block.word_span, "a `cone` in a blob needs a kernel in force",
-                      "write `kernel \"gaussian\"` before it");
-      component.skeleton = Skeleton::cone;
-      component.radius_a = read_positive(stream, "the radius at the first end");
-      stream.accept_comma();
-      component.b = read_vector(stream, "the second end");
-      stream.accept_comma();
-      component.radius_b = read_positive(stream, "the radius at the second end");
-    }
-    const bool has_ends = component.skeleton != Skeleton::point;
-    if (has_ends && (component.b - component.a).length() < kTolerance) {
-      context_.fail(block.span, "both ends of the component are the same point");
-    }
+    Component component = read_component_shape(stream, block, is_ours_, blob_);
     read_strength(stream, component);
     finish(stream, component, block.span);
   }
@@ -202,7 +190,7 @@ class BlobReader {
       if (const std::optional<scene::Transform> next = read_transform(stream)) {
         blob_from_component = blob_from_component ? scene::then(*blob_from_component, *next) : *next;
       } else {
-        refuse(stream, kKnown);
+        refuse(stream, known_words());
       }
     }
     if (texture && blob_from_component) {
@@ -212,9 +200,13 @@ class BlobReader {
     if (blob_from_component) move(component, *blob_from_component);
   }
 
-  /// A similarity keeps a point, segment or cone what it is; any other map stays beside the component.
+  /// A similarity keeps a point, segment or cone what it is; any other map, and of any other skeleton, stays beside the
+  /// component.
   void move(Component& component, const scene::Transform& blob_from_component) {
-    if (const double factor = similarity_factor(blob_from_component.matrix); factor > 0) {
+    const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
+    const double factor =
+        has_ends || component.skeleton == Skeleton::point ? similarity_factor(blob_from_component.matrix) : 0;
+    if (factor > 0) {
       component.a = blob_from_component.point(component.a);
       component.b = component.skeleton == Skeleton::point ? Vec3(0) : blob_from_component.point(component.b);
       component.radius_a *= factor;

@@ -111,7 +111,7 @@ Ref<ObjectValue> read_object(Context& context, const Element& block) {
   Ref<ObjectValue> value = make_shared_value<ObjectValue>();
   value->word = block.word;
   value->object = draft.object;
-  value->surface = draft;
+  value->surface = static_cast<const Surface&>(draft);
   value->lights = std::move(draft.lights);
   return value;
 }

@@ -4,6 +4,8 @@
 // own surface inside.
 #include "renderer/extents/blob_extent.h"
 
+#include "renderer/fields/component_table.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,22 +45,13 @@ struct Profile {
   }
 };
 
-Profile profile_of(const Database& database, const std::vector<KernelConstants>& kernels, const Component& c, int axis,
-                   double sign) {
-  static const scene::Transform kSame;
-  const scene::Transform& blob_from_component =
-      c.transform == scene::kIdentity ? kSame : database.transforms[index(c.transform)];
-  const scene::Matrix& m = blob_from_component.matrix;
-  const double stretch = Vec3(m[0][axis], m[1][axis], m[2][axis]).length();
-  const bool is_point = c.skeleton == scene::Skeleton::point;
-  const Vec3 b = is_point ? c.a : c.b;
-  const double radius_b = c.skeleton == scene::Skeleton::cone ? c.radius_b : c.radius_a;
-  Profile profile;
-  profile.kernel = &kernels[index(c.kernel)];
-  profile.strength = c.strength;
-  profile.end = {sign * blob_from_component.point(c.a)[axis], sign * blob_from_component.point(b)[axis]};
-  profile.radius = {c.radius_a * stretch, radius_b * stretch};
-  return profile;
+Profile profile_of(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
+                   const Component& c, const Vec3& n) {
+  const std::array<Reach, 2> reach = reach_of(database, blob, c, n);
+  return {&kernels[index(c.kernel)],
+          c.strength,
+          {reach[0].coordinate, reach[1].coordinate},
+          {reach[0].radius, reach[1].radius}};
 }
 
 double sum_beyond(std::span<const Profile> profiles, double a) {
@@ -97,9 +90,11 @@ Box3d box_of_blob(const Database& database, const std::vector<KernelConstants>& 
   profiles.reserve(blob.components.size());  // once for all directions: touching new memory took most of the time
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
+      Vec3 n(0);
+      n[axis] = sign;
       profiles.clear();
       for (const Component& c : blob.components) {
-        if (c.strength > 0) profiles.push_back(profile_of(database, kernels, c, axis, sign));
+        if (c.strength > 0) profiles.push_back(profile_of(database, kernels, blob, c, n));
       }
       const std::optional<double> a = profiles.empty() ? std::nullopt : reach(profiles, blob.threshold);
       if (!a) return {};

@@ -1,6 +1,6 @@
 // Gradient and material weights of a blob at a point, from the list of the cell that holds it.
-// ∇f = A φ′(v) ∇v with ∇v = 2 scale (p − c)/r(u)², c the nearest sphere's centre (the envelope theorem again); a component of its
-// own space has its gradient brought back by the inverse transpose.
+// ∇f = A φ′(v) ∇v with ∇v = 2 scale (p − c)/r(u)², c the nearest sphere's centre (the envelope theorem again); a
+// component of its own space has its gradient brought back by the inverse transpose.
 #if defined(ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_
 #undef ISL_RENDERER_FIELDS_BLOB_POINT_INL_H_
@@ -26,21 +26,12 @@ struct PointLanes {
 
 inline void set_point_lane(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& point,
                            PointLanes& lanes, std::uint32_t lane) {
-  const bool is_affine = group.form == FieldForm::affine_point || group.form == FieldForm::affine_limb;
-  const scene::Transform* map = is_affine ? &table.blob_from_component[item - table.first_affine] : nullptr;
+  const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
   const Vec3 p = map ? map->inverse_point(point) : point;
-  Vec3 offset = p - Vec3(table.x[item], table.y[item], table.z[item]);
-  double scale = table.scale[item];
-  if (group.form == FieldForm::limb || group.form == FieldForm::affine_limb) {
-    const Limb& limb = table.limbs[item - table.first_limb];
-    const double x = offset.dot(limb.axis);
-    const double u = limb.nearest(x, (offset - limb.axis * x).length2());
-    const double r = limb.radius_at(u);
-    offset -= limb.axis * u;
-    scale /= r * r;
-  }
-  const Vec3 gradient = map ? map->normal(offset * scale) : offset * scale;
-  lanes.v[lane] = scale * offset.length2();
+  const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
+  const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
+  lanes.v[lane] = half_gradient.dot(foot.offset);
+  const Vec3 gradient = map ? map->normal(half_gradient) : half_gradient;
   lanes.gx[lane] = gradient.x;
   lanes.gy[lane] = gradient.y;
   lanes.gz[lane] = gradient.z;
@@ -48,12 +39,14 @@ inline void set_point_lane(const ComponentTable& table, const FieldGroup& group,
 }
 
 template <class Kernel>
-void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
-                     std::uint32_t count, const Vec3& point, Octet& gx, Octet& gy, Octet& gz, BlobPoint& result) {
+void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
+                     const std::uint32_t* items, std::uint32_t count, const Vec3& point, Octet& gx, Octet& gy,
+                     Octet& gz, BlobPoint& result) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
     const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
     PointLanes lanes;
-    for (std::uint32_t j = 0; j < kOctet; ++j) set_point_lane(table, group, items[i + std::min(j, n - 1)], point, lanes, j);
+    for (std::uint32_t j = 0; j < kOctet; ++j)
+      set_point_lane(table, group, items[i + std::min(j, n - 1)], point, lanes, j);
     for (std::uint32_t j = n; j < kOctet; ++j) lanes.v[j] = 2 * group.kernel.support;
     const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
     const OctetMask active = v < kernel.support();

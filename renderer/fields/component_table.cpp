@@ -3,17 +3,18 @@
 #include "base/check.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <limits>
 #include <optional>
 #include <tuple>
+#include <type_traits>
+#include <variant>
 
 namespace isl::render {
 namespace {
 
-/// The factor by which a map stretches every length, if it does so evenly: rotations, mirrors and uniform scalings keep spheres
-/// spheres and can be baked in. The columns' lengths and angles may miss that by rounding only: 16 units in the last place
-/// cover the products of a dozen transforms.
+/// The factor by which a map stretches every length, if it does so evenly: rotations, mirrors and uniform scalings keep
+/// spheres spheres and can be baked in. The columns' lengths and angles may miss that by rounding only: 16 units in the
+/// last place cover the products of a dozen transforms.
 std::optional<double> similarity_factor(const scene::Matrix& m) {
   const Vec3 rows[3] = {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
   const double square = rows[0].length2();
@@ -25,42 +26,68 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
   return std::sqrt(square);
 }
 
-/// A component in blob space (similarities baked in), before sorting.
+/// The shape of a component, in its own space: one of the skeletons, or a point with a radius.
+struct Sphere {
+  Vec3 centre;
+  double radius;
+};
+using Shape = std::variant<Sphere
+#define ISL_SKELETON(form, Type) , Type
+#include "renderer/fields/skeletons/skeletons.def"
+#undef ISL_SKELETON
+                           >;
+
+Shape limb_or_sphere(const Vec3& a, const Vec3& b, double radius_a, double radius_b) {
+  const Vec3 ab = b - a;
+  const double length = ab.length();
+  if (length == 0) return Sphere{a, std::max(radius_a, radius_b)};
+  return Limb{a, ab / length, length, radius_a, (radius_b - radius_a) / length};
+}
+
+Shape shape_of(const scene::Blob& blob, const scene::Component& c) {
+  switch (c.skeleton) {
+    case scene::Skeleton::point: return Sphere{c.a, c.radius_a};
+    case scene::Skeleton::segment: return limb_or_sphere(c.a, c.b, c.radius_a, c.radius_a);
+    case scene::Skeleton::cone: return limb_or_sphere(c.a, c.b, c.radius_a, c.radius_b);
+    case scene::Skeleton::box: return SolidBox{c.a, c.b, c.radius_a};
+    case scene::Skeleton::triangle: return FlatTriangle(c.a, c.b, blob.corners[c.corner], c.radius_a);
+    case scene::Skeleton::circle: return Circle{c.a, c.b, c.radius_b, c.radius_a};
+  }
+  ISL_CHECK(false, "skeleton {}", static_cast<int>(c.skeleton));
+}
+
+/// A component in blob space (similarities of points and limbs baked in), before sorting.
 struct Prepared {
   FieldForm form;
-  scene::KernelId kernel;
-  Vec3 a, b;
-  double radius_a, radius_b, strength;
-  scene::TransformId transform;
-  scene::TextureId texture;
+  scene::Component component;
   std::uint32_t source;
   std::uint64_t morton = 0;
+
+  [[nodiscard]] bool is_mapped() const { return component.transform != scene::kIdentity; }
 };
 
 /// Geometry apart, what makes two components the same: the last word in the canonical order.
 auto parameters(const Prepared& p) {
-  return std::tuple(p.a.x, p.a.y, p.a.z, p.b.x, p.b.y, p.b.z, p.radius_a, p.radius_b, p.strength, scene::index(p.texture));
+  const scene::Component& c = p.component;
+  return std::tuple(c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z, c.radius_a, c.radius_b, c.strength, c.corner,
+                    scene::index(c.texture));
 }
 
-Prepared prepare(const scene::Database& database, const scene::Component& c, std::uint32_t source) {
-  Prepared p{FieldForm::point, c.kernel, c.a, c.b, c.radius_a, c.radius_b, c.strength, c.transform, c.texture, source};
-  const bool limb = c.skeleton != scene::Skeleton::point && c.a != c.b;
-  if (c.skeleton != scene::Skeleton::cone) p.radius_b = p.radius_a;
-  if (!limb) {
-    p.b = p.a;
-    p.radius_a = std::max(p.radius_a, p.radius_b);
-  }
-  p.form = limb ? FieldForm::limb : FieldForm::point;
-  if (c.transform == scene::kIdentity) return p;
+Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::uint32_t source) {
+  Prepared p{FieldForm::point, blob.components[source], source};
+  scene::Component& c = p.component;
+  const bool has_ends = c.skeleton == scene::Skeleton::segment || c.skeleton == scene::Skeleton::cone;
+  if (c.skeleton == scene::Skeleton::point) c.b = c.a;
+  if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
+  p.form = static_cast<FieldForm>(shape_of(blob, c).index());
+  if (!p.is_mapped() || (c.skeleton != scene::Skeleton::point && !has_ends)) return p;
   const scene::Transform& transform = database.transforms[scene::index(c.transform)];
   if (const auto factor = similarity_factor(transform.matrix)) {
-    p.a = transform.point(p.a);
-    p.b = transform.point(p.b);
-    p.radius_a *= *factor;
-    p.radius_b *= *factor;
-    p.transform = scene::kIdentity;
-  } else {
-    p.form = limb ? FieldForm::affine_limb : FieldForm::affine_point;
+    c.a = transform.point(c.a);
+    c.b = transform.point(c.b);
+    c.radius_a *= *factor;
+    c.radius_b *= *factor;
+    c.transform = scene::kIdentity;
   }
   return p;
 }
@@ -76,57 +103,15 @@ std::uint64_t spread(std::uint64_t x) {
 
 void set_morton_codes(std::vector<Prepared>& prepared) {
   Box box;
-  for (const Prepared& p : prepared) box.extendBy(p.a);
+  for (const Prepared& p : prepared) box.extendBy(p.component.a);
   const Vec3 size = box.size();
   const double extent = std::max({size.x, size.y, size.z});
   const double cells = extent > 0 ? 0x1.FFFFFp20 / extent : 0;
   for (Prepared& p : prepared) {
-    const Vec3 cell = (p.a - box.min) * cells;
+    const Vec3 cell = (p.component.a - box.min) * cells;
     p.morton = spread(static_cast<std::uint64_t>(cell.x)) | spread(static_cast<std::uint64_t>(cell.y)) << 1 |
                spread(static_cast<std::uint64_t>(cell.z)) << 2;
   }
-}
-
-Limb make_limb(const Prepared& p) {
-  const Vec3 ab = p.b - p.a;
-  const double length = ab.length();
-  return {p.a, ab / length, length, p.radius_a, (p.radius_b - p.radius_a) / length};
-}
-
-struct Range {
-  double low, high;
-};
-
-/// Squared distance from a point to a box: least and greatest.
-Range squared_distance(const Vec3& p, const Box& box) {
-  Range range{0, 0};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double below = box.min[axis] - p[axis], above = p[axis] - box.max[axis];
-    const double nearest = std::max({below, above, 0.0});
-    const double farthest = std::max(-below, -above);
-    range.low += nearest * nearest;
-    range.high += farthest * farthest;
-  }
-  return range;
-}
-
-/// q of a limb over a box, through the rectangle in (x, ρ) that holds the box.
-Range limb_q(const Limb& limb, const Box& box) {
-  const Vec3 half = box.size() * 0.5;
-  const Vec3 centre = box.center() - limb.a;
-  const double x = centre.dot(limb.axis);
-  const double half_x = std::abs(limb.axis.x) * half.x + std::abs(limb.axis.y) * half.y + std::abs(limb.axis.z) * half.z;
-  const double rho = (centre - limb.axis * x).length();
-  double least_axial2 = half_x * half_x;
-  for (const Vec3& diagonal : {Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z), Vec3(half.x, half.y, -half.z)}) {
-    const double axial = diagonal.dot(limb.axis);
-    least_axial2 = std::min(least_axial2, axial * axial);
-  }
-  const double half_rho = std::sqrt(std::max(half.length2() - least_axial2, 0.0));
-  const double rho_low = std::max(rho - half_rho, 0.0), rho_high = rho + half_rho;
-  const double nearest_x = std::clamp(limb.thick_end(), x - half_x, x + half_x);
-  return {limb.q(nearest_x, rho_low * rho_low),
-          std::max(limb.q(x - half_x, rho_high * rho_high), limb.q(x + half_x, rho_high * rho_high))};
 }
 
 /// An axis-parallel box around the image of a box.
@@ -140,8 +125,43 @@ Box image(const Box& box, const scene::Matrix& m) {
   return {centre - extent, centre + extent};
 }
 
-bool is_affine(FieldForm form) { return form == FieldForm::affine_point || form == FieldForm::affine_limb; }
-bool is_limb(FieldForm form) { return form == FieldForm::limb || form == FieldForm::affine_limb; }
+/// Puts a shape into its table's rows.
+struct AddShape {
+  ComponentTable& table;
+
+  void operator()(const Sphere&) const {}
+  template <class T>
+  void operator()(const T& shape) const {
+    std::get<std::vector<T>>(table.shapes_and_maps).push_back(shape);
+  }
+};
+
+/// How many shapes of that form, and maps, the table has so far.
+std::uint32_t shape_count(const ComponentTable& table, FieldForm form) {
+  switch (form) {
+    case FieldForm::point: return 0;
+#define ISL_SKELETON(form, Type) \
+  case FieldForm::form:          \
+    return static_cast<std::uint32_t>(table.rows<Type>().size());
+#include "renderer/fields/skeletons/skeletons.def"
+#undef ISL_SKELETON
+  }
+  ISL_CHECK(false, "form {}", static_cast<int>(form));
+}
+
+/// Calls `use` with the skeleton of a record, in its own space.
+template <class Use>
+auto with_skeleton_of(const scene::Blob& blob, const scene::Component& c, const Use& use) {
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Sphere>) {
+          return use(Point{shape.centre, 1 / (shape.radius * shape.radius)});
+        } else {
+          return use(shape);
+        }
+      },
+      shape_of(blob, c));
+}
 
 }  // namespace
 
@@ -153,21 +173,20 @@ const FieldGroup& ComponentTable::group_of(std::uint32_t component) const {
 }
 
 std::size_t ComponentTable::bytes() const {
-  return (x.capacity() + y.capacity() + z.capacity() + scale.capacity() + amplitude.capacity()) * sizeof(double) +
-         texture.capacity() * sizeof(scene::TextureId) + source.capacity() * sizeof(std::uint32_t) +
-         limbs.capacity() * sizeof(Limb) + blob_from_component.capacity() * sizeof(scene::Transform);
+  const auto of_rows = [](const auto&... columns) { return ((columns.capacity() * sizeof(columns[0])) + ...); };
+  return of_rows(x, y, z, scale, amplitude, texture, source) + std::apply(of_rows, shapes_and_maps);
 }
 
 ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob) {
   std::vector<Prepared> prepared;
   prepared.reserve(blob.components.size());
   for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
-    if (blob.components[i].strength != 0) prepared.push_back(prepare(database, blob.components[i], i));
+    if (blob.components[i].strength != 0) prepared.push_back(prepare(database, blob, i));
   }
   set_morton_codes(prepared);
-  std::sort(prepared.begin(), prepared.end(), [](const Prepared& p, const Prepared& q) {
-    if (p.form != q.form) return p.form < q.form;
-    if (p.kernel != q.kernel) return p.kernel < q.kernel;
+  const auto group_of = [](const Prepared& p) { return std::tuple(p.is_mapped(), p.form, p.component.kernel); };
+  std::sort(prepared.begin(), prepared.end(), [&](const Prepared& p, const Prepared& q) {
+    if (group_of(p) != group_of(q)) return group_of(p) < group_of(q);
     if (p.morton != q.morton) return p.morton < q.morton;
     return parameters(p) < parameters(q);
   });
@@ -175,72 +194,94 @@ ComponentTable compile_components(const scene::Database& database, const scene::
   ComponentTable table;
   table.threshold = blob.threshold;
   const auto n = static_cast<std::uint32_t>(prepared.size());
-  table.first_limb = table.first_affine = n;
   for (auto* column : {&table.x, &table.y, &table.z, &table.scale, &table.amplitude}) column->reserve(n);
   table.texture.reserve(n);
   table.source.reserve(n);
   for (std::uint32_t i = 0; i < n; ++i) {
     const Prepared& p = prepared[i];
-    const bool same = i > 0 && prepared[i - 1].form == p.form && prepared[i - 1].kernel == p.kernel;
-    if (!same) {
-      table.groups.push_back({p.form, kernel_constants(database.kernels[static_cast<std::size_t>(p.kernel)]), i, i});
+    const scene::Component& c = p.component;
+    if (i == 0 || group_of(prepared[i - 1]) != group_of(p)) {
+      const KernelConstants kernel = kernel_constants(database.kernels[static_cast<std::size_t>(c.kernel)]);
+      const auto first_map = static_cast<std::uint32_t>(table.rows<scene::Transform>().size());
+      table.groups.push_back({p.is_mapped(), p.form, kernel, i, i, shape_count(table, p.form), first_map});
     }
     FieldGroup& group = table.groups.back();
     group.end = i + 1;
-    // Order of forms: point, limb, affine_point, affine_limb. Rows of limbs and maps run to the end from their first use.
-    if (is_limb(p.form) || is_affine(p.form)) {
-      table.first_limb = std::min(table.first_limb, i);
-      table.limbs.push_back(is_limb(p.form) ? make_limb(p) : Limb{p.a, Vec3(0, 0, 1), 0, p.radius_a, 0});
+    const Shape shape = shape_of(blob, c);
+    std::visit(AddShape{table}, shape);
+    if (p.is_mapped()) {
+      std::get<std::vector<scene::Transform>>(table.shapes_and_maps)
+          .push_back(database.transforms[scene::index(c.transform)]);
     }
-    if (is_affine(p.form)) {
-      table.first_affine = std::min(table.first_affine, i);
-      table.blob_from_component.push_back(database.transforms[scene::index(p.transform)]);
-    }
-    table.x.push_back(p.a.x);
-    table.y.push_back(p.a.y);
-    table.z.push_back(p.a.z);
-    table.scale.push_back(is_limb(p.form) ? group.kernel.scale : group.kernel.scale / (p.radius_a * p.radius_a));
-    table.amplitude.push_back(p.strength * group.kernel.amplitude);
-    table.texture.push_back(p.texture);
+    const Sphere* const sphere = std::get_if<Sphere>(&shape);
+    const Vec3 centre = sphere ? sphere->centre : c.a;
+    table.x.push_back(centre.x);
+    table.y.push_back(centre.y);
+    table.z.push_back(centre.z);
+    table.scale.push_back(sphere ? group.kernel.scale / (sphere->radius * sphere->radius) : group.kernel.scale);
+    table.amplitude.push_back(c.strength * group.kernel.amplitude);
+    table.texture.push_back(c.texture);
     table.source.push_back(p.source);
   }
   return table;
 }
 
-FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component, const Box& blob_box) {
-  const Box box = is_affine(group.form)
-                      ? image(blob_box, table.blob_from_component[component - table.first_affine].inverse)
-                      : blob_box;
-  const Range argument = is_limb(group.form)
-                             ? limb_q(table.limbs[component - table.first_limb], box)
-                             : squared_distance({table.x[component], table.y[component], table.z[component]}, box);
-  if (!(table.scale[component] * argument.low < group.kernel.support)) return {0, 0};
-  const double near = table.amplitude[component] * kernel_profile(group.kernel, table.scale[component] * argument.low);
-  const double far = table.amplitude[component] * kernel_profile(group.kernel, table.scale[component] * argument.high);
+FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
+                       const Box& blob_box) {
+  const Box box = group.is_mapped ? image(blob_box, table.blob_from_component(group, component).inverse) : blob_box;
+  const QRange q = table.with_skeleton(group, component, [&](const auto& skeleton) { return skeleton.q_over(box); });
+  const double scale = ComponentTable::v_scale(group);
+  if (!(scale * q.low < group.kernel.support)) return {0, 0};
+  const double near = table.amplitude[component] * kernel_profile(group.kernel, scale * q.low);
+  const double far = table.amplitude[component] * kernel_profile(group.kernel, scale * q.high);
   return {std::min(near, far), std::max(near, far)};
 }
 
 double support_radius(const ComponentTable& table, const FieldGroup& group, std::uint32_t component) {
-  if (!is_limb(group.form)) return std::sqrt(group.kernel.support / table.scale[component]);
-  const Limb& limb = table.limbs[component - table.first_limb];
-  return std::max(limb.radius, limb.radius_at(limb.length)) * std::sqrt(group.kernel.support_q());
+  const auto thickest = [](const auto& skeleton) { return skeleton.thickest(); };
+  return table.with_skeleton(group, component, thickest) * ComponentTable::support_root(group);
 }
 
 Box support_bounds(const ComponentTable& table, const FieldGroup& group, std::uint32_t component) {
-  const Vec3 a(table.x[component], table.y[component], table.z[component]);
+  const double root_q = ComponentTable::support_root(group);
   Box box;
-  if (is_limb(group.form)) {
-    const Limb& limb = table.limbs[component - table.first_limb];
-    const double reach = std::sqrt(group.kernel.support_q());
-    const Vec3 at_a(limb.radius * reach), at_b(limb.radius_at(limb.length) * reach);
-    const Vec3 b = a + limb.axis * limb.length;
-    box.extendBy(Box(a - at_a, a + at_a));
-    box.extendBy(Box(b - at_b, b + at_b));
-  } else {
-    const Vec3 reach(support_radius(table, group, component));
-    box = Box(a - reach, a + reach);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      Vec3 n(0);
+      n[axis] = sign;
+      double most = -std::numeric_limits<double>::infinity();
+      const auto reach = [&](const auto& skeleton) { return skeleton.reach(n); };
+      for (const Reach& end : table.with_skeleton(group, component, reach))
+        most = std::max(most, end.coordinate + end.radius * root_q);
+      (sign < 0 ? box.min : box.max)[axis] = sign * most;
+    }
   }
-  return is_affine(group.form) ? image(box, table.blob_from_component[component - table.first_affine].matrix) : box;
+  return group.is_mapped ? image(box, table.blob_from_component(group, component).matrix) : box;
+}
+
+double q_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+            const Vec3& point) {
+  const bool is_moved = component.transform != scene::kIdentity;
+  const Vec3 p = is_moved ? database.transforms[scene::index(component.transform)].inverse_point(point) : point;
+  return with_skeleton_of(blob, component, [&](const auto& skeleton) { return skeleton.nearest(p).q(); });
+}
+
+std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,
+                              const scene::Component& component, const Vec3& n) {
+  const auto reach = [&](const Vec3& own_n) {
+    return with_skeleton_of(blob, component, [&](const auto& skeleton) { return skeleton.reach(own_n); });
+  };
+  if (component.transform == scene::kIdentity) return reach(n);
+  // n·(Mp + s) = (Mᵀn)·p + n·s; one radius measures |Mᵀn| along n.
+  const scene::Matrix& m = database.transforms[scene::index(component.transform)].matrix;
+  const Vec3 own_n(n.dot({m[0][0], m[0][1], m[0][2]}), n.dot({m[1][0], m[1][1], m[1][2]}),
+                   n.dot({m[2][0], m[2][1], m[2][2]}));
+  std::array<Reach, 2> result = reach(own_n);
+  for (Reach& r : result) {
+    r.coordinate += n.dot({m[3][0], m[3][1], m[3][2]});
+    r.radius *= own_n.length();
+  }
+  return result;
 }
 
 }  // namespace isl::render

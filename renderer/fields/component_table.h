@@ -1,48 +1,96 @@
-// A blob's components made ready for evaluation: sorted into groups of one form and one kernel, in a canonical order (Morton
-// code, then parameters) so that neither the order in which a scene names them nor the number of threads decides a bit of any
-// sum. Everything is in the blob's own space. Made once a blob; read by grid, solvers and shading.
+// A blob's components made ready for evaluation: sorted into groups of one form and one kernel, in a canonical order
+// (Morton code, then parameters) so that neither the order in which a scene names them nor the number of threads
+// decides a bit of any sum. Everything is in the blob's own space. Made once a blob; read by grid, solvers and shading.
 #pragma once
 
+#include "base/check.h"
 #include "renderer/fields/kernels/kernel_constants.h"
+#include "renderer/fields/skeletons/circle.h"
+#include "renderer/fields/skeletons/flat_triangle.h"
 #include "renderer/fields/skeletons/limb.h"
+#include "renderer/fields/skeletons/point.h"
+#include "renderer/fields/skeletons/solid_box.h"
 #include "renderer/scene/database.h"
 
-#include <ImathBox.h>
-
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace isl::render {
 
-using Box = Imath::Box3d;
+/// What decides the code that evaluates a component.
+enum class FieldForm : std::uint8_t {
+  point,
+#define ISL_SKELETON(form, Type) form,
+#include "renderer/fields/skeletons/skeletons.def"
+#undef ISL_SKELETON
+};
 
-/// What decides the code that evaluates a component. `affine`: its transform is no similarity and stays a map of its own.
-enum class FieldForm : std::uint8_t { point, limb, affine_point, affine_limb };
-
-/// Components begin … end − 1 share form and kernel.
+/// Components begin … end − 1 share form, kernel, and whether they are mapped: a transform that is no similarity stays
+/// a map of its own, by which rays and points come into the component's space.
 struct FieldGroup {
+  bool is_mapped;
   FieldForm form;
   KernelConstants kernel;
   std::uint32_t begin, end;
+  std::uint32_t first_shape;  ///< of the first component, among the shapes of its form
+  std::uint32_t first_map;    ///< likewise, where is_mapped
 };
 
 struct ComponentTable {
   double threshold = 1;
   std::vector<FieldGroup> groups;
   // One row a component.
-  std::vector<double> x, y, z;      ///< centre of a point; end a of a limb; in component space for affine forms
-  std::vector<double> scale;        ///< of a point: v = scale · distance²; of a limb: v = scale · q
-  std::vector<double> amplitude;    ///< strength times the kernel's
+  std::vector<double> x, y, z;    ///< centre of a point; in its own space if mapped
+  std::vector<double> scale;      ///< of a point: v = scale · distance²; of all else: v = scale · q
+  std::vector<double> amplitude;  ///< strength times the kernel's
   std::vector<scene::TextureId> texture;
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
-  // Limbs and affine maps lie apart: one row a component from first_limb, first_affine on (they need more than points do).
-  std::uint32_t first_limb = 0, first_affine = 0;
-  std::vector<Limb> limbs;
-  std::vector<scene::Transform> blob_from_component;
+  // What only some have: a row for each component of the form, and for each that is mapped.
+  std::tuple<
+#define ISL_SKELETON(form, Type) std::vector<Type>,
+#include "renderer/fields/skeletons/skeletons.def"
+#undef ISL_SKELETON
+      std::vector<scene::Transform>>
+      shapes_and_maps;
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(x.size()); }
   [[nodiscard]] const FieldGroup& group_of(std::uint32_t component) const;
   [[nodiscard]] std::size_t bytes() const;
+
+  template <class T>
+  [[nodiscard]] const std::vector<T>& rows() const {
+    return std::get<std::vector<T>>(shapes_and_maps);
+  }
+  template <class Shape>
+  [[nodiscard]] const Shape& shape(const FieldGroup& group, std::uint32_t component) const {
+    return rows<Shape>()[component - group.begin + group.first_shape];
+  }
+  [[nodiscard]] const scene::Transform& blob_from_component(const FieldGroup& group, std::uint32_t component) const {
+    return rows<scene::Transform>()[component - group.begin + group.first_map];
+  }
+  /// v of a component = v_scale · q of its skeleton as with_skeleton() gives it: a point's radius is one of v already,
+  /// for a rounding less.
+  [[nodiscard]] static double v_scale(const FieldGroup& group) {
+    return group.form == FieldForm::point ? 1 : group.kernel.scale;
+  }
+  /// The root of the skeleton's q where the support ends.
+  [[nodiscard]] static double support_root(const FieldGroup& group) {
+    return std::sqrt(group.kernel.support / v_scale(group));
+  }
+  /// What `use` makes of the component's skeleton, in its own space.
+  template <class Use>
+  auto with_skeleton(const FieldGroup& group, std::uint32_t component, const Use& use) const {
+    switch (group.form) {
+      case FieldForm::point: return use(Point{{x[component], y[component], z[component]}, scale[component]});
+#define ISL_SKELETON(form, Type) \
+  case FieldForm::form:          \
+    return use(shape<Type>(group, component));
+#include "renderer/fields/skeletons/skeletons.def"
+#undef ISL_SKELETON
+    }
+    ISL_CHECK(false, "form {}", static_cast<int>(group.form));
+  }
 };
 
 /// `database` resolves kernels and transforms. Components of strength 0 are left out: they add nothing.
@@ -53,13 +101,24 @@ struct FieldRange {
   double low, high;
 };
 
-/// An enclosure of f_component over the box, tight for points; {0, 0} exactly when the support does not reach it.
-[[nodiscard]] FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component, const Box& box);
+/// An enclosure of f_component over the box, tight for points; {0, 0} exactly when the support does not reach it. In
+/// blob space.
+[[nodiscard]] FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
+                                     const Box& box);
 
 /// A box around the component's support.
 [[nodiscard]] Box support_bounds(const ComponentTable& table, const FieldGroup& group, std::uint32_t component);
 
-/// Radius of the largest sphere of the skeleton times the root of the support's q: how far the field reaches from its skeleton.
+/// Radius of the largest sphere of the skeleton times the root of the support's q: how far the field reaches from its
+/// skeleton.
 [[nodiscard]] double support_radius(const ComponentTable& table, const FieldGroup& group, std::uint32_t component);
+
+/// q of a component at a point of the blob's space, straight from the record (blob: for its corners).
+[[nodiscard]] double q_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+                          const Vec3& point);
+
+/// How far the component comes along n, in the blob's space: of skeleton spheres that hold all of them between them.
+[[nodiscard]] std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,
+                                            const scene::Component& component, const Vec3& n);
 
 }  // namespace isl::render

@@ -1,8 +1,8 @@
-// Octets read back from LaneMemory: the two forms that all skeletons take along a ray.
+// Octets read back from LaneMemory: the forms that skeletons take along a ray.
 //
-// Quadratic lanes: v = v₀ + κ(t − t₀)² on [begin, end), for points and for the three pieces of a segment (end spheres,
-// and between the end planes the distance to the axis). Cone lanes: the round cone of skeletons/limb.h in (x, ρ²), x =
-// x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)².
+// Quadratic lanes: v = v₀ + κ(t − t₀)² on [begin, end), for points and for the pieces of segments, boxes and triangles.
+// Cone lanes: the round cone of skeletons/limb.h in (x, ρ²), x = x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)². Circle lanes:
+// that of skeletons/circle.h in (z, ρ²), likewise.
 #if defined(ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
 #undef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
@@ -11,6 +11,7 @@
 #endif
 
 #include "renderer/fields/lane_memory.h"
+#include "renderer/fields/skeletons/circle_lanes-inl.h"
 #include "renderer/fields/skeletons/cone_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,6 +43,15 @@ struct QuadraticLanes {
           load(at + LaneMemory::kNMiddle * stride),      load(at + LaneMemory::kRadius * stride),
           load(at + LaneMemory::kSlope * stride),        load(at + LaneMemory::kLength * stride),
           load(at + LaneMemory::kConeAmplitude * stride)};
+}
+
+[[nodiscard]] HWY_INLINE CircleLanes load_circle(const LaneMemory& memory, std::uint32_t i) {
+  const double* const at = memory.circle.row(i);
+  const std::size_t stride = memory.circle.stride();
+  return {load(at + LaneMemory::kZ0 * stride),      load(at + LaneMemory::kDz * stride),
+          load(at + LaneMemory::kC0 * stride),      load(at + LaneMemory::kC2 * stride),
+          load(at + LaneMemory::kCMiddle * stride), load(at + LaneMemory::kRing * stride),
+          load(at + LaneMemory::kInverse * stride), load(at + LaneMemory::kCircleAmplitude * stride)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// The memory in which RayLanes lays out the fields of a cell: one a thread, grown to the longest list and reused, so that
-// tracing allocates nothing. Columns of doubles, 64-byte aligned, each `stride` long.
+// The memory in which RayLanes lays out the fields of a cell: one a thread, grown to the longest list and reused, so
+// that tracing allocates nothing. Columns of doubles, 64-byte aligned, each `stride` long.
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"
@@ -32,29 +32,37 @@ class LaneTable {
   hwy::AlignedFreeUniquePtr<double[]> data_;
 };
 
-/// Lanes of one kernel: quadratic lanes first_quadratic … last_quadratic − 1 and cone lanes likewise, whole octets.
+/// Rows first … last − 1 of a table, whole octets.
+struct LaneSpan {
+  std::uint32_t first, last;
+
+  [[nodiscard]] bool is_empty() const { return first == last; }
+};
+
+/// Lanes of one kernel.
 struct LaneRun {
   const KernelConstants* kernel;
   bool has_pieces;  ///< quadratic lanes hold on [begin, end) only
-  std::uint32_t first_quadratic, last_quadratic;
-  std::uint32_t first_cone, last_cone;
+  LaneSpan quadratics, cones, circles;
 };
 
 struct LaneMemory {
   enum QuadraticColumn { kV0, kKappa, kMiddle, kAmplitude, kBegin, kEnd, kQuadraticColumns };
   enum ConeColumn { kX0, kDx, kN0, kN2, kNMiddle, kRadius, kSlope, kLength, kConeAmplitude, kConeColumns };
+  enum CircleColumn { kZ0, kDz, kC0, kC2, kCMiddle, kRing, kInverse, kCircleAmplitude, kCircleColumns };
 
   LaneTable quadratic{kQuadraticColumns};
   LaneTable cone{kConeColumns};
+  LaneTable circle{kCircleColumns};
   std::vector<LaneRun> runs;
 
-  /// Room for a cell of `count` components: a segment makes three lanes, and every run is filled up to an octet; a list cannot
-  /// change group more often than it has entries.
+  /// Room for a cell of `count` components: a triangle makes up to ten lanes, and every run is filled up to an octet; a
+  /// list cannot change group more often than it has entries.
   void reserve_lanes(std::uint32_t count) {
-    constexpr std::size_t kMostFill = 8;
-    const std::size_t rows = (3 + kMostFill) * std::size_t{count} + kMostFill;
-    quadratic.reserve(rows);
-    cone.reserve(rows);
+    constexpr std::size_t kMostPieces = 10, kMostFill = 8;
+    quadratic.reserve((kMostPieces + kMostFill) * std::size_t{count} + kMostFill);
+    cone.reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
+    circle.reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
     runs.reserve(count);
   }
 };

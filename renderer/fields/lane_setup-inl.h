@@ -51,11 +51,11 @@ class LaneSetup {
       } else {
         while (last < count && items[last] < group.end) ++last;
       }
-      const std::uint32_t first_quadratic = quadratics_, first_cone = cones_;
+      first_ = {quadratics_, cones_, circles_};
       with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
         add_group(kernel, table, group, items + next, last - next, origin, direction, t0, t1);
       });
-      close_run(group, first_quadratic, first_cone);
+      close_run(group);
       next = last;
     }
     return sums_;
@@ -67,32 +67,42 @@ class LaneSetup {
                             const std::uint32_t* items, std::uint32_t count, const Vec3& origin, const Vec3& direction,
                             double t0, double t1) {
     sums_.exponent = std::max(sums_.exponent, group.kernel.support);
-    const std::uint32_t first_quadratic = quadratics_, first_cone = cones_;
-    switch (group.form) {
-      case FieldForm::point: return add_points(kernel, table, items, count, origin, direction, t0, t1);
-      case FieldForm::limb:
-        for (std::uint32_t i = 0; i < count; ++i) {
-          add_limb(table, items[i], group.kernel, origin, direction, t0, t1);
-        }
-        break;
-      case FieldForm::affine_point:
-      case FieldForm::affine_limb:
-        for (std::uint32_t i = 0; i < count; ++i) {
-          const scene::Transform& map = table.blob_from_component[items[i] - table.first_affine];
-          const Vec3 o = map.inverse_point(origin), d = map.inverse_vector(direction);
-          if (group.form == FieldForm::affine_limb) {
-            add_limb(table, items[i], group.kernel, o, d, t0, t1);
-          } else {
-            const Vec3 centre(table.x[items[i]], table.y[items[i]], table.z[items[i]]);
-            add_sphere(centre, table.scale[items[i]], table.amplitude[items[i]], group.kernel.support, o, d, t0, t1,
-                       -kInfinity, kInfinity);
-          }
-        }
-        break;
+    if (group.form == FieldForm::point && !group.is_mapped)
+      return add_points(kernel, table, items, count, origin, direction, t0, t1);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t item = items[i];
+      if (group.is_mapped) {
+        const scene::Transform& map = table.blob_from_component(group, item);
+        add_shape(table, group, item, map.inverse_point(origin), map.inverse_vector(direction), t0, t1);
+      } else {
+        add_shape(table, group, item, origin, direction, t0, t1);
+      }
     }
     sums_.field_count += count;
-    pad(first_quadratic, first_cone, group.kernel.support);
-    sum_up(kernel, group, first_quadratic, first_cone, t0, t1);
+    pad(group.kernel.support);
+    sum_up(kernel, group, t0, t1);
+  }
+
+  void add_shape(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& origin,
+                 const Vec3& direction, double t0, double t1) {
+    const double amplitude = table.amplitude[item], scale = ComponentTable::v_scale(group);
+    const auto add_piece = [&](const QuadraticPiece& piece) {
+      add_quadratic(scale * piece.q0, scale * piece.kappa, piece.middle, amplitude, group.kernel.support, t0, t1,
+                    piece.begin, piece.end);
+    };
+    switch (group.form) {
+      case FieldForm::point:
+        return add_piece(sphere_piece({table.x[item], table.y[item], table.z[item]}, table.scale[item], origin,
+                                      direction, -kInfinity, kInfinity));
+      case FieldForm::limb: {
+        const Limb& limb = table.shape<Limb>(group, item);
+        if (limb.slope != 0) return add_cone(limb, amplitude, origin, direction);
+        return limb.along(origin, direction, add_piece);
+      }
+      case FieldForm::box: return table.shape<SolidBox>(group, item).along(origin, direction, add_piece);
+      case FieldForm::triangle: return table.shape<FlatTriangle>(group, item).along(origin, direction, add_piece);
+      case FieldForm::circle: return add_circle(table.shape<Circle>(group, item), amplitude, origin, direction);
+    }
   }
 
   template <class Kernel>
@@ -138,16 +148,6 @@ class LaneSetup {
     return load(kIndex) < Octet(static_cast<double>(n));
   }
 
-  /// The lane of a sphere, valid on [begin, end).
-  void add_sphere(const Vec3& centre, double scale, double amplitude, double support, const Vec3& origin,
-                  const Vec3& direction, double t0, double t1, double begin, double end) {
-    const Vec3 oc = centre - origin;
-    const double dd = direction.length2();
-    const double middle = oc.dot(direction) / dd;
-    add_quadratic(scale * (oc - direction * middle).length2(), scale * dd, middle, amplitude, support, t0, t1, begin,
-                  end);
-  }
-
   void add_quadratic(double v0, double kappa, double middle, double amplitude, double support, double t0, double t1,
                      double begin, double end) {
     const double from = std::max(t0, begin), to = std::min(t1, end);
@@ -164,55 +164,53 @@ class LaneSetup {
     at[LaneMemory::kEnd * stride] = end;
   }
 
-  /// A segment becomes up to three quadratic lanes, a cone one cone lane.
-  void add_limb(const ComponentTable& table, std::uint32_t item, const KernelConstants& kernel, const Vec3& origin,
-                const Vec3& direction, double t0, double t1) {
-    const Limb& limb = table.limbs[item - table.first_limb];
-    const double amplitude = table.amplitude[item];
-    const Vec3 oa = origin - limb.a;
-    const double x0 = oa.dot(limb.axis), dx = direction.dot(limb.axis);
-    const Vec3 o = oa - limb.axis * x0, d = direction - limb.axis * dx;
+  /// A line about an axis through `at`: its place along the axis, x₀ + x′t, and its squared distance from it, n₀ + n₂(t
+  /// − tₙ)².
+  struct AboutAxis {
+    double x0, dx, n0, n2, middle;
+  };
+  [[nodiscard]] static AboutAxis about_axis(const Vec3& at, const Vec3& axis, const Vec3& origin,
+                                            const Vec3& direction) {
+    const Vec3 from = origin - at;
+    const double x0 = from.dot(axis), dx = direction.dot(axis);
+    const Vec3 o = from - axis * x0, d = direction - axis * dx;
     const double n2 = d.length2();
     const double middle = n2 > 0 ? -o.dot(d) / n2 : 0.0;
-    const double n0 = (o + d * middle).length2();
-    if (limb.slope != 0) {
-      double* const at = m_.cone.row(cones_++);
-      const std::size_t stride = m_.cone.stride();
-      at[LaneMemory::kX0 * stride] = x0;
-      at[LaneMemory::kDx * stride] = dx;
-      at[LaneMemory::kN0 * stride] = n0;
-      at[LaneMemory::kN2 * stride] = n2;
-      at[LaneMemory::kNMiddle * stride] = middle;
-      at[LaneMemory::kRadius * stride] = limb.radius;
-      at[LaneMemory::kSlope * stride] = limb.slope;
-      at[LaneMemory::kLength * stride] = limb.length;
-      at[LaneMemory::kConeAmplitude * stride] = amplitude;
-      return;
-    }
-    const double scale = table.scale[item] / (limb.radius * limb.radius);
-    const double support = kernel.support;
-    const Vec3 b = limb.a + limb.axis * limb.length;
-    const double at_a = -x0 / dx, at_b = (limb.length - x0) / dx;  // where the ray crosses the end planes
-    const auto sphere = [&](const Vec3& centre, double begin, double end) {
-      add_sphere(centre, scale, amplitude, support, origin, direction, t0, t1, begin, end);
-    };
-    const auto body = [&](double begin, double end) {
-      add_quadratic(scale * n0, scale * n2, middle, amplitude, support, t0, t1, begin, end);
-    };
-    if (!std::isfinite(at_a) || !std::isfinite(at_b)) {  // parallel to the end planes: one piece for the whole ray
-      if (x0 < 0) return sphere(limb.a, -kInfinity, kInfinity);
-      if (x0 > limb.length) return sphere(b, -kInfinity, kInfinity);
-      return body(-kInfinity, kInfinity);
-    }
-    const bool forward = dx > 0;
-    sphere(forward ? limb.a : b, -kInfinity, std::min(at_a, at_b));
-    body(std::min(at_a, at_b), std::max(at_a, at_b));
-    sphere(forward ? b : limb.a, std::max(at_a, at_b), kInfinity);
+    return {x0, dx, (o + d * middle).length2(), n2, middle};
+  }
+
+  void add_cone(const Limb& limb, double amplitude, const Vec3& origin, const Vec3& direction) {
+    const AboutAxis line = about_axis(limb.a, limb.axis, origin, direction);
+    double* const at = m_.cone.row(cones_++);
+    const std::size_t stride = m_.cone.stride();
+    at[LaneMemory::kX0 * stride] = line.x0;
+    at[LaneMemory::kDx * stride] = line.dx;
+    at[LaneMemory::kN0 * stride] = line.n0;
+    at[LaneMemory::kN2 * stride] = line.n2;
+    at[LaneMemory::kNMiddle * stride] = line.middle;
+    at[LaneMemory::kRadius * stride] = limb.radius;
+    at[LaneMemory::kSlope * stride] = limb.slope;
+    at[LaneMemory::kLength * stride] = limb.length;
+    at[LaneMemory::kConeAmplitude * stride] = amplitude;
+  }
+
+  void add_circle(const Circle& circle, double amplitude, const Vec3& origin, const Vec3& direction) {
+    const AboutAxis line = about_axis(circle.centre, circle.axis, origin, direction);
+    double* const at = m_.circle.row(circles_++);
+    const std::size_t stride = m_.circle.stride();
+    at[LaneMemory::kZ0 * stride] = line.x0;
+    at[LaneMemory::kDz * stride] = line.dx;
+    at[LaneMemory::kC0 * stride] = line.n0;
+    at[LaneMemory::kC2 * stride] = line.n2;
+    at[LaneMemory::kCMiddle * stride] = line.middle;
+    at[LaneMemory::kRing * stride] = circle.ring_radius;
+    at[LaneMemory::kInverse * stride] = 1 / (circle.radius * circle.radius);
+    at[LaneMemory::kCircleAmplitude * stride] = amplitude;
   }
 
   /// Fills the last octet of each form with lanes that add nothing.
-  void pad(std::uint32_t first_quadratic, std::uint32_t first_cone, double support) {
-    while ((quadratics_ - first_quadratic) % kOctet != 0) {
+  void pad(double support) {
+    while ((quadratics_ - first_.quadratics) % kOctet != 0) {
       double* const at = m_.quadratic.row(quadratics_++);
       const std::size_t stride = m_.quadratic.stride();
       at[LaneMemory::kV0 * stride] = 2 * support;
@@ -221,23 +219,29 @@ class LaneSetup {
       at[LaneMemory::kBegin * stride] = -kInfinity;
       at[LaneMemory::kEnd * stride] = kInfinity;
     }
-    while ((cones_ - first_cone) % kOctet != 0) {
+    while ((cones_ - first_.cones) % kOctet != 0) {
       double* const at = m_.cone.row(cones_++);
       for (int column = 0; column < LaneMemory::kConeColumns; ++column) at[column * m_.cone.stride()] = 0;
       at[LaneMemory::kN0 * m_.cone.stride()] = kInfinity;
       at[LaneMemory::kRadius * m_.cone.stride()] = 1;
     }
+    while ((circles_ - first_.circles) % kOctet != 0) {
+      double* const at = m_.circle.row(circles_++);
+      const std::size_t stride = m_.circle.stride();
+      for (int column = 0; column < LaneMemory::kCircleColumns; ++column) at[column * stride] = 0;
+      at[LaneMemory::kZ0 * stride] = kFar;
+      at[LaneMemory::kC0 * stride] = at[LaneMemory::kRing * stride] = at[LaneMemory::kInverse * stride] = 1;
+    }
   }
 
   /// Adds the greatest value that each lane can have on the stretch (add_points does so itself).
   template <class Kernel>
-  void sum_up(const Kernel& kernel, const FieldGroup& group, std::uint32_t first_quadratic, std::uint32_t first_cone,
-              double t0, double t1) {
+  void sum_up(const Kernel& kernel, const FieldGroup& group, double t0, double t1) {
     const Octet zero(0.0);
     Octet peaks(0.0);
     const auto add = [&](const OctetMask& reaches, const Octet& amplitude, const Octet& v_least)
                          HWY_ATTR { peaks = peaks + keep(reaches, max(amplitude, zero) * kernel.value(v_least)); };
-    for (std::uint32_t i = first_quadratic; i < quadratics_; i += kOctet) {
+    for (std::uint32_t i = first_.quadratics; i < quadratics_; i += kOctet) {
       const QuadraticLanes lane = load_quadratic(m_, i);
       const Octet from = max(Octet(t0), load_border(m_, i, LaneMemory::kBegin));
       const Octet to = min(Octet(t1), load_border(m_, i, LaneMemory::kEnd));
@@ -245,25 +249,37 @@ class LaneSetup {
       const Octet v_least = lane.v0 + lane.kappa * near * near;
       add(v_least < kernel.support(), lane.amplitude, v_least);
     }
-    for (std::uint32_t i = first_cone; i < cones_; i += kOctet) {
+    for (std::uint32_t i = first_.cones; i < cones_; i += kOctet) {
       const ConeLanes cone = load_cone(m_, i);
       const Octet v_least = cone.bounds(t0, t1, group.kernel.scale, group.kernel.support).least;
       add(v_least < kernel.support(), cone.amplitude, v_least);
     }
+    for (std::uint32_t i = first_.circles; i < circles_; i += kOctet) {
+      const CircleLanes circle = load_circle(m_, i);
+      const Octet v_least = circle.bounds(t0, t1, group.kernel.scale, group.kernel.support).least;
+      add(v_least < kernel.support(), circle.amplitude, v_least);
+    }
     sums_.peak += sum(peaks);
   }
 
-  void close_run(const FieldGroup& group, std::uint32_t first_quadratic, std::uint32_t first_cone) {
-    if (quadratics_ == first_quadratic && cones_ == first_cone) return;
-    m_.runs.push_back(
-        {&group.kernel, group.form != FieldForm::point, first_quadratic, quadratics_, first_cone, cones_});
+  void close_run(const FieldGroup& group) {
+    const LaneSpan quadratics{first_.quadratics, quadratics_}, cones{first_.cones, cones_},
+        circles{first_.circles, circles_};
+    if (quadratics.is_empty() && cones.is_empty() && circles.is_empty()) return;
+    const bool has_pieces = group.form != FieldForm::point || group.is_mapped;
+    m_.runs.push_back({&group.kernel, has_pieces, quadratics, cones, circles});
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  /// Beyond any support, and its square finite.
+  static constexpr double kFar = 1e100;
 
   LaneMemory& m_;
   LaneSums sums_;
-  std::uint32_t quadratics_ = 0, cones_ = 0;
+  std::uint32_t quadratics_ = 0, cones_ = 0, circles_ = 0;  ///< rows in use
+  struct {
+    std::uint32_t quadratics, cones, circles;
+  } first_{};  ///< of the run in the making
 };
 
 }  // namespace HWY_NAMESPACE

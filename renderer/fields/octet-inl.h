@@ -1,6 +1,6 @@
 // Eight doubles side by side, whatever the width of the machine's registers: the unit in which fields are evaluated.
-// A target with 2 lanes holds four registers, one with 8 lanes a single one; every operation is the IEEE one in every lane
-// and sums run through one fixed tree, so that all targets give the same bits. Never a fused multiply-add.
+// A target with 2 lanes holds four registers, one with 8 lanes a single one; every operation is the IEEE one in every
+// lane and sums run through one fixed tree, so that all targets give the same bits. Never a fused multiply-add.
 #if defined(ISL_RENDERER_FIELDS_OCTET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_OCTET_INL_H_
 #undef ISL_RENDERER_FIELDS_OCTET_INL_H_
@@ -40,29 +40,29 @@ struct Octet {
   }
 };
 
-#define ISL_OCTET_BINARY(name, operation)                                                      \
-  HWY_INLINE Octet name(const Octet& a, const Octet& b) {                                      \
-    Octet r;                                                                                   \
-    for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::operation(a.v[i], b.v[i]);       \
-    return r;                                                                                  \
+#define ISL_OCTET_BINARY(name, operation)                                                \
+  HWY_INLINE Octet name(const Octet& a, const Octet& b) {                                \
+    Octet r;                                                                             \
+    for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::operation(a.v[i], b.v[i]); \
+    return r;                                                                            \
   }
-#define ISL_OCTET_COMPARE(name, operation)                                                     \
-  HWY_INLINE OctetMask name(const Octet& a, const Octet& b) {                                  \
-    OctetMask r;                                                                               \
-    for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::operation(a.v[i], b.v[i]);       \
-    return r;                                                                                  \
+#define ISL_OCTET_COMPARE(name, operation)                                               \
+  HWY_INLINE OctetMask name(const Octet& a, const Octet& b) {                            \
+    OctetMask r;                                                                         \
+    for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::operation(a.v[i], b.v[i]); \
+    return r;                                                                            \
   }
-#define ISL_OCTET_UNARY(name, operation)                                                       \
-  HWY_INLINE Octet name(const Octet& a) {                                                      \
-    Octet r;                                                                                   \
-    for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::operation(a.v[i]);               \
-    return r;                                                                                  \
+#define ISL_OCTET_UNARY(name, operation)                                         \
+  HWY_INLINE Octet name(const Octet& a) {                                        \
+    Octet r;                                                                     \
+    for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::operation(a.v[i]); \
+    return r;                                                                    \
   }
-#define ISL_OCTET_LOGICAL(name, operation)                                                     \
-  HWY_INLINE OctetMask name(const OctetMask& a, const OctetMask& b) {                          \
-    OctetMask r;                                                                               \
-    for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::operation(a.m[i], b.m[i]);       \
-    return r;                                                                                  \
+#define ISL_OCTET_LOGICAL(name, operation)                                               \
+  HWY_INLINE OctetMask name(const OctetMask& a, const OctetMask& b) {                    \
+    OctetMask r;                                                                         \
+    for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::operation(a.m[i], b.m[i]); \
+    return r;                                                                            \
   }
 ISL_OCTET_BINARY(operator+, Add)
 ISL_OCTET_BINARY(operator-, Sub)
@@ -129,7 +129,8 @@ HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
   const hn::Rebind<std::int64_t, Lanes> wide;
   const hn::Rebind<std::uint32_t, Lanes> narrow;
   for (std::size_t i = 0; i < kRegisters; ++i) {
-    const auto offsets = hn::BitCast(wide, hn::PromoteTo(hn::Rebind<std::uint64_t, Lanes>(), hn::LoadU(narrow, index + i * kLanes)));
+    const auto offsets =
+        hn::BitCast(wide, hn::PromoteTo(hn::Rebind<std::uint64_t, Lanes>(), hn::LoadU(narrow, index + i * kLanes)));
     r.v[i] = hn::GatherIndex(Lanes(), base, offsets);
   }
   return r;

@@ -103,7 +103,7 @@ class RayLanes {
 
   template <class Kernel>
   HWY_INLINE void add_at(const Kernel& kernel, const LaneRun& run, double t, FieldSums& sums) const {
-    for (std::uint32_t i = run.first_quadratic; i < run.last_quadratic; i += kOctet) {
+    for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
       const QuadraticLanes lane = load_quadratic(m_, i);
       const Octet tau = Octet(t) - lane.middle;
       const Octet kappa_tau = lane.kappa * tau;
@@ -113,19 +113,26 @@ class RayLanes {
       sums.add(keep(active, lane.amplitude * phi.value),
                keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau))));
     }
-    for (std::uint32_t i = run.first_cone; i < run.last_cone; i += kOctet) {
-      const ConeLanes cone = load_cone(m_, i);
-      const ConePoint p = cone.at(Octet(t), run.kernel->scale);
+    add_lanes_at(kernel, run, run.cones, load_cone, t, sums);
+    add_lanes_at(kernel, run, run.circles, load_circle, t, sums);
+  }
+
+  template <class Kernel, class Load>
+  HWY_INLINE void add_lanes_at(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows, const Load& load_lanes,
+                               double t, FieldSums& sums) const {
+    for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
+      const auto lanes = load_lanes(m_, i);
+      const LanePoint p = lanes.at(Octet(t), run.kernel->scale);
       const OctetMask active = p.v < kernel.support();
       const KernelValue phi = kernel.value_and_slope(p.v);
-      sums.add(keep(active, cone.amplitude * phi.value), keep(active, cone.amplitude * (phi.slope * p.slope)));
+      sums.add(keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope)));
     }
   }
 
   template <class Kernel>
   [[nodiscard]] HWY_INLINE Octet curvature_of(const Kernel& kernel, const LaneRun& run, double t) const {
     Octet total(0.0);
-    for (std::uint32_t i = run.first_quadratic; i < run.last_quadratic; i += kOctet) {
+    for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
       const QuadraticLanes lane = load_quadratic(m_, i);
       const Octet tau = Octet(t) - lane.middle;
       const Octet first = Octet(2.0) * lane.kappa * tau;
@@ -135,15 +142,22 @@ class RayLanes {
           kernel.curvature(v) * first * first + kernel.value_and_slope(v).slope * (Octet(2.0) * lane.kappa);
       total = total + keep(active, lane.amplitude * second);
     }
-    for (std::uint32_t i = run.first_cone; i < run.last_cone; i += kOctet) {
-      const ConeLanes cone = load_cone(m_, i);
-      const ConePoint p = cone.at(Octet(t), run.kernel->scale);
-      const OctetMask active = p.v < kernel.support();
-      const Octet v2 = cone.second(Octet(t), run.kernel->scale);
-      const Octet second = kernel.curvature(p.v) * p.slope * p.slope + kernel.value_and_slope(p.v).slope * v2;
-      total = total + keep(active, cone.amplitude * second);
-    }
+    add_curvature(kernel, run, run.cones, load_cone, t, total);
+    add_curvature(kernel, run, run.circles, load_circle, t, total);
     return total;
+  }
+
+  template <class Kernel, class Load>
+  HWY_INLINE void add_curvature(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows, const Load& load_lanes,
+                                double t, Octet& total) const {
+    for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
+      const auto lanes = load_lanes(m_, i);
+      const LanePoint p = lanes.at(Octet(t), run.kernel->scale);
+      const OctetMask active = p.v < kernel.support();
+      const Octet v2 = lanes.second(Octet(t), run.kernel->scale);
+      const Octet second = kernel.curvature(p.v) * p.slope * p.slope + kernel.value_and_slope(p.v).slope * v2;
+      total = total + keep(active, lanes.amplitude * second);
+    }
   }
 
   // ---- Bounds -------------------------------------------------------------------------------------------------------
@@ -166,7 +180,7 @@ class RayLanes {
   HWY_INLINE void add_remainder(const Kernel& kernel, const LaneRun& run, double t0, double t1, Octet& value,
                                 Octet& slope) const {
     const double h = t1 - t0;
-    for (std::uint32_t i = run.first_quadratic; i < run.last_quadratic; i += kOctet) {
+    for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
       const QuadraticLanes lane = load_quadratic(m_, i);
       Octet from(t0), to(t1);
       OctetMask whole = from <= to;
@@ -186,12 +200,19 @@ class RayLanes {
       add_bounds(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h,
                  value, slope);
     }
-    for (std::uint32_t i = run.first_cone; i < run.last_cone; i += kOctet) {
-      const ConeLanes cone = load_cone(m_, i);
-      const ConeBounds v = cone.bounds(t0, t1, run.kernel->scale, run.kernel->support);
+    add_lanes_remainder(kernel, run, run.cones, load_cone, t0, t1, value, slope);
+    add_lanes_remainder(kernel, run, run.circles, load_circle, t0, t1, value, slope);
+  }
+
+  template <class Kernel, class Load>
+  HWY_INLINE void add_lanes_remainder(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows,
+                                      const Load& load_lanes, double t0, double t1, Octet& value, Octet& slope) const {
+    for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
+      const auto lanes = load_lanes(m_, i);
+      const auto v = lanes.bounds(t0, t1, run.kernel->scale, run.kernel->support);
       const OctetMask counts = v.least < kernel.support();
       const OctetMask smooth = v.one_piece & (v.greatest < kernel.support()) & kernel.is_smooth(v.least, v.greatest);
-      add_bounds(v.compose(kernel), smooth, counts, cone.amplitude, h, value, slope);
+      add_bounds(v.compose(kernel), smooth, counts, lanes.amplitude, t1 - t0, value, slope);
     }
   }
 

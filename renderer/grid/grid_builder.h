@@ -69,8 +69,8 @@ class GridBuilder {
   }
 
   [[nodiscard]] static Vec3 corner(std::uint32_t index) {
-    const std::uint32_t row = index / kBrickSide;
-    return {double(index % kBrickSide), double(row % kBrickSide), double(row / kBrickSide)};
+    const std::uint32_t row = index / kBrickSide, layer = row / kBrickSide;
+    return {double(index % kBrickSide), double(row % kBrickSide), double(layer)};
   }
 
   /// Which items may touch which cell of the top brick, by their boxes (a cell wider on every side, for rounding's sake).

@@ -1,8 +1,7 @@
 #include "renderer/queries/inside.h"
 
 #include "base/check.h"
-#include "renderer/extents/blob_extent.h"
-#include "renderer/fields/skeletons/limb.h"
+#include "renderer/fields/component_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,19 +52,6 @@ double value(const scene::Polynomial& polynomial, const Vec3& p) {
     in_x = in_x * p.x + in_y;
   }
   return in_x;
-}
-
-/// Squared distance to the skeleton over the squared radius.
-double q_of(const Component& c, const Vec3& p) {
-  if (c.skeleton == scene::Skeleton::point) return (p - c.a).dot(p - c.a) / (c.radius_a * c.radius_a);
-  const Vec3 from_a_to_b = c.b - c.a;
-  const double length = from_a_to_b.length();
-  const Vec3 axis = from_a_to_b / length;
-  const double radius_b = c.skeleton == scene::Skeleton::cone ? c.radius_b : c.radius_a;
-  const Limb limb{c.a, axis, length, c.radius_a, (radius_b - c.radius_a) / length};
-  const double along = (p - c.a).dot(axis);
-  const Vec3 aside = p - c.a - axis * along;
-  return limb.q(along, aside.dot(aside));
 }
 
 bool in_group(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Group& group,
@@ -119,9 +105,7 @@ bool is_inside(const Database& database, const std::vector<KernelConstants>& ker
                const Vec3& point) {
   double sum = 0;
   for (const Component& c : blob.components) {
-    const bool is_moved = c.transform != scene::kIdentity;
-    const Vec3 p = is_moved ? database.transforms[index(c.transform)].inverse_point(point) : point;
-    sum += c.strength * kernel_value(kernels[index(c.kernel)], q_of(c, p));
+    sum += c.strength * kernel_value(kernels[index(c.kernel)], q_at(database, blob, c, point));
   }
   return sum >= blob.threshold;
 }

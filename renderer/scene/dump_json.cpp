@@ -13,7 +13,7 @@ namespace isl::scene {
 namespace {
 
 constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
-constexpr std::string_view kSkeletons[] = {"point", "segment", "cone"};
+constexpr std::string_view kSkeletons[] = {"point", "segment", "cone", "box", "triangle", "circle"};
 constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
 constexpr std::string_view kOperations[] = {"union", "merge", "intersection", "difference"};
 
@@ -97,11 +97,12 @@ class Writer {
     return json;
   }
 
-  [[nodiscard]] Json component(const Component& c, OriginId origin) const {
+  [[nodiscard]] Json component(const Blob& b, const Component& c, OriginId origin) const {
     Json json = {{"skeleton", name(kSkeletons, c.skeleton)}, {"a", vector(c.a)}};
     if (c.skeleton != Skeleton::point) json["b"] = vector(c.b);
+    if (c.skeleton == Skeleton::triangle) json["c"] = vector(b.corners[c.corner]);
     json["radius"] = c.radius_a;
-    if (c.skeleton == Skeleton::cone) json["radius_b"] = c.radius_b;
+    if (c.skeleton == Skeleton::cone || c.skeleton == Skeleton::circle) json["radius_b"] = c.radius_b;
     json["strength"] = c.strength;
     json["kernel"] = index(c.kernel);
     if (c.texture != kNoTexture) json["texture"] = index(c.texture);
@@ -113,7 +114,7 @@ class Writer {
   [[nodiscard]] Json blob(const Blob& b) const {
     Json components = Json::array();
     for (std::size_t i = 0; i < b.components.size(); ++i) {
-      components.push_back(component(b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
+      components.push_back(component(b, b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
     }
     return {{"threshold", b.threshold}, {"components", std::move(components)}};
   }

@@ -38,8 +38,10 @@ struct Kernel {
 };
 
 /// point: a, radius_a. segment: a to b, radius_a. cone: a to b, radius_a at a and radius_b at b (a round cone: the
-/// union of the spheres whose centre and radius run linearly from one end to the other).
-enum class Skeleton : std::uint8_t { point, segment, cone };
+/// union of the spheres whose centre and radius run linearly from one end to the other). box: between the corners a
+/// and b, radius_a. triangle: a, b and Blob::corners[corner], radius_a. circle: about the centre a and the unit axis b,
+/// of radius radius_b, with radius_a about it.
+enum class Skeleton : std::uint8_t { point, segment, cone, box, triangle, circle };
 
 /// One field of a blob: f = strength · φ(squared distance / radius²), in the blob's space after `transform`.
 struct Component {
@@ -50,6 +52,7 @@ struct Component {
   TransformId transform = kIdentity;  ///< blob_from_component
   KernelId kernel{};
   Skeleton skeleton = Skeleton::point;
+  std::uint32_t corner = 0;  ///< triangle: the third one
 };
 
 }  // namespace isl::scene
@@ -57,6 +60,8 @@ struct Component {
 /// Imath's vectors have a copy constructor of their own, which copies their bytes.
 template <>
 inline constexpr bool isl::kMovesAsBytes<isl::scene::Component> = true;
+template <>
+inline constexpr bool isl::kMovesAsBytes<isl::scene::Vec3> = true;
 
 namespace isl::scene {
 
@@ -65,6 +70,7 @@ struct Blob {
   double threshold = 1;
   GrowingArray<Component> components;
   GrowingArray<OriginId> origins;  ///< cold: one a component
+  GrowingArray<Vec3> corners = {};  ///< third corners of triangles
 };
 
 }  // namespace isl::scene

@@ -1,8 +1,9 @@
-// The published solver (Sherstyuk 1999, §3), for comparison: `paper:K`. Every field that the ray meets is replaced, over the whole
-// stretch of the ray in its support, by K cubic Hermite interpolants on equal intervals; their sum is a cubic between any two
-// neighbouring ends, and its first root is taken for the surface. Nothing bounds the interpolants' error (with K = 2 a hard
-// Gaussian's front is moved outward by a good part of its radius), and nothing is polished: that is what it is here to show.
-// Faithful also in that a field counts wherever its support reaches, so the grid it walks must keep all lists.
+// The published solver (Sherstyuk 1999, §3), for comparison: `paper:K`. Every field that the ray meets is replaced,
+// over the whole stretch of the ray in its support, by K cubic Hermite interpolants on equal intervals; their sum is a
+// cubic between any two neighbouring ends, and its first root is taken for the surface. Nothing bounds the
+// interpolants' error (with K = 2 a hard Gaussian's front is moved outward by a good part of its radius), and nothing
+// is polished: that is what it is here to show. Faithful also in that a field counts wherever its support reaches, so
+// the grid it walks must keep all lists.
 #if defined(ISL_RENDERER_SOLVERS_PAPER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_PAPER_INL_H_
 #undef ISL_RENDERER_SOLVERS_PAPER_INL_H_
@@ -18,6 +19,7 @@
 #include "renderer/solvers/paper_memory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
@@ -61,17 +63,10 @@ class PaperSearch {
     Vec3 origin, direction;
 
     [[nodiscard]] Argument at(double t) const {
-      Vec3 offset = origin + direction * t - Vec3(table.x[item], table.y[item], table.z[item]);
-      double scale = table.scale[item];
-      if (group.form == FieldForm::limb || group.form == FieldForm::affine_limb) {
-        const Limb& limb = table.limbs[item - table.first_limb];
-        const double x = offset.dot(limb.axis);
-        const double u = limb.nearest(x, (offset - limb.axis * x).length2());
-        const double r = limb.radius_at(u);
-        offset -= limb.axis * u;
-        scale /= r * r;
-      }
-      return {scale * offset.length2(), 2 * scale * offset.dot(direction)};
+      const Vec3 p = origin + direction * t;
+      const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
+      const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
+      return {half_gradient.dot(foot.offset), 2 * half_gradient.dot(direction)};
     }
   };
 
@@ -86,8 +81,8 @@ class PaperSearch {
     const ComponentTable& table = blob_.components;
     const FieldGroup& group = table.group_of(item);
     Line line{table, group, item, origin, direction};
-    if (group.form == FieldForm::affine_point || group.form == FieldForm::affine_limb) {
-      const scene::Transform& map = table.blob_from_component[item - table.first_affine];
+    if (group.is_mapped) {
+      const scene::Transform& map = table.blob_from_component(group, item);
       line.origin = map.inverse_point(origin);
       line.direction = map.inverse_vector(direction);
     }
@@ -119,33 +114,51 @@ class PaperSearch {
     }
   }
 
-  /// Where v < support: around the least v by a golden section, then by bisection. For a point the least v is known.
+  /// Where v < support: from its first to its last point on the line.
   [[nodiscard]] static bool support_on(const Line& line, double& begin, double& end) {
-    const double support = line.group.kernel.support;
-    const Vec3 a(line.table.x[line.item], line.table.y[line.item], line.table.z[line.item]);
-    const double dd = line.direction.length2();
-    if (line.group.form == FieldForm::point || line.group.form == FieldForm::affine_point) {
-      const Vec3 oc = a - line.origin;
-      const double middle = oc.dot(line.direction) / dd;
-      const double v0 = line.table.scale[line.item] * (oc - line.direction * middle).length2();
-      const double kappa = line.table.scale[line.item] * dd;
-      if (!(v0 < support)) return false;
-      const double half = std::sqrt((support - v0) / kappa);
-      begin = middle - half;
-      end = middle + half;
+    const double support = line.group.kernel.support, dd = line.direction.length2();
+    if (line.group.form == FieldForm::point) {
+      const ComponentTable& table = line.table;
+      const Vec3 centre(table.x[line.item], table.y[line.item], table.z[line.item]);
+      const double scale = table.scale[line.item];
+      const QuadraticPiece v = sphere_piece(centre, scale, line.origin, line.direction, 0, 0);
+      if (!(v.q0 < support)) return false;
+      const double half = std::sqrt((support - v.q0) / v.kappa);
+      begin = v.middle - half;
+      end = v.middle + half;
       return half > 0;
     }
-    const Limb& limb = line.table.limbs[line.item - line.table.first_limb];
-    const double centre = (limb.a + limb.axis * (0.5 * limb.length) - line.origin).dot(line.direction) / dd;
-    const double reach = (0.5 * limb.length + std::max(limb.radius, limb.radius_at(limb.length)) *
-                                                  std::sqrt(line.group.kernel.support_q())) / std::sqrt(dd);
-    double low = centre - reach, high = centre + reach;
-    for (int i = 0; i < 60; ++i) {  // v is quasi-convex along the ray: its slope changes sign once
-      const double middle = 0.5 * (low + high);
-      (line.at(middle).slope > 0 ? high : low) = middle;
+    // The line beyond these two is out of reach.
+    const double root_q = ComponentTable::support_root(line.group), start = line.origin.dot(line.direction);
+    const auto farthest = [&](const Vec3& n) {
+      const std::array<Reach, 2> reach =
+          line.table.with_skeleton(line.group, line.item, [&](const auto& skeleton) { return skeleton.reach(n); });
+      const double spread = root_q * std::sqrt(dd);
+      return std::max(reach[0].coordinate + reach[0].radius * spread, reach[1].coordinate + reach[1].radius * spread);
+    };
+    const double low = (-farthest(-line.direction) - start) / dd, high = (farthest(line.direction) - start) / dd;
+    double first = 0, last = 0;  // points in the support
+    if (line.group.form == FieldForm::circle) {
+      // A line can leave a torus and come back; a stretch thinner than these steps goes unseen, as the mode allows.
+      constexpr int kSteps = 256;
+      bool is_met = false;
+      for (int i = 1; i < kSteps; ++i) {
+        const double t = low + (high - low) * i / kSteps;
+        if (!(line.at(t).v < support)) continue;
+        if (!is_met) first = t;
+        last = t;
+        is_met = true;
+      }
+      if (!is_met) return false;
+    } else {
+      double before = low, behind = high;
+      for (int i = 0; i < 60; ++i) {  // v is quasi-convex along the ray: its slope changes sign once
+        const double middle = 0.5 * (before + behind);
+        (line.at(middle).slope > 0 ? behind : before) = middle;
+      }
+      first = last = 0.5 * (before + behind);
+      if (!(line.at(first).v < support)) return false;
     }
-    const double nearest = 0.5 * (low + high);
-    if (!(line.at(nearest).v < support)) return false;
     const auto border = [&](double inner, double outer) {
       for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (inner + outer);
@@ -153,8 +166,8 @@ class PaperSearch {
       }
       return inner;
     };
-    begin = border(nearest, centre - reach);
-    end = border(nearest, centre + reach);
+    begin = border(first, low);
+    end = border(last, high);
     return end > begin;
   }
 
@@ -175,7 +188,8 @@ class PaperSearch {
     double side = 0;
     for (std::size_t i = 0; i + 1 < m_.ends.size(); ++i) {
       const double from = m_.ends[i], to = m_.ends[i + 1];
-      while (next < m_.interpolants.size() && m_.interpolants[next].t0 <= from) m_.active.push_back(m_.interpolants[next++]);
+      while (next < m_.interpolants.size() && m_.interpolants[next].t0 <= from)
+        m_.active.push_back(m_.interpolants[next++]);
       std::erase_if(m_.active, [&](const auto& piece) { return piece.t1 <= from; });
       if (to <= 0 || from >= reach || !(to > from)) continue;
       double f0 = -threshold, f1 = -threshold, d0 = 0, d1 = 0;
@@ -190,7 +204,8 @@ class PaperSearch {
       if (side == 0) side = f0 > 0 && !ray.starts_on_surface && base == 0 ? -1 : 1;
       if (side * f0 >= 0 && ray.starts_on_surface) continue;
       const double h = to - from;
-      const double u = first_crossing_of_cubic(side * f0, side * (f0 + h * d0 / 3), side * (f1 - h * d1 / 3), side * f1);
+      const double u =
+          first_crossing_of_cubic(side * f0, side * (f0 + h * d0 / 3), side * (f1 - h * d1 / 3), side * f1);
       const double t = from + u * h;
       if (u > 1 || t > reach) continue;
       if (t <= 0) continue;

@@ -22,9 +22,11 @@ sphere { 0, 1 pigment { rgb <1, 0.5, 0> } }
 )";
 
 class ProgramTest : public testing::Test {
+ public:
+  ~ProgramTest() override;
+
  protected:
   ProgramTest();
-  ~ProgramTest() override;
 
   /// Runs `isl arguments…` in the test's folder.
   [[nodiscard]] ProcessResult run(std::vector<std::string> arguments, ProcessOptions options = {}) const;

@@ -5,8 +5,8 @@
 //   else at an end:           q = ((x − u)² + N)/r(u)², a quadratic.
 //
 // Values take the nearest sphere u directly: q = ((x − u)² + N)/r², and since u is either at the minimum or fixed,
-// q′ = (2(x − u)x′ + N′)/r² (the envelope theorem). Bounds hold for each of the three pieces that an interval can touch;
-// where it certainly touches one only, f is smooth there.
+// q′ = (2(x − u)x′ + N′)/r² (the envelope theorem). Bounds hold for each of the three pieces that an interval can
+// touch; where it certainly touches one only, f is smooth there.
 #if defined(ISL_RENDERER_FIELDS_SKELETONS_CONE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_SKELETONS_CONE_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_SKELETONS_CONE_LANES_INL_H_
@@ -15,15 +15,11 @@
 #endif
 
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
+#include "renderer/fields/skeletons/lane_point-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
-
-/// v = scale · q and dv/dt.
-struct ConePoint {
-  Octet v, slope;
-};
 
 struct ConeBounds {
   JetBounds at_a, at_b, body;
@@ -53,7 +49,7 @@ struct ConeLanes {
     return select(w > Octet(0.0), u, select(k > Octet(0.0), length, Octet(0.0)));
   }
 
-  [[nodiscard]] HWY_INLINE ConePoint at(const Octet& t, double scale) const {
+  [[nodiscard]] HWY_INLINE LanePoint at(const Octet& t, double scale) const {
     const Octet x = x0 + dx * t, tau = t - middle;
     const Octet n = n0 + n2 * tau * tau;
     const Octet u = nearest(x, n);
@@ -69,7 +65,8 @@ struct ConeLanes {
     const Octet u = nearest(x, n), r = radius + k * u;
     const Octet speed2 = dx * dx + n2;
     const Octet at_end = Octet(2.0) * speed2 / (r * r);
-    const Octet m = w * w + k * k * n, m1 = Octet(2.0) * (w * k * dx + k * k * n2 * tau), m2 = Octet(2.0) * k * k * speed2;
+    const Octet m = w * w + k * k * n, m1 = Octet(2.0) * (w * k * dx + k * k * n2 * tau),
+                m2 = Octet(2.0) * k * k * speed2;
     const Octet q = n / m, q1 = (Octet(2.0) * n2 * tau - q * m1) / m;
     const Octet on_body = (Octet(2.0) * n2 - Octet(2.0) * q1 * m1 - q * m2) / m;
     return Octet(scale) * select((u > Octet(0.0)) & (u < length), on_body, at_end);
@@ -134,8 +131,8 @@ struct ConeLanes {
     const Octet q_low = n_low / max(w_high * w_high + kk * n_low, Octet(kLeast));
     const Octet q_high = n_high / max(w_from * w_from + kk * n_high, Octet(kLeast));
     const Octet inverse = Octet(1.0) / m_low;
-    // Also |q′| = 2√q |(p − c)·D|/(|p − c| r) ≤ 2√q |D|/r, and the nearest sphere is no thinner than r(x) nor than the thin end;
-    // beyond the support nothing counts.
+    // Also |q′| = 2√q |(p − c)·D|/(|p − c| r) ≤ 2√q |D|/r, and the nearest sphere is no thinner than r(x) nor than the
+    // thin end; beyond the support nothing counts.
     const Octet r_low = max(w_from, min(radius, radius + k * length));
     const Octet q_counts = min(q_high, Octet(support / scale));
     const Octet steepest = two * sqrt(q_counts * speed2) / max(r_low, Octet(kLeast));
@@ -148,8 +145,9 @@ struct ConeLanes {
     result.body = capped({s * q_low, s * q1, s * q2_low, s * q2_high, s * q3, s * q4});
 
     const Octet highest(1e300);
-    result.least = min(select(result.may_a, result.at_a.least, highest),
-                       min(select(result.may_b, result.at_b.least, highest), select(result.may_body, result.body.least, highest)));
+    result.least =
+        min(select(result.may_a, result.at_a.least, highest),
+            min(select(result.may_b, result.at_b.least, highest), select(result.may_body, result.body.least, highest)));
     // Along the ray q ≤ its value at either sphere; the thinner one's is of no use when its radius vanishes.
     const auto farthest = [&](const Octet& u) HWY_ATTR {
       const Octet r = radius + k * u, e = max(abs(x_low - u), abs(x_high - u));
@@ -160,12 +158,16 @@ struct ConeLanes {
   }
 
  private:
-  /// Keeps the products of bounds finite where the cone's apex comes into the interval (M = 0): far beyond any use, so that the
-  /// interval is divided there.
+  /// Keeps the products of bounds finite where the cone's apex comes into the interval (M = 0): far beyond any use, so
+  /// that the interval is divided there.
   static constexpr double kLeast = 1e-100, kMost = 1e60;
   static HWY_INLINE JetBounds capped(const JetBounds& v) {
     const Octet most(kMost);
-    return {v.least, min(v.first, most), max(v.second_low, Octet(-kMost)), min(v.second_high, most), min(v.third, most),
+    return {v.least,
+            min(v.first, most),
+            max(v.second_low, Octet(-kMost)),
+            min(v.second_high, most),
+            min(v.third, most),
             min(v.fourth, most)};
   }
 };

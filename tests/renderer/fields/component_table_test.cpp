@@ -80,7 +80,8 @@ TEST(ComponentTable, BakesInSimilaritiesAndKeepsOtherMapsApart) {
   const ComponentTable table = compile_components(db, blob);
   ASSERT_EQ(table.groups.size(), 2U);
   EXPECT_EQ(table.groups[0].form, FieldForm::point);
-  EXPECT_EQ(table.groups[1].form, FieldForm::affine_point);
+  EXPECT_EQ(table.groups[1].form, FieldForm::point);
+  EXPECT_TRUE(table.groups[1].is_mapped);
   EXPECT_NEAR(Vec3(table.x[0], table.y[0], table.z[0]).length(), 2, 1e-14);
   EXPECT_NEAR(support_radius(table, table.groups[0], 0), std::sqrt(table.groups[0].kernel.support_q()), 1e-14);
 }

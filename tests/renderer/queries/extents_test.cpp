@@ -37,7 +37,7 @@ scene::Transform turned(double degrees) {
   return t;
 }
 
-Box box_of_solid(const Solid& solid, const scene::Transform& transform = {}, Database database = {}) {
+Box box_of_solid(const Solid& solid, const scene::Transform& transform = {}, const Database& database = {}) {
   return box_of(database, solid, transform);
 }
 

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -50,7 +51,7 @@ std::vector<Ray> random_rays(int count) {
   return rays;
 }
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 TEST(SimdTargets, AllGiveTheSameBits) {
   const scene::Database database = mixed_scene();

@@ -1,0 +1,129 @@
+#include "interpreter/readers/blob_component.h"
+
+#include "interpreter/expressions.h"
+#include "interpreter/readers/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::Component;
+using scene::Skeleton;
+using scene::Vec3;
+namespace word = grammar::word;
+
+void check_apart(ElementStream& stream, const Vec3& a, const Vec3& b) {
+  if ((b - a).length() < kTolerance)
+    stream.context().fail(stream.span(), "both ends of the component are the same point");
+}
+
+void read_sphere(ElementStream& stream, Component& c, scene::Blob&) {
+  c.a = read_vector(stream, "a point");
+  stream.accept_comma();
+  c.radius_a = c.radius_b = read_positive(stream, "a radius");
+}
+
+void read_cylinder(ElementStream& stream, Component& c, scene::Blob&) {
+  c.skeleton = Skeleton::segment;
+  c.a = read_vector(stream, "a point");
+  stream.accept_comma();
+  c.b = read_vector(stream, "the second end");
+  stream.accept_comma();
+  c.radius_a = c.radius_b = read_positive(stream, "a radius");
+  check_apart(stream, c.a, c.b);
+}
+
+void read_cone(ElementStream& stream, Component& c, scene::Blob&) {
+  c.skeleton = Skeleton::cone;
+  c.a = read_vector(stream, "a point");
+  stream.accept_comma();
+  c.radius_a = read_positive(stream, "the radius at the first end");
+  stream.accept_comma();
+  c.b = read_vector(stream, "the second end");
+  stream.accept_comma();
+  c.radius_b = read_positive(stream, "the radius at the second end");
+  check_apart(stream, c.a, c.b);
+}
+
+void read_box(ElementStream& stream, Component& c, scene::Blob&) {
+  c.skeleton = Skeleton::box;
+  const Vec3 p = read_vector(stream, "a corner of the box");
+  stream.accept_comma();
+  const Vec3 q = read_vector(stream, "the opposite corner of the box");
+  stream.accept_comma();
+  for (int i = 0; i < 3; ++i) {
+    c.a[i] = std::min(p[i], q[i]);
+    c.b[i] = std::max(p[i], q[i]);
+  }
+  c.radius_a = c.radius_b = read_positive(stream, "a radius about the box");
+}
+
+/// As POV-Ray's torus lies: about the y axis.
+void read_torus(ElementStream& stream, Component& c, scene::Blob&) {
+  c.skeleton = Skeleton::circle;
+  c.b = Vec3(0, 1, 0);
+  c.radius_b = read_positive(stream, "the major radius of the torus");
+  stream.accept_comma();
+  c.radius_a = read_positive(stream, "the minor radius of the torus");
+}
+
+void read_triangle(ElementStream& stream, Component& c, scene::Blob& blob) {
+  c.skeleton = Skeleton::triangle;
+  c.a = read_vector(stream, "a corner of the triangle");
+  stream.accept_comma();
+  c.b = read_vector(stream, "the second corner");
+  stream.accept_comma();
+  const Vec3 third = read_vector(stream, "the third corner");
+  stream.accept_comma();
+  c.radius_a = c.radius_b = read_positive(stream, "a radius about the triangle");
+  // The sine of the angle at the first corner; rounding alone makes some 1e-16 of it.
+  const Vec3 ab = c.b - c.a, ac = third - c.a;
+  if (!(ab.cross(ac).length() > kTolerance * ab.length() * ac.length()) || !(ab.length() > 0 && ac.length() > 0)) {
+    stream.context().fail(stream.span(), "the corners of the triangle lie on one line",
+                          "a `cylinder` has the segment between two points");
+  }
+  c.corner = static_cast<std::uint32_t>(blob.corners.size());
+  blob.corners.push_back(third);
+}
+
+struct Row {
+  grammar::Symbol word;
+  bool needs_kernel;
+  void (*read)(ElementStream&, Component&, scene::Blob&);
+};
+
+constexpr Row kRows[] = {
+    {word::kw_sphere, false, read_sphere}, {word::kw_cylinder, false, read_cylinder},
+    {word::kw_cone, true, read_cone},      {word::kw_box, true, read_box},
+    {word::kw_torus, true, read_torus},    {word::kw_triangle, true, read_triangle},
+};
+
+constexpr auto kWords = [] {
+  std::array<grammar::Symbol, std::size(kRows)> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = kRows[i].word;
+  return words;
+}();
+
+}  // namespace
+
+bool is_component_word(grammar::Symbol word) { return std::ranges::find(kWords, word) != kWords.end(); }
+
+std::span<const grammar::Symbol> component_words() { return kWords; }
+
+Component read_component_shape(ElementStream& stream, const Element& block, bool has_kernel, scene::Blob& blob) {
+  const Row& row = *std::ranges::find(kRows, block.word, &Row::word);
+  Context& context = stream.context();
+  if (row.needs_kernel && !has_kernel) {
+    context.fail(block.word_span, fmt::format("a `{}` in a blob needs a kernel in force", context.text(block.word)),
+                 "write `kernel \"gaussian\"` before it");
+  }
+  Component component;
+  row.read(stream, component, blob);
+  return component;
+}
+
+}  // namespace isl::interpreter

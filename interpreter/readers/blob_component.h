@@ -1,0 +1,20 @@
+// The geometry of a blob's components: POV-Ray's `sphere` and `cylinder`, and, with a kernel in force, the solids that
+// are skeletons.
+#pragma once
+
+#include "interpreter/element_stream.h"
+
+namespace isl::interpreter {
+
+/// Whether the word begins a component's block.
+[[nodiscard]] bool is_component_word(grammar::Symbol word);
+
+/// The words of all components, for suggestions.
+[[nodiscard]] std::span<const grammar::Symbol> component_words();
+
+/// Reads the skeleton and its radii from the block's stream. `has_kernel`: a kernel is in force; without one only
+/// POV-Ray's components are known. The blob takes what its record has no room for.
+[[nodiscard]] scene::Component read_component_shape(ElementStream& stream, const Element& block, bool has_kernel,
+                                                    scene::Blob& blob);
+
+}  // namespace isl::interpreter

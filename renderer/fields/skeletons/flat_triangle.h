@@ -1,0 +1,116 @@
+// A triangle with thickness: q = (squared distance to the triangle)/r².
+//
+// Space falls into seven regions by what of the triangle is nearest: the face (between the three planes that stand on
+// the edges), an edge (outside its plane, between the two planes across its ends) or a corner. In each the squared
+// distance is that to a plane, a line or a point, quadratic along a ray; the nine planes are where pieces can meet.
+#pragma once
+
+#include "renderer/fields/skeletons/skeleton.h"
+
+namespace isl::render {
+
+struct FlatTriangle {
+  FlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double radius_)
+      : corner{a, b, c}, radius(radius_), normal((b - a).cross(c - a).normalized()) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 edge = corner[(i + 1) % 3] - corner[i];
+      length[i] = edge.length();
+      along_edge[i] = edge / length[i];
+      outward[i] = along_edge[i].cross(normal);
+    }
+  }
+
+  Vec3 corner[3];
+  double radius;
+  Vec3 normal;
+  Vec3 along_edge[3];  ///< unit, from corner i to the next
+  Vec3 outward[3];     ///< unit, in the triangle's plane, out of it across edge i
+  double length[3];
+
+  [[nodiscard]] Foot nearest(const Vec3& p) const {
+    const Vec3 from_a = p - corner[0];
+    const Feature feature = nearest_feature(p);
+    const double inverse_radius2 = 1 / (radius * radius);
+    switch (feature.kind) {
+      case Feature::Kind::face: return {normal * from_a.dot(normal), inverse_radius2};
+      case Feature::Kind::edge: {
+        const Vec3 from_corner = p - corner[feature.index];
+        const Vec3& edge = along_edge[feature.index];
+        return {from_corner - edge * from_corner.dot(edge), inverse_radius2};
+      }
+      case Feature::Kind::corner: break;
+    }
+    return {p - corner[feature.index], inverse_radius2};
+  }
+
+  [[nodiscard]] QRange q_over(const Box& box) const {
+    return q_range_by_distance(nearest(box.center()).q(), radius, box);
+  }
+
+  [[nodiscard]] double thickest() const { return radius; }
+  [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
+    const double coordinate = std::max({n.dot(corner[0]), n.dot(corner[1]), n.dot(corner[2])});
+    return {Reach{coordinate, radius}, Reach{coordinate, radius}};
+  }
+
+  template <class Emit>
+  void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
+    Breaks<9> breaks;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 from_corner = origin - corner[i];
+      breaks.add(from_corner.dot(outward[i]), direction.dot(outward[i]), 0);
+      const double x = from_corner.dot(along_edge[i]), dx = direction.dot(along_edge[i]);
+      breaks.add(x, dx, 0);
+      breaks.add(x, dx, length[i]);
+    }
+    const double inverse_radius2 = 1 / (radius * radius);
+    breaks.for_each([&](double begin, double end, double inside) {
+      const Feature feature = nearest_feature(origin + direction * inside);
+      if (feature.kind == Feature::Kind::corner) {
+        return emit(sphere_piece(corner[feature.index], inverse_radius2, origin, direction, begin, end));
+      }
+      // The part of the ray that changes the distance: along the normal of the face, or across the edge.
+      const Vec3 from_corner = origin - corner[feature.index];
+      Vec3 from, by;
+      if (feature.kind == Feature::Kind::face) {
+        from = normal * from_corner.dot(normal);
+        by = normal * direction.dot(normal);
+      } else {
+        const Vec3& edge = along_edge[feature.index];
+        from = from_corner - edge * from_corner.dot(edge);
+        by = direction - edge * direction.dot(edge);
+      }
+      const double dd = by.length2();
+      const double middle = dd > 0 ? -from.dot(by) / dd : 0;
+      emit(QuadraticPiece{inverse_radius2 * (from + by * middle).length2(), inverse_radius2 * dd, middle, begin, end});
+    });
+  }
+
+ private:
+  struct Feature {
+    enum class Kind { face, edge, corner } kind;
+    int index;
+  };
+
+  [[nodiscard]] Feature nearest_feature(const Vec3& p) const {
+    bool is_over_face = true;
+    double place[3], side[3];  // along and across the edges
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 from_corner = p - corner[i];
+      place[i] = from_corner.dot(along_edge[i]);
+      side[i] = from_corner.dot(outward[i]);
+      is_over_face = is_over_face && side[i] <= 0;
+    }
+    if (is_over_face) return {Feature::Kind::face, 0};
+    for (int i = 0; i < 3; ++i) {
+      if (side[i] > 0 && place[i] > 0 && place[i] < length[i]) return {Feature::Kind::edge, i};
+    }
+    int nearest = 0;
+    for (int i = 1; i < 3; ++i) {
+      if ((p - corner[i]).length2() < (p - corner[nearest]).length2()) nearest = i;
+    }
+    return {Feature::Kind::corner, nearest};
+  }
+};
+
+}  // namespace isl::render

@@ -1,0 +1,95 @@
+// What every skeleton says of itself. A skeleton is a set of spheres (points or discs of one radius, or of a radius
+// that changes along it); the field's argument q at a point is the least squared distance to a centre over that
+// sphere's squared radius. It is a class, in its component's own space, with
+//   Foot nearest(p)               the sphere that is nearest in that measure
+//   QRange q_over(box)            an enclosure of q
+//   std::array<Reach, 2> reach(n) how far it comes along n: the spheres' hull is that of these two, seen along n
+//   double thickest()             the largest radius
+//   void along(origin, direction, emit)   q along a ray, in quadratic pieces in order; those with lanes of their own
+//   have none
+// and a row in renderer/fields/skeletons/skeletons.def.
+#pragma once
+
+#include "renderer/scene/transform.h"
+
+#include <ImathBox.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace isl::render {
+
+using scene::Vec3;
+using Box = Imath::Box3d;
+
+struct Foot {
+  Vec3 offset;             ///< from the sphere's centre to the point
+  double inverse_radius2;  ///< of the sphere
+
+  [[nodiscard]] double q() const { return offset.length2() * inverse_radius2; }
+};
+
+struct QRange {
+  double low, high;
+};
+
+struct Reach {
+  double coordinate;  ///< of a centre, along n
+  double radius;
+};
+
+/// q = q0 + kappa (t − middle)² for t in [begin, end).
+struct QuadraticPiece {
+  double q0, kappa, middle, begin, end;
+};
+
+/// q of a sphere along a ray.
+[[nodiscard]] inline QuadraticPiece sphere_piece(const Vec3& centre, double inverse_radius2, const Vec3& origin,
+                                                 const Vec3& direction, double begin, double end) {
+  // The squared distance from a perpendicular vector, never from |oc|² − (oc·D)², which cancels far from the origin.
+  const Vec3 oc = centre - origin;
+  const double dd = direction.length2();
+  const double middle = oc.dot(direction) / dd;
+  return {inverse_radius2 * (oc - direction * middle).length2(), inverse_radius2 * dd, middle, begin, end};
+}
+
+/// The t at which a ray's pieces meet, in order; each piece is then known by any t within.
+template <std::size_t N>
+class Breaks {
+ public:
+  /// Where the coordinate from + t·by meets `at`; not where that is farther than any scene reaches, or never.
+  void add(double from, double by, double at) {
+    const double t = (at - from) / by;
+    if (std::abs(t) < 1e150) t_[count_++] = t;
+  }
+  /// Calls piece(begin, end, inside) for every stretch, `inside` a t within it.
+  template <class Piece>
+  void for_each(const Piece& piece) {
+    std::sort(t_.begin(), t_.begin() + count_);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (count_ == 0) return piece(-kInfinity, kInfinity, 0.0);
+    const double first = t_[0], last = t_[count_ - 1];
+    const double step = std::max({1.0, std::abs(first), std::abs(last)});
+    piece(-kInfinity, first, first - step);
+    for (std::size_t i = 0; i + 1 < count_; ++i) {
+      if (t_[i] < t_[i + 1]) piece(t_[i], t_[i + 1], t_[i] + 0.5 * (t_[i + 1] - t_[i]));
+    }
+    piece(last, kInfinity, last + step);
+  }
+
+ private:
+  std::array<double, N> t_{};
+  std::size_t count_ = 0;
+};
+
+/// From the value of q at a box's centre: its root over one radius changes by no more than the distance over that
+/// radius.
+[[nodiscard]] inline QRange q_range_by_distance(double q_at_centre, double radius, const Box& box) {
+  const double root = std::sqrt(q_at_centre), change = 0.5 * box.size().length() / radius;
+  const double low = std::max(root - change, 0.0), high = root + change;
+  return {low * low, high * high};
+}
+
+}  // namespace isl::render

@@ -1,0 +1,65 @@
+// A box with rounded edges: q = (squared distance to the box between two corners)/r². Inside the box q = 0, and the
+// field has its greatest value throughout.
+//
+// The squared distance is Σ over the axes of (how far the coordinate is beyond the box's slab)², so along a ray it is a
+// quadratic between the six planes of the box, of those axes on which the ray is outside its slab.
+#pragma once
+
+#include "renderer/fields/skeletons/skeleton.h"
+
+namespace isl::render {
+
+struct SolidBox {
+  Vec3 low, high;
+  double radius;
+
+  [[nodiscard]] Foot nearest(const Vec3& p) const {
+    Vec3 offset;
+    for (int i = 0; i < 3; ++i) offset[i] = p[i] - std::clamp(p[i], low[i], high[i]);
+    return {offset, 1 / (radius * radius)};
+  }
+
+  [[nodiscard]] QRange q_over(const Box& box) const {
+    QRange range{0, 0};
+    for (int i = 0; i < 3; ++i) {
+      const double nearest = std::max({low[i] - box.max[i], box.min[i] - high[i], 0.0});
+      const double farthest = std::max({low[i] - box.min[i], box.max[i] - high[i], 0.0});
+      range.low += nearest * nearest;
+      range.high += farthest * farthest;
+    }
+    return {range.low / (radius * radius), range.high / (radius * radius)};
+  }
+
+  [[nodiscard]] double thickest() const { return radius; }
+  [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
+    double coordinate = 0;
+    for (int i = 0; i < 3; ++i) coordinate += n[i] * (n[i] > 0 ? high[i] : low[i]);
+    return {Reach{coordinate, radius}, Reach{coordinate, radius}};
+  }
+
+  template <class Emit>
+  void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
+    Breaks<6> breaks;
+    for (int i = 0; i < 3; ++i) {
+      breaks.add(origin[i], direction[i], low[i]);
+      breaks.add(origin[i], direction[i], high[i]);
+    }
+    const double inverse_radius2 = 1 / (radius * radius);
+    breaks.for_each([&](double begin, double end, double inside) {
+      // From the nearest point of the box to the origin, and the direction, on the axes that count here.
+      Vec3 from_box(0), by(0);
+      for (int i = 0; i < 3; ++i) {
+        const double x = origin[i] + inside * direction[i];
+        if (x >= low[i] && x <= high[i]) continue;
+        from_box[i] = origin[i] - (x < low[i] ? low[i] : high[i]);
+        by[i] = direction[i];
+      }
+      const double dd = by.length2();
+      const double middle = dd > 0 ? -from_box.dot(by) / dd : 0;
+      emit(QuadraticPiece{inverse_radius2 * (from_box + by * middle).length2(), inverse_radius2 * dd, middle, begin,
+                          end});
+    });
+  }
+};
+
+}  // namespace isl::render
