@@ -1,6 +1,7 @@
 #include "tests/conformance/field_cases.h"
 
 #include "tests/reference/random_scenes.h"
+#include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
 #include <cmath>
@@ -32,10 +33,25 @@ const std::vector<Named<scene::Component>>& skeletons() {
 
 const std::vector<Named<scene::Kernel>>& kernels() {
   static const std::vector<Named<scene::Kernel>> list = {
-      {"povray", reference::kPovRay},           {"quartic_1", reference::quartic(1)},
-      {"quartic_4", reference::quartic(4)},     {"quartic_100", reference::quartic(100)},
-      {"gaussian_1", reference::gaussian(1)},   {"gaussian_4", reference::gaussian(4)},
-      {"gaussian_60", reference::gaussian(60)}, {"gaussian_500", reference::gaussian(500)}};
+      {"povray", reference::kPovRay},
+      {"quartic_1", reference::quartic(1)},
+      {"quartic_4", reference::quartic(4)},
+      {"quartic_100", reference::quartic(100)},
+      {"gaussian_1", reference::gaussian(1)},
+      {"gaussian_4", reference::gaussian(4)},
+      {"gaussian_60", reference::gaussian(60)},
+      {"gaussian_500", reference::gaussian(500)},
+      {"soft_1", reference::soft(1)},
+      {"soft_4", reference::soft(4)},
+      {"soft_60", reference::soft(60)},
+      {"metaball_a_fifth", reference::metaball(0.2)},  // its surface lies in the core: the junction is outside
+      {"metaball_1", reference::metaball(1)},
+      {"metaball_4", reference::metaball(4)},
+      {"metaball_60", reference::metaball(60)},
+      {"cauchy_1", reference::cauchy(1)},
+      {"cauchy_4", reference::cauchy(4)},
+      {"cauchy_60", reference::cauchy(60)},
+      {"cauchy_500", reference::cauchy(500)}};
   return list;
 }
 
@@ -56,9 +72,7 @@ double longest_stretch(const scene::Transform& transform) {
 }
 
 double reach_of(const FieldCase& field) {
-  // Q is largest for the softest kernels: 1 + ln(1000)/h and 1 + 2/h, both under 1 + 7/h.
-  const double border =
-      field.kernel.meaning == scene::RadiusMeaning::support ? 1 : std::sqrt(1 + 7 / field.kernel.hardness);
+  const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi));
   const scene::Component& c = field.component;
   const double in_component = std::max(c.a.length(), c.b.length()) + std::max(c.radius_a, c.radius_b) * border;
   const Vec3 shift(field.transform.matrix[3][0], field.transform.matrix[3][1], field.transform.matrix[3][2]);

@@ -26,8 +26,9 @@ constexpr double kRounding = 1e-13;
 
 std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", p.x, p.y, p.z); }
 
-FieldSample truth_at(const FieldCase& field, const Vec3& p) {
-  return ReferenceComponent(field.component, field.kernel, field.transform).sample(exactly(p));
+/// The reference's field; made once a property, since a kernel's constants take some solving.
+ReferenceComponent truth_of(const FieldCase& field) {
+  return {field.component, reference::ReferenceKernel(field.kernel), field.transform};
 }
 
 double length_of(const reference::Vector<long double>& v) { return static_cast<double>(std::sqrt(squared_length(v))); }
@@ -58,9 +59,10 @@ Vec3 interesting_point(RandomSource& random, const FieldCase& field) {
 
 std::string value_is_the_references(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(101);
+  const ReferenceComponent judge = truth_of(field);
   for (int i = 0; i < kPoints; ++i) {
     const Vec3 p = interesting_point(random, field);
-    const FieldSample truth = truth_at(field, p);
+    const FieldSample truth = judge.sample(exactly(p));
     const double expected = static_cast<double>(truth.value), actual = tested.value(p);
     const double moved = length_of(truth.gradient) * (field.reach + p.length());
     const double tolerance = kRounding * (std::abs(expected) + moved + 0.01 * unit_of(field));
@@ -73,9 +75,10 @@ std::string value_is_the_references(const FieldUnderTest& tested, const FieldCas
 
 std::string gradient_is_the_references(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(102);
+  const ReferenceComponent judge = truth_of(field);
   for (int i = 0; i < kPoints; ++i) {
     const Vec3 p = interesting_point(random, field);
-    const reference::Vector<long double> expected = truth_at(field, p).gradient;
+    const reference::Vector<long double> expected = judge.sample(exactly(p)).gradient;
     const Vec3 actual = tested.gradient(p);
     // Moving p by a relative 1e-16 moves the gradient by its own relative change over the feature size.
     const double sensitivity = 1 + (field.reach + p.length()) / feature_size(field);
@@ -235,6 +238,7 @@ std::string is_smooth_along_rays(const FieldUnderTest& tested, const FieldCase& 
 
 std::string box_range_holds_every_sample(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(106);
+  const ReferenceComponent judge = truth_of(field);
   for (int i = 0; i < kPoints; ++i) {
     const Vec3 centre = interesting_point(random, field);
     const Vec3 half = Vec3(random.between(0.1, 1), random.between(0.1, 1), random.between(0.1, 1)) *
@@ -244,7 +248,7 @@ std::string box_range_holds_every_sample(const FieldUnderTest& tested, const Fie
       // Corners and edges are where extremes lie.
       const auto side = [&] { return k < 40 ? 2.0 * random.below(2) - 1 : random.between(-1, 1); };
       const Vec3 p = centre + Vec3(half.x * side(), half.y * side(), half.z * side());
-      const double value = static_cast<double>(truth_at(field, p).value);
+      const double value = static_cast<double>(judge.sample(exactly(p)).value);
       if (!(range.low - kRounding * std::abs(range.low) <= value &&
             value <= range.high + kRounding * std::abs(range.high))) {
         return fmt::format("at {}: {:.17g} is outside [{:.17g}, {:.17g}]", text(p), value, range.low, range.high);
@@ -268,14 +272,14 @@ std::string box_range_shrinks_with_the_box(const FieldUnderTest& tested, const F
 
 std::string remainder_bounds_the_cubics_error(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(108);
+  const ReferenceComponent judge = truth_of(field);
   for (int i = 0; i < kPoints; ++i) {
     const ProbeRay ray = probe_ray(random, field);
     const double length = ray.direction.length();
     const double h = field.reach * std::pow(10, random.between(-3, 0)) / length;
     const double t0 = ray.t - h * random.unit(), t1 = t0 + h;
-    const ReferenceComponent truth(field.component, field.kernel, field.transform);
     const auto exact = [&](double t) {
-      const FieldSample s = truth.sample(exactly(ray.origin) + exactly(ray.direction) * static_cast<long double>(t));
+      const FieldSample s = judge.sample(exactly(ray.origin) + exactly(ray.direction) * static_cast<long double>(t));
       return ValueAndDerivative{static_cast<double>(s.value),
                                 static_cast<double>(dot(s.gradient, exactly(ray.direction)))};
     };

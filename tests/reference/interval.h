@@ -62,6 +62,9 @@ struct Interval {
   return widened(near * near, far * far);
 }
 
+/// √a. Precondition: a ≥ 0. (A long double's square root is correctly rounded.)
+[[nodiscard]] inline Interval square_root(const Interval& a) { return widened(std::sqrt(a.lo), std::sqrt(a.hi)); }
+
 [[nodiscard]] inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
 }

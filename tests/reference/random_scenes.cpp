@@ -1,6 +1,9 @@
 #include "tests/reference/random_scenes.h"
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
 
 namespace isl::reference {
 namespace {
@@ -12,6 +15,16 @@ scene::Transform rotation(const Vec3& axis, double angle) {
   transform.matrix.setAxisAngle(axis, angle);
   transform.inverse = transform.matrix.transposed();
   return transform;
+}
+
+/// POV-Ray's, and every shape twice: of a hardness between 0.5 and 8, and of the hardest.
+std::vector<scene::Kernel> random_kernels(RandomSource& random, double hardest) {
+  std::vector<scene::Kernel> kernels = {{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4}};
+  for (std::size_t shape = 0; shape < std::size(scene::kKernelWords); ++shape) {
+    for (const double hardness : {random.between(0.5, 8), hardest})
+      kernels.push_back({static_cast<scene::KernelShape>(shape), scene::RadiusMeaning::surface, hardness});
+  }
+  return kernels;
 }
 
 }  // namespace
@@ -49,16 +62,13 @@ scene::Transform random_transform(RandomSource& random, double shift) {
 
 scene::Database random_blob(RandomSource& random, const RandomBlobOptions& options) {
   scene::Database database;
-  database.kernels = {{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4},
-                      {scene::KernelShape::quartic, scene::RadiusMeaning::surface, random.between(0.5, 8)},
-                      {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, random.between(0.5, 8)},
-                      {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, options.hardest}};
+  database.kernels = random_kernels(random, options.hardest);
   scene::Blob& blob = database.blobs.emplace_back();
   blob.threshold = random.between(0.3, 1.5);
   for (int i = 0; i < options.components; ++i) {
     scene::Component component;
     component.skeleton = static_cast<scene::Skeleton>(random.below(3));
-    component.kernel = static_cast<scene::KernelId>(random.below(4));
+    component.kernel = static_cast<scene::KernelId>(random.below(static_cast<int>(database.kernels.size())));
     component.a = random.in_ball(options.scale * 0.7);
     component.b = component.a + random.in_ball(options.scale * 0.5);
     component.radius_a = options.scale * 0.3 * std::pow(10, random.between(-1.5, 0));

@@ -42,7 +42,8 @@ struct RandomBlobOptions {
   double scale = 1;        ///< everything lies within about this radius
   bool negatives = true;   ///< one in four carves
   bool transforms = true;  ///< one in three has its own
-  double hardest = 8;      ///< hardness of the hardest gaussians; a gaussian of hardness h has e^h in its middle
+  double hardest =
+      8;  ///< hardness of the hardest kernels; of hardness h, gaussian and cauchy have some e^h in the middle
 };
 
 /// One blob of points, segments and cones with all kernels and both meanings of the radius, placed once in the world.

@@ -26,16 +26,13 @@ Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matri
   return transformed_vector(p, m) + Vector<Interval>{Interval(m[3][0]), Interval(m[3][1]), Interval(m[3][2])};
 }
 
-ReferenceComponent::ReferenceComponent(const scene::Component& component, const scene::Kernel& kernel,
+ReferenceComponent::ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
                                        const scene::Transform& transform)
     : skeleton_(component),
       kernel_(kernel),
       component_from_blob_(transform.inverse),
       strength_(component.strength),
       has_transform_(transform.inverse != scene::Matrix()) {}
-
-ReferenceComponent::ReferenceComponent(const scene::Database& database, const scene::Component& component)
-    : ReferenceComponent(component, database.kernels[index(component.kernel)], transform_of(database, component)) {}
 
 FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
   Vector<Interval> w{p.x, p.y, p.z};
@@ -67,8 +64,11 @@ Interval ReferenceComponent::range(const Vector<Interval>& box) const {
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob) : threshold_(blob.threshold) {
   ISL_CHECK(blob.threshold > 0, "threshold {}", blob.threshold);
+  const std::vector<ReferenceKernel> kernels(database.kernels.begin(), database.kernels.end());
   components_.reserve(blob.components.size());
-  for (const scene::Component& component : blob.components) components_.emplace_back(database, component);
+  for (const scene::Component& component : blob.components) {
+    components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component));
+  }
 }
 
 FieldSample ReferenceField::sample(const Vector<long double>& p) const {

@@ -25,9 +25,9 @@ struct FieldSample {
 /// One component with all it refers to.
 class ReferenceComponent {
  public:
-  /// The kernel and the transform are looked up in `database`.
-  ReferenceComponent(const scene::Database& database, const scene::Component& component);
-  ReferenceComponent(const scene::Component& component, const scene::Kernel& kernel, const scene::Transform& transform);
+  /// `component`'s own references are not looked up: `kernel` and `transform` are what they refer to.
+  ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
+                     const scene::Transform& transform);
 
   /// f and ∇f at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;

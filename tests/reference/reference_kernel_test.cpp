@@ -1,5 +1,5 @@
-// The reference kernels against their definitions: normalisation, slope, border, and enclosures that hold what they
-// must.
+// The reference kernels against their definitions: normalisation, slope, border, shape, and enclosures that hold what
+// they must.
 #include "tests/reference/reference_kernel.h"
 
 #include "tests/reference/near.h"
@@ -7,15 +7,27 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <vector>
+
 namespace isl::reference {
 namespace {
 
 class SurfaceKernel : public testing::TestWithParam<scene::Kernel> {};
 
+/// q at equal steps from the middle to the border of the support.
+std::vector<long double> samples(const ReferenceKernel& kernel, int count) {
+  std::vector<long double> list;
+  for (int i = 0; i <= count; ++i) list.push_back(kernel.support().middle() * i / count);
+  return list;
+}
+
 TEST_P(SurfaceKernel, IsOneWithSlopeMinusHardnessAtTheRadius) {
   const ReferenceKernel kernel(GetParam());
   EXPECT_CLOSE(kernel.value(1.0L), 1, 1e-16L);
   EXPECT_CLOSE(kernel.slope(1.0L) / GetParam().hardness, -1, 1e-16L);
+  EXPECT_TRUE(kernel.value(Interval(1)).contains(1));
+  EXPECT_TRUE(kernel.slope(Interval(1)).contains(-GetParam().hardness));
 }
 
 TEST_P(SurfaceKernel, SlopeIsTheDerivativeOfTheValue) {
@@ -31,24 +43,66 @@ TEST_P(SurfaceKernel, SlopeIsTheDerivativeOfTheValue) {
 TEST_P(SurfaceKernel, EndsAtTheSupportWithZeroValueAndSlope) {
   const ReferenceKernel kernel(GetParam());
   const long double border = kernel.support().hi;
-  EXPECT_EQ(kernel.value(border), 0);
-  EXPECT_EQ(kernel.slope(border), 0);
+  for (const long double q : {border, 2 * border}) {
+    EXPECT_EQ(kernel.value(q), 0);
+    EXPECT_EQ(kernel.slope(q), 0);
+  }
   EXPECT_GT(kernel.value(border * (1 - 1e-6L)), 0);
   EXPECT_LT(kernel.value(border * (1 - 1e-6L)), 1e-6L);
+  EXPECT_LT(kernel.slope(border * (1 - 1e-6L)), 0);
+  EXPECT_GT(kernel.slope(border * (1 - 1e-6L)) / GetParam().hardness, -1e-3L);
+}
+
+TEST_P(SurfaceKernel, FallsAndIsConvex) {
+  const ReferenceKernel kernel(GetParam());
+  const std::vector<long double> q = samples(kernel, 2000);
+  for (std::size_t i = 1; i + 1 < q.size(); ++i) {
+    const Interval left = kernel.value(Interval(q[i - 1])), here = kernel.value(Interval(q[i]));
+    ASSERT_GT(left.lo, here.hi) << "q = " << q[i];
+    // Convex: the slope of every chord lies between the slopes at its ends, and those rise.
+    const Interval chord = (here - left) / (Interval(q[i]) - Interval(q[i - 1]));
+    const Interval before = kernel.slope(Interval(q[i - 1])), after = kernel.slope(Interval(q[i]));
+    ASSERT_LE(before.lo, chord.hi) << "q = " << q[i];
+    ASSERT_GE(after.hi, chord.lo) << "q = " << q[i];
+    ASSERT_LE(before.lo, after.hi) << "q = " << q[i];
+    ASSERT_LT(after.hi, 0) << "q = " << q[i];
+  }
 }
 
 TEST_P(SurfaceKernel, EnclosuresAreTightAndHoldTheirEnds) {
   const ReferenceKernel kernel(GetParam());
   const Interval value = kernel.value(Interval(0.5L, 0.9L));
   EXPECT_TRUE(value.contains(kernel.value(0.7L)));
-  // The exponential multiplies the error of its argument by the argument, up to 500.
-  EXPECT_CLOSE(value.hi / kernel.value(0.5L), 1, 1e-15L);
-  EXPECT_CLOSE(value.lo / kernel.value(0.9L), 1, 1e-15L);
+  // The exponential multiplies the error of its argument by the argument, up to 500; and the softer a cauchy, the less
+  // its two conditions differ, from which its constants come.
+  const long double tolerance = 1e-15L * std::max(1.0, 1 / GetParam().hardness);
+  EXPECT_CLOSE(value.hi / kernel.value(0.5L), 1, tolerance);
+  EXPECT_CLOSE(value.lo / kernel.value(0.9L), 1, tolerance);
+}
+
+TEST_P(SurfaceKernel, EnclosuresHoldDenseSamples) {
+  const ReferenceKernel kernel(GetParam());
+  // Beyond the support, too.
+  const long double far = kernel.support().hi * 1.2L;
+  for (int from = 0; from < 12; ++from) {
+    for (int to = from + 1; to <= 12; ++to) {
+      const Interval stretch(far * from / 12, far * to / 12);
+      const Interval value = kernel.value(stretch), slope = kernel.slope(stretch);
+      for (int i = 0; i <= 40; ++i) {
+        const long double q = std::min(stretch.lo + stretch.width() * i / 40, stretch.hi);
+        ASSERT_TRUE(value.contains(kernel.value(q))) << "q = " << q << " of " << stretch.lo << " to " << stretch.hi;
+        ASSERT_TRUE(slope.contains(kernel.slope(q))) << "q = " << q << " of " << stretch.lo << " to " << stretch.hi;
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Hardness, SurfaceKernel,
                          testing::Values(quartic(0.5), quartic(4), quartic(500), gaussian(0.5), gaussian(4),
-                                         gaussian(60), gaussian(500)));
+                                         gaussian(60), gaussian(500), soft(0.1), soft(0.4), soft(4), soft(60),
+                                         soft(500), metaball(0.2), metaball(0.5), metaball(1), metaball(4),
+                                         metaball(60), metaball(500), cauchy(0.1), cauchy(1), cauchy(4), cauchy(60),
+                                         cauchy(500)));
 
 TEST(ReferenceKernel, GaussianIsBlinnsExponentialLessATangent) {
   // At h = 4: b·(e^{-aq} − tangent at Q) with the constants to which the definition reduces, written out in full.
@@ -67,6 +121,96 @@ TEST(ReferenceKernel, SupportMeaningIsPovRaysParabola) {
   EXPECT_CLOSE(kernel.value(0.25L), 0.5625L, 1e-17L);
   EXPECT_CLOSE(kernel.slope(0.25L), -1.5L, 1e-17L);
   EXPECT_EQ(kernel.value(1.0L), 0);
+}
+
+/// φ is w(q/Q)/w(1/Q) for the w of a kernel's paper, and its Q is where −x·w′/w = h at x = 1/Q. Tolerances: w is good
+/// to 1e-18, of which a hard kernel's w(1/Q) is only a little; the difference quotient is good to eight digits.
+void expect_is_scaled(const scene::Kernel& named, const std::function<long double(long double)>& w) {
+  SCOPED_TRACE(named.hardness);
+  const ReferenceKernel kernel(named);
+  const long double border = kernel.support().middle(), x = 1 / border, step = 1e-5L * (1 - x);
+  EXPECT_CLOSE(-x * (w(x + step) - w(x - step)) / (2 * step) / w(x) / named.hardness, 1, 1e-8L);
+  for (const long double q : samples(kernel, 100)) {
+    const long double expected = w(q / border) / w(x);
+    EXPECT_CLOSE(kernel.value(q), expected, 1e-18L / w(x) * (1 + expected)) << "q = " << q;
+  }
+}
+
+TEST(ReferenceKernel, SoftIsWyvillsPolynomial) {
+  for (const double hardness : {0.1, 0.4, 1.0, 4.0, 60.0, 500.0}) {
+    expect_is_scaled(soft(hardness), [](long double x) { return 1 - 22 * x / 9 + 17 * x * x / 9 - 4 * x * x * x / 9; });
+  }
+}
+
+TEST(ReferenceKernel, MetaballIsNishimurasCoreAndShell) {
+  for (const double hardness : {0.2, 0.45, 0.55, 1.0, 4.0, 60.0, 500.0}) {
+    expect_is_scaled(metaball(hardness), [](long double x) {
+      const long double rho = std::sqrt(x);
+      return rho <= 1 / 3.0L ? 1 - 3 * x : 1.5L * (1 - rho) * (1 - rho);
+    });
+  }
+}
+
+TEST(ReferenceKernel, MetaballIsContinuousWithItsSlopeWhereItsPiecesMeet) {
+  for (const double hardness : {0.2, 0.5, 1.0, 4.0, 500.0}) {
+    const ReferenceKernel kernel(metaball(hardness));
+    const long double meeting = kernel.support().middle() / 9, step = meeting * 1e-15L;
+    const Interval value = kernel.value(Interval(meeting - step, meeting + step));
+    const Interval slope = kernel.slope(Interval(meeting - step, meeting + step));
+    EXPECT_LT(value.width(), 1e-14L * value.hi);
+    EXPECT_LT(slope.width(), 1e-14L * slope.magnitude());
+    // φ″ jumps from zero to ¾|φ′|/q there: the slope is constant before, and 0.00075 of it is gone a thousandth later.
+    const auto change = [&](long double a, long double b) {
+      return kernel.slope(meeting * b) - kernel.slope(meeting * a);
+    };
+    EXPECT_CLOSE(change(0.999L, 1), 0, 1e-15L * slope.magnitude());
+    EXPECT_GT(change(1, 1.001L), 5e-4L * slope.magnitude());
+  }
+}
+
+/// Cauchy's kernel less its tangent at Q, and its derivative, in σ² and Q as the definition has them.
+struct WindowedCauchy {
+  long double sigma_squared, border;
+
+  [[nodiscard]] long double k(long double q) const { return std::pow(1 + sigma_squared * q, -2.0L); }
+  [[nodiscard]] long double dk(long double q) const {
+    return -2 * sigma_squared * std::pow(1 + sigma_squared * q, -3.0L);
+  }
+  [[nodiscard]] long double raw(long double q) const { return k(q) - k(border) - dk(border) * (q - border); }
+  [[nodiscard]] long double hardness() const { return -(dk(1) - dk(border)) / raw(1); }
+};
+
+TEST(ReferenceKernel, CauchyIsTheKernelLessItsTangentWithTheKnownConstants) {
+  struct Known {
+    double hardness;
+    long double root_of_border, sigma;
+  };
+  for (const Known& known : {Known{1, 2.0755L, 0.6025L}, Known{2, 1.5917L, 0.9520L}, Known{4, 1.2970L, 1.7189L},
+                             Known{8, 1.1399L, 4.2841L}}) {
+    SCOPED_TRACE(known.hardness);
+    const ReferenceKernel kernel(cauchy(known.hardness));
+    const long double border = kernel.support().middle();
+    EXPECT_CLOSE(std::sqrt(border), known.root_of_border, 5e-5L);
+    // The only σ that goes with this Q: the larger, the steeper at the radius.
+    long double low = known.sigma * 0.9L, high = known.sigma * 1.1L;
+    for (int i = 0; i < 70; ++i) {
+      const long double middle = (low + high) / 2;
+      (WindowedCauchy{middle * middle, border}.hardness() < known.hardness ? low : high) = middle;
+    }
+    EXPECT_CLOSE(low, known.sigma, 5e-5L);
+    const WindowedCauchy defined{low * low, border};
+    for (const long double q : samples(kernel, 100))
+      EXPECT_CLOSE(kernel.value(q), defined.raw(q) / defined.raw(1), 1e-15L * kernel.value(0.0L)) << "q = " << q;
+  }
+}
+
+TEST(ReferenceKernel, CauchyHasTheExponentialOfItsHardnessInTheMiddle) {
+  for (const double hardness : {0.1, 1.0, 4.0, 60.0, 500.0}) {
+    const long double expected = std::exp(static_cast<long double>(hardness));
+    const Interval middle = ReferenceKernel(cauchy(hardness)).value(Interval(0));
+    EXPECT_CLOSE(middle.middle() / expected, 1, 1e-15L) << hardness;
+    EXPECT_LT(middle.width(), 1e-14L * expected) << hardness;
+  }
 }
 
 }  // namespace

@@ -16,6 +16,15 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
 [[nodiscard]] constexpr scene::Kernel gaussian(double hardness) {
   return {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, hardness};
 }
+[[nodiscard]] constexpr scene::Kernel soft(double hardness) {
+  return {scene::KernelShape::soft, scene::RadiusMeaning::surface, hardness};
+}
+[[nodiscard]] constexpr scene::Kernel metaball(double hardness) {
+  return {scene::KernelShape::metaball, scene::RadiusMeaning::surface, hardness};
+}
+[[nodiscard]] constexpr scene::Kernel cauchy(double hardness) {
+  return {scene::KernelShape::cauchy, scene::RadiusMeaning::surface, hardness};
+}
 
 [[nodiscard]] inline scene::Component point(const scene::Vec3& centre, double radius, double strength = 1) {
   scene::Component component;
@@ -42,8 +51,8 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
 }
 
 /// One blob in the world, untransformed, all components with the same kernel.
-[[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel, const std::vector<scene::Component>& components,
-                                              double threshold = 1) {
+[[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel,
+                                              const std::vector<scene::Component>& components, double threshold = 1) {
   scene::Database database;
   database.kernels.push_back(kernel);
   scene::Blob& blob = database.blobs.emplace_back();

@@ -1,0 +1,93 @@
+// Cauchy's kernel k(q) = 1/(1 + σ²q)² less its tangent at q = Q, over what that is at q = 1; σ and Q from φ′(1) = −h
+// and φ(0) = eʰ.
+//
+// Let s = (1 + σ²q)/(1 + σ²) = c + (1 − c)q, so that c = 1/(1 + σ²) and s are in (0, 1] up to q = 1, where s = 1, and
+// let s = 1 + e at q = Q. The difference from the tangent has a double root there, and factors:
+//   φ = ((1 + e − s)/e)²·(1 + e + 2s)/((3 + e)s²)
+//   φ′ = −2(1 − c)(1 + e − s)((1 + e)² + (1 + e)s + s²)/(e²(3 + e)s³)
+// φ′(1) = −h: with r = 2(1 − c)/h, the condition r = e(3 + e)/(e(3 + e) + 3) is a quadratic in e, so
+//   e = 2m/(3 + √(9 + 4m)),   m = 3r/(1 − r),   Q = 1 + e/(1 − c).
+// φ(0) = eʰ is then one equation for λ = −ln c,
+//   2λ + 2 ln(1 + (1 − c)/e) + ln(1 − 2(1 − c)/(3 + e)) = h.
+// As λ → 0 its left side tends to 2 ln(1 + h/2) < h, and at λ = h/2 it exceeds h, since (1 + e − s)²(1 + e + 2s) falls
+// with s; it rises between. λ rather than σ, which is 10⁵³ at h = 500: c and 1 − c then have all their digits.
+#include "tests/reference/kernel_forms.h"
+
+namespace isl::reference {
+namespace {
+
+/// A rising function of the library at an interval.
+template <class Function>
+Interval rising(const Function& f, const Interval& x) {
+  return widened(f(x.lo), f(x.hi), kLibraryError);
+}
+
+Interval log_of_one_plus(const Interval& x) {
+  return rising([](long double one) { return std::log1p(one); }, x);
+}
+
+/// What one λ and φ′(1) = −h determine.
+struct Constants {
+  Interval c, rest;  ///< c and 1 − c
+  Interval e;
+
+  Constants(const Interval& lambda, const Interval& h)
+      : c(rising([](long double x) { return std::exp(x); }, -lambda)),
+        rest(-rising([](long double x) { return std::expm1(x); }, -lambda)) {
+    const Interval r = Interval(2) * rest / h;
+    const Interval m = Interval(3) * r / (Interval(1) - r);
+    e = Interval(2) * m / (Interval(3) + square_root(Interval(9) + Interval(4) * m));
+  }
+};
+
+/// ln φ(0) − h.
+Interval excess_in_the_middle(const Interval& lambda, const Interval& h) {
+  const Constants k(lambda, h);
+  return Interval(2) * (lambda + log_of_one_plus(k.rest / k.e)) +
+         log_of_one_plus(-(Interval(2) * k.rest / (Interval(3) + k.e))) - h;
+}
+
+/// Halves until nothing lies between: the last place, seen from `from`, where the excess certainly has this sign.
+long double last_certain(long double from, long double to, int sign, const Interval& h) {
+  while (true) {
+    const long double middle = from + (to - from) / 2;
+    if (middle == from || middle == to) return from;
+    (excess_in_the_middle(middle, h).sign() == sign ? from : to) = middle;
+  }
+}
+
+Interval solved_lambda(const Interval& h) {
+  const long double most = h.hi / 2;
+  return {last_certain(0, most, -1, h), last_certain(most, 0, 1, h)};
+}
+
+class CauchyForm final : public KernelForm {
+ public:
+  explicit CauchyForm(const scene::Kernel& kernel) : k_(solved_lambda(kernel.hardness), kernel.hardness) {}
+
+  [[nodiscard]] Interval support() const override { return Interval(1) + k_.e / k_.rest; }
+  [[nodiscard]] Interval value(long double q) const override {
+    const Interval s = s_at(q);
+    return square(to_border(q) / k_.e) * (border() + Interval(2) * s) / ((Interval(2) + border()) * square(s));
+  }
+  [[nodiscard]] Interval slope(long double q) const override {
+    const Interval s = s_at(q);
+    const Interval squares = square(border()) + border() * s + square(s);
+    return -(Interval(2) * k_.rest * to_border(q) * squares /
+             (square(k_.e) * (Interval(2) + border()) * square(s) * s));
+  }
+
+ private:
+  [[nodiscard]] Interval s_at(long double q) const { return k_.c + k_.rest * Interval(q); }
+  /// s at the border of the support, and how far s is from it.
+  [[nodiscard]] Interval border() const { return Interval(1) + k_.e; }
+  [[nodiscard]] Interval to_border(long double q) const { return Depth{k_.e, k_.rest}.at(q); }
+
+  Constants k_;
+};
+
+}  // namespace
+
+KernelFormHandle cauchy_form(const scene::Kernel& kernel) { return std::make_shared<CauchyForm>(kernel); }
+
+}  // namespace isl::reference
