@@ -1,0 +1,101 @@
+// The kernels and their first four derivatives, written out by hand from their definitions in long double: what the
+// bounds in renderer/fields/kernels are tested against. From the product it takes Q alone (the conformance suite has
+// seen to that), and must know nothing of how its kernels are written.
+//
+// φ(q) = p(q)/p(1), q the squared distance over the squared radius, h the hardness, for 0 ≤ q < Q:
+//   quartic   p = (1 − q/Q)²
+//   gaussian  p = e^{−a(q−1)} less its tangent at Q, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), δ = 10⁻³
+//   soft      p = 1 − (22/9)x + (17/9)x² − (4/9)x³, x = q/Q
+//   metaball  p = 1 − 3x for x ≤ 1/9, (3/2)(1 − √x)² from there
+//   cauchy    p = (1 + σ²q)⁻² less its tangent at Q, σ from φ(0) = eʰ
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace isl::render {
+
+/// φ, φ′, φ″, φ‴, φ⁗ with respect to q.
+using Derivatives = std::array<long double, 5>;
+
+struct KernelDefinition {
+  std::function<Derivatives(long double q)> at;
+  long double jump = 0;  ///< q where φ″ jumps; 0 if it does not
+};
+
+/// p(q) with its derivatives, over p(1).
+template <class Unscaled>
+[[nodiscard]] std::function<Derivatives(long double)> normalised(const Unscaled& p) {
+  return [p, one = p(1.0L)[0]](long double q) {
+    Derivatives d = p(q);
+    for (long double& each : d) each /= one;
+    return d;
+  };
+}
+
+/// A function less its tangent at `border`.
+template <class Function>
+[[nodiscard]] auto less_tangent(const Function& f, long double border) {
+  return [f, border, at_border = f(border)](long double q) {
+    Derivatives d = f(q);
+    d[0] -= at_border[0] + at_border[1] * (q - border);
+    d[1] -= at_border[1];
+    return d;
+  };
+}
+
+[[nodiscard]] inline KernelDefinition quartic_definition(long double, long double border) {
+  return {normalised([border](long double q) {
+    const long double y = 1 - q / border;
+    return Derivatives{y * y, -2 * y / border, 2 / (border * border), 0, 0};
+  })};
+}
+
+[[nodiscard]] inline KernelDefinition gaussian_definition(long double hardness, long double border) {
+  const long double delta = 1e-3L, a = hardness * (1 - delta * (1 + std::log(1 / delta))) / (1 - delta);
+  const auto exponential = [a](long double q) {
+    const long double e = std::exp(-a * (q - 1));
+    return Derivatives{e, -a * e, a * a * e, -a * a * a * e, a * a * a * a * e};
+  };
+  return {normalised(less_tangent(exponential, border))};
+}
+
+[[nodiscard]] inline KernelDefinition soft_definition(long double, long double border) {
+  return {normalised([border](long double q) {
+    const long double x = q / border, b = border;
+    return Derivatives{1 - 22 * x / 9 + 17 * x * x / 9 - 4 * x * x * x / 9, (-22 + 34 * x - 12 * x * x) / (9 * b),
+                       (34 - 24 * x) / (9 * b * b), -24 / (9 * b * b * b), 0};
+  })};
+}
+
+[[nodiscard]] inline KernelDefinition metaball_definition(long double, long double border) {
+  const auto unscaled = [border](long double q) {
+    const long double x = q / border, b = border, root = std::sqrt(x);
+    if (9 * x <= 1) return Derivatives{1 - 3 * x, -3 / b, 0, 0, 0};
+    return Derivatives{1.5L * (1 - root) * (1 - root), 1.5L * (1 - 1 / root) / b, 0.75L / (x * root * b * b),
+                       -1.125L / (x * x * root * b * b * b), 2.8125L / (x * x * x * root * b * b * b * b)};
+  };
+  return {normalised(unscaled), border / 9};
+}
+
+[[nodiscard]] inline KernelDefinition cauchy_definition(long double hardness, long double border) {
+  const auto less_its_tangent = [border](long double sigma_squared) {
+    const auto cauchy = [k = sigma_squared](long double q) {
+      const long double s = 1 / (1 + k * q), s2 = s * s;
+      return Derivatives{s2, -2 * k * s2 * s, 6 * k * k * s2 * s2, -24 * k * k * k * s2 * s2 * s,
+                         120 * k * k * k * k * s2 * s2 * s2};
+    };
+    return less_tangent(cauchy, border);
+  };
+  // The height of the middle over the surface rises with σ: ln σ² by halving.
+  long double low = -6, high = hardness;
+  for (int i = 0; i < 90; ++i) {
+    const long double middle = (low + high) / 2;
+    const auto p = less_its_tangent(std::exp(middle));
+    (std::log(p(0)[0] / p(1)[0]) < hardness ? low : high) = middle;
+  }
+  return {normalised(less_its_tangent(std::exp(low)))};
+}
+
+}  // namespace isl::render
