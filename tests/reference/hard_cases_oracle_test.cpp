@@ -177,7 +177,9 @@ TEST_P(SurfaceStarts, F55_RaysThatEnterTheSurfaceAllLeave) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernels, SurfaceStarts, testing::Values(gaussian(4), quartic(4), gaussian(60)));
+INSTANTIATE_TEST_SUITE_P(Kernels, SurfaceStarts,
+                         testing::Values(gaussian(4), quartic(4), soft(4), metaball(0.2), metaball(4), cauchy(4),
+                                         gaussian(60), cauchy(60)));
 
 }  // namespace
 }  // namespace isl::reference

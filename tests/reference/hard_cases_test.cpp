@@ -1,5 +1,6 @@
 // Hard cases of roots, sums and starts through the public tracer, with answers in closed form. The case's number is in
 // its name.
+#include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
@@ -25,7 +26,7 @@ void expect_walk(const scene::Database& database, const Vec3& origin, const Vec3
 }
 
 TEST(HardCases, A01_GrazingRayFindsTwoRootsOrMisses) {
-  for (const scene::Kernel& kernel : {gaussian(4), quartic(4)}) {
+  for (const scene::Kernel& kernel : {gaussian(4), quartic(4), soft(4), metaball(4), cauchy(4)}) {
     const scene::Database ball = one_blob(kernel, {point({0, 0, 0}, 1)});
     for (const double epsilon : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       SCOPED_TRACE(epsilon);
@@ -145,6 +146,22 @@ TEST(HardCases, B24_ChainOfAThousandBlobsHasAllItsRoots) {
     expected.insert(expected.end(), {4.0 * i + 9, 4.0 * i + 11});
   }
   expect_walk(one_blob(gaussian(4), chain), {0, 0, -10}, {0, 0, 1}, expected, 1e-9);
+}
+
+TEST(HardCases, C32_HardestKernelsAreMetThroughTheirVeryMiddle) {
+  // Up to e^500 there, and a cauchy is a spike; a row of three, so that the ray goes on.
+  for (const scene::Kernel& kernel : {gaussian(500), soft(500), metaball(500), cauchy(60)}) {
+    SCOPED_TRACE(testing::Message() << "kernel " << static_cast<int>(kernel.shape) << ", hardness " << kernel.hardness);
+    const scene::Database row = one_blob(kernel, {point({0, 0, 0}, 1), point({0, 0, 3}, 1), point({0, 0, 6}, 0.5, 2)});
+    // The last is of strength 2: its surface is where φ = ½.
+    const ReferenceKernel phi(kernel);
+    long double low = 1, high = phi.support().hi;
+    for (int i = 0; i < 70; ++i) (phi.value((low + high) / 2) > 0.5L ? low : high) = (low + high) / 2;
+    const double last = 0.5 * static_cast<double>(std::sqrt(low));
+    expect_walk(row, {0, 0, -5}, {0, 0, 1}, {4, 6, 7, 9, 11 - last, 11 + last}, 1e-13);
+    expect_walk(row, {0, 0, 0}, {0, 0, 1}, {1, 2, 4, 6 - last, 6 + last}, 1e-13);
+    expect_walk(row, {0, 0, 3}, {0, 0, -1}, {1, 2, 4}, 1e-13);
+  }
 }
 
 TEST(HardCases, D37_RayFromInsideLeavesFirst) {
