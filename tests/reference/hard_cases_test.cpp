@@ -150,7 +150,8 @@ TEST(HardCases, B24_ChainOfAThousandBlobsHasAllItsRoots) {
 
 TEST(HardCases, C32_HardestKernelsAreMetThroughTheirVeryMiddle) {
   // Up to e^500 there, and a cauchy is a spike; a row of three, so that the ray goes on.
-  for (const scene::Kernel& kernel : {gaussian(500), soft(500), metaball(500), cauchy(60)}) {
+  for (const scene::Kernel& kernel :
+       {gaussian(500), soft(500), metaball(500), cauchy(60), cauchy(80), cauchy(300), cauchy(500)}) {
     SCOPED_TRACE(testing::Message() << "kernel " << static_cast<int>(kernel.shape) << ", hardness " << kernel.hardness);
     const scene::Database row = one_blob(kernel, {point({0, 0, 0}, 1), point({0, 0, 3}, 1), point({0, 0, 6}, 0.5, 2)});
     // The last is of strength 2: its surface is where φ = ½.
