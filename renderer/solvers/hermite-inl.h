@@ -110,10 +110,15 @@ class HermiteSolver {
       if (fall < -band) return Verdict::none;
     }
     const double middle = a.t + 0.5 * h;
-    if (e.value > noise && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
+    const bool is_exact = e.value <= noise;  // false too where the bound overflowed
+    if (!is_exact && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
     ++counters_.uncertified_steps;
+    if (crossed) return Verdict::in_cubic;
+    // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as
+    // through the very middle of a hard component, knows nothing.
+    if (!is_exact) return Verdict::none;
     const Bernstein known = a_is_root ? quotient(a, b) : p;
-    if (crossed || first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
+    if (first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
       return Verdict::in_cubic;
     }
     return Verdict::none;

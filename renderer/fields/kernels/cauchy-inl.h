@@ -59,9 +59,8 @@ struct Cauchy {
     return d * d * (N(border) + N(2.0) * a) / (a * a * N(border * border * border));
   }
   [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
-    const Octet b(border), a = Octet(epsilon) + v, d = Octet(support_) - v;
-    const Octet factor = d / (a * a * Octet(border * border * border));
-    return {factor * d * (b + Octet(2.0) * a), Octet(-2.0) * factor * (b * b + a * b + a * a) / a};
+    // At the very centre of the hardest, ε = 10⁻¹⁰⁸, the slope is beyond any number.
+    return {value(v), slope(max(Octet(epsilon) + v, Octet(1e-100)), v)};
   }
   /// φ″(v).
   [[nodiscard]] HWY_INLINE Octet curvature(const Octet& v) const {
@@ -89,11 +88,15 @@ struct Cauchy {
 
   [[nodiscard]] HWY_INLINE SlopeBounds slopes(const Octet& v_least) const {
     const Octet a = Octet(epsilon) + v_least, a4 = fourth_power(a);
-    return {Octet(0.0) - value_and_slope(v_least).slope, Octet(6.0) / a4, Octet(24.0) / (a4 * a),
+    return {Octet(0.0) - slope(a, v_least), Octet(6.0) / a4, Octet(24.0) / (a4 * a),
             Octet(120.0) / (a4 * a * a)};
   }
 
  private:
+  [[nodiscard]] HWY_INLINE Octet slope(const Octet& a, const Octet& v) const {
+    const Octet b(border), d = Octet(support_) - v;
+    return Octet(-2.0) * d * (b * b + a * b + a * a) / (a * a * a * Octet(border * border * border));
+  }
   [[nodiscard]] static HWY_INLINE Octet fourth_power(const Octet& x) {
     const Octet square = x * x;
     return square * square;
