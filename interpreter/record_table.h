@@ -30,14 +30,15 @@ class RecordTable {
     return last_ = next;
   }
 
+  /// Same bits: what differs in its padding or the sign of a zero alone is kept twice, and nothing else comes of it.
+  [[nodiscard]] static bool is_same(const Record& a, const Record& b) {
+    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
+  }
+
  private:
   static_assert(std::is_trivially_copyable_v<Record> && sizeof(Record) % sizeof(double) == 0);
   [[nodiscard]] static std::string_view bytes(const Record& record) {
     return {reinterpret_cast<const char*>(&record), sizeof(record)};
-  }
-  /// Same bits: what differs in its padding or the sign of a zero alone is kept twice, and nothing else comes of it.
-  [[nodiscard]] static bool is_same(const Record& a, const Record& b) {
-    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
   }
 
   std::unordered_multimap<std::size_t, std::uint32_t> by_hash_;

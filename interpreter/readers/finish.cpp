@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace isl::interpreter {
 namespace {
@@ -223,7 +222,7 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
 
 scene::FinishId finish_id(Context& context, const Finish& finish) {
   static const Finish kDefault;
-  if (std::memcmp(&finish, &kDefault, sizeof(Finish)) == 0) return scene::kDefaultFinish;
+  if (RecordTable<Finish>::is_same(finish, kDefault)) return scene::kDefaultFinish;
   return share_record<scene::FinishId>(context, context.finish_table, context.database.finishes, finish);
 }
 

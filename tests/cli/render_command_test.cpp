@@ -23,7 +23,7 @@ class RenderCommand : public ProgramTest {
   RenderCommand() { write("ball.isl", kSmallScene); }
 
   /// `isl render ball.isl -s 48x36 …`
-  [[nodiscard]] ProcessResult render(std::vector<std::string> options, ProcessOptions how = {}) const {
+  [[nodiscard]] ProcessResult render(std::vector<std::string> options, const ProcessOptions& how = {}) const {
     options.insert(options.begin(), {"render", "ball.isl", "-s", "48x36"});
     return run(options, how);
   }

@@ -123,7 +123,7 @@ TEST(Agreement, NoticesWrongShadows) {
   const ReferenceScene scene(ball);
   const std::vector<render::Ray> rays = {
       {{0, 0.5, -4}, {0, 0, 1}, 10, 0, {}}, {{0, 1.5, -4}, {0, 0, 1}, 10, 0, {}}, {{0, 0.5, -4}, {0, 0, 1}, 2, 0, {}}};
-  const auto answers = [](std::vector<std::uint8_t> given) {
+  const auto answers = [](const std::vector<std::uint8_t>& given) {
     return [given](std::span<const render::Ray>, std::span<std::uint8_t> out) {
       std::copy(given.begin(), given.end(), out.begin());
     };
