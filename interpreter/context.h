@@ -59,6 +59,7 @@ class Context {
   scene::Database database;
   OriginTable origins;
   double language_version = 3.7;
+  bool has_noise_generator = false;  ///< the scene says which
   /// What #default says now; what an object without a texture of its own gets.
   scene::Texture default_texture;
   bool has_default_texture = false;
@@ -85,6 +86,12 @@ class Context {
   void report_out_of_memory();
   /// "`media` is not supported": an error, or with --lenient a warning. The caller skips the thing.
   void unsupported(SourceSpan span, std::string_view thing);
+
+  /// The scene's, 1 to 3; where it does not say, the first for what was written for POV-Ray before 3.5.
+  [[nodiscard]] int noise_generator() const {
+    if (has_noise_generator) return database.settings.noise_generator;
+    return language_version < 3.5 ? 1 : 2;
+  }
 
   // ---- Names --------------------------------------------------------------------------------------------------------
 

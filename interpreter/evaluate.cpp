@@ -70,6 +70,7 @@ void run(Context& context, const grammar::Unit& unit) {
   scene::Settings& settings = context.database.settings;
   if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.language_version >= 3.7)
     settings.assumed_gamma = 1;
+  settings.noise_generator = context.noise_generator();
 }
 
 }  // namespace

@@ -3,11 +3,17 @@
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/functions/compiler.h"
+#include "interpreter/functions/pattern_use.h"
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/pattern.h"
+#include "interpreter/readers/pigment.h"
 #include "interpreter/readers/rvalue.h"
 #include "interpreter/readers/spline.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
+#include "interpreter/records.h"
+#include "renderer/patterns/patterns.h"
+#include "renderer/scene/queries.h"
 #include "renderer/values/function_machine.h"
 #include "renderer/values/internal_functions.h"
 #include "renderer/values/spline.h"
@@ -43,6 +49,12 @@ Function function_of(Body body, std::size_t parameter_count, std::size_t result_
   function.parameter_count = static_cast<std::uint16_t>(parameter_count);
   function.result_count = static_cast<std::uint16_t>(result_count);
   function.frame_size = static_cast<std::uint32_t>(std::max(parameter_count, result_count));
+  return function;
+}
+
+Function with_use(Function function, const PatternUse& use) {
+  function.pattern_depth = use.depth;
+  function.missing = use.missing;
   return function;
 }
 
@@ -93,7 +105,8 @@ Function make_block_function(Context& context, const grammar::Function& node, El
   if (block.is_block(word::kw_transform))
     return function_of(scene::TransformFunction{read_transform_block(context, block)}, 3, 3);
   if (block.is_block(word::kw_pigment)) {
-    return function_of(scene::PigmentFunction{read_pigment(context, block, context.default_texture.pigment)}, 3, 5);
+    const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment);
+    return with_use(function_of(scene::PigmentFunction{pigment}, 3, 5), use_of(context, pigment, node.span));
   }
   if (!block.is_block(word::kw_pattern)) {
     context.fail(
@@ -101,9 +114,8 @@ Function make_block_function(Context& context, const grammar::Function& node, El
         fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found `{}`",
                     context.text(block.word)));
   }
-  Function function = function_of(scene::InternalFunction{}, 3, 1);
-  function.missing = "function { pattern }";
-  return function;
+  const scene::Pattern pattern = read_pattern_block(context, block);
+  return with_use(function_of(scene::PatternFunction{pattern}, 3, 1), use_of(context, pattern, node.span));
 }
 
 bool is_internal(const grammar::Items& body) {
@@ -125,6 +137,18 @@ Function make_body(Context& context, const grammar::Function& node) {
 }
 
 // ---- Calling --------------------------------------------------------------------------------------------------------
+
+/// Asks the language's own `inside`.
+class Surroundings final : public render::PatternSurroundings {
+ public:
+  explicit Surroundings(const Context& context) : context_(context) {}
+  [[nodiscard]] bool is_inside(const scene::Object& object, const scene::Vec3& point) const override {
+    return context_.options.queries->inside(context_.database, object, point);
+  }
+
+ private:
+  const Context& context_;
+};
 
 /// The numbers between a call's parentheses; commas between them are optional, and a macro may yield several.
 class Numbers {
@@ -168,9 +192,12 @@ Value call(Context& context, const grammar::Call& call, const FunctionValue& val
     context.unsupported(call.span, function.missing);
     throw Failed{};
   }
-  const NestingGuard guard(context, call.span, kEvaluationUnits);
-  values::Environment environment(values::NoiseGenerator::range_corrected,
-                                  static_cast<std::uint64_t>(std::min(context.options.limits.max_turns, 1e18)));
+  const NestingGuard guard(context, call.span, kEvaluationUnits * (1 + function.pattern_depth));
+  const Surroundings surroundings(context);
+  const render::Patterns patterns(context.database, &surroundings);
+  values::Environment environment(values::noise_generator_of(context.noise_generator()),
+                                  static_cast<std::uint64_t>(std::min(context.options.limits.max_turns, 1e18)),
+                                  &patterns);
   const auto terms = values::evaluate(function, arguments.span(), environment);
   if (environment.is_spent()) {
     context.stop(call.span,
@@ -227,13 +254,9 @@ bool is_callable(const Value& value) {
 scene::FunctionId function_id(Context& context, const FunctionValue& value, SourceSpan span) {
   if (!value.function->missing.empty()) {
     context.unsupported(span, value.function->missing);
-    throw Failed{};
+    return scene::kNoFunction;
   }
-  auto& functions = context.database.functions;
-  const auto known = std::find(functions.begin(), functions.end(), value.function);
-  const auto number = static_cast<std::uint32_t>(known - functions.begin());
-  if (known == functions.end()) functions.push_back(value.function);
-  return scene::FunctionId{number};
+  return add_record<scene::FunctionId>(context, context.database.functions, value.function);
 }
 
 }  // namespace isl::interpreter

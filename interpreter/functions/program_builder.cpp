@@ -86,6 +86,7 @@ void ProgramBuilder::call(const scene::FunctionPointer& callee, Operand first) {
   emit(Opcode::call, first, first, static_cast<Operand>(number));
   frame_size_ = std::max<std::size_t>(frame_size_, first + std::size_t{callee->frame_size});
   depth_ = std::max(depth_, callee->depth + 1);
+  pattern_depth_ = std::max(pattern_depth_, callee->pattern_depth);
   if (missing_.empty()) missing_ = callee->missing;
   fits_ = fits_ && frame_size_ <= Function::kMaxFrame && depth_ <= Function::kMaxDepth;
 }
@@ -97,6 +98,7 @@ Function ProgramBuilder::finish(Operand result) && {
   function.parameter_count = static_cast<std::uint16_t>(parameter_count_);
   function.frame_size = static_cast<std::uint32_t>(frame_size_);
   function.depth = depth_;
+  function.pattern_depth = pattern_depth_;
   function.missing = missing_;
   return function;
 }

@@ -49,6 +49,7 @@ class ProgramBuilder {
   Operand top_;
   std::size_t frame_size_;
   std::uint32_t depth_ = 1;
+  std::uint32_t pattern_depth_ = 0;
   std::string_view missing_;
   bool fits_ = true;
 };

@@ -98,6 +98,12 @@ void check_host(Context& context, const Element& element, PatternKind kind, Patt
   if (kind == PatternKind::image_map && host != PatternHost::pigment) {
     context.fail(element.word_span, "`image_map` stands only in a `pigment`", "did you mean `image_pattern`?");
   }
+  const bool needs_more = kind == PatternKind::aoi || kind == PatternKind::slope || kind == PatternKind::average;
+  if (needs_more && host == PatternHost::function) {
+    context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
+                 fmt::format("`{}` is no pattern of points alone; it cannot stand in a function",
+                             context.text(element.word)));
+  }
 }
 
 /// `function { … }` is one value of the stream.
@@ -107,6 +113,7 @@ bool is_function(const Element& element) {
 
 void set_kind(PatternDraft& draft, PatternKind kind, Wave wave) {
   draft.pattern.kind = kind;
+  draft.pattern.frequency = scene::default_frequency(kind);
   draft.pattern.wave = wave;
   draft.pattern.operands = std::monostate{};
 }
@@ -144,13 +151,13 @@ bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, 
   set_kind(draft, row->kind, row->wave);
   if (!next.is(ElementKind::block)) {
     if (row->read) row->read(stream, draft.pattern);
-    if (row->list > 0) read_list(stream, row->kind, row->list);
+    if (row->list > 0 && read_list) read_list(stream, row->kind, row->list);
     return true;
   }
   ElementStream inside(context, next);
   if (row->kind == PatternKind::object) {
     read_object_operand(inside, draft.pattern);
-    read_list(inside, row->kind, row->list);
+    if (read_list) read_list(inside, row->kind, row->list);
   } else if (row->kind == PatternKind::bump_map) {
     return true;  // its host reads the block: it holds the size of the bumps too
   } else {
@@ -184,6 +191,10 @@ bool read_wave(ElementStream& stream, Pattern& pattern) {
   }
   return true;
 }
+
+constexpr grammar::Symbol kKnownModifiers[] = {word::kw_turbulence, word::kw_warp,  word::kw_frequency,
+                                               word::kw_phase,      word::kw_scale, word::kw_rotate,
+                                               word::kw_translate,  word::kw_noise_generator};
 
 struct NumberRow {
   grammar::Symbol word;
@@ -235,6 +246,16 @@ bool read_pattern_modifier(ElementStream& stream, PatternDraft& draft) {
   if (!next.is(ElementKind::word)) return false;
   return read_turbulence_item(stream, draft.pattern.turbulence) || read_wave(stream, draft.pattern) ||
          read_scalar(stream, draft.pattern) || read_operand_modifier(stream, draft.pattern);
+}
+
+scene::Pattern read_pattern_block(Context& context, const Element& block) {
+  ElementStream stream(context, block);
+  PatternDraft draft = draft_of(context, {});
+  if (!read_pattern(stream, draft, PatternHost::function, {})) fail_expected(stream, "a pattern");
+  while (!stream.peek().is(ElementKind::end)) {
+    if (!read_pattern_modifier(stream, draft)) refuse(stream, kKnownModifiers);
+  }
+  return std::move(draft.pattern);
 }
 
 }  // namespace isl::interpreter

@@ -9,7 +9,7 @@
 namespace isl::interpreter {
 
 /// What holds the pattern: it decides which patterns may stand there and what follows them.
-enum class PatternHost { pigment, normal, texture };
+enum class PatternHost { pigment, normal, texture, function };
 
 /// A pattern while its block is read.
 struct PatternDraft {
@@ -21,7 +21,7 @@ struct PatternDraft {
 /// A draft that starts from `pattern`.
 [[nodiscard]] PatternDraft draft_of(Context& context, const scene::Pattern& pattern);
 
-/// Reads the list of items that belongs to a block pattern (`checker A, B`), at most `count`.
+/// Reads the list of items that belongs to a block pattern (`checker A, B`), at most `count`. Empty where there is none.
 using ReadList = std::function<void(ElementStream& stream, scene::PatternKind kind, int count)>;
 
 /// Whether the next thing is a pattern's word or block.
@@ -30,6 +30,9 @@ using ReadList = std::function<void(ElementStream& stream, scene::PatternKind ki
 /// Reads a pattern's word or block with its operands into the draft, if the next element is one.
 [[nodiscard]] bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host,
                                 const ReadList& read_list);
+
+/// `pattern { … }` as the body of a function: a pattern of points, with its modifiers.
+[[nodiscard]] scene::Pattern read_pattern_block(Context& context, const Element& block);
 
 /// How many items a block pattern chooses from (checker 2, hexagon 3 …); 0 for a pattern that takes a map.
 [[nodiscard]] int list_length(scene::PatternKind kind);

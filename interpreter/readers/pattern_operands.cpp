@@ -1,5 +1,6 @@
 #include "interpreter/readers/pattern_operands.h"
 
+#include "interpreter/functions/functions.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/image.h"
 #include "interpreter/readers/objects.h"
@@ -163,8 +164,9 @@ void read_tiling(ElementStream& stream, Pattern& pattern) {
 
 scene::FunctionId read_function_operand(ElementStream& stream) {
   const Element next = stream.take();
-  stream.context().unsupported(next.span, "function");
-  return scene::kNoFunction;
+  Context& context = stream.context();
+  const Value value = make_function(context, grammar::as<grammar::Function>(*next.node));
+  return function_id(context, value.as<FunctionValue>(), next.span);
 }
 
 }  // namespace isl::interpreter

@@ -93,6 +93,7 @@ void read_number_of_waves(ElementStream& stream, scene::Settings& settings) {
 
 void read_noise_generator(ElementStream& stream, scene::Settings& settings) {
   settings.noise_generator = static_cast<int>(read_number_in(stream, "`noise_generator`", 1, 3));
+  stream.context().has_noise_generator = true;
 }
 
 /// Of the encodings that POV-Ray knows; every file is read as UTF-8, of which ASCII is a part.

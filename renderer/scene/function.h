@@ -108,8 +108,13 @@ struct PigmentFunction {
   Pigment pigment;
 };
 
+/// The value of a pattern at a point.
+struct PatternFunction {
+  Pattern pattern;
+};
+
 struct Function {
-  std::variant<Program, InternalFunction, TransformFunction, SplineFunction, PigmentFunction> body;
+  std::variant<Program, InternalFunction, TransformFunction, SplineFunction, PatternFunction, PigmentFunction> body;
   std::uint16_t parameter_count = 3;
   /// 1 for numbers, else the terms of the vector; results begin the frame.
   std::uint16_t result_count = 1;
@@ -117,6 +122,8 @@ struct Function {
   std::uint32_t frame_size = 0;
   /// How many functions call one another at most, this one included; at most kMaxDepth.
   std::uint32_t depth = 1;
+  /// How many patterns and pigments stand in one another at most, in what it is or calls; at most kMaxDepth.
+  std::uint32_t pattern_depth = 0;
   /// Names what it is, or calls, whose formula is not known here: such a function can be declared, but not evaluated.
   /// Empty for nothing; never owned.
   std::string_view missing;

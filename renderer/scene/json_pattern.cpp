@@ -129,7 +129,7 @@ Json pattern_json(const Pattern& p) {
   if (p.uv_mapping) json["uv_mapping"] = true;
   if (p.wave != Wave::ramp) json["wave"] = name(kWaves, p.wave);
   if (p.wave == Wave::poly) json["poly_wave"] = p.exponent;
-  if (p.frequency != 1) json["frequency"] = p.frequency;
+  if (p.frequency != default_frequency(p.kind)) json["frequency"] = p.frequency;
   if (p.phase != 0) json["phase"] = p.phase;
   if (p.noise_generator != 0) json["noise_generator"] = p.noise_generator;
   if (p.turbulence.amount != Vec3(0)) json.update(turbulence_json(p.turbulence));

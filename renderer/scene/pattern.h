@@ -1,5 +1,5 @@
 // Patterns: functions of the point (and for some of the surface) with values from 0 to 1, by which pigments, normals
-// and textures choose from their maps. A record says which and with what operands; renderer/values evaluates it.
+// and textures choose from their maps. A record says which and with what operands; renderer/patterns evaluates it.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -62,6 +62,21 @@ enum class PatternKind : std::uint8_t {
   wood,
   wrinkles,
 };
+
+/// Of a pattern that does not say. What chooses from a list is not scaled: 0 leaves the item's number as it is.
+[[nodiscard]] constexpr double default_frequency(PatternKind kind) {
+  switch (kind) {
+    case PatternKind::brick:
+    case PatternKind::checker:
+    case PatternKind::cubic:
+    case PatternKind::hexagon:
+    case PatternKind::object:
+    case PatternKind::quilted:
+    case PatternKind::square:
+    case PatternKind::triangular: return 0;
+    default: return 1;
+  }
+}
 
 /// How the value v of a pattern goes up and down: as fmod(v · frequency + phase, 1) through the wave.
 enum class Wave : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };

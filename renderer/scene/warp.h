@@ -1,4 +1,4 @@
-// What moves the point at which a pattern is evaluated: transforms, and POV-Ray's warps. Read by renderer/values; knows
+// What moves the point at which a pattern is evaluated: transforms, and POV-Ray's warps. Read by renderer/patterns; knows
 // no pattern.
 #pragma once
 

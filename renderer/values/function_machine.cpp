@@ -81,8 +81,13 @@ struct Runner {
     const auto terms = evaluate(*function.spline, function.spline->kind, frame[0]);
     std::copy_n(terms.begin(), function.spline->term_count, frame);
   }
+  void operator()(const scene::PatternFunction& function) const {
+    const scene::Vec3 point(frame[0], frame[1], frame[2]);
+    frame[0] = environment.patterns().pattern_value(function.pattern, point, environment);
+  }
   void operator()(const scene::PigmentFunction& function) const {
-    const scene::Colour& c = function.pigment.colour;
+    const scene::Vec3 point(frame[0], frame[1], frame[2]);
+    const scene::Colour c = environment.patterns().pigment_colour(function.pigment, point, environment);
     const double terms[] = {c.red, c.green, c.blue, c.filter, c.transmit};
     std::copy_n(terms, 5, frame);
   }

@@ -3,8 +3,10 @@
 // holds arguments, intermediate values, results, and the frames of the functions that are called.
 #pragma once
 
+#include "base/check.h"
 #include "renderer/scene/function.h"
 #include "renderer/values/noise.h"
+#include "renderer/values/pattern_source.h"
 
 #include <array>
 #include <cstdint>
@@ -16,13 +18,19 @@ namespace isl::values {
 /// What an evaluation needs besides the function: one a thread.
 class Environment {
  public:
-  /// `steps` bounds the turns of `sum` and `prod` and the calls within all evaluations. When they are spent, what is
-  /// left to do is skipped and the result means nothing.
-  explicit Environment(NoiseGenerator noise_generator, std::uint64_t steps = std::numeric_limits<std::uint64_t>::max())
-      : noise_generator_(noise_generator), steps_(steps) {}
+  /// `steps` bounds the turns of `sum` and `prod`, the calls and the patterns within all evaluations. When they are
+  /// spent, what is left to do is skipped and the result means nothing.
+  /// `patterns` answers for functions of patterns and pigments; null where there are none.
+  explicit Environment(NoiseGenerator noise_generator, std::uint64_t steps = std::numeric_limits<std::uint64_t>::max(),
+                       const PatternSource* patterns = nullptr)
+      : noise_generator_(noise_generator), steps_(steps), patterns_(patterns) {}
 
   [[nodiscard]] NoiseGenerator noise_generator() const noexcept { return noise_generator_; }
-  /// One more turn or call; false where there is none left.
+  [[nodiscard]] const PatternSource& patterns() const noexcept {
+    ISL_DCHECK(patterns_, "a function of a pattern where nobody knows patterns");
+    return *patterns_;
+  }
+  /// One more turn, call or pattern; false where there is none left.
   [[nodiscard]] bool take_step() noexcept {
     if (steps_ == 0) return false;
     --steps_;
@@ -33,6 +41,7 @@ class Environment {
  private:
   NoiseGenerator noise_generator_;
   std::uint64_t steps_;
+  const PatternSource* patterns_;
 };
 
 /// One operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored where it takes one.

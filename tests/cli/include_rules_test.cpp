@@ -27,8 +27,9 @@ const std::vector<Rule>& rules() {
       {"grammar/", {"base/", "grammar/"}},
       {"renderer/scene/", {"base/", "renderer/scene/"}},
       {"renderer/values/", {"base/", "renderer/scene/", "renderer/values/"}},
+      {"renderer/patterns/", {"base/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
       {"renderer/", {"base/", "renderer/"}},
-      {"interpreter/", {"base/", "grammar/", "interpreter/", "renderer/scene/", "renderer/values/"}},
+      {"interpreter/", {"base/", "grammar/", "interpreter/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
       {"cli/", {"base/", "cli/", "grammar/", "interpreter/", "renderer/"}},
   };
   return kRules;

@@ -1,0 +1,94 @@
+#include "interpreter/functions/pattern_use.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::PatternKind;
+
+/// Patterns that need what a point and the database do not tell.
+struct MissingRow {
+  PatternKind kind;
+  std::string_view name;
+};
+constexpr MissingRow kMissing[] = {
+    {PatternKind::density_file, "a function of `density_file`"},
+    {PatternKind::image_map, "a function of `image_map`"},
+    {PatternKind::image_pattern, "a function of `image_pattern`"},
+    {PatternKind::pavement, "a function of `pavement`"},
+    {PatternKind::tiling, "a function of `tiling`"},
+};
+
+/// A pigment is looked at once, however many maps name it.
+class Walk {
+ public:
+  Walk(Context& context, SourceSpan span) : context_(context), span_(span) {}
+
+  PatternUse of(const scene::Pattern& pattern, std::uint32_t outer) {
+    check(outer);
+    PatternUse use{1, missing_of(pattern.kind)};
+    if (const auto* const pigment = std::get_if<scene::PigmentOperands>(&pattern.operands))
+      add(use, of(scene::Pigment{.pattern = pigment->pigment}, outer + 1));
+    const auto* const function = std::get_if<scene::FunctionOperands>(&pattern.operands);
+    if (function && function->function != scene::kNoFunction) {
+      const scene::Function& callee = *context_.database.functions[index(function->function)];
+      add(use, {callee.pattern_depth, callee.missing});
+    }
+    check(use.depth);
+    return use;
+  }
+
+  PatternUse of(const scene::Pigment& pigment, std::uint32_t outer) {
+    check(outer);
+    if (pigment.is_plain()) return {};
+    const auto known = known_.find(index(pigment.pattern));
+    if (known != known_.end()) return known->second;
+    const scene::PatternedPigment& record = context_.database.pigments[index(pigment.pattern)];
+    PatternUse use = of(record.pattern, outer);
+    if (record.map != scene::kNoPigmentMap) {
+      for (const scene::PigmentEntry& entry : context_.database.pigment_maps[index(record.map)])
+        add(use, of(entry.pigment, outer + 1));
+    }
+    check(use.depth);
+    known_.emplace(index(pigment.pattern), use);
+    return use;
+  }
+
+ private:
+  [[nodiscard]] std::string_view missing_of(PatternKind kind) const {
+    if (kind == PatternKind::object && !context_.options.queries) return "a function of `object`";
+    const auto* const row = std::ranges::find(kMissing, kind, &MissingRow::kind);
+    return row == std::end(kMissing) ? std::string_view() : row->name;
+  }
+
+  static void add(PatternUse& use, const PatternUse& inner) {
+    use.depth = std::max(use.depth, inner.depth + 1);
+    if (use.missing.empty()) use.missing = inner.missing;
+  }
+
+  void check(std::uint32_t depth) const {
+    if (depth <= scene::Function::kMaxDepth) return;
+    context_.fail(span_,
+                  fmt::format("this function is of patterns nested more than {} deep", scene::Function::kMaxDepth));
+  }
+
+  Context& context_;
+  SourceSpan span_;
+  std::unordered_map<std::uint32_t, PatternUse> known_;
+};
+
+}  // namespace
+
+PatternUse use_of(Context& context, const scene::Pattern& pattern, SourceSpan span) {
+  return Walk(context, span).of(pattern, 1);
+}
+
+PatternUse use_of(Context& context, const scene::Pigment& pigment, SourceSpan span) {
+  return Walk(context, span).of(pigment, 1);
+}
+
+}  // namespace isl::interpreter

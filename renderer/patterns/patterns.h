@@ -1,0 +1,49 @@
+// The values of patterns and the colours of pigments at points. The language asks through functions
+// (renderer/values/pattern_source.h); textures ask here. One table of what each kind of pattern computes is in
+// patterns.cpp, one file for each family of formulas beside it. Knows no text, no rays and no surface: what depends on
+// the surface (slope, aoi) is 0, as in POV-Ray's functions.
+#pragma once
+
+#include "renderer/scene/database.h"
+#include "renderer/values/function_machine.h"
+#include "renderer/values/pattern_source.h"
+
+namespace isl::render {
+
+/// What patterns ask that the database alone does not tell.
+class PatternSurroundings {
+ public:
+  virtual ~PatternSurroundings() = default;
+  /// Of the point, in the space that the object is placed into.
+  [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point) const = 0;
+};
+
+/// Of one database, which may grow between calls. Immutable; threads share one, each with its own environment.
+/// Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
+class Patterns final : public values::PatternSource {
+ public:
+  /// `surroundings` may be null where no `object` pattern is.
+  explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr)
+      : database_(database), surroundings_(surroundings) {}
+
+  /// `point` in the space that the pattern is placed into. After warps, turbulence, frequency and wave: from 0 to 1 and
+  /// rarely a little beyond; the item's number from 0 on for patterns that choose from a list. NaN in, anything out.
+  [[nodiscard]] double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
+                                     values::Environment& environment) const noexcept override;
+  /// In single precision, as POV-Ray's colours are.
+  [[nodiscard]] scene::Colour pigment_colour(const scene::Pigment& pigment, const scene::Vec3& point,
+                                             values::Environment& environment) const noexcept override;
+
+ private:
+  /// At a point of the pattern's own space, before frequency and wave.
+  [[nodiscard]] double raw_value(const scene::Pattern& pattern, const scene::Vec3& p,
+                                 values::Environment& environment) const noexcept;
+  /// The weighted mean of all entries.
+  [[nodiscard]] scene::Colour average(const scene::PigmentMap& map, const scene::Vec3& p,
+                                      values::Environment& environment) const noexcept;
+
+  const scene::Database& database_;
+  const PatternSurroundings* surroundings_;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,24 @@
+// How a function asks for the value of a pattern or the colour of a pigment. renderer/patterns answers; it needs
+// functions itself (a pattern may be one), so this interface stands between the two.
+#pragma once
+
+#include "renderer/scene/colour.h"
+#include "renderer/scene/pattern.h"
+#include "renderer/scene/pigment.h"
+
+namespace isl::values {
+
+class Environment;
+
+class PatternSource {
+ public:
+  virtual ~PatternSource() = default;
+
+  /// What POV-Ray's `function { pattern { … } }` yields: from 0 to about 1, or the item's number for block patterns.
+  [[nodiscard]] virtual double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
+                                             Environment& environment) const noexcept = 0;
+  [[nodiscard]] virtual scene::Colour pigment_colour(const scene::Pigment& pigment, const scene::Vec3& point,
+                                                     Environment& environment) const noexcept = 0;
+};
+
+}  // namespace isl::values
