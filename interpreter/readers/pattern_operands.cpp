@@ -39,7 +39,7 @@ void read_density_file(ElementStream& stream, Pattern& pattern) {
 }
 
 void read_gradient(ElementStream& stream, Pattern& pattern) {
-  pattern.operands = scene::GradientOperands{read_vector(stream, "a vector after `gradient`")};
+  pattern.operands = scene::GradientOperands{read_vector(stream, "a vector after `gradient`").normalized()};
 }
 
 void read_image_operand(ElementStream& stream, Pattern& pattern) {

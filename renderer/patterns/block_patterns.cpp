@@ -1,6 +1,7 @@
 #include "renderer/patterns/block_patterns.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace isl::render {
 namespace {
@@ -9,6 +10,10 @@ namespace {
 constexpr double kSmall = 1e-10;
 
 double fraction(double v) { return v - std::floor(v); }
+double positive_remainder(double whole, double divisor) {
+  const double remainder = std::fmod(whole, divisor);
+  return remainder < 0 ? remainder + divisor : remainder + 0.0;  // and no negative zero
+}
 bool is_odd(double whole) { return std::fmod(whole, 2) != 0; }
 
 }  // namespace
@@ -22,10 +27,10 @@ double brick(const Vec3& p, const scene::BrickOperands& operands) noexcept {
   const Vec3 q((p.x + kSmall) / operands.size.x, (p.y + kSmall) / operands.size.y, (p.z + kSmall) / operands.size.z);
   const Vec3 mortar(operands.mortar / operands.size.x, operands.mortar / operands.size.y,
                     operands.mortar / operands.size.z);
-  if (fraction(q.y) <= mortar.y) return 0;
+  if (fraction(q.y) >= 1 - mortar.y) return 0;
   const bool is_lower = fraction(q.y * 0.5) <= 0.5;
-  if (fraction(q.x + (is_lower ? 0 : 0.5)) <= mortar.x) return 0;
-  if (fraction(q.z + (is_lower ? 0.5 : 0)) <= mortar.z) return 0;
+  if (fraction(q.x + (is_lower ? 0 : 0.5)) >= 1 - mortar.x) return 0;
+  if (fraction(q.z + (is_lower ? 0.5 : 0)) >= 1 - mortar.z) return 0;
   return 1;
 }
 
@@ -35,8 +40,38 @@ double cubic(const Vec3& p) noexcept {
   return p[axis] >= 0 ? axis : axis + 3;
 }
 
-double hexagon(const Vec3& /*p*/) noexcept { return 0; }
-double square(const Vec3& /*p*/) noexcept { return 0; }
-double triangular(const Vec3& /*p*/) noexcept { return 0; }
+// Hexagons by their axial coordinates: centres at (1.5 q, √3 (r + q/2)). The nearest is found by rounding all three
+// cube coordinates and mending the one that was rounded most.
+double hexagon(const Vec3& p) noexcept {
+  const double q = p.x / 1.5, r = p.z / std::numbers::sqrt3 - q / 2, s = -q - r;
+  double whole_q = std::round(q), whole_r = std::round(r);
+  const double error_q = std::abs(whole_q - q), error_r = std::abs(whole_r - r), error_s = std::abs(std::round(s) - s);
+  if (error_q > error_r && error_q > error_s) {
+    whole_q = -whole_r - std::round(s);
+  } else if (error_r > error_s) {
+    whole_r = -whole_q - std::round(s);
+  }
+  return positive_remainder(whole_r - whole_q, 3);
+}
+
+double square(const Vec3& p) noexcept {
+  const bool odd_x = is_odd(std::floor(p.x)), odd_z = is_odd(std::floor(p.z));
+  return odd_x ? (odd_z ? 2 : 3) : (odd_z ? 1 : 0);
+}
+
+// In each row of height √¾ triangles stand on their bases, others between them on their tips; a row up, all are moved
+// by half a base.
+double triangular(const Vec3& p) noexcept {
+  constexpr double kHeight = std::numbers::sqrt3 / 2;
+  constexpr int kOnBase[2][3] = {{0, 4, 2}, {2, 0, 4}};  // by the row's parity, and the base's number
+  constexpr int kOnTip[2][3] = {{1, 3, 5}, {5, 1, 3}};   // by the tip's number
+  const double row = std::floor(p.z / kHeight), up = p.z / kHeight - row;
+  const std::size_t parity = is_odd(row) ? 1 : 0;
+  const double along = p.x - (parity == 0 ? 0 : 0.5), base = std::floor(along), from_base = along - base;
+  if (from_base >= up / 2 && from_base <= 1 - up / 2)
+    return kOnBase[parity][static_cast<std::size_t>(positive_remainder(base, 3))];
+  const double tip = from_base < up / 2 ? base : base + 1;
+  return kOnTip[parity][static_cast<std::size_t>(positive_remainder(tip, 3))];
+}
 
 }  // namespace isl::render

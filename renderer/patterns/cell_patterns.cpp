@@ -2,6 +2,7 @@
 
 #include "renderer/patterns/random_cubes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,14 +15,20 @@ Vec3 point_in(const Cube& cube) noexcept {
   return {cube.x + random[0], cube.y + random[1], cube.z + random[2]};
 }
 
-/// Distances that compare as those of the metric do.
+/// Distances |d|ⁿ, of points `offset` apart in a fourth dimension, that compare as those of the metric do.
 class Metric {
  public:
-  explicit Metric(double exponent) : exponent_(exponent) {}
+  Metric(double exponent, double offset)
+      : exponent_(exponent),
+        offset_(exponent == 2   ? offset * offset
+                : exponent == 1 ? offset
+                                : std::pow(offset, exponent)) {}
+
   [[nodiscard]] double comparable(const Vec3& d) const noexcept {
-    if (exponent_ == 2) return d.dot(d);
-    if (exponent_ == 1) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
-    return std::pow(std::abs(d.x), exponent_) + std::pow(std::abs(d.y), exponent_) + std::pow(std::abs(d.z), exponent_);
+    if (exponent_ == 2) return d.dot(d) + offset_;
+    if (exponent_ == 1) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + offset_;
+    return std::pow(std::abs(d.x), exponent_) + std::pow(std::abs(d.y), exponent_) +
+           std::pow(std::abs(d.z), exponent_) + offset_;
   }
   [[nodiscard]] double distance(double comparable) const noexcept {
     if (exponent_ == 2) return std::sqrt(comparable);
@@ -31,14 +38,15 @@ class Metric {
 
  private:
   double exponent_;
+  double offset_;
 };
 
 }  // namespace
 
 double cells(const Vec3& p) noexcept { return *random_numbers(cube_of(p)); }
 
-double crackle(const Vec3& p, const scene::CrackleOperands& operands) noexcept {
-  const Metric metric(operands.metric);
+double crackle(const Vec3& p, const scene::CrackleOperands& operands, values::NoiseGenerator generator) noexcept {
+  const Metric metric(operands.metric, operands.offset);
   const Cube home = cube_of(p);
   constexpr double kFar = std::numeric_limits<double>::max();
   double nearest[3] = {kFar, kFar, kFar};
@@ -64,9 +72,10 @@ double crackle(const Vec3& p, const scene::CrackleOperands& operands) noexcept {
       }
     }
   }
-  if (operands.is_solid) return cells(nearest_point);
-  return operands.form.x * metric.distance(nearest[0]) + operands.form.y * metric.distance(nearest[1]) +
-         operands.form.z * metric.distance(nearest[2]) + operands.offset;
+  if (operands.is_solid) return values::noise(nearest_point, generator);
+  const double sum = operands.form.x * metric.distance(nearest[0]) + operands.form.y * metric.distance(nearest[1]) +
+                     operands.form.z * metric.distance(nearest[2]);
+  return std::clamp(sum, 0.0, 1.0);
 }
 
 }  // namespace isl::render

@@ -1,8 +1,9 @@
 // Patterns of random cells: `cells`, and Worley's cellular texture ("A Cellular Texture Basis Function", SIGGRAPH 1996)
-// as `crackle`. Random numbers come from std::mt19937 with its default seed, found by a hash of the unit cube.
+// as `crackle`.
 #pragma once
 
 #include "renderer/scene/pattern.h"
+#include "renderer/values/noise.h"
 
 namespace isl::render {
 
@@ -10,8 +11,9 @@ using scene::Vec3;
 
 /// A random number for every unit cube.
 [[nodiscard]] double cells(const Vec3& p) noexcept;
-/// One random feature point in every unit cube; form · (distances to the nearest three) + offset, or a random number of
-/// the nearest.
-[[nodiscard]] double crackle(const Vec3& p, const scene::CrackleOperands& operands) noexcept;
+/// One random feature point in every unit cube; form · (distances to the nearest three), which `offset` keeps apart,
+/// cut to [0, 1]; or the noise at the nearest.
+[[nodiscard]] double crackle(const Vec3& p, const scene::CrackleOperands& operands,
+                             values::NoiseGenerator generator) noexcept;
 
 }  // namespace isl::render

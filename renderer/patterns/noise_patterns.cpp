@@ -9,6 +9,16 @@ namespace isl::render {
 
 using values::noise;
 
+namespace {
+
+/// The noises 2 and 3 stretched to the contrast of the first.
+double stretched_noise(const Vec3& p, NoiseGenerator generator) {
+  const double value = noise(p, generator);
+  return generator == NoiseGenerator::original ? value : std::clamp(2 * value - 0.5, 0.0, 1.0);
+}
+
+}  // namespace
+
 double bozo(const Vec3& p, NoiseGenerator generator) noexcept { return noise(p, generator); }
 
 double dents(const Vec3& p, NoiseGenerator generator) noexcept {
@@ -30,21 +40,26 @@ double granite(const Vec3& p, NoiseGenerator generator) noexcept {
 
 double wrinkles(const Vec3& p, NoiseGenerator generator) noexcept {
   constexpr int kOctaves = 10;
-  const bool is_stretched = generator != NoiseGenerator::original;
   double sum = 0, frequency = 1;
-  for (int i = 0; i < kOctaves; ++i, frequency *= 2) {
-    const double value = noise(p * frequency, generator);
-    sum += (is_stretched ? std::clamp(2 * value - 0.5, 0.0, 1.0) : value) / frequency;
-  }
+  for (int i = 0; i < kOctaves; ++i, frequency *= 2) sum += stretched_noise(p * frequency, generator) / frequency;
   return sum / 2;
 }
 
 double turbulence_at(const Vec3& p, const scene::Turbulence& turbulence, NoiseGenerator generator) noexcept {
-  return values::turbulence(p, octaves_of(turbulence), generator);
+  const values::Octaves octaves = octaves_of(turbulence);
+  double sum = stretched_noise(p, generator), scale = 1, weight = 1;
+  for (int i = 1; i < octaves.count; ++i) {
+    scale *= octaves.lambda;
+    weight *= octaves.omega;
+    sum += weight * (generator == NoiseGenerator::original ? noise(p * scale, generator)
+                                                           : 2 * noise(p * scale, generator) - 0.5);
+  }
+  return sum;
 }
 
 double agate(const Vec3& p, const scene::Turbulence& turbulence, double strength, NoiseGenerator generator) noexcept {
-  const double wave = cycloidal(1.3 * strength * turbulence_at(p, turbulence, generator) + 1.1 * p.z);
+  const double wave =
+      cycloidal(1.3 * values::to_single(strength) * turbulence_at(p, turbulence, generator) + 1.1 * p.z);
   return std::pow(0.5 * (wave + 1), 0.77);
 }
 

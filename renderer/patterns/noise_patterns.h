@@ -4,6 +4,7 @@
 
 #include "renderer/scene/pattern.h"
 #include "renderer/values/noise.h"
+#include "renderer/values/single_precision.h"
 
 namespace isl::render {
 
@@ -26,11 +27,12 @@ using values::NoiseGenerator;
 /// The distance from the z axis, its point pushed about by sines of the turbulence.
 [[nodiscard]] double wood(const Vec3& p, const scene::Turbulence& turbulence) noexcept;
 
-/// turbulence(p) as the patterns take it that use it themselves.
+/// Σ omegaⁱ · noise(lambdaⁱ · p) with the noises 2 and 3 stretched: what patterns take that use the turbulence
+/// themselves.
 [[nodiscard]] double turbulence_at(const Vec3& p, const scene::Turbulence& turbulence,
                                    NoiseGenerator generator) noexcept;
 [[nodiscard]] inline values::Octaves octaves_of(const scene::Turbulence& t) noexcept {
-  return {t.lambda, t.omega, t.octaves};
+  return {values::to_single(t.lambda), values::to_single(t.omega), t.octaves};
 }
 
 }  // namespace isl::render

@@ -39,11 +39,14 @@ NoiseGenerator generator_of(const Pattern& pattern, const Environment& environme
                                       : values::noise_generator_of(pattern.noise_generator);
 }
 
+/// What POV-Ray does to patterns without a bound before they meet frequency and phase.
+double below_1(double value) { return value > 1 ? std::fmod(value, 1.0) : value; }
+
 double function_value(const Database& database, scene::FunctionId id, const Vec3& p, Environment& environment) {
   if (id == scene::kNoFunction) return 0;
   const double arguments[] = {p.x, p.y, p.z};
   const double value = values::evaluate(*database.functions[index(id)], arguments, environment)[0];
-  return value > 1 ? std::fmod(value, 1.0) : value;
+  return below_1(value);
 }
 
 /// One turbulence for the arms of spirals.
@@ -72,14 +75,14 @@ double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& e
     case PatternKind::brick: return brick(p, std::get<scene::BrickOperands>(operands));
     case PatternKind::cells: return cells(p);
     case PatternKind::checker: return checker(p);
-    case PatternKind::crackle: return crackle(p, std::get<scene::CrackleOperands>(operands));
+    case PatternKind::crackle: return crackle(p, std::get<scene::CrackleOperands>(operands), generator);
     case PatternKind::cubic: return cubic(p);
     case PatternKind::cylindrical: return cylindrical(p);
     case PatternKind::dents: return dents(p, generator);
     case PatternKind::fractal: return fractal(p, std::get<scene::FractalOperands>(operands));
     case PatternKind::function:
       return function_value(database_, std::get<scene::FunctionOperands>(operands).function, p, environment);
-    case PatternKind::gradient: return gradient(p, std::get<scene::GradientOperands>(operands).direction);
+    case PatternKind::gradient: return below_1(gradient(p, std::get<scene::GradientOperands>(operands).direction));
     case PatternKind::granite: return granite(p, generator);
     case PatternKind::hexagon: return hexagon(p);
     case PatternKind::leopard: return leopard(p);
@@ -88,7 +91,7 @@ double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& e
       const std::uint32_t object = std::get<scene::ObjectOperands>(operands).object;
       return object != scene::kNone && surroundings_->is_inside(database_.pattern_objects[object], p) ? 1 : 0;
     }
-    case PatternKind::onion: return onion(p);
+    case PatternKind::onion: return below_1(onion(p));
     case PatternKind::pigment_pattern: {
       const Pigment pigment{.pattern = std::get<scene::PigmentOperands>(operands).pigment};
       return gray(pigment_colour(pigment, p, environment));
@@ -140,15 +143,9 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
 }
 
 Colour Patterns::average(const scene::PigmentMap& map, const Vec3& p, Environment& environment) const noexcept {
-  Colour sum;
-  double total = 0;
-  for (const scene::PigmentEntry& entry : map) {
-    const Colour c = pigment_colour(entry.pigment, p, environment);
-    sum = {sum.red + entry.value * c.red, sum.green + entry.value * c.green, sum.blue + entry.value * c.blue,
-           sum.filter + entry.value * c.filter, sum.transmit + entry.value * c.transmit};
-    total += entry.value;
-  }
-  return in_single({sum.red / total, sum.green / total, sum.blue / total, sum.filter / total, sum.transmit / total});
+  WeightedMean mean;
+  for (const scene::PigmentEntry& entry : map) mean.add(pigment_colour(entry.pigment, p, environment), entry.value);
+  return mean.colour();
 }
 
 }  // namespace isl::render

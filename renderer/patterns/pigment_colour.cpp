@@ -16,7 +16,7 @@ MapInterval find_in(const scene::PigmentMap& map, double value) noexcept {
   if (second == map.begin()) return {&map.front(), &map.front(), 0};
   const auto first = second - 1;
   const double low = to_single(first->value), high = to_single(second->value);
-  return {&*first, &*second, (value - low) / (high - low)};
+  return {&*first, &*second, (value - low) / to_single(high - low)};
 }
 
 Colour in_single(const Colour& c) noexcept {
@@ -24,9 +24,27 @@ Colour in_single(const Colour& c) noexcept {
 }
 
 Colour blend(const Colour& a, const Colour& b, double fraction) noexcept {
-  const auto mix = [fraction](double from, double to) { return to_single(from + fraction * (to - from)); };
+  const auto mix = [fraction](double from, double to) {
+    return to_single(from + to_single(fraction * to_single(to - from)));
+  };
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.filter, b.filter),
           mix(a.transmit, b.transmit)};
+}
+
+void WeightedMean::add(const Colour& c, double weight) noexcept {
+  const double w = to_single(weight);
+  const auto add_to = [w](double& sum, double term) { sum = to_single(sum + to_single(term * w)); };
+  add_to(sum_.red, c.red);
+  add_to(sum_.green, c.green);
+  add_to(sum_.blue, c.blue);
+  add_to(sum_.filter, c.filter);
+  add_to(sum_.transmit, c.transmit);
+  total_ = to_single(total_ + w);
+}
+
+Colour WeightedMean::colour() const noexcept {
+  const Colour& c = sum_;
+  return in_single({c.red / total_, c.green / total_, c.blue / total_, c.filter / total_, c.transmit / total_});
 }
 
 double gray(const Colour& c) noexcept { return to_single(0.297 * c.red + 0.589 * c.green + 0.114 * c.blue); }

@@ -1,6 +1,7 @@
 #include "renderer/patterns/round_patterns.h"
 
 #include "renderer/patterns/waveform.h"
+#include "renderer/values/single_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 double fading(double distance) { return 1 - std::min(distance, 1.0); }
 
-/// About the z axis from x towards y, in [0, 2π).
+/// About the z axis from −y towards x, in [0, 2π).
 double angle_about_z(const Vec3& p) {
-  const double angle = std::atan2(p.y, p.x);
+  const double angle = std::atan2(p.x, -p.y);
   return angle < 0 ? angle + kTurn : angle;
 }
 
@@ -45,8 +46,11 @@ double leopard(const Vec3& p) noexcept {
 double quilted(const Vec3& p, const scene::QuiltedOperands& operands) noexcept {
   const Vec3 offset(p.x - std::floor(p.x) - 0.5, p.y - std::floor(p.y) - 0.5, p.z - std::floor(p.z) - 0.5);
   const double t = std::sqrt(offset.dot(offset)), s = 1 - t;
-  const double swelling = 3 * t * s * s * operands.control0 + 3 * t * t * s * operands.control1 + t * t * t;
-  return (std::abs(offset.x * swelling) + std::abs(offset.y * swelling) + std::abs(offset.z * swelling)) / 3;
+  const double swelling = 3 * t * s * s * values::to_single(operands.control0) +
+                          3 * t * t * s * values::to_single(operands.control1) + t * t * t;
+  // 1/√¾ as POV-Ray writes it: the corner of the cube comes to 1 for a swelling of 1.
+  constexpr double kScale = 1.154700538 / 3;
+  return (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z)) * swelling * kScale;
 }
 
 double spiral1(const Vec3& p, int arms, double turbulence) noexcept {

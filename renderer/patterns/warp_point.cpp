@@ -1,6 +1,7 @@
 #include "renderer/patterns/warp_point.h"
 
 #include "renderer/patterns/mapping_warps.h"
+#include "renderer/patterns/noise_patterns.h"
 #include "renderer/patterns/random_cubes.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/single_precision.h"
@@ -20,15 +21,14 @@ constexpr double kCoordinateLimit = 1e17;
 constexpr double kLeastRepeat = 0.001;
 
 Vec3 apply(const scene::Turbulence& t, const Vec3& p) {
-  const values::Octaves octaves{to_single(t.lambda), to_single(t.omega), t.octaves};
-  const Vec3 push = values::vector_turbulence(p, octaves);
+  const Vec3 push = values::vector_turbulence(p, octaves_of(t));
   return {p.x + push.x * t.amount.x, p.y + push.y * t.amount.y, p.z + push.z * t.amount.z};
 }
 
 Vec3 apply(const scene::RepeatWarp& warp, Vec3 p) {
   const double width = to_single(warp.width);
   const double block = std::floor(p[warp.axis] / width);
-  p[warp.axis] -= block * width;
+  p[warp.axis] -= to_single(block * width);
   if (std::fmod(block, 2) != 0) {
     for (int i = 0; i < 3; ++i) {
       if (warp.flip[i] != 0) p[i] = -p[i];
@@ -44,8 +44,11 @@ Vec3 centre_near(const scene::BlackHoleWarp& warp, const Vec3& p) {
   Vec3 centre = warp.centre, block(0);
   for (int i = 0; i < 3; ++i) {
     if (warp.repeat[i] < kLeastRepeat) continue;
-    block[i] = std::floor(p[i] / warp.repeat[i]);
-    centre[i] += warp.repeat[i] * block[i];
+    // The hole lies inside its block, which grows with it.
+    const double room = 2 * warp.radius + (warp.is_turbulent ? warp.turbulence[i] : 0);
+    const double size = std::max(warp.repeat[i], room);
+    block[i] = std::floor(p[i] / size);
+    centre[i] = std::max(centre[i], warp.radius) + size * block[i];
   }
   if (!warp.is_turbulent) return centre;
   const double* const random = random_numbers(cube_of(block));

@@ -119,7 +119,7 @@ struct FunctionOperands {
   FunctionId function = kNoFunction;
 };
 struct GradientOperands {
-  Vec3 direction{0};
+  Vec3 direction{0};  ///< unit length, or 0
 };
 /// The first item of the map outside the object, the second inside. An index into Database::pattern_objects.
 struct ObjectOperands {
