@@ -1,5 +1,7 @@
 #include "interpreter/prune_textures.h"
 
+#include "interpreter/prune_functions.h"
+
 namespace isl::interpreter {
 namespace {
 
@@ -30,7 +32,8 @@ TexturePruner::TexturePruner(scene::Database& database)
       texture_maps_(database.texture_maps.size()),
       images_(database.images.size()),
       interiors_(database.interiors.size()),
-      pattern_objects_(database.pattern_objects.size()) {}
+      pattern_objects_(database.pattern_objects.size()),
+      functions_(database.functions.size()) {}
 
 // ---- Reaching -------------------------------------------------------------------------------------------------------
 
@@ -56,12 +59,20 @@ void TexturePruner::reach_world(Column& transforms) {
   if (database_.camera->blur && database_.camera->blur->bokeh) reach(*database_.camera->blur->bokeh);
 }
 
+void TexturePruner::reach(scene::ImageId id) {
+  if (id == scene::kNoImage || !images_.reach(index(id))) return;
+  reach(functions_, Kind::function, index(database_.images[index(id)].function));
+}
+
 void TexturePruner::reach(const scene::Pattern& pattern, Column& transforms,
                           const std::function<void(const scene::Object&)>& reach_object) {
   for (const scene::Warp& warp : pattern.warps) {
     if (const auto* const id = std::get_if<scene::TransformId>(&warp)) mark(transforms, *id);
   }
-  if (const auto* const image = std::get_if<scene::ImageId>(&pattern.operands)) mark(images_, *image);
+  if (const auto* const image = std::get_if<scene::ImageId>(&pattern.operands)) reach(*image);
+  if (const auto* const function = std::get_if<scene::FunctionOperands>(&pattern.operands)) {
+    reach(functions_, Kind::function, index(function->function));
+  }
   if (const auto* const pigment = std::get_if<scene::PigmentOperands>(&pattern.operands)) {
     reach(pigments_, Kind::pigment, index(pigment->pigment));
   }
@@ -114,6 +125,11 @@ bool TexturePruner::advance(Column& transforms, const std::function<void(const s
       for (const scene::NormalEntry& entry : database_.normal_maps[next.record])
         reach(normals_, Kind::normal, index(entry.normal));
       break;
+    case Kind::function:
+      visit_records(database_.functions[next.record],
+                    {.pattern = [&](const scene::Pattern& pattern) { reach(pattern, transforms, reach_object); },
+                     .pigment = [&](const scene::Pigment& pigment) { reach(pigment); }});
+      break;
   }
   return true;
 }
@@ -137,6 +153,8 @@ void TexturePruner::renumber(scene::Pattern& pattern, const Column& transforms) 
     if (auto* const id = std::get_if<scene::TransformId>(&warp)) renumber_in(transforms, *id);
   }
   if (auto* const image = std::get_if<scene::ImageId>(&pattern.operands)) renumber_in(images_, *image);
+  if (auto* const function = std::get_if<scene::FunctionOperands>(&pattern.operands))
+    renumber_in(functions_, function->function);
   if (auto* const pigment = std::get_if<scene::PigmentOperands>(&pattern.operands))
     renumber_in(pigments_, pigment->pigment);
   auto* const object = std::get_if<scene::ObjectOperands>(&pattern.operands);
@@ -156,6 +174,7 @@ void TexturePruner::compact(const Column& transforms) {
   images_.compact(database_.images);
   interiors_.compact(database_.interiors);
   pattern_objects_.compact(database_.pattern_objects);
+  functions_.compact(database_.functions);
   for (scene::Texture& texture : database_.textures) renumber(texture);
   for (scene::PatternedPigment& pigment : database_.pigments) {
     renumber(pigment.pattern, transforms);
@@ -179,6 +198,10 @@ void TexturePruner::compact(const Column& transforms) {
   for (scene::TextureMap& map : database_.texture_maps) {
     for (scene::TextureEntry& entry : map) renumber(entry.texture);
   }
+  for (scene::Image& image : database_.images) renumber_in(functions_, image.function);
+  FunctionRenumberer functions([&](scene::Pattern& pattern) { renumber(pattern, transforms); },
+                               [this](scene::Pigment& pigment) { renumber(pigment); });
+  for (scene::FunctionPointer& function : database_.functions) function = functions.renumbered(function);
   if (database_.sky_sphere) {
     for (scene::Pigment& pigment : database_.sky_sphere->pigments) renumber(pigment);
     renumber_in(transforms, database_.sky_sphere->world_from_sky);

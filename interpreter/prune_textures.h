@@ -1,4 +1,5 @@
-// What is reached of the columns that textures, interiors and the atmosphere are made of. Knows nothing of shapes.
+// What is reached of the columns that textures, interiors, functions and the atmosphere are made of. Knows nothing of
+// shapes.
 #pragma once
 
 #include "interpreter/prune_column.h"
@@ -30,7 +31,16 @@ class TexturePruner {
   void renumber(scene::InteriorId& id) const;
 
  private:
-  enum class Kind : std::uint8_t { texture, texture_pattern, texture_map, pigment, pigment_map, normal, normal_map };
+  enum class Kind : std::uint8_t {
+    texture,
+    texture_pattern,
+    texture_map,
+    pigment,
+    pigment_map,
+    normal,
+    normal_map,
+    function
+  };
   struct Pending {
     Kind kind;
     std::uint32_t record;
@@ -38,6 +48,7 @@ class TexturePruner {
 
   void reach(Column& column, Kind kind, std::uint32_t i);
   void reach(const scene::Pigment& pigment);
+  void reach(scene::ImageId id);
   void reach(const scene::Pattern& pattern, Column& transforms,
              const std::function<void(const scene::Object&)>& reach_object);
   void renumber(scene::Pigment& pigment) const;
@@ -46,7 +57,7 @@ class TexturePruner {
 
   scene::Database& database_;
   Column textures_, finishes_, pigments_, pigment_maps_, normals_, normal_maps_, slope_maps_, texture_patterns_,
-      texture_maps_, images_, interiors_, pattern_objects_;
+      texture_maps_, images_, interiors_, pattern_objects_, functions_;
   std::vector<Pending> pending_;
 };
 

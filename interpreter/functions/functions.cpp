@@ -125,7 +125,6 @@ bool is_internal(const grammar::Items& body) {
 
 Function make_body(Context& context, const grammar::Function& node) {
   if (is_internal(node.body)) return make_internal(context, as<grammar::FunctionCall>(*node.body[0]));
-  if (!node.size.empty()) context.fail(node.span, "a function has a width and height only as an image");
   const bool is_block = node.body.size() == 1 && node.body[0]->kind == NodeKind::block;
   if (is_block) {
     ElementStream stream(context, node.body, node.span);
@@ -229,7 +228,9 @@ Value call(Context& context, const grammar::Call& call, const SplineValue& value
 
 }  // namespace
 
-[[gnu::noinline]] Value make_function(Context& context, const grammar::Function& node) {
+namespace {
+
+Value make_value(Context& context, const grammar::Function& node) {
   const NestingGuard guard(context, node.span, kStreamUnits);
   auto function = std::make_shared<const Function>(make_body(context, node));
   std::size_t bytes = sizeof(Function);
@@ -237,6 +238,25 @@ Value call(Context& context, const grammar::Call& call, const SplineValue& value
     bytes += program->code.size() * sizeof(scene::Instruction) + program->constants.size() * sizeof(double);
   context.check_memory(node.span, bytes);
   return {ValueKind::function, make_shared_value<FunctionValue>(std::move(function), bytes, context.memory)};
+}
+
+}  // namespace
+
+[[gnu::noinline]] Value make_function(Context& context, const grammar::Function& node) {
+  if (!node.size.empty()) context.fail(node.span, "a function has a width and height only as an image");
+  return make_value(context, node);
+}
+
+[[gnu::noinline]] scene::FunctionId make_point_function(Context& context, const grammar::Function& node) {
+  const Value value = make_value(context, node);
+  const scene::FunctionPointer& function = value.as<FunctionValue>().function;
+  if (function->parameter_count != 3)
+    context.fail(node.span, fmt::format("a function of points takes x, y and z; this one has {} parameter{}",
+                                        function->parameter_count, function->parameter_count == 1 ? "" : "s"));
+  const bool is_image = !node.size.empty();
+  if (function->result_count != 1 && !(is_image && function->result_count == 5))
+    context.fail(node.span, fmt::format("this function yields {} terms, and one is wanted", function->result_count));
+  return function_id(context, value.as<FunctionValue>(), node.span);
 }
 
 bool is_callable(const Value& value) {

@@ -14,6 +14,9 @@ namespace isl::interpreter {
 /// `F(1, 2, 3)`, `S(0.5)`, `S(0.5, cubic_spline)`: a number, or a vector of as many terms as `callee` yields.
 [[nodiscard]] Value call_function(Context& context, const grammar::Call& call, const Value& callee);
 
+/// `function { … }` as a pattern, or with a width and height as an image: a function of x, y and z.
+[[nodiscard]] scene::FunctionId make_point_function(Context& context, const grammar::Function& node);
+
 /// A number in the database for the function, for a record that keeps it. None where its formula is not known, which is
 /// reported.
 [[nodiscard]] scene::FunctionId function_id(Context& context, const FunctionValue& function, SourceSpan span);

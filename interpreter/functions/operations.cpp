@@ -47,12 +47,10 @@ struct NamedItem {
 };
 
 constexpr NamedItem kItems[] = {
-    {word::kw_x, {Opcode::copy, 0}},        {word::kw_u, {Opcode::copy, 0}},
-    {word::kw_red, {Opcode::copy, 0}},      {word::kw_y, {Opcode::copy, 1}},
-    {word::kw_v, {Opcode::copy, 1}},        {word::kw_green, {Opcode::copy, 1}},
-    {word::kw_z, {Opcode::copy, 2}},        {word::kw_blue, {Opcode::copy, 2}},
-    {word::kw_t, {Opcode::copy, 3}},        {word::kw_filter, {Opcode::copy, 3}},
-    {word::kw_transmit, {Opcode::copy, 4}}, {word::kw_gray, {Opcode::gray, 2}},
+    {word::kw_x, {Opcode::copy, 0}},      {word::kw_u, {Opcode::copy, 0}},        {word::kw_red, {Opcode::copy, 0}},
+    {word::kw_y, {Opcode::copy, 1}},      {word::kw_v, {Opcode::copy, 1}},        {word::kw_green, {Opcode::copy, 1}},
+    {word::kw_z, {Opcode::copy, 2}},      {word::kw_blue, {Opcode::copy, 2}},     {word::kw_t, {Opcode::copy, 3}},
+    {word::kw_filter, {Opcode::copy, 3}}, {word::kw_transmit, {Opcode::copy, 4}}, {word::kw_gray, {Opcode::gray, 2}},
 };
 
 }  // namespace
@@ -60,9 +58,9 @@ constexpr NamedItem kItems[] = {
 Opcode operation_of(grammar::BinaryOp op) {
   // In the order of grammar::BinaryOp.
   static constexpr Opcode kBinary[] = {Opcode::add,       Opcode::subtract,    Opcode::multiply,
-                                          Opcode::divide,    Opcode::less,        Opcode::greater,
-                                          Opcode::equal,     Opcode::less_equal,  Opcode::greater_equal,
-                                          Opcode::not_equal, Opcode::logical_and, Opcode::logical_or};
+                                       Opcode::divide,    Opcode::less,        Opcode::greater,
+                                       Opcode::equal,     Opcode::less_equal,  Opcode::greater_equal,
+                                       Opcode::not_equal, Opcode::logical_and, Opcode::logical_or};
   return kBinary[static_cast<std::size_t>(op)];
 }
 

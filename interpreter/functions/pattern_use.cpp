@@ -16,11 +16,11 @@ struct MissingRow {
   std::string_view name;
 };
 constexpr MissingRow kMissing[] = {
-    {PatternKind::density_file, "a function of `density_file`"},
-    {PatternKind::image_map, "a function of `image_map`"},
-    {PatternKind::image_pattern, "a function of `image_pattern`"},
-    {PatternKind::pavement, "a function of `pavement`"},
-    {PatternKind::tiling, "a function of `tiling`"},
+    {PatternKind::density_file, "function { density_file }"},
+    {PatternKind::image_map, "function { image_map }"},
+    {PatternKind::image_pattern, "function { image_pattern }"},
+    {PatternKind::pavement, "function { pavement }"},
+    {PatternKind::tiling, "function { tiling }"},
 };
 
 /// A pigment is looked at once, however many maps name it.
@@ -60,7 +60,7 @@ class Walk {
 
  private:
   [[nodiscard]] std::string_view missing_of(PatternKind kind) const {
-    if (kind == PatternKind::object && !context_.options.queries) return "a function of `object`";
+    if (kind == PatternKind::object && !context_.options.queries) return "function { object }";
     const auto* const row = std::ranges::find(kMissing, kind, &MissingRow::kind);
     return row == std::end(kMissing) ? std::string_view() : row->name;
   }

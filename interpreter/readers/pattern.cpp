@@ -100,9 +100,9 @@ void check_host(Context& context, const Element& element, PatternKind kind, Patt
   }
   const bool needs_more = kind == PatternKind::aoi || kind == PatternKind::slope || kind == PatternKind::average;
   if (needs_more && host == PatternHost::function) {
-    context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
-                 fmt::format("`{}` is no pattern of points alone; it cannot stand in a function",
-                             context.text(element.word)));
+    context.fail(
+        element.is(ElementKind::block) ? element.word_span : element.span,
+        fmt::format("`{}` is no pattern of points alone; it cannot stand in a function", context.text(element.word)));
   }
 }
 
@@ -192,8 +192,8 @@ bool read_wave(ElementStream& stream, Pattern& pattern) {
   return true;
 }
 
-constexpr grammar::Symbol kKnownModifiers[] = {word::kw_turbulence, word::kw_warp,  word::kw_frequency,
-                                               word::kw_phase,      word::kw_scale, word::kw_rotate,
+constexpr grammar::Symbol kKnownModifiers[] = {word::kw_turbulence, word::kw_warp,           word::kw_frequency,
+                                               word::kw_phase,      word::kw_scale,          word::kw_rotate,
                                                word::kw_translate,  word::kw_noise_generator};
 
 struct NumberRow {

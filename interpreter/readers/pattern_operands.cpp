@@ -164,9 +164,7 @@ void read_tiling(ElementStream& stream, Pattern& pattern) {
 
 scene::FunctionId read_function_operand(ElementStream& stream) {
   const Element next = stream.take();
-  Context& context = stream.context();
-  const Value value = make_function(context, grammar::as<grammar::Function>(*next.node));
-  return function_id(context, value.as<FunctionValue>(), next.span);
+  return make_point_function(stream.context(), grammar::as<grammar::Function>(*next.node));
 }
 
 }  // namespace isl::interpreter

@@ -159,6 +159,7 @@ class TextureReader {
     }
     expect_end(stream);
     draft_.pattern.kind = PatternKind::checker;
+    draft_.pattern.frequency = scene::default_frequency(PatternKind::checker);
     map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }
 

@@ -1,6 +1,7 @@
 #include "renderer/scene/dump_json.h"
 
 #include "renderer/scene/json_atmosphere.h"
+#include "renderer/scene/json_function.h"
 #include "renderer/scene/json_pattern.h"
 #include "renderer/scene/json_solid.h"
 #include "renderer/scene/json_texture.h"
@@ -42,6 +43,7 @@ class Writer {
     add(json, "normal_maps", database_.normal_maps, normal_map_json);
     add(json, "slope_maps", database_.slope_maps, slope_map_json);
     add(json, "images", database_.images, image_json);
+    if (!database_.functions.empty()) json["functions"] = functions_json(database_.functions);
     add(json, "interiors", database_.interiors, interior_json);
     add(json, "transforms", database_.transforms, transform);
     add(json, "blobs", database_.blobs, [this](const Blob& b) { return blob(b); });
