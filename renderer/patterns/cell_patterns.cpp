@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace isl::render {
 namespace {
@@ -18,18 +19,15 @@ Vec3 point_in(const Cube& cube) noexcept {
 /// Distances |d|ⁿ, of points `offset` apart in a fourth dimension, that compare as those of the metric do.
 class Metric {
  public:
-  Metric(double exponent, double offset)
-      : exponent_(exponent),
-        offset_(exponent == 2   ? offset * offset
-                : exponent == 1 ? offset
-                                : std::pow(offset, exponent)) {}
+  Metric(double exponent, double offset) : exponent_(exponent), offset_(term(offset)) {}
 
-  [[nodiscard]] double comparable(const Vec3& d) const noexcept {
-    if (exponent_ == 2) return d.dot(d) + offset_;
-    if (exponent_ == 1) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + offset_;
-    return std::pow(std::abs(d.x), exponent_) + std::pow(std::abs(d.y), exponent_) +
-           std::pow(std::abs(d.z), exponent_) + offset_;
+  /// Of one coordinate.
+  [[nodiscard]] double term(double d) const noexcept {
+    if (exponent_ == 2) return d * d;
+    if (exponent_ == 1) return std::abs(d);
+    return std::pow(std::abs(d), exponent_);
   }
+  [[nodiscard]] double comparable(const Vec3& d) const noexcept { return term(d.x) + term(d.y) + term(d.z) + offset_; }
   [[nodiscard]] double distance(double comparable) const noexcept {
     if (exponent_ == 2) return std::sqrt(comparable);
     if (exponent_ == 1) return comparable;
@@ -41,40 +39,64 @@ class Metric {
   double offset_;
 };
 
+/// The nearest three of the feature points that it is shown.
+struct Nearest {
+  static constexpr double kFar = std::numeric_limits<double>::max();
+  double distances[3] = {kFar, kFar, kFar};  ///< as the metric compares them
+  Vec3 point{0};                             ///< the first of them
+
+  void add(double distance, const Vec3& p) noexcept {
+    if (distance >= distances[2]) return;
+    if (distance < distances[0]) point = p;
+    distances[2] = distance;
+    if (distances[2] < distances[1]) std::swap(distances[1], distances[2]);
+    if (distances[1] < distances[0]) std::swap(distances[0], distances[1]);
+  }
+};
+
+/// Neighbours two cubes away still matter, the corners of their block of 5³ do not.
+constexpr int kReach = 2;
+constexpr int kCubes = 2 * kReach + 1;
+constexpr int kFarthest = 4;  ///< sum of the steps along the axes
+/// From the middle outwards, so that what is too far is known early.
+constexpr int kSteps[kCubes] = {0, -1, 1, -2, 2};
+
+Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
+  const Cube home = cube_of(p);
+  const int home_of[3] = {home.x, home.y, home.z};
+  // How far the cubes of each step are at least, as terms of the metric.
+  double gaps[3][kCubes];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < kCubes; ++i) {
+      const double low = home_of[axis] + kSteps[i];
+      gaps[axis][i] = metric.term(std::max({low - p[axis], p[axis] - (low + 1), 0.0}));
+    }
+  }
+  Nearest nearest;
+  for (int i = 0; i < kCubes; ++i) {
+    for (int j = 0; j < kCubes; ++j) {
+      for (int k = 0; k < kCubes; ++k) {
+        if (std::abs(kSteps[i]) + std::abs(kSteps[j]) + std::abs(kSteps[k]) > kFarthest) continue;
+        if (gaps[0][i] + gaps[1][j] + gaps[2][k] > nearest.distances[2]) continue;
+        const Vec3 point = point_in({home.x + kSteps[i], home.y + kSteps[j], home.z + kSteps[k]});
+        nearest.add(metric.comparable(p - point), point);
+      }
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 double cells(const Vec3& p) noexcept { return *random_numbers(cube_of(p)); }
 
 double crackle(const Vec3& p, const scene::CrackleOperands& operands, values::NoiseGenerator generator) noexcept {
   const Metric metric(operands.metric, operands.offset);
-  const Cube home = cube_of(p);
-  constexpr double kFar = std::numeric_limits<double>::max();
-  double nearest[3] = {kFar, kFar, kFar};
-  Vec3 nearest_point(0);
-  for (int dx = -2; dx <= 2; ++dx) {
-    for (int dy = -2; dy <= 2; ++dy) {
-      for (int dz = -2; dz <= 2; ++dz) {
-        // The corners of the block of 5³ are too far away to matter.
-        if (std::abs(dx) + std::abs(dy) + std::abs(dz) > 4) continue;
-        const Vec3 point = point_in({home.x + dx, home.y + dy, home.z + dz});
-        const double d = metric.comparable(p - point);
-        if (d < nearest[0]) {
-          nearest[2] = nearest[1];
-          nearest[1] = nearest[0];
-          nearest[0] = d;
-          nearest_point = point;
-        } else if (d < nearest[1]) {
-          nearest[2] = nearest[1];
-          nearest[1] = d;
-        } else if (d < nearest[2]) {
-          nearest[2] = d;
-        }
-      }
-    }
-  }
-  if (operands.is_solid) return values::noise(nearest_point, generator);
-  const double sum = operands.form.x * metric.distance(nearest[0]) + operands.form.y * metric.distance(nearest[1]) +
-                     operands.form.z * metric.distance(nearest[2]);
+  const Nearest nearest = find_nearest(p, metric);
+  if (operands.is_solid) return values::noise(nearest.point, generator);
+  const double sum = operands.form.x * metric.distance(nearest.distances[0]) +
+                     operands.form.y * metric.distance(nearest.distances[1]) +
+                     operands.form.z * metric.distance(nearest.distances[2]);
   return std::clamp(sum, 0.0, 1.0);
 }
 

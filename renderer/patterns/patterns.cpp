@@ -99,7 +99,7 @@ double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& e
     case PatternKind::planar: return planar(p);
     case PatternKind::quilted: return quilted(p, std::get<scene::QuiltedOperands>(operands));
     case PatternKind::radial: return radial(p);
-    case PatternKind::ripples: return ripples(p, pattern, kDefaultWaves);
+    case PatternKind::ripples: return ripples(p, pattern, number_of_waves_);
     case PatternKind::spherical: return spherical(p);
     case PatternKind::spiral1:
       return spiral1(p, std::get<scene::SpiralOperands>(operands).arms, spiral_turbulence(pattern, p, generator));
@@ -107,7 +107,7 @@ double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& e
       return spiral2(p, std::get<scene::SpiralOperands>(operands).arms, spiral_turbulence(pattern, p, generator));
     case PatternKind::square: return square(p);
     case PatternKind::triangular: return triangular(p);
-    case PatternKind::waves: return waves(p, pattern, kDefaultWaves);
+    case PatternKind::waves: return waves(p, pattern, number_of_waves_);
     case PatternKind::wood: return wood(p, pattern.turbulence);
     case PatternKind::wrinkles: return wrinkles(p, generator);
     // Of the surface, of a list, or of a file: see is_known().

@@ -22,9 +22,11 @@ class PatternSurroundings {
 /// Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
 class Patterns final : public values::PatternSource {
  public:
-  /// `surroundings` may be null where no `object` pattern is.
-  explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr)
-      : database_(database), surroundings_(surroundings) {}
+  /// `surroundings` may be null where no `object` pattern is. `number_of_waves`: at most kMaxWaves count; the scene's for
+  /// pictures, while functions called by the scene itself always take POV-Ray's default.
+  explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr,
+                    int number_of_waves = scene::Settings{}.number_of_waves)
+      : database_(database), surroundings_(surroundings), number_of_waves_(number_of_waves) {}
 
   /// `point` in the space that the pattern is placed into. After warps, turbulence, frequency and wave: from 0 to 1 and
   /// rarely a little beyond; the item's number from 0 on for patterns that choose from a list. NaN in, anything out.
@@ -44,6 +46,7 @@ class Patterns final : public values::PatternSource {
 
   const scene::Database& database_;
   const PatternSurroundings* surroundings_;
+  int number_of_waves_;
 };
 
 }  // namespace isl::render

@@ -5,9 +5,10 @@
 #include "renderer/values/single_precision.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace isl::render {
 namespace {
@@ -16,46 +17,50 @@ struct WaveSource {
   Vec3 position{0};
   double frequency = 0;
 };
-using WaveSources = std::array<WaveSource, kMaxWaves>;
+using WaveSources = std::vector<WaveSource>;
 
 /// Directions of vector noise along x; frequencies from the generator behind the language's rand(), from POV-Ray's
 /// seed.
-const WaveSources& wave_sources() noexcept {
-  static const WaveSources kSources = [] {
-    WaveSources sources;
-    std::uint32_t state = static_cast<std::uint32_t>(-560851967);
-    for (int i = 0; i < kMaxWaves; ++i) {
-      WaveSource& source = sources[static_cast<std::size_t>(i)];
-      source.position = values::vector_noise(Vec3(i, 0, 0)).normalized();
-      state = state * 1812433253u + 12345u;
-      source.frequency = static_cast<double>(state >> 16 & 0x7FFFu) * 0.000030518509476 + 0.01;
-    }
-    return sources;
-  }();
-  return kSources;
+WaveSources make_sources(int count) {
+  WaveSources sources(static_cast<std::size_t>(count));
+  auto state = static_cast<std::uint32_t>(-560851967);
+  for (int i = 0; i < count; ++i) {
+    WaveSource& source = sources[static_cast<std::size_t>(i)];
+    source.position = values::vector_noise(Vec3(i, 0, 0)).normalized();
+    state = state * 1812433253u + 12345u;
+    source.frequency = static_cast<double>(state >> 16 & 0x7FFFu) * 0.000030518509476 + 0.01;
+  }
+  return sources;
+}
+
+/// The first `count` sources, made once; few scenes want more than a handful.
+std::span<const WaveSource> wave_sources(int count) noexcept {
+  constexpr int kUsual = 100;
+  static const WaveSources kFew = make_sources(kUsual);
+  if (count <= kUsual) return std::span(kFew).first(static_cast<std::size_t>(count));
+  static const WaveSources kAll = make_sources(kMaxWaves);
+  return std::span(kAll).first(static_cast<std::size_t>(std::min(count, kMaxWaves)));
 }
 
 }  // namespace
 
 double waves(const Vec3& p, const scene::Pattern& pattern, int number_of_waves) noexcept {
-  const WaveSources& sources = wave_sources();
+  const std::span<const WaveSource> sources = wave_sources(number_of_waves);
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
-  for (int i = 0; i < number_of_waves; ++i) {
-    const WaveSource& source = sources[static_cast<std::size_t>(i)];
+  for (const WaveSource& source : sources) {
     const double distance = (p - source.position).length();
     sum += cycloidal(distance * frequency * source.frequency + phase) / source.frequency;
   }
-  return 0.2 * (2.5 + sum / number_of_waves);
+  return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
 
 double ripples(const Vec3& p, const scene::Pattern& pattern, int number_of_waves) noexcept {
-  const WaveSources& sources = wave_sources();
+  const std::span<const WaveSource> sources = wave_sources(number_of_waves);
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
-  for (int i = 0; i < number_of_waves; ++i)
-    sum += cycloidal((p - sources[static_cast<std::size_t>(i)].position).length() * frequency + phase);
-  return 0.5 * (1 + sum / number_of_waves);
+  for (const WaveSource& source : sources) sum += cycloidal((p - source.position).length() * frequency + phase);
+  return 0.5 * (1 + sum / static_cast<double>(sources.size()));
 }
 
 }  // namespace isl::render

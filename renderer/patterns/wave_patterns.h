@@ -7,9 +7,8 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// Of the scene where it does not say; POV-Ray's functions always take this many.
-inline constexpr int kDefaultWaves = 10;
-inline constexpr int kMaxWaves = 1000;
+/// The most that a scene can ask for; at least 1.
+inline constexpr int kMaxWaves = 100000;
 
 /// 0.2 · (2.5 + mean of sin(2π(distance · frequency · fᵢ + phase)) / fᵢ) over the sources, each of its own frequency
 /// fᵢ.

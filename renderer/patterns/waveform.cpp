@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kModulus = 1.00001;
 
+/// The usual case needs no division.
+double remainder(double value) { return std::abs(value) < kModulus ? value : std::fmod(value, kModulus); }
+
 }  // namespace
 
 double cycloidal(double value) noexcept {
@@ -25,7 +28,7 @@ double triangle_wave(double value) noexcept {
 
 double in_wave(double value, const scene::Pattern& pattern) noexcept {
   const double frequency = values::to_single(pattern.frequency);
-  if (frequency != 0) value = std::fmod(value * frequency + values::to_single(pattern.phase), kModulus);
+  if (frequency != 0) value = remainder(value * frequency + values::to_single(pattern.phase));
   if (value < 0) value -= std::floor(value);
   switch (pattern.wave) {
     case scene::Wave::ramp: return value;

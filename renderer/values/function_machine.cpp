@@ -12,6 +12,7 @@
 namespace isl::values {
 namespace {
 
+using scene::Function;
 using scene::Instruction;
 using scene::Opcode;
 using scene::Program;
@@ -93,6 +94,18 @@ struct Runner {
   }
 };
 
+/// Not inlined, so that only the frame that is needed is on the stack.
+template <std::size_t size>
+[[gnu::noinline]] std::array<double, 5> evaluate_in_frame(const Function& function, std::span<const double> arguments,
+                                                          Environment& environment) noexcept {
+  double frame[size];
+  std::copy(arguments.begin(), arguments.end(), frame);
+  evaluate(function, frame, environment);
+  std::array<double, 5> results{};
+  std::copy_n(frame, std::min<std::size_t>(function.result_count, results.size()), results.begin());
+  return results;
+}
+
 }  // namespace
 
 double apply(Opcode operation, double a, double b) noexcept {
@@ -156,12 +169,10 @@ void evaluate(const scene::Function& function, double* frame, Environment& envir
 std::array<double, 5> evaluate(const scene::Function& function, std::span<const double> arguments,
                                Environment& environment) noexcept {
   ISL_DCHECK(arguments.size() == function.parameter_count, "{} of {}", arguments.size(), function.parameter_count);
-  double frame[scene::Function::kMaxFrame];
-  std::copy(arguments.begin(), arguments.end(), frame);
-  evaluate(function, frame, environment);
-  std::array<double, 5> results{};
-  std::copy_n(frame, std::min<std::size_t>(function.result_count, results.size()), results.begin());
-  return results;
+  // Most functions need a few numbers, and those in patterns are called at every point.
+  constexpr std::size_t kUsualFrame = 64;
+  return function.frame_size <= kUsualFrame ? evaluate_in_frame<kUsualFrame>(function, arguments, environment)
+                                            : evaluate_in_frame<Function::kMaxFrame>(function, arguments, environment);
 }
 
 }  // namespace isl::values
