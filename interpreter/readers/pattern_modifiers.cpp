@@ -99,7 +99,7 @@ bool read_exponent(ElementStream& stream, Pattern& pattern, std::string_view wha
 
 /// `exterior type, factor` of a fractal; `exterior form` of a pavement.
 bool read_exterior(ElementStream& stream, Pattern& pattern, std::string_view /*what*/) {
-  if (!read_choice_into<&FractalOperands::exterior_type, 0, 8>(stream, pattern, "the type of the `exterior`"))
+  if (!read_choice_into<&FractalOperands::exterior_type, 0, 6>(stream, pattern, "the type of the `exterior`"))
     return read_choice_into<&PavementOperands::exterior, 0, 2>(stream, pattern, "`exterior`");
   stream.accept_comma();
   std::get<FractalOperands>(pattern.operands).exterior_factor = read_number(stream, "a factor");

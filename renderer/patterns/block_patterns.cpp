@@ -1,6 +1,8 @@
 #include "renderer/patterns/block_patterns.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace isl::render {
@@ -35,15 +37,16 @@ double brick(const Vec3& p, const scene::BrickOperands& operands) noexcept {
 }
 
 double cubic(const Vec3& p) noexcept {
-  const Vec3 size(std::abs(p.x), std::abs(p.y), std::abs(p.z));
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  return p[axis] >= 0 ? axis : axis + 3;
+  const double along[] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
+  return static_cast<double>(std::max_element(std::begin(along), std::end(along)) - std::begin(along));
 }
 
 // Hexagons by their axial coordinates: centres at (1.5 q, √3 (r + q/2)). The nearest is found by rounding all three
 // cube coordinates and mending the one that was rounded most.
 double hexagon(const Vec3& p) noexcept {
-  const double q = p.x / 1.5, r = p.z / std::numbers::sqrt3 - q / 2, s = -q - r;
+  // POV-Ray's √3; and what lies on a border at z = 0 belongs to the hexagon above and outward, left and right alike.
+  constexpr double kSqrt3 = 5.196152424 / 3, kOutward = 1e-12, kUp = 1e-12;
+  const double q = (std::abs(p.x) + kOutward) / 1.5, r = (p.z + kUp) / kSqrt3 - q / 2, s = -q - r;
   double whole_q = std::round(q), whole_r = std::round(r);
   const double error_q = std::abs(whole_q - q), error_r = std::abs(whole_r - r), error_s = std::abs(std::round(s) - s);
   if (error_q > error_r && error_q > error_s) {
@@ -68,9 +71,9 @@ double triangular(const Vec3& p) noexcept {
   const double row = std::floor(p.z / kHeight), up = p.z / kHeight - row;
   const std::size_t parity = is_odd(row) ? 1 : 0;
   const double along = p.x - (parity == 0 ? 0 : 0.5), base = std::floor(along), from_base = along - base;
-  if (from_base >= up / 2 && from_base <= 1 - up / 2)
+  if (from_base > up / 2 && from_base <= 1 - up / 2)
     return kOnBase[parity][static_cast<std::size_t>(positive_remainder(base, 3))];
-  const double tip = from_base < up / 2 ? base : base + 1;
+  const double tip = from_base <= up / 2 ? base : base + 1;
   return kOnTip[parity][static_cast<std::size_t>(positive_remainder(tip, 3))];
 }
 

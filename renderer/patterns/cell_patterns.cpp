@@ -10,6 +10,9 @@
 namespace isl::render {
 namespace {
 
+/// A point so close below a cube counts as in it.
+constexpr double kSmall = 1e-10;
+
 /// The feature point.
 Vec3 point_in(const Cube& cube) noexcept {
   const double* const random = random_numbers(cube);
@@ -88,7 +91,7 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
 
 }  // namespace
 
-double cells(const Vec3& p) noexcept { return *random_numbers(cube_of(p)); }
+double cells(const Vec3& p) noexcept { return *random_numbers(cube_of(p + Vec3(kSmall))); }
 
 double crackle(const Vec3& p, const scene::CrackleOperands& operands, values::NoiseGenerator generator) noexcept {
   const Metric metric(operands.metric, operands.offset);

@@ -72,12 +72,7 @@ double exterior(const FractalOperands& o, double iterations, Complex z) {
     case 3: return z.im * factor;
     case 4: return z.re * z.re * factor;
     case 5: return z.im * z.im * factor;
-    case 6: return std::sqrt(z.norm()) * factor;
-    case 7: return std::fmod(iterations, factor) / factor;
-    default: {
-      const double i = std::fmod(iterations, 2 * factor);
-      return i < factor ? i / factor : (2 * factor - i) / factor;
-    }
+    default: return std::sqrt(z.norm()) * factor;
   }
 }
 
@@ -90,13 +85,12 @@ double interior(const FractalOperands& o, Complex z, double least_norm) {
     case 3: return z.im * factor;
     case 4: return z.re * z.re * factor;
     case 5: return z.im * z.im * factor;
-    default: return std::sqrt(z.norm()) * factor;
+    default: return z.re * z.re + z.im * z.im * factor;  // as POV-Ray has it: no root, and the factor in one term
   }
 }
 
 template <class Step>
-double orbit(const FractalOperands& o, Complex z, const Step& step) {
-  double least_norm = z.norm();
+double orbit(const FractalOperands& o, Complex z, double least_norm, const Step& step) {
   for (double i = 0; i < o.iterations; ++i) {
     z = step.next(z);
     least_norm = std::min(least_norm, z.norm());
@@ -110,9 +104,11 @@ double orbit(const FractalOperands& o, Complex z, const Step& step) {
 double fractal(const scene::Vec3& p, const FractalOperands& o) noexcept {
   const Complex point{p.x, p.y};
   const Complex c = o.is_julia ? Complex{o.real, o.imaginary} : point;
-  if (o.magnet == 0) return orbit(o, point, PowerStep{c, o.exponent});
+  if (o.magnet == 0) return orbit(o, point, point.norm(), PowerStep{c, o.exponent});
+  // The start of a magnet's Mandelbrot set is 0 and does not count as near to it.
   const Complex start = o.is_julia ? point : Complex{0, 0};
-  return o.magnet == 1 ? orbit(o, start, Magnet1Step{c}) : orbit(o, start, Magnet2Step(c));
+  const double least_norm = o.is_julia ? point.norm() : kMagnetBailout;
+  return o.magnet == 1 ? orbit(o, start, least_norm, Magnet1Step{c}) : orbit(o, start, least_norm, Magnet2Step(c));
 }
 
 }  // namespace isl::render

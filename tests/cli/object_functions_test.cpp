@@ -43,6 +43,15 @@ L)"),
               HasSubstr("100 4.00,-1.00,-1.00 6.00,1.00,1.00\n"));
 }
 
+TEST_F(ObjectFunctions, APatternOfAnObjectIsOneInside) {
+  EXPECT_THAT(said(R"(#declare F = function { pattern { object { torus { 1, .25 } } scale 2 } }
+#declare G = function { pigment { object { sphere { 0, 1 } rgb 0.25 rgb 0.75 } translate x } }
+#debug concat(str(F(2, 0, 0), 0, 0), str(F(1, 0, 0), 0, 0), " ")
+#debug concat(str(G(0.5, 0, 0).red, 0, 2), " ", str(G(-0.5, 0, 0).red, 0, 2), "\n")
+)"),
+              HasSubstr("10 0.75 0.25\n"));
+}
+
 TEST_F(ObjectFunctions, ExtentsWithoutEndAreTenToTheTenth) {
   EXPECT_THAT(said(R"(#declare L = poly { 2, <1, 0, 0, 0, 0, 0, 0, 0, 0, -1> }
 #debug concat(str(max_extent(L).x, 0, 0), str(min_extent(L).y, 0, 0), "\n")

@@ -161,5 +161,52 @@ TEST(Prune, FollowsTexturesThroughMapsPatternsAndLayers) {
   EXPECT_EQ(database.pigments.size(), 2u);
 }
 
+TEST(Prune, KeepsWhatFunctionsHoldThatCallOneAnother) {
+  Database database;
+  database.transforms.resize(2);
+  database.transforms[1].matrix[3][0] = 5;
+  database.pigments.resize(3);
+  database.pigments[1].colour.red = 7;
+  database.pigments[2].pattern.kind = scene::PatternKind::function;
+  database.pigments[2].pattern.operands = scene::FunctionOperands{scene::FunctionId{1}};
+
+  auto moved = std::make_shared<scene::Function>();
+  scene::Pattern pattern;
+  pattern.warps = {scene::TransformId{1}};
+  moved->body = scene::PatternFunction{pattern};
+  moved->pattern_depth = 1;
+  auto coloured = std::make_shared<scene::Function>();
+  coloured->body = scene::PigmentFunction{{.pattern = scene::PigmentId{1}}};
+  coloured->pattern_depth = 1;
+  auto plain = std::make_shared<scene::Function>();
+  plain->body = scene::Program{};
+  auto caller = std::make_shared<scene::Function>();
+  caller->body = scene::Program{.callees = {moved, coloured, moved, plain}};
+  caller->pattern_depth = 1;
+  database.functions = {coloured, caller};
+  database.textures.resize(1);
+  database.textures[0].pigment.pattern = scene::PigmentId{2};
+  database.solids.resize(1);
+  database.objects = {object(Object::Kind::solid, 0, scene::TextureId{0})};
+  prune(database);
+
+  ASSERT_EQ(database.functions.size(), 1u);
+  const auto id = database.textures[0].pigment.pattern;
+  EXPECT_EQ(std::get<scene::FunctionOperands>(database.pigments.at(scene::index(id)).pattern.operands).function,
+            scene::FunctionId{0});
+  const auto& callees = std::get<scene::Program>(database.functions[0]->body).callees;
+  const auto& warps = std::get<scene::PatternFunction>(callees.at(0)->body).pattern.warps;
+  EXPECT_EQ(database.transforms.at(scene::index(std::get<scene::TransformId>(warps[0]))).matrix[3][0], 5);
+  const scene::Pigment& pigment = std::get<scene::PigmentFunction>(callees.at(1)->body).pigment;
+  EXPECT_EQ(database.pigments.at(scene::index(pigment.pattern)).colour.red, 7);
+  EXPECT_EQ(callees[0], callees[2]);
+  EXPECT_EQ(callees[3], plain);
+  EXPECT_EQ(database.transforms.size(), 1u);
+  EXPECT_EQ(database.pigments.size(), 2u);
+  // Whoever else holds the function still has it as it was.
+  EXPECT_EQ(std::get<scene::TransformId>(std::get<scene::PatternFunction>(moved->body).pattern.warps[0]),
+            scene::TransformId{1});
+}
+
 }  // namespace
 }  // namespace isl::interpreter
