@@ -181,7 +181,9 @@ TEST(Prune, KeepsWhatFunctionsHoldThatCallOneAnother) {
   auto plain = std::make_shared<scene::Function>();
   plain->body = scene::Program{};
   auto caller = std::make_shared<scene::Function>();
-  caller->body = scene::Program{.callees = {moved, coloured, moved, plain}};
+  scene::Program calls;
+  calls.callees = {moved, coloured, moved, plain};
+  caller->body = calls;
   caller->pattern_depth = 1;
   database.functions = {coloured, caller};
   database.textures.resize(1);
