@@ -8,17 +8,16 @@ namespace isl::interpreter {
 /// `function (a, b) { … }`: an expression, `internal(n)`, or one of the blocks that a function can hold.
 [[nodiscard]] Value make_function(Context& context, const grammar::Function& node);
 
+inline constexpr std::size_t kMaxParameters = 56;  ///< POV-Ray's limit
+
 /// Whether the value is a function or spline, which a call can call.
 [[nodiscard]] bool is_callable(const Value& value);
 
 /// `F(1, 2, 3)`, `S(0.5)`, `S(0.5, cubic_spline)`: a number, or a vector of as many terms as `callee` yields.
 [[nodiscard]] Value call_function(Context& context, const grammar::Call& call, const Value& callee);
 
-/// `function { … }` as a pattern, or with a width and height as an image: a function of x, y and z.
+/// `function { … }` as a pattern, or with a width and height as an image: a function of x, y and z, kept in the
+/// database. None where its formula is not known, which is reported.
 [[nodiscard]] scene::FunctionId make_point_function(Context& context, const grammar::Function& node);
-
-/// A number in the database for the function, for a record that keeps it. None where its formula is not known, which is
-/// reported.
-[[nodiscard]] scene::FunctionId function_id(Context& context, const FunctionValue& function, SourceSpan span);
 
 }  // namespace isl::interpreter
