@@ -73,6 +73,7 @@ double triangular(const Vec3& p) noexcept {
   const double along = p.x - (parity == 0 ? 0 : 0.5), base = std::floor(along), from_base = along - base;
   if (from_base > up / 2 && from_base <= 1 - up / 2)
     return kOnBase[parity][static_cast<std::size_t>(positive_remainder(base, 3))];
+  if (std::isnan(from_base + up)) return 0;
   const double tip = from_base <= up / 2 ? base : base + 1;
   return kOnTip[parity][static_cast<std::size_t>(positive_remainder(tip, 3))];
 }

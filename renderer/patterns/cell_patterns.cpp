@@ -71,7 +71,7 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
   double gaps[3][kCubes];
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < kCubes; ++i) {
-      const double low = home_of[axis] + kSteps[i];
+      const double low = static_cast<double>(home_of[axis]) + kSteps[i];
       gaps[axis][i] = metric.term(std::max({low - p[axis], p[axis] - (low + 1), 0.0}));
     }
   }
@@ -81,7 +81,7 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
       for (int k = 0; k < kCubes; ++k) {
         if (std::abs(kSteps[i]) + std::abs(kSteps[j]) + std::abs(kSteps[k]) > kFarthest) continue;
         if (gaps[0][i] + gaps[1][j] + gaps[2][k] > nearest.distances[2]) continue;
-        const Vec3 point = point_in({home.x + kSteps[i], home.y + kSteps[j], home.z + kSteps[k]});
+        const Vec3 point = point_in(neighbour(home, kSteps[i], kSteps[j], kSteps[k]));
         nearest.add(metric.comparable(p - point), point);
       }
     }

@@ -22,8 +22,8 @@ class PatternSurroundings {
 /// Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
 class Patterns final : public values::PatternSource {
  public:
-  /// `surroundings` may be null where no `object` pattern is. `number_of_waves`: at most kMaxWaves count; the scene's for
-  /// pictures, while functions called by the scene itself always take POV-Ray's default.
+  /// `surroundings` may be null where no `object` pattern is. `number_of_waves`: at most kMaxWaves count; the scene's
+  /// for pictures, while functions called by the scene itself always take POV-Ray's default.
   explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr,
                     int number_of_waves = scene::Settings{}.number_of_waves)
       : database_(database), surroundings_(surroundings), number_of_waves_(number_of_waves) {}

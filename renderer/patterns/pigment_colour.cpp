@@ -10,7 +10,7 @@ using scene::Colour;
 using values::to_single;
 
 MapInterval find_in(const scene::PigmentMap& map, double value) noexcept {
-  if (value >= map.back().value) return {&map.back(), &map.back(), 0};
+  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
   const auto second =
       std::find_if(map.begin(), map.end(), [value](const scene::PigmentEntry& entry) { return value <= entry.value; });
   if (second == map.begin()) return {&map.front(), &map.front(), 0};

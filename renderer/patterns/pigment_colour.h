@@ -11,7 +11,7 @@ struct MapInterval {
   const scene::PigmentEntry* second;  ///< may be the same
   double fraction;
 };
-/// In a map that is not empty.
+/// In a map that is not empty; NaN takes its last entry.
 [[nodiscard]] MapInterval find_in(const scene::PigmentMap& map, double value) noexcept;
 
 /// Every term rounded to a float.

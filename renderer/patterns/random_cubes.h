@@ -12,6 +12,14 @@ struct Cube {
   int x = 0, y = 0, z = 0;
 };
 
+/// The cube so many steps away. Beyond the whole numbers they begin again.
+[[nodiscard]] inline Cube neighbour(const Cube& cube, int dx, int dy, int dz) noexcept {
+  const auto add = [](int a, int b) {
+    return static_cast<int>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+  };
+  return {add(cube.x, dx), add(cube.y, dy), add(cube.z, dz)};
+}
+
 /// The cube around p.
 [[nodiscard]] Cube cube_of(const scene::Vec3& p) noexcept;
 

@@ -104,6 +104,14 @@ TEST(Patterns, InfinitiesAndNansDoNoHarm) {
   }
   for (const double x : odd)
     static_cast<void>(value(pattern_of(PatternKind::crackle, scene::CrackleOperands{}), {x, 0.5, 0.5}));
+  Database database;
+  database.pigment_maps = {{{0, {{0.25}}}, {1, {{0.5}}}}};
+  database.pigments.resize(1);
+  database.pigments[0].pattern = pattern_of(PatternKind::onion);
+  database.pigments[0].map = scene::PigmentMapId{0};
+  Environment environment(NoiseGenerator::range_corrected);
+  EXPECT_EQ(Patterns(database).pigment_colour({.pattern = scene::PigmentId{0}}, Vec3(std::nan("")), environment).red,
+            0.5);
 }
 
 class Inside final : public PatternSurroundings {
