@@ -101,6 +101,10 @@ template <class Number>
 [[nodiscard]] Number dot(const Vector<Number>& a, const Vector<Number>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+template <class Number>
+[[nodiscard]] Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 [[nodiscard]] inline long double squared_length(const Vector<long double>& a) { return dot(a, a); }
 [[nodiscard]] inline Interval squared_length(const Vector<Interval>& a) {
   return square(a.x) + square(a.y) + square(a.z);

@@ -27,28 +27,24 @@ Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matri
 }
 
 ReferenceComponent::ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
-                                       const scene::Transform& transform)
-    : skeleton_(component),
+                                       const scene::Transform& transform, std::span<const scene::Vec3> corners)
+    : skeleton_(component, corners),
       kernel_(kernel),
       component_from_blob_(transform.inverse),
       strength_(component.strength),
       has_transform_(transform.inverse != scene::Matrix()) {}
 
 FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
-  Vector<Interval> w{p.x, p.y, p.z};
-  if (has_transform_) w = transformed_point(w, component_from_blob_);
-  w = w - skeleton_.start();
-  const Interval v = skeleton_.nearest(w);
-  const Vector<Interval> offset = skeleton_.offset(w, v);
-  const Interval q = skeleton_.relative(squared_length(offset), v);
+  Vector<Interval> local{p.x, p.y, p.z};
+  if (has_transform_) local = transformed_point(local, component_from_blob_);
+  const RelativeDistance distance = skeleton_.at(local);
 
   FieldSample sample;
-  sample.value = (strength_ * kernel_.value(q)).middle();
+  sample.value = (strength_ * kernel_.value(distance.q)).middle();
   sample.sum_of_values = std::abs(sample.value);
-  const Interval slope = strength_ * kernel_.slope(q);
+  const Interval slope = strength_ * kernel_.slope(distance.q);
   if (slope.sign() == 0) return sample;
-  const Interval scale = Interval(2) * slope / square(skeleton_.radius(v));
-  Vector<Interval> gradient = offset * scale;
+  Vector<Interval> gradient = distance.gradient * slope;
   // A gradient goes back by the transpose of the map into the component's space.
   if (has_transform_) gradient = transformed_vector(gradient, component_from_blob_.transposed());
   sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
@@ -57,9 +53,7 @@ FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
 
 Interval ReferenceComponent::range(const Vector<Interval>& box) const {
   const Vector<Interval> local = has_transform_ ? transformed_point(box, component_from_blob_) : box;
-  const Vector<Interval> w = local - skeleton_.start();
-  const Interval v = skeleton_.nearest(w);
-  return strength_ * kernel_.value(skeleton_.relative(squared_length(skeleton_.offset(w, v)), v));
+  return strength_ * kernel_.value(skeleton_.at(local).q);
 }
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob) : threshold_(blob.threshold) {
@@ -67,7 +61,8 @@ ReferenceField::ReferenceField(const scene::Database& database, const scene::Blo
   const std::vector<ReferenceKernel> kernels(database.kernels.begin(), database.kernels.end());
   components_.reserve(blob.components.size());
   for (const scene::Component& component : blob.components) {
-    components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component));
+    components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component),
+                             std::span(blob.corners.begin(), blob.corners.size()));
   }
 }
 

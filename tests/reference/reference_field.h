@@ -7,6 +7,7 @@
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/reference_skeleton.h"
 
+#include <span>
 #include <vector>
 
 namespace isl::reference {
@@ -25,9 +26,10 @@ struct FieldSample {
 /// One component with all it refers to.
 class ReferenceComponent {
  public:
-  /// `component`'s own references are not looked up: `kernel` and `transform` are what they refer to.
+  /// `component`'s own references are not looked up: `kernel` and `transform` are what they refer to. `corners` are the
+  /// blob's.
   ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
-                     const scene::Transform& transform);
+                     const scene::Transform& transform, std::span<const scene::Vec3> corners);
 
   /// f and ∇f at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;

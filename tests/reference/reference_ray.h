@@ -2,10 +2,9 @@
 // reference_field and reference_tracer; must not know how roots are searched.
 //
 // The enclosure. At a single t everything is interval arithmetic on one number: a value with its rounding error. Over
-// [t0, t1] a component's q is enclosed from its values and slopes at both ends: where q is convex (point and segment:
-// squared distance to a convex set) its slope is monotone, so the slope's range is exact; for a cone the slope comes
-// from interval arithmetic on v*. φ and φ′ are monotone, so their ranges are exact too. The sum is then sharpened by
-// the mean-value form F(t0) + F′([t0, t1])·(t − t0) from either end, which makes the enclosure converge quadratically.
+// [t0, t1] a component's q is enclosed from its values and slopes at both ends, as reference_skeleton knows how. φ and
+// φ′ are monotone, so their ranges are exact. The sum is then sharpened by the mean-value form F(t0) + F′([t0, t1])·(t
+// − t0) from either end, which makes the enclosure converge quadratically.
 #pragma once
 
 #include "tests/reference/reference_field.h"
@@ -65,24 +64,20 @@ class FieldOnRay {
   [[nodiscard]] Magnitude magnitude_at(long double t) const;
 
  private:
-  struct Stretch {
+  struct Support {
     long double begin, end;
   };
-  /// One component in its own space: p(t) − a = w + t·d. Outside `support` it has no value.
+  /// One component with the ray in its own space. Outside `support` it has no value.
   struct Part {
     const ReferenceComponent* component;
-    Vector<Interval> w, d;
-    Stretch support;
-  };
-  struct Distance {
-    Interval q, slope;  ///< q and dq/dt
+    Line line;
+    Support support;
+
+    [[nodiscard]] DistanceOnLine distance_at(long double t) const { return component->skeleton().at(line, t); }
+    [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
   };
 
-  [[nodiscard]] static Distance distance_at(const Part& part, long double t);
-  [[nodiscard]] static Distance distance_over(const Part& part, long double t0, long double t1, const Distance& first,
-                                              const Distance& last);
-  [[nodiscard]] static FieldRange field_of(const Part& part, const Distance& distance);
-  [[nodiscard]] static std::optional<Stretch> support_on(const ReferenceComponent& component, const FieldRay& ray);
+  [[nodiscard]] static std::optional<Support> support_on(const ReferenceComponent& component, const Line& line);
 
   std::vector<Part> parts_;
   Interval threshold_;

@@ -6,52 +6,55 @@
 #include <cmath>
 
 namespace isl::reference {
+namespace {
 
-ReferenceSkeleton::ReferenceSkeleton(const scene::Component& component)
-    : start_(interval_of(component.a)), radius_start_(component.radius_a) {
+SkeletonFormHandle form_of(const scene::Component& component, std::span<const scene::Vec3> corners) {
   ISL_CHECK(component.radius_a >= 0 && component.radius_b >= 0, "radii {} and {}", component.radius_a,
             component.radius_b);
-  if (component.skeleton != scene::Skeleton::point) axis_ = interval_of(component.b) - start_;
-  if (component.skeleton == scene::Skeleton::cone && component.radius_a != component.radius_b) {
-    radius_step_ = Interval(component.radius_b) - radius_start_;
+  switch (component.skeleton) {
+    case scene::Skeleton::point:
+    case scene::Skeleton::segment:
+    case scene::Skeleton::cone: return limb_form(component);
+    case scene::Skeleton::box: return box_form(component);
+    case scene::Skeleton::triangle:
+      ISL_CHECK(component.corner < corners.size(), "corner {} of {}", component.corner, corners.size());
+      return triangle_form(component, corners[component.corner]);
+    case scene::Skeleton::circle: return circle_form(component);
   }
-  axis_squared_ = squared_length(axis_);
-  const Vector<Interval> middle = start_ + axis_ * Interval(0.5L);
-  bound_centre_ = {middle.x.middle(), middle.y.middle(), middle.z.middle()};
-  half_length_ = std::sqrt(axis_squared_.hi) / 2;
-  largest_radius_ = std::max(component.radius_a, component.skeleton == scene::Skeleton::cone ? component.radius_b : 0);
-  has_axis_ = axis_squared_.lo > 0;
+  ISL_CHECK(false, "skeleton {}", static_cast<int>(component.skeleton));
 }
 
-Interval ReferenceSkeleton::nearest(const Interval& foot, const Interval& rho_squared) const {
-  const Interval apex_distance = radius(foot);
-  if (apex_distance.lo > 0) {
-    return clamped(foot + radius_step_ * rho_squared / (axis_squared_ * apex_distance), 0, 1);
-  }
-  if (apex_distance.hi <= 0) return radius_step_.lo > 0 ? 1 : 0;
-  // Both sides of the apex: the less A, the nearer v* is to the larger end.
-  const Interval least =
-      clamped(foot + radius_step_ * rho_squared / (axis_squared_ * Interval(apex_distance.hi)), 0, 1);
-  return radius_step_.lo > 0 ? Interval(least.lo, 1) : Interval(0, least.hi);
-}
+}  // namespace
 
-Interval ReferenceSkeleton::relative(const Interval& distance_squared, const Interval& v) const {
-  const Interval radius_squared = square(radius(v));
-  if (radius_squared.lo <= 0) return {0, kUnbounded};
-  return distance_squared / radius_squared;
+ReferenceSkeleton::ReferenceSkeleton(const scene::Component& component, std::span<const scene::Vec3> corners)
+    : form_(form_of(component, corners)), extent_(form_->extent()) {}
+
+DistanceOnLine ReferenceSkeleton::at(const Line& line, long double t) const {
+  const RelativeDistance here = at(line.at(t));
+  return {here.q, dot(here.gradient, line.direction)};
 }
 
 long double ReferenceSkeleton::reach(long double q) const {
-  return (half_length_ + largest_radius_ * std::sqrt(q)) * (1 + 0x1p-50L);
+  return (extent_.half_size + extent_.largest_radius * std::sqrt(q)) * (1 + 0x1p-50L);
 }
 
-Interval ReferenceSkeleton::nearest(const Vector<Interval>& w) const {
-  if (!has_axis_) {
-    // Concentric spheres: the larger one is the nearer everywhere.
-    return radius_step_.lo > 0 ? 1 : 0;
-  }
-  const Interval along = foot(w);
-  return nearest(along, squared_length(offset(w, along)));
+DistanceOnLine SkeletonForm::over(const Stretch& stretch) const {
+  const DistanceOnLine &first = stretch.first, &last = stretch.last;
+  const long double least = convex_minimum(stretch.t0, stretch.t1, first, last);
+  return {{std::max(least, 0.0L), std::max(first.q.hi, last.q.hi)},
+          {first.slope.lo, std::max(first.slope.lo, last.slope.hi)}};
+}
+
+long double convex_minimum(long double t0, long double t1, const DistanceOnLine& first, const DistanceOnLine& last) {
+  if (first.slope.lo >= 0) return first.q.lo;
+  if (last.slope.hi <= 0) return last.q.lo;
+  const long double h = t1 - t0;
+  const long double s =
+      std::clamp((first.q.lo - last.q.lo + last.slope.hi * h) / (last.slope.hi - first.slope.lo), 0.0L, h);
+  // Left of t0 + s the falling tangent is above its value there, right of it the rising one: any s gives a bound.
+  const Interval left = Interval(first.q.lo) + Interval(first.slope.lo) * Interval(s);
+  const Interval right = Interval(last.q.lo) - Interval(last.slope.hi) * (Interval(h) - Interval(s));
+  return std::min(left.lo, right.lo);
 }
 
 }  // namespace isl::reference

@@ -50,6 +50,30 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
+[[nodiscard]] inline scene::Component box(const scene::Vec3& low, const scene::Vec3& high, double radius,
+                                          double strength = 1) {
+  scene::Component component = segment(low, high, radius, strength);
+  component.skeleton = scene::Skeleton::box;
+  return component;
+}
+
+/// Its third corner is the first of the blob's corners.
+[[nodiscard]] inline scene::Component triangle(const scene::Vec3& a, const scene::Vec3& b, double radius,
+                                               double strength = 1) {
+  scene::Component component = segment(a, b, radius, strength);
+  component.skeleton = scene::Skeleton::triangle;
+  return component;
+}
+
+/// `axis` has unit length.
+[[nodiscard]] inline scene::Component circle(const scene::Vec3& centre, const scene::Vec3& axis, double ring_radius,
+                                             double radius, double strength = 1) {
+  scene::Component component = segment(centre, axis, radius, strength);
+  component.radius_b = ring_radius;
+  component.skeleton = scene::Skeleton::circle;
+  return component;
+}
+
 /// One blob in the world, untransformed, all components with the same kernel.
 [[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel,
                                               const std::vector<scene::Component>& components, double threshold = 1) {
@@ -67,9 +91,10 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
 
 /// The same blob times a power of two: its picture must scale exactly.
 [[nodiscard]] inline scene::Database scaled(scene::Database database, double factor) {
+  for (scene::Vec3& corner : database.blobs.front().corners) corner *= factor;
   for (scene::Component& component : database.blobs.front().components) {
     component.a *= factor;
-    component.b *= factor;
+    if (component.skeleton != scene::Skeleton::circle) component.b *= factor;
     component.radius_a *= factor;
     component.radius_b *= factor;
   }
