@@ -1,5 +1,8 @@
 #include "tests/reference/random_scenes.h"
 
+#include "tests/reference/reference_kernel.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -25,6 +28,30 @@ std::vector<scene::Kernel> random_kernels(RandomSource& random, double hardest) 
       kernels.push_back({static_cast<scene::KernelShape>(shape), scene::RadiusMeaning::surface, hardness});
   }
   return kernels;
+}
+
+/// Makes a box, a triangle or a circle of a component whose b is its second end; one box and triangle in four is flat
+/// or a needle.
+void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scene::Component& c, scene::Blob& blob) {
+  const bool thin = random.below(4) == 0;
+  const Vec3 aside = random.in_ball(scale * (thin ? 0.005 : 0.5));
+  if (c.skeleton == scene::Skeleton::box) {
+    const Vec3 end = c.b;
+    for (int i = 0; i < 3; ++i) {
+      c.b[i] = std::max(c.a[i], end[i]);
+      c.a[i] = std::min(c.a[i], end[i]);
+    }
+    if (const int axis = random.below(3); thin) c.b[axis] = c.a[axis];
+  } else if (c.skeleton == scene::Skeleton::triangle) {
+    c.corner = static_cast<std::uint32_t>(blob.corners.size());
+    blob.corners.push_back((thin ? c.b : c.a) + aside);
+  } else {
+    c.b = random.direction();
+    c.radius_b = scale * random.between(0.1, 0.5);
+    // The field has a crease on the axis, which the support stays short of.
+    const double border = std::sqrt(static_cast<double>(ReferenceKernel(kernel).support().hi));
+    c.radius_a = std::min(c.radius_a, 0.95 * c.radius_b / border);
+  }
 }
 
 }  // namespace
@@ -67,12 +94,14 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
   blob.threshold = random.between(0.3, 1.5);
   for (int i = 0; i < options.components; ++i) {
     scene::Component component;
-    component.skeleton = static_cast<scene::Skeleton>(random.below(3));
+    component.skeleton = static_cast<scene::Skeleton>(random.below(6));
     component.kernel = static_cast<scene::KernelId>(random.below(static_cast<int>(database.kernels.size())));
     component.a = random.in_ball(options.scale * 0.7);
     component.b = component.a + random.in_ball(options.scale * 0.5);
     component.radius_a = options.scale * 0.3 * std::pow(10, random.between(-1.5, 0));
     component.radius_b = component.radius_a * random.between(0.2, 1.5);
+    if (component.skeleton > scene::Skeleton::cone)
+      widen(random, options.scale, database.kernels[index(component.kernel)], component, blob);
     component.strength = random.between(0.5, 3);
     if (options.negatives && random.below(4) == 0) component.strength = -component.strength;
     if (options.transforms && random.below(3) == 0) {

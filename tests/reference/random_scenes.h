@@ -46,7 +46,7 @@ struct RandomBlobOptions {
       8;  ///< hardness of the hardest kernels; of hardness h, gaussian and cauchy have some e^h in the middle
 };
 
-/// One blob of points, segments and cones with all kernels and both meanings of the radius, placed once in the world.
+/// One blob of all skeletons with all kernels and both meanings of the radius, placed once in the world.
 [[nodiscard]] scene::Database random_blob(RandomSource& random, const RandomBlobOptions& options);
 
 }  // namespace isl::reference

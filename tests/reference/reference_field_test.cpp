@@ -77,7 +77,7 @@ void expect_distance(const ReferenceSkeleton& skeleton, long double radius, cons
                      const BruteForce& brute_force) {
   const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
   const long double expected = brute_force(p) / (radius * radius);
-  ASSERT_CLOSE(here.q.middle(), expected, 1e-15L * expected + 1e-30L);
+  ASSERT_CLOSE(here.q.middle(), expected, 1e-15L * expected + 1e-18L);
   // The splinter's normal costs two digits.
   ASSERT_LT(here.q.width(), 1e-13L * here.q.hi + 1e-30L);
   const Interval eikonal = squared_length(here.gradient) * square(Interval(radius)) * Interval(0.25L);
