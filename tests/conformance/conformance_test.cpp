@@ -15,8 +15,7 @@ TEST_P(Conformance, Holds) {
   const auto& [implementation, property] = GetParam();
   int violations = 0;
   for (const FieldCase& field : field_cases()) {
-    const std::string found =
-        property.violation(implementation.make(field.component, field.kernel, field.transform), field);
+    const std::string found = property.violation(implementation.make(field), field);
     if (found.empty()) continue;
     if (++violations <= 10) ADD_FAILURE() << field.name << ": " << found;
   }
@@ -35,8 +34,8 @@ struct Sabotage {
   FieldUnderTest (*broken)(FieldUnderTest);
 };
 
-FieldUnderTest off_in_the_twelfth_digit(FieldUnderTest field) {
-  field.value = [value = field.value](const Vec3& p) { return value(p) * (1 + 1e-11); };
+FieldUnderTest off_in_the_eleventh_digit(FieldUnderTest field) {
+  field.value = [value = field.value](const Vec3& p) { return value(p) * (1 + 1e-10); };
   return field;
 }
 FieldUnderTest gradient_off_in_the_ninth_digit(FieldUnderTest field) {
@@ -98,10 +97,10 @@ FieldUnderTest sure_of_its_slopes(FieldUnderTest field) {
 }
 
 TEST(Properties, EachNoticesAFieldThatBreaksIt) {
-  const std::vector<Sabotage> sabotages = {{"ValueIsTheReferences", off_in_the_twelfth_digit},
+  const std::vector<Sabotage> sabotages = {{"ValueIsTheReferences", off_in_the_eleventh_digit},
                                            {"GradientIsTheReferences", gradient_off_in_the_ninth_digit},
                                            {"GradientIsTheSlopeOfTheValue", gradient_with_a_wrong_sign},
-                                           {"SurfaceAloneIsAtTheRadius", off_in_the_twelfth_digit},
+                                           {"SurfaceAloneIsAtTheRadius", off_in_the_eleventh_digit},
                                            {"SlopeAtTheRadiusIsMinusHardness", a_little_softer},
                                            {"BorderHasNoValueAndNoSlope", nowhere_zero},
                                            {"AlongARayIsTheValueAndItsDerivative", derivative_along_a_unit_direction},
@@ -119,7 +118,7 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
       for (const FieldCase& field : field_cases()) {
         if (field.kernel.meaning != scene::RadiusMeaning::surface || field.kernel.hardness != 4) continue;
         ++fields;
-        const FieldUnderTest tested = reference_field_under_test(field.component, field.kernel, field.transform);
+        const FieldUnderTest tested = reference_field_under_test(field);
         if (!property.violation(sabotage.broken(tested), field).empty()) ++noticed;
       }
       EXPECT_EQ(noticed, fields) << property.name;

@@ -4,6 +4,7 @@
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isl::conformance {
@@ -18,8 +19,16 @@ struct Named {
   Value value;
 };
 
-const std::vector<Named<scene::Component>>& skeletons() {
-  static const std::vector<Named<scene::Component>> list = {
+struct Shape {
+  const char* name;
+  scene::Component component;
+  Vec3 third_corner{0};
+};
+
+/// The kernel with the widest support reaches 4.25 radii: the circles are wide enough that it stays clear of the axis,
+/// where the field would have a crease, and of the ring's other side.
+const std::vector<Shape>& skeletons() {
+  static const std::vector<Shape> list = {
       {"point", reference::point({0.1, -0.2, 0.3}, 0.7)},
       {"segment", reference::segment({-0.5, 0, 0.1}, {0.6, 0.3, -0.2}, 0.4)},
       {"segment_on_axis", reference::segment({0, -1, 0}, {0, 1, 0}, 0.25)},
@@ -27,7 +36,14 @@ const std::vector<Named<scene::Component>>& skeletons() {
       {"cone", reference::cone({-0.4, 0.1, 0}, 0.5, {0.7, -0.2, 0.3}, 0.2)},
       {"cone_widening", reference::cone({0, 0, -0.6}, 0.1, {0, 0, 0.6}, 0.4)},
       {"cone_of_equal_radii", reference::cone({0, -0.5, 0}, 0.3, {0, 0.5, 0}, 0.3)},
-      {"cone_inside_its_end", reference::cone({0, 0, 0}, 0.8, {0.3, 0, 0}, 0.2)}};
+      {"cone_inside_its_end", reference::cone({0, 0, 0}, 0.8, {0.3, 0, 0}, 0.2)},
+      {"box", reference::box({-0.3, -0.2, 0.1}, {0.5, 0.1, 0.7}, 0.3)},
+      {"box_of_no_thickness", reference::box({-0.6, 0.2, -0.4}, {0.5, 0.2, 0.7}, 0.15)},
+      {"triangle", reference::triangle({-0.5, 0.1, 0}, {0.6, -0.2, 0.3}, 0.2), {0.1, 0.7, -0.4}},
+      {"triangle_obtuse", reference::triangle({0.1, 0.15, 0.05}, {0.9, 0, 0}, 0.2), {-0.8, 0.1, -0.1}},
+      {"triangle_needle", reference::triangle({-0.8, 0.1, 0.2}, {0.7, -0.3, 0.1}, 0.25), {0.7, -0.293, 0.107}},
+      {"circle", reference::circle({0, 0, 0}, {0, 1, 0}, 0.9, 0.12)},
+      {"circle_tilted", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 1.1, 0.15)}};
   return list;
 }
 
@@ -71,10 +87,25 @@ double longest_stretch(const scene::Transform& transform) {
   return std::sqrt(sum);
 }
 
+/// A ball of this radius about the origin of the component's space holds the skeleton.
+double skeleton_reach(const FieldCase& field) {
+  const scene::Component& c = field.component;
+  switch (c.skeleton) {
+    case scene::Skeleton::circle: return c.a.length() + c.radius_b;
+    case scene::Skeleton::triangle: return std::max({c.a.length(), c.b.length(), field.third_corner.length()});
+    case scene::Skeleton::box: {
+      const auto farther = [&](int i) { return std::max(std::abs(c.a[i]), std::abs(c.b[i])); };
+      return Vec3(farther(0), farther(1), farther(2)).length();
+    }
+    default: return std::max(c.a.length(), c.b.length());
+  }
+}
+
 double reach_of(const FieldCase& field) {
   const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi));
   const scene::Component& c = field.component;
-  const double in_component = std::max(c.a.length(), c.b.length()) + std::max(c.radius_a, c.radius_b) * border;
+  const double radius = c.skeleton == scene::Skeleton::cone ? std::max(c.radius_a, c.radius_b) : c.radius_a;
+  const double in_component = skeleton_reach(field) + radius * border;
   const Vec3 shift(field.transform.matrix[3][0], field.transform.matrix[3][1], field.transform.matrix[3][2]);
   return in_component * longest_stretch(field.transform) + shift.length();
 }
@@ -88,7 +119,7 @@ std::vector<FieldCase> all_cases() {
         for (const double strength : {1.0, -2.5}) {
           FieldCase field{
               std::string(skeleton.name) + "_" + kernel.name + "_" + map.name + (strength < 0 ? "_carving" : ""),
-              skeleton.value, kernel.value, map.value, 0};
+              skeleton.component, kernel.value, map.value, skeleton.third_corner};
           field.component.strength = strength;
           field.reach = reach_of(field);
           cases.push_back(field);
@@ -99,36 +130,6 @@ std::vector<FieldCase> all_cases() {
   return cases;
 }
 
-/// A component as spheres along an axis. Its level set q = level² is the envelope of spheres of level times the radius,
-/// which each touches where the normal's axial part is −slope·level; the end spheres show what leans outward of that.
-struct Limb {
-  explicit Limb(const scene::Component& component)
-      : a(component.a),
-        axis(component.skeleton == scene::Skeleton::point ? Vec3(0) : component.b - component.a),
-        radius_a(component.radius_a),
-        step(component.skeleton == scene::Skeleton::cone ? component.radius_b - component.radius_a : 0),
-        has_axis(axis != Vec3(0)) {
-    if (has_axis) {
-      along = axis.normalized();
-      slope = step / axis.length();
-    }
-  }
-  [[nodiscard]] SurfaceWitness seen_from(double v, const Vec3& direction) const {
-    return {a + axis * v, direction, radius_a + step * v};
-  }
-  /// The normal with that axial part, in the half-plane of `side`.
-  [[nodiscard]] Vec3 flank_normal(const Vec3& side, double axial) const {
-    const Vec3 across = (side - along * side.dot(along)).normalized();
-    return along * axial + across * std::sqrt(1 - axial * axial);
-  }
-
-  Vec3 a, axis;
-  double radius_a, step;
-  bool has_axis;
-  Vec3 along{0};
-  double slope = 0;
-};
-
 }  // namespace
 
 const std::vector<FieldCase>& field_cases() {
@@ -136,33 +137,15 @@ const std::vector<FieldCase>& field_cases() {
   return list;
 }
 
-std::vector<SurfaceWitness> surface_witnesses(const scene::Component& component, int count, double level) {
-  RandomSource random(7);
-  const Limb limb(component);
-  std::vector<SurfaceWitness> witnesses;
-  while (static_cast<int>(witnesses.size()) < count) {
-    const Vec3 direction = random.direction();
-    const double end = random.below(2), v = random.unit();
-    if (!limb.has_axis) {
-      witnesses.push_back({component.a, direction, component.radius_a});
-    } else if (const double lean = direction.dot(limb.along), flank = -limb.slope * level;
-               end == 1 ? lean > flank : lean < flank) {
-      witnesses.push_back(limb.seen_from(end, direction));
-    } else if (std::abs(flank) < 1) {
-      witnesses.push_back(limb.seen_from(v, limb.flank_normal(direction, flank)));
-    }
-  }
-  return witnesses;
-}
-
-std::vector<SurfaceWitness> end_witnesses(const scene::Component& component, int count) {
-  const Limb limb(component);
-  if (!limb.has_axis || std::abs(limb.slope) >= 1) return surface_witnesses(component, count);
-  RandomSource random(8);
-  std::vector<SurfaceWitness> witnesses;
-  for (int i = 0; i < count; ++i)
-    witnesses.push_back(limb.seen_from(i % 2, limb.flank_normal(random.direction(), -limb.slope)));
-  return witnesses;
+scene::Database blob_of(const FieldCase& field, double threshold) {
+  scene::Database database;
+  database.kernels.push_back(field.kernel);
+  database.transforms.push_back(field.transform);
+  scene::Component alone = field.component;
+  alone.kernel = scene::KernelId{0};
+  alone.transform = scene::TransformId{0};
+  database.blobs.push_back({threshold, {alone}, {{}}, {field.third_corner}});
+  return database;
 }
 
 }  // namespace isl::conformance

@@ -1,8 +1,9 @@
-// The face that a field implementation shows to the conformance suite: one component's f, nothing of blobs or thresholds.
-// Whoever writes a field adds a maker to implementations.cpp; field_cases and properties then apply to it without change.
+// The face that a field implementation shows to the conformance suite: one component's f, nothing of blobs or
+// thresholds. Whoever writes a field adds a maker to implementations.cpp; field_cases and properties then apply to it
+// without change.
 #pragma once
 
-#include "renderer/scene/database.h"
+#include "tests/conformance/field_cases.h"
 
 #include <functional>
 #include <string>
@@ -41,18 +42,16 @@ struct FieldUnderTest {
 /// A way of making fields, by name.
 struct Implementation {
   std::string name;
-  std::function<FieldUnderTest(const scene::Component&, const scene::Kernel&, const scene::Transform&)> make;
+  std::function<FieldUnderTest(const FieldCase&)> make;
 };
 
 /// All there are; the reference is the first.
 [[nodiscard]] const std::vector<Implementation>& implementations();
 
 /// The reference of tests/reference behind this face.
-[[nodiscard]] FieldUnderTest reference_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
-                                                        const scene::Transform& transform);
+[[nodiscard]] FieldUnderTest reference_field_under_test(const FieldCase& tested_case);
 
 /// renderer/fields behind this face.
-[[nodiscard]] FieldUnderTest product_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
-                                                      const scene::Transform& transform);
+[[nodiscard]] FieldUnderTest product_field_under_test(const FieldCase& tested_case);
 
 }  // namespace isl::conformance

@@ -1,5 +1,5 @@
-// The renderer's own fields (renderer/fields) behind the suite's face: a blob of one component and threshold 0, so that F = f.
-// Compiled for the baseline target; that all vector widths give the same bits is renderer_tests' to show.
+// The renderer's own fields (renderer/fields) behind the suite's face: a blob of one component and threshold 0, so that
+// F = f. Compiled for the baseline target; that all vector widths give the same bits is renderer_tests' to show.
 #include "renderer/fields/blob_point-inl.h"
 #include "renderer/fields/ray_lanes-inl.h"
 #include "tests/conformance/field_under_test.h"
@@ -13,15 +13,10 @@ namespace {
 namespace lanes = render::HWY_NAMESPACE;
 
 /// A compiled blob of one component, in a grid of one cell.
-render::CompiledBlob single(const scene::Component& component, const scene::Kernel& kernel, const scene::Transform& transform) {
-  scene::Database database;
-  database.kernels.push_back(kernel);
-  database.transforms.push_back(transform);
-  scene::Component placed = component;
-  placed.transform = scene::TransformId{0};
-  placed.kernel = scene::KernelId{0};
+render::CompiledBlob single(const FieldCase& field) {
+  const scene::Database database = blob_of(field, 0);
   render::CompiledBlob blob;
-  blob.components = render::compile_components(database, {.threshold = 0, .components = {placed}, .origins = {{}}});
+  blob.components = render::compile_components(database, database.blobs[0]);
   blob.grid.items.assign(1 + render::Grid::kListTail, 0);
   blob.grid.cells = {render::Cell::make(render::CellKind::leaf, 0, 1)};
   return blob;
@@ -29,9 +24,8 @@ render::CompiledBlob single(const scene::Component& component, const scene::Kern
 
 }  // namespace
 
-FieldUnderTest product_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
-                                        const scene::Transform& transform) {
-  const auto blob = std::make_shared<const render::CompiledBlob>(single(component, kernel, transform));
+FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
+  const auto blob = std::make_shared<const render::CompiledBlob>(single(tested_case));
   const auto along = [blob](const Vec3& origin, const Vec3& direction, double t) -> ValueAndDerivative {
     render::LaneMemory memory;
     lanes::RayLanes fields(memory);

@@ -2,6 +2,7 @@
 // the result, plus the result's change when the point moves by a relative error of its coordinates.
 #include "tests/conformance/properties.h"
 
+#include "tests/conformance/witnesses.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/reference_field.h"
 
@@ -28,7 +29,7 @@ std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}
 
 /// The reference's field; made once a property, since a kernel's constants take some solving.
 ReferenceComponent truth_of(const FieldCase& field) {
-  return {field.component, reference::ReferenceKernel(field.kernel), field.transform};
+  return {field.component, reference::ReferenceKernel(field.kernel), field.transform, {&field.third_corner, 1}};
 }
 
 double length_of(const reference::Vector<long double>& v) { return static_cast<double>(std::sqrt(squared_length(v))); }
@@ -52,7 +53,7 @@ double border_of(const FieldCase& field) {
 /// Points where something is to be seen: half of them next to the surface, the others anywhere about.
 Vec3 interesting_point(RandomSource& random, const FieldCase& field) {
   if (random.below(2) == 0) return random.in_ball(field.reach);
-  const std::vector<SurfaceWitness> witness = surface_witnesses(field.component, 1 + random.below(20));
+  const std::vector<SurfaceWitness> witness = surface_witnesses(field, 1 + random.below(20));
   const double distance = witness.back().radius * random.between(0, 1.4);
   return field.transform.point(witness.back().centre + witness.back().direction * distance);
 }
@@ -113,7 +114,7 @@ std::string gradient_is_the_slope_of_the_value(const FieldUnderTest& tested, con
 
 std::string surface_alone_is_at_the_radius(const FieldUnderTest& tested, const FieldCase& field) {
   if (field.kernel.meaning != scene::RadiusMeaning::surface) return {};
-  for (const SurfaceWitness& witness : surface_witnesses(field.component, kPoints)) {
+  for (const SurfaceWitness& witness : surface_witnesses(field, kPoints)) {
     double low = 0.5, high = 1.5;  // of the radius; f falls from one to the other
     for (int step = 0; step < 60; ++step) {
       const double middle = (low + high) / 2;
@@ -132,7 +133,7 @@ std::string surface_alone_is_at_the_radius(const FieldUnderTest& tested, const F
 
 std::string slope_at_the_radius_is_minus_hardness(const FieldUnderTest& tested, const FieldCase& field) {
   if (field.kernel.meaning != scene::RadiusMeaning::surface) return {};
-  for (const SurfaceWitness& witness : surface_witnesses(field.component, kPoints)) {
+  for (const SurfaceWitness& witness : surface_witnesses(field, kPoints)) {
     const Vec3 p = field.transform.point(witness.centre + witness.direction * witness.radius);
     const double value = tested.value(p) / field.component.strength;
     // Along centre + r·√q·direction: dq/dx = 2/r at q = 1, so −h = ∇f·direction·r/2.
@@ -150,7 +151,7 @@ std::string slope_at_the_radius_is_minus_hardness(const FieldUnderTest& tested, 
 std::string border_has_no_value_and_no_slope(const FieldUnderTest& tested, const FieldCase& field) {
   const double border = border_of(field);
   const double scale = unit_of(field);
-  for (const SurfaceWitness& witness : surface_witnesses(field.component, kPoints, border)) {
+  for (const SurfaceWitness& witness : surface_witnesses(field, kPoints, border)) {
     const auto at = [&](double fraction) {
       return field.transform.point(witness.centre + witness.direction * (witness.radius * border * fraction));
     };
@@ -208,8 +209,8 @@ std::string along_a_ray_is_the_value_and_its_derivative(const FieldUnderTest& te
 /// derivative allows.
 std::string is_smooth_along_rays(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(105);
-  const auto at_border = surface_witnesses(field.component, kPoints, border_of(field));
-  const auto at_ends = end_witnesses(field.component, kPoints);
+  const auto at_border = surface_witnesses(field, kPoints, border_of(field));
+  const auto at_ends = end_witnesses(field, kPoints);
   for (int i = 0; i < 2 * kPoints; ++i) {
     const bool border = i < kPoints;
     const SurfaceWitness& witness = border ? at_border[i] : at_ends[i - kPoints];
@@ -248,9 +249,10 @@ std::string box_range_holds_every_sample(const FieldUnderTest& tested, const Fie
       // Corners and edges are where extremes lie.
       const auto side = [&] { return k < 40 ? 2.0 * random.below(2) - 1 : random.between(-1, 1); };
       const Vec3 p = centre + Vec3(half.x * side(), half.y * side(), half.z * side());
-      const double value = static_cast<double>(judge.sample(exactly(p)).value);
-      if (!(range.low - kRounding * std::abs(range.low) <= value &&
-            value <= range.high + kRounding * std::abs(range.high))) {
+      const FieldSample truth = judge.sample(exactly(p));
+      const double value = static_cast<double>(truth.value);
+      const double slack = kRounding * (std::abs(value) + length_of(truth.gradient) * (field.reach + p.length()));
+      if (!(range.low - slack <= value && value <= range.high + slack)) {
         return fmt::format("at {}: {:.17g} is outside [{:.17g}, {:.17g}]", text(p), value, range.low, range.high);
       }
     }

@@ -16,18 +16,6 @@ using reference::Interval;
 using reference::interval_of;
 using reference::ReferenceField;
 
-scene::Database database_of(const scene::Component& component, const scene::Kernel& kernel,
-                            const scene::Transform& transform) {
-  scene::Database database;
-  database.kernels.push_back(kernel);
-  database.transforms.push_back(transform);
-  scene::Component alone = component;
-  alone.kernel = static_cast<scene::KernelId>(0);
-  alone.transform = static_cast<scene::TransformId>(0);
-  database.blobs.push_back({1, {alone}, {{}}});
-  return database;
-}
-
 double rounded(long double x) { return static_cast<double>(x); }
 
 /// From the range [m, M] of f′ alone. The cubic's slope is a quadratic with Bernstein coefficients f′(t0), 3s − f′(t0)
@@ -45,9 +33,8 @@ RemainderBounds remainder_from_slopes(const FieldOnRay& ray, long double t0, lon
 
 }  // namespace
 
-FieldUnderTest reference_field_under_test(const scene::Component& component, const scene::Kernel& kernel,
-                                          const scene::Transform& transform) {
-  const scene::Database database = database_of(component, kernel, transform);
+FieldUnderTest reference_field_under_test(const FieldCase& tested_case) {
+  const scene::Database database = blob_of(tested_case, 1);
   const auto field = std::make_shared<const ReferenceField>(database, database.blobs[0]);
   const auto sample = [field](const reference::Vector<long double>& p) {
     return field->components().front().sample(p);

@@ -80,12 +80,8 @@ TEST(HardCases, C26_ScalingByPowersOfTwoIsExact) {
 TEST(HardCases, C27_TranslationCostsOnlyTheCoordinatesRounding) {
   RandomSource random(72);
   for (const double offset : {0x1p20, 1e6, 1e9}) {
-    scene::Database database = random_blob(random, {.components = 15, .transforms = false});
     const Vec3 shift(offset, -offset, offset);
-    for (scene::Component& component : database.blobs[0].components) {
-      component.a += shift;
-      component.b += shift;
-    }
+    const scene::Database database = shifted(random_blob(random, {.components = 15, .transforms = false}), shift);
     std::vector<render::Ray> rays;
     for (int i = 0; i < 200; ++i) {
       render::Ray ray = camera_ray(random_line(random, 3, 0.6));

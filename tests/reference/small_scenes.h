@@ -89,16 +89,29 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return database;
 }
 
+/// The blob's parts with `change` made to every place; a circle's axis is none.
+template <class Change>
+[[nodiscard]] scene::Database with_places(scene::Database database, const Change& change) {
+  scene::Blob& blob = database.blobs.front();
+  for (scene::Vec3& corner : blob.corners) change(corner);
+  for (scene::Component& component : blob.components) {
+    change(component.a);
+    if (component.skeleton != scene::Skeleton::circle) change(component.b);
+  }
+  return database;
+}
+
+[[nodiscard]] inline scene::Database shifted(scene::Database database, const scene::Vec3& shift) {
+  return with_places(std::move(database), [&](scene::Vec3& place) { place += shift; });
+}
+
 /// The same blob times a power of two: its picture must scale exactly.
 [[nodiscard]] inline scene::Database scaled(scene::Database database, double factor) {
-  for (scene::Vec3& corner : database.blobs.front().corners) corner *= factor;
   for (scene::Component& component : database.blobs.front().components) {
-    component.a *= factor;
-    if (component.skeleton != scene::Skeleton::circle) component.b *= factor;
     component.radius_a *= factor;
     component.radius_b *= factor;
   }
-  return database;
+  return with_places(std::move(database), [&](scene::Vec3& place) { place *= factor; });
 }
 
 }  // namespace isl::reference
