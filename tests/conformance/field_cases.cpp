@@ -116,7 +116,9 @@ std::vector<FieldCase> all_cases() {
   for (const auto& skeleton : skeletons()) {
     for (const auto& kernel : kernels()) {
       for (const auto& map : maps) {
+        // What carves does so in any space: seen in the hardest of them only.
         for (const double strength : {1.0, -2.5}) {
+          if (strength < 0 && &map != &maps.back()) continue;
           FieldCase field{
               std::string(skeleton.name) + "_" + kernel.name + "_" + map.name + (strength < 0 ? "_carving" : ""),
               skeleton.component, kernel.value, map.value, skeleton.third_corner};

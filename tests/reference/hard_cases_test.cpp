@@ -222,5 +222,41 @@ TEST(HardCases, D41_RaysThatAreNoneMiss) {
   }
 }
 
+TEST(HardCases, E45_NeedlesAreTrianglesToTheEnd) {
+  for (const double width : {1e-3, 1e-6, 1e-9}) {
+    SCOPED_TRACE(width);
+    scene::Database needle = one_blob(quartic(4), {triangle({-1, 0, 0}, {1, 0, 0}, 0.25)});
+    needle.blobs[0].corners = {{1, 0, width}};
+    expect_walk(needle, {0, -4, width / 4}, {0, 1, 0}, {3.75, 4.25}, 1e-14);
+    expect_walk(needle, {-4, 0, 0}, {1, 0, 0}, {2.75, 5.25}, 1e-14);
+    // The long edge leans: seen from across, it is a little nearer than its height there.
+    const double lean = std::sqrt(1 + width * width / 4);
+    expect_walk(needle, {0, 0, -4}, {0, 0, 1}, {3.75, 4 + width / 2 + 0.25 * lean}, 1e-14);
+  }
+}
+
+TEST(HardCases, E46_RingsAreMetAllAround) {
+  const scene::Database ring = one_blob(gaussian(4), {circle({0, 0, 0}, {0, 1, 0}, 1, 0.25)});
+  expect_walk(ring, {-4, 0, 0}, {1, 0, 0}, {2.75, 3.25, 4.75, 5.25}, 1e-14);
+  expect_walk(ring, {1, -4, 0}, {0, 1, 0}, {3.75, 4.25}, 1e-14);
+  // Along the axis, where the distance has a crease, and next to it.
+  for (const double x : {0.0, 1e-300, 1e-17, 1e-9}) expect_walk(ring, {x, -4, 0}, {0, 1, 0}, {}, 0);
+  const double inner = std::sqrt(0.5625 - 0.25), outer = std::sqrt(1.5625 - 0.25);
+  expect_walk(ring, {-4, 0, 0.5}, {1, 0, 0}, {4 - outer, 4 - inner, 4 + inner, 4 + outer}, 1e-14);
+}
+
+TEST(HardCases, E47_BoxesHaveFacesAndRoundEdges) {
+  const scene::Database solid = one_blob(soft(4), {box({-1, -0.5, -2}, {1, 0.5, 2}, 0.25)});
+  expect_walk(solid, {0.25, 0, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
+  // From within, where the field is level.
+  expect_walk(solid, {0, 0, 0}, {0, 1, 0}, {0.75}, 1e-14);
+  expect_walk(solid, {0.9, -0.4, 1.9}, {0, 0, -1}, {4.15}, 1e-14);
+  // Along a face's and an edge's border, and past an edge.
+  expect_walk(solid, {1, 0, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
+  expect_walk(solid, {1, 0.5, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
+  const double x = 1.15 - 1, edge = std::sqrt(0.0625 - x * x);
+  expect_walk(solid, {1.15, 0, -4}, {0, 0, 1}, {2 - edge, 6 + edge}, 1e-14);
+}
+
 }  // namespace
 }  // namespace isl::reference

@@ -212,6 +212,38 @@ TEST(ReferenceTracer, ConeHasItsEndSpheresAndItsSlantedFlank) {
   expect_roots(roots(limb, {1, 0, -4}, {0, 0, 1}), {4 - radius, 4 + radius}, 1e-16L);
 }
 
+TEST(ReferenceTracer, BoxHasItsFacesAndItsRoundEdges) {
+  const scene::Database solid = one_blob(quartic(4), {box({-1, -0.5, -2}, {1, 0.5, 2}, 0.25)});
+  expect_roots(roots(solid, {0.25, 0, -4}, {0, 0, 1}), {1.75L, 6.25L}, 1e-16L);
+  expect_roots(roots(solid, {0, 0, 0}, {0, 1, 0}), {0.75L}, 1e-16L);
+  // 0.15 beside the box: the round edges are met at √(0.25² − 0.15²) = 0.2 beyond its ends.
+  const long double x = scene::Vec3(1.15).x - 1.0L, edge = std::sqrt(0.0625L - x * x);
+  expect_roots(roots(solid, {1.15, 0, -4}, {0, 0, 1}), {2 - edge, 6 + edge}, 1e-16L);
+  const scene::Database flat = one_blob(cauchy(4), {box({-1, 0, -1}, {1, 0, 1}, 0.25)});
+  expect_roots(roots(flat, {0.3, -4, 0.2}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
+}
+
+TEST(ReferenceTracer, TriangleHasItsFaceItsEdgesAndItsCorners) {
+  scene::Database flat = one_blob(gaussian(4), {triangle({-1, 0, 0}, {1, 0, 0}, 0.25)});
+  flat.blobs[0].corners = {scene::Vec3(0, 0, 1)};
+  expect_roots(roots(flat, {0, -4, 0.5}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
+  expect_roots(roots(flat, {0, 0, -4}, {0, 0, 1}), {3.75L, 5.25L}, 1e-16L);
+  expect_roots(roots(flat, {-4, 0, 0}, {1, 0, 0}), {2.75L, 5.25L}, 1e-16L);
+  // 0.125/√2 outside the slanted edge x + z = 1.
+  const long double half = std::sqrt(0.0625L - 0.125L * 0.125L / 2);
+  expect_roots(roots(flat, {0.5, -4, 0.625}, {0, 1, 0}), {4 - half, 4 + half}, 1e-16L);
+}
+
+TEST(ReferenceTracer, CircleHasItsHole) {
+  const scene::Database ring = one_blob(metaball(4), {circle({0, 0, 0}, {0, 1, 0}, 1, 0.25)});
+  expect_roots(roots(ring, {-4, 0, 0}, {1, 0, 0}), {2.75L, 3.25L, 4.75L, 5.25L}, 1e-16L);
+  expect_roots(roots(ring, {1, -4, 0}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
+  EXPECT_THAT(roots(ring, {0, -4, 0}, {0, 1, 0}).crossings, IsEmpty());
+  // Beside the axis, ρ = 1 ± 0.25 at x = √(ρ² − 0.5²).
+  const long double inner = std::sqrt(0.5625L - 0.25L), outer = std::sqrt(1.5625L - 0.25L);
+  expect_roots(roots(ring, {-4, 0, 0.5}, {1, 0, 0}), {4 - outer, 4 - inner, 4 + inner, 4 + outer}, 1e-16L);
+}
+
 TEST(ReferenceTracer, EverySignChangeOfADenseScanHasItsRoot) {
   RandomSource random(17);
   std::size_t total = 0;
