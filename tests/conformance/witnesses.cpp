@@ -92,8 +92,8 @@ std::optional<SurfaceWitness> on_triangle(const FieldCase& field, const Draw& dr
   const scene::Component& c = field.component;
   const std::array<Vec3, 3> corners = {c.a, c.b, field.third_corner};
   const int first = random.below(3);
-  const Vec3 corner = corners[first], edge = corners[(first + 1) % 3] - corner,
-             other = corners[(first + 2) % 3] - corner;
+  const Vec3& corner = corners[first];
+  const Vec3 edge = corners[(first + 1) % 3] - corner, other = corners[(first + 2) % 3] - corner;
   const Vec3 normal = (c.b - c.a).cross(field.third_corner - c.a).normalized() * (2.0 * random.below(2) - 1);
   const Vec3 outward = across(edge.normalized(), -other);
   const double turn = random.between(0, 1.5);
