@@ -1,11 +1,14 @@
 // The Cauchy kernel (McCormack and Sherstyuk 1998) less its tangent at the border: with v = q, ε = 1/σ², A = ε + v,
 // B = ε + Q and d = Q − v,
-//   φ(v) = 1/A² − 1/B² − 2d/B³ = d²(B + 2A)/(A²B³), v < Q;   φ′ = −2/A³ + 2/B³ = −2d(B² + AB + A²)/(A³B³),
-//   φ″ = 6/A⁴, φ‴ = −24/A⁵, φ⁗ = 120/A⁶. Amplitude and sign apart.
+//   φ(v) = 1/A² − 1/B² − 2d/B³ = d²(B + 2A)/(A²B³), v < Q,
+//   φ′ = −2/A³ + 2/B³ = −2d(B² + AB + A²)/(A³B³),   φ″ = 6/A⁴,   φ‴ = −24/A⁵,   φ⁗ = 120/A⁶.
+// Amplitude and sign apart.
+//
 // Along a ray on which v = v₀ + κτ² (point, segment), with u = κτ², p = ε + v₀ and y = u/p:
-//   f″ = κ(4/B³ + (20u − 4p)/(p + u)⁴): the second term rises to (20·0.6 − 4)/1.6⁴/p³ = 1.220703125/p³ at y = 0.6 and
-//   falls after it, f⁗ = κ²(72p² − 1008pu + 840u²)/(p + u)⁶, which falls from y = 2 on; before that it is bounded by a
-//   falling staircase over y, each step the maximum to its right.
+//   f″ = κ(4/B³ + (20u − 4p)/(p + u)⁴), whose second term rises to 1.220703125/p³ at y = 0.6 (8/1.6⁴) and falls after,
+//   f⁗ = κ²(72p² − 1008pu + 840u²)/(p + u)⁶, which falls from y = 2 on.
+// Before y = 2, f⁗ is bounded by a falling staircase over y, each step the maximum to its right.
+//
 // Constants: of the Cauchy kernels with φ(1) = 1 and φ′(1) = −h the one that has φ(0) = eʰ, the unwindowed Gaussian's
 // value. With r = B/A at v = 1, φ′/φ = −2(r² + r + 1)/(A(r − 1)(r + 2)) = −h gives r for any ε; φ(0)/φ(1) = eʰ then is
 // one equation for ε.

@@ -1,5 +1,4 @@
-// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S =
-// support.
+// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S, S = support.
 //
 // The window is linear in v, so it changes φ′ by a constant and no higher derivative. Along a ray on which v = v₀ + κτ²
 // (point, segment), with y = κτ² and p = e^{a−v₀}:
@@ -7,9 +6,10 @@
 // s(y) = (4y − 2)e^{−y} rises to 4e^{−3/2} < 0.8926 at y = 3/2 and falls after it; it is concave for y < 5/2, so that
 // −2 + 4y ≤ s(y) on [0, ½] (chord) and s(y) ≤ −2 + 6y (tangent at 0). |16y² − 48y + 12|e^{−y} falls for y > 4.09 (where
 // the quadratic's logarithmic slope drops below 1); before that it is bounded by a falling staircase over √y, each step
-// the maximum to its right. Constants: v = aq, S = aQ; the tangent (in q) is taken off at the support's border, so that
-// value and slope vanish there: cut = e^{−a(Q−1)} = δ, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), Q = 1 + ln(1/δ)/a, amplitude
-// 1/(1 − δ(1 + ln 1/δ)).
+// the maximum to its right.
+//
+// Constants: v = aq, S = aQ; the tangent (in q) is taken off at the support's border, so that value and slope vanish
+// there: cut = e^{−a(Q−1)} = δ, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), Q = 1 + ln(1/δ)/a, amplitude 1/(1 − δ(1 + ln 1/δ)).
 #if defined(ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_

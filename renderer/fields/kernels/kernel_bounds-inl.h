@@ -1,8 +1,10 @@
-// What every kernel says of itself to the code that evaluates a field and bounds it along a ray. A kernel is a class
-// with
-//   static KernelConstants constants(double hardness)      a constructor from KernelConstants
-//   support()   value(v)   value_and_slope(v)   curvature(v) = φ″   slopes(v_least)   on_quadratic(v₀, κ, u_near,
-//   u_far) is_smooth(v_low, v_high): whether the bounds of f⁗ hold between, which they do not where φ″ jumps
+// What every kernel says of itself to the code that evaluates a field and bounds it along a ray. A kernel is a class with
+//
+//   static constants(hardness), and a constructor from them
+//   support(), value(v), value_and_slope(v), curvature(v) = φ″
+//   slopes(v_least), on_quadratic(v₀, κ, u_near, u_far)
+//   is_smooth(v_low, v_high)   whether the bounds of f⁗ hold between, which they do not where φ″ jumps
+//
 // and a row in renderer/scene/kernel_shapes.def.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_

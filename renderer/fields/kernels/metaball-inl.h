@@ -1,12 +1,14 @@
 // The kernel of metaballs (Nishimura et al. 1985), with ρ = √v: φ = 1 − 3v for ρ ≤ 1/3, φ = (3/2)(1 − ρ)² for ρ < 1. C¹
 // where the pieces meet; amplitude and sign apart.
 //
-// Outer piece: φ′ = (3/2)(1 − 1/ρ), φ″ = 3/(4ρ³), φ‴ = −9/(8ρ⁵), φ⁗ = 45/(16ρ⁷), all falling in size; inner: φ′ = −3,
-// φ″ = 0. Along a ray on which v = v₀ + κτ² (point, segment), φ = (3/2)(1 − 2ρ + v) in the outer piece, and ρ″ =
-// κv₀/ρ³, so that
-//   f″ = 3κ(1 − v₀/ρ³), rising with ρ;   |f⁗| = 3κ²v₀|12ρ² − 15v₀|/ρ⁷ ≤ 9κ²/ρ³   (|12x − 15x²| ≤ 3 for x = v₀/ρ² in [0,
-//   1])
-// and f″ = −6κ, f⁗ = 0 in the inner one. The paper calls the outer piece a quadratic; off the centre it is none.
+// Outer piece: φ′ = (3/2)(1 − 1/ρ), φ″ = 3/(4ρ³), φ‴ = −9/(8ρ⁵), φ⁗ = 45/(16ρ⁷), all falling in size.
+// Inner piece: φ′ = −3, φ″ = 0.
+//
+// Along a ray on which v = v₀ + κτ² (point, segment), φ = (3/2)(1 − 2ρ + v) in the outer piece and ρ″ = κv₀/ρ³:
+//   f″ = 3κ(1 − v₀/ρ³), rising with ρ,
+//   |f⁗| = 3κ²v₀|12ρ² − 15v₀|/ρ⁷ ≤ 9κ²/ρ³, since |12x − 15x²| ≤ 3 for x = v₀/ρ² in [0, 1].
+// In the inner one f″ = −6κ and f⁗ = 0. The paper calls the outer piece a quadratic; off the centre it is none.
+//
 // Constants: v = xq with −xφ′(x)/φ(x) = h and amplitude 1/φ(x). In the outer piece (h ≥ ½) that is ρ/(1 − ρ) = h, in
 // the inner one 3x/(1 − 3x) = h.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_METABALL_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -3,6 +3,7 @@
 // Along a ray on which v = v₀ + κτ² (point, segment): with u = κτ²
 //   f″ = −4κ(1 − v₀ − 3u), monotone in u;   f⁗ = 24κ², a constant.
 // On any other skeleton, from bounds of v and its derivatives: φ′ = −2(1 − v), φ″ = 2, φ‴ = φ⁗ = 0.
+//
 // Constants: v = q/Q with Q = 1 + 2/h and amplitude (1 + h/2)²: the slope at q = 1 is −2 amplitude (1 − 1/Q)/Q = −h.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_

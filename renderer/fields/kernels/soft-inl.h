@@ -2,9 +2,11 @@
 // is (1 − v)²(1 − 4/9 v). Amplitude and sign apart.
 //
 //   φ′ = −(2/9)(1 − v)(11 − 6v),   φ″ = (34 − 24v)/9,   φ‴ = −24/9;   φ is convex, |φ′| and φ″ fall on [0, 1].
+//
 // Along a ray on which v = v₀ + κτ² (point, segment), with u = κτ²:
 //   f″ = 2κ(φ′(v) + 2uφ″(v)), a concave quadratic of u with its top at u = (102 − 72v₀)/120,
 //   f⁗ = κ²(12φ″ + 48uφ‴) = κ²(12(34 − 24v₀) − 1440u)/9, linear in u.
+//
 // Constants: v = xq with −xφ′(x)/φ(x) = h, that is 2x(11 − 6x) = h(1 − x)(9 − 4x), and amplitude 1/φ(x).
 #if defined(ISL_RENDERER_FIELDS_KERNELS_SOFT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_SOFT_INL_H_

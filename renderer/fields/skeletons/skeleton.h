@@ -1,12 +1,13 @@
 // What every skeleton says of itself. A skeleton is a set of spheres (points or discs of one radius, or of a radius
 // that changes along it); the field's argument q at a point is the least squared distance to a centre over that
 // sphere's squared radius. It is a class, in its component's own space, with
-//   Foot nearest(p)               the sphere that is nearest in that measure
-//   QRange q_over(box)            an enclosure of q
-//   std::array<Reach, 2> reach(n) how far it comes along n: the spheres' hull is that of these two, seen along n
-//   double thickest()             the largest radius
-//   void along(origin, direction, emit)   q along a ray, in quadratic pieces in order; those with lanes of their own
-//   have none
+//
+//   Foot nearest(p)                        the sphere that is nearest in that measure
+//   QRange q_over(box)                     an enclosure of q
+//   std::array<Reach, 2> reach(n)          how far it comes along n: its hull is that of these two spheres, seen along n
+//   double thickest()                      the largest radius
+//   void along(origin, direction, emit)    q along a ray, in quadratic pieces, unless it has lanes of its own
+//
 // and a row in renderer/fields/skeletons/skeletons.def.
 #pragma once
 
