@@ -3,6 +3,8 @@
 #include "cli/interrupt.h"
 
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,7 +25,14 @@ ExitCode run_any(const Command& command) {
 }  // namespace isl::cli
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  isl::cli::catch_interrupts();
-  return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
+  try {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    isl::cli::catch_interrupts();
+    return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
+  } catch (const std::bad_alloc&) {
+    std::fputs("isl: error: there is no memory left\n", stderr);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "isl: error: %s\n", failure.what());
+  }
+  return static_cast<int>(isl::cli::ExitCode::scene_error);
 }

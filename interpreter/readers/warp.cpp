@@ -145,7 +145,7 @@ scene::Warp read_warp(Context& context, const Element& block) {
   const auto* const row = std::ranges::find(kWarps, next.word, &WarpRow::word);
   if (!next.is(ElementKind::word) || row == std::end(kWarps)) fail_expected(stream, "a kind of `warp`");
   stream.drop();
-  const scene::Warp warp = row->read(stream);
+  scene::Warp warp = row->read(stream);
   expect_end(stream);
   return warp;
 }
