@@ -37,11 +37,13 @@ class SizeLimit {
 };
 
 class AtomicFile : public testing::Test {
+ public:
+  ~AtomicFile() override { fs::remove_all(folder_); }
+
  protected:
   AtomicFile() : folder_(fs::temp_directory_path() / ("isl_atomic_file_test." + std::to_string(getpid()))) {
     fs::create_directories(folder_);
   }
-  ~AtomicFile() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
   static std::string content(const std::string& file) {

@@ -238,11 +238,12 @@ TEST(Render, keeps_the_layers_asked_for) {
   options.aovs = {true, true, true, true, true, true};
   const Image image = rendered(lit_sphere({0, 0, -100}, 1), options).image;
   const Layers& layers = image.layers;
-  EXPECT_EQ(layers.depth[4], 3.0f);
-  EXPECT_EQ(layers.position[3 * 4 + 2], -1.0f);
-  EXPECT_EQ(layers.normal[3 * 4 + 2], -1.0f);
-  EXPECT_EQ(layers.albedo[3 * 4], 1.0f);
-  EXPECT_EQ(layers.primitive[4], 0u);
+  constexpr std::size_t kMiddle = 4;
+  EXPECT_EQ(layers.depth[kMiddle], 3.0f);
+  EXPECT_EQ(layers.position[3 * kMiddle + 2], -1.0f);
+  EXPECT_EQ(layers.normal[3 * kMiddle + 2], -1.0f);
+  EXPECT_EQ(layers.albedo[3 * kMiddle], 1.0f);
+  EXPECT_EQ(layers.primitive[kMiddle], 0u);
   EXPECT_TRUE(std::isinf(layers.depth[0]));
   EXPECT_EQ(layers.primitive[0], 0xFFFFFFFFu);
   options.aovs = {};
