@@ -52,7 +52,6 @@ struct Frame {
     std::size_t next_case;  ///< case_
   };
 
-  [[nodiscard]] bool is_call() const { return kind == Kind::macro || kind == Kind::include; }
   /// Goes on with `items`.
   void set_items(grammar::Items items) {
     next = items.data();

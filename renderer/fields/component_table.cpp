@@ -60,6 +60,7 @@ Shape shape_of(const scene::Blob& blob, const scene::Component& c) {
 struct Prepared {
   FieldForm form;
   scene::Component component;
+  Vec3 third_corner;  ///< of a triangle: its number depends on the order in which a scene names them
   std::uint32_t source;
   std::uint64_t morton = 0;
 
@@ -69,13 +70,14 @@ struct Prepared {
 /// Geometry apart, what makes two components the same: the last word in the canonical order.
 auto parameters(const Prepared& p) {
   const scene::Component& c = p.component;
-  return std::tuple(c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z, c.radius_a, c.radius_b, c.strength, c.corner,
-                    scene::index(c.texture));
+  return std::tuple(c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z, c.radius_a, c.radius_b, c.strength, p.third_corner.x,
+                    p.third_corner.y, p.third_corner.z, scene::index(c.texture));
 }
 
 Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::uint32_t source) {
-  Prepared p{FieldForm::point, blob.components[source], source};
+  Prepared p{FieldForm::point, blob.components[source], Vec3(0), source};
   scene::Component& c = p.component;
+  if (c.skeleton == scene::Skeleton::triangle) p.third_corner = blob.corners[c.corner];
   const bool has_ends = c.skeleton == scene::Skeleton::segment || c.skeleton == scene::Skeleton::cone;
   if (c.skeleton == scene::Skeleton::point) c.b = c.a;
   if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace isl::render {
@@ -24,6 +25,14 @@ class LaneTable {
     data_ = hwy::AllocateAligned<double>(stride_ * static_cast<std::size_t>(columns_));
   }
   [[nodiscard]] double* row(std::uint32_t i) const { return data_.get() + i; }
+  /// Row i, all columns in order.
+  void set_row(std::uint32_t i, std::initializer_list<double> columns) const {
+    double* at = row(i);
+    for (const double x : columns) {
+      *at = x;
+      at += stride_;
+    }
+  }
   [[nodiscard]] std::size_t stride() const { return stride_; }
 
  private:

@@ -154,14 +154,7 @@ class LaneSetup {
     if (!(from <= to)) return;
     const double near = std::clamp(middle, from, to) - middle;
     if (!(v0 + kappa * near * near < support)) return;
-    double* const at = m_.quadratic.row(quadratics_++);
-    const std::size_t stride = m_.quadratic.stride();
-    at[LaneMemory::kV0 * stride] = v0;
-    at[LaneMemory::kKappa * stride] = kappa;
-    at[LaneMemory::kMiddle * stride] = middle;
-    at[LaneMemory::kAmplitude * stride] = amplitude;
-    at[LaneMemory::kBegin * stride] = begin;
-    at[LaneMemory::kEnd * stride] = end;
+    m_.quadratic.set_row(quadratics_++, {v0, kappa, middle, amplitude, begin, end});
   }
 
   /// A line about an axis through `at`: its place along the axis, x₀ + x′t, and its squared distance from it, n₀ + n₂(t
@@ -181,57 +174,22 @@ class LaneSetup {
 
   void add_cone(const Limb& limb, double amplitude, const Vec3& origin, const Vec3& direction) {
     const AboutAxis line = about_axis(limb.a, limb.axis, origin, direction);
-    double* const at = m_.cone.row(cones_++);
-    const std::size_t stride = m_.cone.stride();
-    at[LaneMemory::kX0 * stride] = line.x0;
-    at[LaneMemory::kDx * stride] = line.dx;
-    at[LaneMemory::kN0 * stride] = line.n0;
-    at[LaneMemory::kN2 * stride] = line.n2;
-    at[LaneMemory::kNMiddle * stride] = line.middle;
-    at[LaneMemory::kRadius * stride] = limb.radius;
-    at[LaneMemory::kSlope * stride] = limb.slope;
-    at[LaneMemory::kLength * stride] = limb.length;
-    at[LaneMemory::kConeAmplitude * stride] = amplitude;
+    m_.cone.set_row(cones_++,
+                    {line.x0, line.dx, line.n0, line.n2, line.middle, limb.radius, limb.slope, limb.length, amplitude});
   }
 
   void add_circle(const Circle& circle, double amplitude, const Vec3& origin, const Vec3& direction) {
     const AboutAxis line = about_axis(circle.centre, circle.axis, origin, direction);
-    double* const at = m_.circle.row(circles_++);
-    const std::size_t stride = m_.circle.stride();
-    at[LaneMemory::kZ0 * stride] = line.x0;
-    at[LaneMemory::kDz * stride] = line.dx;
-    at[LaneMemory::kC0 * stride] = line.n0;
-    at[LaneMemory::kC2 * stride] = line.n2;
-    at[LaneMemory::kCMiddle * stride] = line.middle;
-    at[LaneMemory::kRing * stride] = circle.ring_radius;
-    at[LaneMemory::kInverse * stride] = 1 / (circle.radius * circle.radius);
-    at[LaneMemory::kCircleAmplitude * stride] = amplitude;
+    m_.circle.set_row(circles_++, {line.x0, line.dx, line.n0, line.n2, line.middle, circle.ring_radius,
+                                   1 / (circle.radius * circle.radius), amplitude});
   }
 
   /// Fills the last octet of each form with lanes that add nothing.
   void pad(double support) {
-    while ((quadratics_ - first_.quadratics) % kOctet != 0) {
-      double* const at = m_.quadratic.row(quadratics_++);
-      const std::size_t stride = m_.quadratic.stride();
-      at[LaneMemory::kV0 * stride] = 2 * support;
-      for (const int column : {LaneMemory::kKappa, LaneMemory::kMiddle, LaneMemory::kAmplitude})
-        at[column * stride] = 0;
-      at[LaneMemory::kBegin * stride] = -kInfinity;
-      at[LaneMemory::kEnd * stride] = kInfinity;
-    }
-    while ((cones_ - first_.cones) % kOctet != 0) {
-      double* const at = m_.cone.row(cones_++);
-      for (int column = 0; column < LaneMemory::kConeColumns; ++column) at[column * m_.cone.stride()] = 0;
-      at[LaneMemory::kN0 * m_.cone.stride()] = kInfinity;
-      at[LaneMemory::kRadius * m_.cone.stride()] = 1;
-    }
-    while ((circles_ - first_.circles) % kOctet != 0) {
-      double* const at = m_.circle.row(circles_++);
-      const std::size_t stride = m_.circle.stride();
-      for (int column = 0; column < LaneMemory::kCircleColumns; ++column) at[column * stride] = 0;
-      at[LaneMemory::kZ0 * stride] = kFar;
-      at[LaneMemory::kC0 * stride] = at[LaneMemory::kRing * stride] = at[LaneMemory::kInverse * stride] = 1;
-    }
+    while ((quadratics_ - first_.quadratics) % kOctet != 0)
+      m_.quadratic.set_row(quadratics_++, {2 * support, 0, 0, 0, -kInfinity, kInfinity});
+    while ((cones_ - first_.cones) % kOctet != 0) m_.cone.set_row(cones_++, {0, 0, kInfinity, 0, 0, 1, 0, 0, 0});
+    while ((circles_ - first_.circles) % kOctet != 0) m_.circle.set_row(circles_++, {kFar, 0, 1, 0, 0, 1, 1, 0});
   }
 
   /// Adds the greatest value that each lane can have on the stretch (add_points does so itself).

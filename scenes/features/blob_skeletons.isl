@@ -21,12 +21,16 @@ global_settings { assumed_gamma 1 }
   <0.86, 0.37, 0.34>, <0.91, 0.61, 0.31>, <0.88, 0.80, 0.42>, <0.45, 0.70, 0.46>, <0.33, 0.57, 0.77>, <0.58, 0.45, 0.72>
 }
 
+#declare Balls = array[6] {
+  <0.6, -0.55, -0.3>, <0.3, -0.2, -0.3>, <0.35, -0.3, -0.2>, <0.6, -0.5, -0.4>, <0.5, -0.45, -0.2>, <0.35, -0.45, -0.35>
+}
+
 #for (I, 0, 5)
   #for (Row, 0, 1)
     blob {
       kernel Kernel hardness Hardness
       Skeleton(I)
-      #if (Row = 1) sphere { <0.6, -0.55, -0.3>, 0.36 } #end
+      #if (Row = 1) sphere { Balls[I], 0.36 } #end
       pigment { rgb Colours[I] }
       finish { ambient 0.12 diffuse 0.75 phong 0.45 phong_size 60 }
       translate <2.5 * (I - 2.5), 1.3 - 2.7 * Row, 0>

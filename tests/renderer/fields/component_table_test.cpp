@@ -86,5 +86,21 @@ TEST(ComponentTable, BakesInSimilaritiesAndKeepsOtherMapsApart) {
   EXPECT_NEAR(support_radius(table, table.groups[0], 0), std::sqrt(table.groups[0].kernel.support_q()), 1e-14);
 }
 
+TEST(ComponentTable, TrianglesStandInOneOrderHoweverTheyAreNamed) {
+  scene::Database db;
+  db.kernels.push_back({scene::KernelShape::quartic, scene::RadiusMeaning::surface, 4});
+  const auto first_row = [&](const Vec3& p, const Vec3& q) {
+    scene::Blob blob;
+    blob.corners = {p, q};
+    for (const std::uint32_t corner : {0u, 1u}) {
+      blob.components.push_back(
+          {.b = {1, 0, 0}, .radius_a = 0.1, .skeleton = scene::Skeleton::triangle, .corner = corner});
+      blob.origins.push_back({});
+    }
+    return compile_components(db, blob).rows<FlatTriangle>().at(0).corner[2];
+  };
+  EXPECT_EQ(first_row({0, 1, 0}, {0, 0, 1}), first_row({0, 0, 1}, {0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace isl::render
