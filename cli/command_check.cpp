@@ -39,7 +39,7 @@ void print_text(Session& session, const SceneSummary& summary, const SceneExtent
                extent.unbounded ? ", planes left out" : "");
     fmt::print("a camera that sees it: {}\n", suggest_camera(extent.box));
   } else if (extent.unbounded) {
-    fmt::print("bounding box: none, there are only planes\n");
+    fmt::print("bounding box: none, there is only what has no end\n");
   }
 }
 

@@ -125,6 +125,7 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
            picture.outputs)
       ->group(group);
   app.add_flag("--alpha", picture.alpha, "The background is transparent")->group(group);
+  app.add_flag("--skeleton", picture.skeleton, "Show each component of a blob as the solid that it is alone")->group(group);
   add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}", fmt::join(kLayers, " ")),
       parse_layers, [&picture](const std::vector<std::string>& v) { picture.layers = v; })
       ->group(group);

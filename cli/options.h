@@ -43,6 +43,7 @@ struct PictureOptions {
   bool alpha = false;
   std::optional<SolverChoice> solver;
   std::optional<render::Tolerance> tolerance;
+  bool skeleton = false;            ///< blobs as their skeleton models
   std::string simd;                 ///< "": the best that the machine has
   std::vector<std::string> layers;  ///< names of --aov, each once, in canonical order
   std::optional<std::array<int, 4>> crop;

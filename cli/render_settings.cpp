@@ -51,6 +51,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.interpolants = settings.solver.interpolants;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
+  settings.tracer.skeleton = picture.skeleton;
   settings.tracer.simd = picture.simd;
 
   settings.render.width = size.width;
@@ -76,6 +77,7 @@ std::string canonical_options(const RenderCommand& command, const RenderSettings
       picture.samples ? fmt::format(" --samples {}", *picture.samples) : fmt::format(" --aa {}", picture.aa_threshold);
   text += fmt::format(" --quality {}", picture.quality);
   if (picture.alpha) text += " --alpha";
+  if (picture.skeleton) text += " --skeleton";
   text += " --solver " + to_text(settings.solver);
   if (settings.solver.name != render::SolverName::exact) text += " --tolerance " + settings.tolerance_text;
   if (command.scene.lenient) text += " --lenient";

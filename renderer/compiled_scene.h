@@ -41,6 +41,7 @@ struct CompiledScene {
 struct CompileOptions {
   /// Off for the published solver (grid/blob_grid.h).
   bool classify_cells = true;
+  bool skeleton = false;  ///< every blob as its skeleton model
 };
 
 [[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);

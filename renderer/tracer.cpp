@@ -29,7 +29,7 @@ struct Tracer::Impl {
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
   impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle};
-  impl_->scene = compile(database, {.classify_cells = options.solver != SolverName::paper});
+  impl_->scene = compile(database, {.classify_cells = options.solver != SolverName::paper, .skeleton = options.skeleton});
   impl_->kernel = trace_kernel(options.simd);
   ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
 }

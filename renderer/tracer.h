@@ -84,6 +84,7 @@ struct TracerOptions {
   int interpolants = 2;          ///< of `paper:K`
   Tolerance tolerance;
   double pixel_angle = 1e-3;     ///< radians a pixel subtends at the eye, for tolerances in pixels
+  bool skeleton = false;         ///< every blob as its skeleton model (scene::Blob::is_skeleton)
   std::string simd;              ///< "" for the best the machine has, or a Highway target name ("AVX2")
 };
 

@@ -189,4 +189,11 @@ double read_contextual_number(ElementStream& stream, std::string_view what) {
   return evaluate_without_lead(stream.context(), *word.node, what);
 }
 
+scene::Vec3 read_normal(ElementStream& stream, std::string_view what) {
+  const SourceSpan span = stream.peek().span;
+  const scene::Vec3 normal = read_vector(stream, what);
+  if (!(normal.length() > 0)) stream.context().fail(span, fmt::format("{} has a length above 0", what));
+  return normal / normal.length();
+}
+
 }  // namespace isl::interpreter

@@ -41,4 +41,7 @@ void refuse(ElementStream& stream, std::span<const grammar::Symbol> known);
 /// Reads `word <number>` where the next element leads with that contextual word.
 [[nodiscard]] double read_contextual_number(ElementStream& stream, std::string_view what);
 
+/// A vector, made of unit length; one without length is an error.
+[[nodiscard]] scene::Vec3 read_normal(ElementStream& stream, std::string_view what);
+
 }  // namespace isl::interpreter

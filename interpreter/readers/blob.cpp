@@ -2,16 +2,18 @@
 // as skeletons (radius of the surface that each has alone).
 #include "interpreter/expressions.h"
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/blob_assembly.h"
 #include "interpreter/readers/blob_component.h"
 #include "interpreter/readers/objects.h"
 #include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/readers/transform.h"
-#include "interpreter/transforms.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace isl::interpreter {
@@ -21,15 +23,13 @@ using scene::Component;
 using scene::Kernel;
 using scene::KernelShape;
 using scene::RadiusMeaning;
-using scene::Skeleton;
-using scene::Vec3;
 namespace word = grammar::word;
 
 /// Beyond it a component's field is a step within a hundredth of its radius.
 constexpr double kMaxHardness = 500;
 
 constexpr grammar::Symbol kOther[] = {word::kw_component, word::kw_threshold, word::kw_strength, word::kw_pigment,
-                                      word::kw_texture};
+                                      word::kw_texture,   word::kw_blob,      word::kw_union};
 
 /// What may stand in a blob, for suggestions.
 const std::vector<grammar::Symbol>& known_words() {
@@ -41,22 +41,42 @@ const std::vector<grammar::Symbol>& known_words() {
   return words;
 }
 
+/// What a blob hands down to the parts inside it: the kernel in force.
+struct KernelInForce {
+  scene::KernelId id{};
+  bool is_ours = false;   ///< the scene named one
+  bool is_known = false;  ///< `id` is one of the database
+};
+
 class BlobReader {
  public:
-  BlobReader(ElementStream& stream, ObjectDraft& draft) : stream_(stream), context_(stream.context()), draft_(draft) {}
+  BlobReader(ElementStream& stream, ObjectDraft& draft)
+      : stream_(stream), context_(stream.context()), draft_(draft) {}
 
-  void read() {
+  /// Up to the first modifier.
+  void read_items() {
     while (!stream_.peek().is(ElementKind::end) && !draft_.has_modifiers) {
-      if (!read_item()) return;
+      if (!read_item()) break;
     }
-    if (blob_.components.empty()) context_.warn(stream_.span(), "a blob without components is empty");
+    assembly_.set_threshold(threshold_);
+  }
+
+  /// The blob as an object of its own.
+  void finish() {
+    if (is_copy_) return;
+    if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "a blob without components is empty");
     check_threshold();
+    assembly_.check_choices(stream_.span());
     draft_.object.kind = scene::Object::Kind::blob;
     draft_.object.shape = static_cast<std::uint32_t>(context_.database.blobs.size());
-    context_.database.blobs.push_back(std::move(blob_));
+    context_.database.blobs.push_back(assembly_.take());
   }
 
  private:
+  /// Of a part of another blob.
+  BlobReader(ElementStream& stream, ObjectDraft& draft, const KernelInForce& kernel)
+      : stream_(stream), context_(stream.context()), draft_(draft), kernel_(kernel), is_part_(true) {}
+
   /// False when the whole blob was copied from another.
   bool read_item() {
     const Element next = stream_.peek();
@@ -66,11 +86,22 @@ class BlobReader {
         read_component(next);
         return true;
       }
+      if (next.word == word::kw_blob) {
+        stream_.drop();
+        read_part(next, kOwnSum);
+        return true;
+      }
+      if (next.word == word::kw_union) {
+        stream_.drop();
+        read_maximum(next, kOwnSum);
+        return true;
+      }
     } else if (next.is(ElementKind::word)) {
       if (next.word == word::kw_threshold) {
         stream_.drop();
         threshold_span_ = stream_.peek().span;
-        blob_.threshold = read_number(stream_, "a number after `threshold`");
+        threshold_ = read_number(stream_, "a number after `threshold`");
+        check_threshold();
         return true;
       }
       if (next.word == word::kw_component) {
@@ -86,6 +117,11 @@ class BlobReader {
     } else if (leading_name(next) == context_.words.kernel) {
       read_kernel();
       return true;
+    } else if (leading_name(next) == context_.words.skeleton) {
+      if (is_part_) context_.fail(next.span, "a part of a blob has no skeleton of its own", "the whole blob may be its `skeleton`");
+      stream_.drop();
+      assembly_.blob().is_skeleton = read_optional_truth(stream_);
+      return true;
     } else if (next.is(ElementKind::value)) {
       return !read_copy();
     }
@@ -97,11 +133,73 @@ class BlobReader {
     const SourceSpan span = stream_.peek().span;
     const Value value = stream_.take_value();
     const bool is_blob = value.kind() == ValueKind::object && value.as<ObjectValue>().word == word::kw_blob;
-    if (!is_blob || !blob_.components.empty()) {
+    if (!is_blob || !assembly_.blob().components.empty()) {
       context_.fail(span, fmt::format("expected a component, found {}", describe(value)));
     }
     copy_object(stream_, value.as<ObjectValue>(), draft_);
+    is_copy_ = true;
     return true;
+  }
+
+  // ---- Parts --------------------------------------------------------------------------------------------------------
+
+  /// `blob { … }` inside a blob.
+  void read_part(const Element& block, std::uint32_t branch) {
+    ElementStream stream(context_, block);
+    ObjectDraft draft;
+    BlobReader part(stream, draft, kernel_);
+    part.read_items();
+    read_object_modifiers(stream, draft);
+    take_over(part, draft, branch, block);
+  }
+
+  /// `union { … }` inside a blob: every component, part and union in it is a branch.
+  void read_maximum(const Element& block, std::uint32_t branch) {
+    ElementStream stream(context_, block);
+    ObjectDraft draft;
+    BlobReader branches(stream, draft, kernel_);
+    branches.read_branches();
+    read_object_modifiers(stream, draft);
+    take_over(branches, draft, branch, block);
+  }
+
+  void read_branches() {
+    std::optional<std::uint32_t> maximum;
+    while (!stream_.peek().is(ElementKind::end)) {
+      const Element next = stream_.peek();
+      if (leading_name(next) == context_.words.kernel) {
+        read_kernel();
+        continue;
+      }
+      const bool is_part = next.is_block(word::kw_blob) || next.is_block(word::kw_union);
+      if (!is_part && !(next.is(ElementKind::block) && is_component_word(next.word))) break;
+      stream_.drop();
+      const std::uint32_t branch = assembly_.add_branch(maximum);
+      if (!maximum) maximum = branch;
+      if (is_part) {
+        next.word == word::kw_blob ? read_part(next, branch) : read_maximum(next, branch);
+      } else {
+        read_component(next, branch);
+      }
+    }
+    if (!maximum) context_.warn(stream_.span(), "this `union` is empty");
+  }
+
+  void take_over(BlobReader& part, const ObjectDraft& draft, std::uint32_t branch, const Element& block) {
+    const scene::Object& object = draft.object;
+    const bool has_more = object.no_shadow || object.no_image || object.no_reflection || object.double_illuminate ||
+                          object.hollow || object.inverse || object.clip != scene::kNoGroup ||
+                          draft.interior != scene::kNoInterior || draft.interior_texture;
+    if (has_more) {
+      context_.fail(block.word_span, "a part of a blob has transforms and a texture only",
+                    "what holds for the whole object stands behind the blob's parts");
+    }
+    const BlobAssembly::Placement placement{object.parent_from_object, draft.texture, branch};
+    if (part.is_copy_) {
+      assembly_.take_copy(context_.database.blobs[object.shape], placement, block.span);
+    } else {
+      assembly_.take_over(std::move(part.assembly_), placement);
+    }
   }
 
   /// `kernel "gaussian" hardness 4`
@@ -124,8 +222,7 @@ class BlobReader {
                       fmt::format("`hardness` is above 0 and at most {:g}, found {:g}", kMaxHardness, kernel.hardness));
       }
     }
-    kernel_ = kernel_id(kernel);
-    is_ours_ = true;
+    kernel_ = {kernel_id(kernel), true, true};
   }
 
   scene::KernelId kernel_id(const Kernel& kernel) {
@@ -140,11 +237,12 @@ class BlobReader {
 
   // ---- Components ---------------------------------------------------------------------------------------------------
 
-  void read_component(const Element& block) {
+  void read_component(const Element& block, std::uint32_t branch = kOwnSum) {
     ElementStream stream(context_, block);
-    Component component = read_component_shape(stream, block, is_ours_, blob_);
+    Component component = read_component_shape(stream, block, kernel_.is_ours, assembly_.blob());
     read_strength(stream, component);
-    finish(stream, component, block.span);
+    if (!stream.peek().is(ElementKind::end)) read_modifiers(stream, component);
+    add(component, block.span, branch);
   }
 
   /// POV-Ray's components need a strength, the word is optional; ours may have one, with the word.
@@ -152,7 +250,7 @@ class BlobReader {
     const bool has_comma = stream.accept_comma();
     const bool has_word = stream.peek().is_word(word::kw_strength);
     if (has_word) stream.drop();
-    if (is_ours_ && !has_word) {
+    if (kernel_.is_ours && !has_word) {
       if (stream.peek().is(ElementKind::value)) {
         context_.fail(stream.peek().span, "with a kernel in force a strength is written `strength s`");
       }
@@ -174,12 +272,7 @@ class BlobReader {
     component.radius_a = component.radius_b = read_positive(stream_, "a radius");
     stream_.accept_comma();
     component.a = read_vector(stream_, "the centre of the component");
-    add(component, keyword.span);
-  }
-
-  void finish(ElementStream& stream, Component& component, SourceSpan span) {
-    if (!stream.peek().is(ElementKind::end)) read_modifiers(stream, component);
-    add(component, span);
+    add(component, keyword.span, kOwnSum);
   }
 
   void read_modifiers(ElementStream& stream, Component& component) {
@@ -197,55 +290,39 @@ class BlobReader {
       texture = moved(context_, *texture, *blob_from_component, Move::with_object);
     }
     if (texture) component.texture = texture_id(context_, *texture);
-    if (blob_from_component) move(component, *blob_from_component);
+    if (blob_from_component) move(context_, component, *blob_from_component);
   }
 
-  /// A similarity keeps a point, segment or cone what it is; any other map, and of any other skeleton, stays beside the
-  /// component.
-  void move(Component& component, const scene::Transform& blob_from_component) {
-    const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
-    const double factor =
-        has_ends || component.skeleton == Skeleton::point ? similarity_factor(blob_from_component.matrix) : 0;
-    if (factor > 0) {
-      component.a = blob_from_component.point(component.a);
-      component.b = component.skeleton == Skeleton::point ? Vec3(0) : blob_from_component.point(component.b);
-      component.radius_a *= factor;
-      component.radius_b *= factor;
-    } else {
-      component.transform = scene::TransformId{static_cast<std::uint32_t>(context_.database.transforms.size())};
-      context_.database.transforms.push_back(blob_from_component);
-    }
-  }
-
-  void add(Component& component, SourceSpan span) {
-    if (!has_kernel_) {
-      if (!is_ours_) kernel_ = kernel_id(Kernel{});
-      has_kernel_ = true;
-    }
-    component.kernel = kernel_;
+  void add(Component& component, SourceSpan span, std::uint32_t branch) {
+    if (!kernel_.is_known) kernel_ = {kernel_id(Kernel{}), false, true};
+    component.kernel = kernel_.id;
     context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes);
-    blob_.components.push_back(component);
-    blob_.origins.push_back(context_.origin(span));
+    assembly_.add(component, context_.origin(span), branch);
   }
 
   /// The surface of threshold zero is where the fields end: no surface at all.
   void check_threshold() {
-    if (blob_.threshold > 0 && std::isfinite(blob_.threshold)) return;
-    context_.fail(threshold_span_, fmt::format("`threshold` is above 0, found {:g}", blob_.threshold));
+    if (!threshold_ || (*threshold_ > 0 && std::isfinite(*threshold_))) return;
+    context_.fail(threshold_span_, fmt::format("`threshold` is above 0, found {:g}", *threshold_));
   }
 
   ElementStream& stream_;
   Context& context_;
   ObjectDraft& draft_;
-  scene::Blob blob_;
+  BlobAssembly assembly_{context_};
+  std::optional<double> threshold_;
   SourceSpan threshold_span_;
-  scene::KernelId kernel_{};
-  bool is_ours_ = false;     ///< a kernel is in force
-  bool has_kernel_ = false;  ///< kernel_ is one of the database
+  KernelInForce kernel_;
+  bool is_part_ = false;
+  bool is_copy_ = false;  ///< the whole was copied: the draft has it
 };
 
 }  // namespace
 
-void read_blob(ElementStream& stream, ObjectDraft& draft) { BlobReader(stream, draft).read(); }
+void read_blob(ElementStream& stream, ObjectDraft& draft) {
+  BlobReader reader(stream, draft);
+  reader.read_items();
+  reader.finish();
+}
 
 }  // namespace isl::interpreter

@@ -90,6 +90,17 @@ void read_triangle(ElementStream& stream, Component& c, scene::Blob& blob) {
   blob.corners.push_back(third);
 }
 
+/// As in POV-Ray's plane the normal is normalised, and the distance is not scaled with it.
+void read_plane(ElementStream& stream, Component& c, scene::Blob&) {
+  c.skeleton = Skeleton::plane;
+  c.b = read_normal(stream, "the normal of the plane");
+  stream.accept_comma();
+  const double distance = read_number(stream, "the distance of the plane from the origin");
+  stream.accept_comma();
+  c.radius_a = c.radius_b = read_positive(stream, "a radius before the plane");
+  c.a = c.b * distance;
+}
+
 struct Row {
   grammar::Symbol word;
   bool needs_kernel;
@@ -100,6 +111,7 @@ constexpr Row kRows[] = {
     {word::kw_sphere, false, read_sphere}, {word::kw_cylinder, false, read_cylinder},
     {word::kw_cone, true, read_cone},      {word::kw_box, true, read_box},
     {word::kw_torus, true, read_torus},    {word::kw_triangle, true, read_triangle},
+    {word::kw_plane, true, read_plane},
 };
 
 constexpr auto kWords = [] {

@@ -26,14 +26,6 @@ void check_ends(ElementStream& stream, const Vec3& a, const Vec3& b) {
   if ((b - a).length() < kTolerance) stream.context().fail(stream.span(), "both ends are the same point");
 }
 
-/// A direction that is normalised.
-Vec3 read_normal(ElementStream& stream, std::string_view what) {
-  const SourceSpan span = stream.peek().span;
-  const Vec3 normal = read_vector(stream, what);
-  if (!(normal.length() > 0)) stream.context().fail(span, fmt::format("{} has a length above 0", what));
-  return normal / normal.length();
-}
-
 }  // namespace
 
 void read_sphere(ElementStream& stream, ObjectDraft& draft) {

@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace isl::render {
 
@@ -26,6 +27,7 @@ namespace {
 struct Profile {
   const KernelConstants* kernel = nullptr;
   double strength = 0;
+  std::uint32_t branch = 0;
   std::array<double, 2> end{};
   std::array<double, 2> radius{};
 
@@ -45,58 +47,87 @@ struct Profile {
   }
 };
 
-Profile profile_of(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
-                   const Component& c, const Vec3& n) {
-  const std::array<Reach, 2> reach = reach_of(database, blob, c, n);
-  return {&kernels[index(c.kernel)],
-          c.strength,
-          {reach[0].coordinate, reach[1].coordinate},
-          {reach[0].radius, reach[1].radius}};
-}
+class ReachOfBlob {
+ public:
+  ReachOfBlob(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob)
+      : database_(database), kernels_(kernels), blob_(blob), tree_({blob.branches.begin(), blob.branches.end()}) {
+    profiles_.reserve(blob.components.size());  // once for all directions: touching new memory took most of the time
+    sums_.resize(std::max(tree_.size(), 1U));
+  }
 
-double sum_beyond(std::span<const Profile> profiles, double a) {
-  double sum = 0;
-  for (const Profile& profile : profiles) sum += profile.most_beyond(a);
-  return sum;
-}
+  /// The least a beyond which along n the blob has no surface, or nothing when it has none at all.
+  std::optional<double> along(const Vec3& n) {
+    profiles_.clear();
+    for (std::uint32_t i = 0; i < blob_.components.size(); ++i) {
+      if (blob_.components[i].strength > 0) profiles_.push_back(profile_of(i, n));
+    }
+    return profiles_.empty() ? std::nullopt : end_of_surface();
+  }
 
-/// The least a beyond which the blob has no surface, or nothing when it has none at all.
-std::optional<double> reach(std::vector<Profile>& profiles, double threshold) {
-  double low = std::numeric_limits<double>::infinity();  // the sum over half-spaces from here on reaches the threshold
-  double high = -low;                                    // no support reaches here
-  for (const Profile& profile : profiles) {
-    low = std::min({low, profile.end[0], profile.end[1]});
-    high = std::max(high, profile.support_end());
+ private:
+  [[nodiscard]] Profile profile_of(std::uint32_t i, const Vec3& n) const {
+    const Component& c = blob_.components[i];
+    const std::array<Reach, 2> reach = reach_of(database_, blob_, c, n);
+    return {&kernels_[index(c.kernel)],
+            c.strength,
+            blob_.branches.empty() ? 0 : blob_.branch_of[i],
+            {reach[0].coordinate, reach[1].coordinate},
+            {reach[0].radius, reach[1].radius}};
   }
-  if (!(sum_beyond(profiles, low) >= threshold)) return std::nullopt;
-  for (const Profile& profile : profiles) {  // components that have a surface alone bring `low` up at once
-    const double own = std::max(profile.end[0], profile.end[1]);
-    if (own > low && profile.most_beyond(own) >= threshold) low = own;
+
+  [[nodiscard]] double sum_beyond(double a) {
+    if (blob_.is_skeleton) {
+      double greatest = 0;
+      for (const Profile& profile : profiles_) greatest = std::max(greatest, profile.most_beyond(a));
+      return greatest;
+    }
+    std::ranges::fill(sums_, 0);
+    for (const Profile& profile : profiles_) sums_[profile.branch] += profile.most_beyond(a);
+    tree_.add_up(sums_);
+    return sums_[0];
   }
-  std::erase_if(profiles, [low](const Profile& profile) { return profile.support_end() <= low; });
-  constexpr int kSteps = 24;  // 2⁻²⁴ of a radius: beyond what a printed box shows
-  for (int step = 0; step < kSteps; ++step) {
-    const double middle = low + (high - low) / 2;
-    (sum_beyond(profiles, middle) >= threshold ? low : high) = middle;
+
+  std::optional<double> end_of_surface() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double low = kInfinity;    // the sum over half-spaces from here on reaches the threshold
+    double high = -kInfinity;  // no support reaches here
+    for (const Profile& profile : profiles_) {
+      low = std::min({low, profile.end[0], profile.end[1]});
+      high = std::max(high, profile.support_end());
+    }
+    if (high == kInfinity) return high;
+    if (!(sum_beyond(low) >= blob_.threshold)) return std::nullopt;
+    for (const Profile& profile : profiles_) {  // components that have a surface alone bring `low` up at once
+      const double own = std::max(profile.end[0], profile.end[1]);
+      if (own > low && profile.most_beyond(own) >= blob_.threshold) low = own;
+    }
+    std::erase_if(profiles_, [low](const Profile& profile) { return profile.support_end() <= low; });
+    constexpr int kSteps = 24;  // 2⁻²⁴ of a radius: beyond what a printed box shows
+    for (int step = 0; step < kSteps; ++step) {
+      const double middle = low + (high - low) / 2;
+      (sum_beyond(middle) >= blob_.threshold ? low : high) = middle;
+    }
+    return high;
   }
-  return high;
-}
+
+  const Database& database_;
+  const std::vector<KernelConstants>& kernels_;
+  const scene::Blob& blob_;
+  BranchTree tree_;
+  std::vector<Profile> profiles_;
+  std::vector<double> sums_;  ///< by branch
+};
 
 }  // namespace
 
 Box3d box_of_blob(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob) {
   Box3d box;
-  std::vector<Profile> profiles;
-  profiles.reserve(blob.components.size());  // once for all directions: touching new memory took most of the time
+  ReachOfBlob reach(database, kernels, blob);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Vec3 n(0);
       n[axis] = sign;
-      profiles.clear();
-      for (const Component& c : blob.components) {
-        if (c.strength > 0) profiles.push_back(profile_of(database, kernels, blob, c, n));
-      }
-      const std::optional<double> a = profiles.empty() ? std::nullopt : reach(profiles, blob.threshold);
+      const std::optional<double> a = reach.along(n);
       if (!a) return {};
       (sign < 0 ? box.min : box.max)[axis] = sign * *a;
     }

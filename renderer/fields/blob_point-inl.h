@@ -12,8 +12,11 @@
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/trace_kernel.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -38,10 +41,15 @@ inline void set_point_lane(const ComponentTable& table, const FieldGroup& group,
   lanes.amplitude[lane] = table.amplitude[item];
 }
 
+/// A sum of fields and its gradient.
+struct PointSums {
+  Octet value, gx, gy, gz;
+};
+
 template <class Kernel>
 void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
-                     const std::uint32_t* items, std::uint32_t count, const Vec3& point, Octet& gx, Octet& gy,
-                     Octet& gz, BlobPoint& result) {
+                     const std::uint32_t* items, std::uint32_t count, const Vec3& point, PointSums& sums,
+                     std::vector<TextureShare>& shares) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
     const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
     PointLanes lanes;
@@ -51,19 +59,21 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
     const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
     const OctetMask active = v < kernel.support();
     const KernelValue phi = kernel.value_and_slope(v);
+    const Octet value = keep(active, amplitude * phi.value);
     const Octet slope = keep(active, Octet(2.0) * amplitude * phi.slope);
-    gx = gx + slope * load(lanes.gx);
-    gy = gy + slope * load(lanes.gy);
-    gz = gz + slope * load(lanes.gz);
+    sums.value = sums.value + value;
+    sums.gx = sums.gx + slope * load(lanes.gx);
+    sums.gy = sums.gy + slope * load(lanes.gy);
+    sums.gz = sums.gz + slope * load(lanes.gz);
     alignas(64) double weights[kOctet];
-    store(keep(active, abs(amplitude * phi.value)), weights);
+    store(abs(value), weights);
     for (std::uint32_t j = 0; j < n; ++j) {
       if (weights[j] == 0) continue;
       const scene::TextureId texture = table.texture[items[i + j]];
-      const auto share = std::find_if(result.shares.begin(), result.shares.end(),
-                                      [&](const TextureShare& s) { return s.texture == texture; });
-      if (share == result.shares.end()) {
-        result.shares.push_back({texture, weights[j]});
+      const auto share =
+          std::find_if(shares.begin(), shares.end(), [&](const TextureShare& s) { return s.texture == texture; });
+      if (share == shares.end()) {
+        shares.push_back({texture, weights[j]});
       } else {
         share->weight += weights[j];
       }
@@ -71,23 +81,37 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
   }
 }
 
-inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, BlobPoint& result) {
-  const Cell cell = blob.grid.cells[cell_index];
+inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, const Vec3& point,
+                            std::vector<TextureShare>& shares) {
   const ComponentTable& table = blob.components;
-  const std::uint32_t* items = blob.grid.items.data() + cell.first;
-  const std::uint32_t count = cell.kind() == CellKind::leaf ? cell.count() : 0;
-  Octet gx(0.0), gy(0.0), gz(0.0);
-  result.shares.clear();
-  for (std::uint32_t next = 0; next < count;) {
+  const std::uint32_t* const items = blob.grid.items.data() + list.first;
+  PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
+  shares.clear();
+  for (std::uint32_t next = 0; next < list.count;) {
     const FieldGroup& group = table.group_of(items[next]);
     std::uint32_t last = next;
-    while (last < count && items[last] < group.end) ++last;
+    while (last < list.count && items[last] < group.end) ++last;
     with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-      add_point_group(kernel, table, group, items + next, last - next, point, gx, gy, gz, result);
+      add_point_group(kernel, table, group, items + next, last - next, point, sums, shares);
     });
     next = last;
   }
-  result.gradient = {sum(gx), sum(gy), sum(gz)};
+  return sums;
+}
+
+/// Of a cell with several sums, those of the greatest one.
+inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, BlobPoint& result) {
+  const Cell cell = blob.grid.cells[cell_index];
+  const std::uint32_t count = blob.grid.list_count(cell);
+  std::uint32_t greatest = 0;
+  double greatest_value = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; count > 1 && i < count; ++i) {
+    const double value = sum(point_sums(blob, blob.grid.list(cell, i), point, result.shares).value);
+    if (value > greatest_value) greatest = i, greatest_value = value;
+  }
+  const ItemList list = count > 0 ? blob.grid.list(cell, greatest) : ItemList{0, 0};
+  const PointSums sums = point_sums(blob, list, point, result.shares);
+  result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
 }
 
 }  // namespace HWY_NAMESPACE

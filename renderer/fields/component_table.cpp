@@ -7,7 +7,6 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
-#include <variant>
 
 namespace isl::render {
 namespace {
@@ -26,39 +25,23 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
   return std::sqrt(square);
 }
 
-/// The shape of a component, in its own space: one of the skeletons, or a point with a radius.
-struct Sphere {
-  Vec3 centre;
-  double radius;
-};
-using Shape = std::variant<Sphere
-#define ISL_SKELETON(form, Type) , Type
-#include "renderer/fields/skeletons/skeletons.def"
-#undef ISL_SKELETON
-                           >;
-
-Shape limb_or_sphere(const Vec3& a, const Vec3& b, double radius_a, double radius_b) {
-  const Vec3 ab = b - a;
-  const double length = ab.length();
-  if (length == 0) return Sphere{a, std::max(radius_a, radius_b)};
-  return Limb{a, ab / length, length, radius_a, (radius_b - radius_a) / length};
+bool has_ends(scene::Skeleton skeleton) {
+  return skeleton == scene::Skeleton::segment || skeleton == scene::Skeleton::cone;
 }
 
-Shape shape_of(const scene::Blob& blob, const scene::Component& c) {
-  switch (c.skeleton) {
-    case scene::Skeleton::point: return Sphere{c.a, c.radius_a};
-    case scene::Skeleton::segment: return limb_or_sphere(c.a, c.b, c.radius_a, c.radius_a);
-    case scene::Skeleton::cone: return limb_or_sphere(c.a, c.b, c.radius_a, c.radius_b);
-    case scene::Skeleton::box: return SolidBox{c.a, c.b, c.radius_a};
-    case scene::Skeleton::triangle: return FlatTriangle(c.a, c.b, blob.corners[c.corner], c.radius_a);
-    case scene::Skeleton::circle: return Circle{c.a, c.b, c.radius_b, c.radius_a};
+/// A component without what does not matter to it; without length it is a point.
+scene::Component simplified(scene::Component c) {
+  if (has_ends(c.skeleton) && c.a == c.b) {
+    if (c.skeleton == scene::Skeleton::cone) c.radius_a = std::max(c.radius_a, c.radius_b);
+    c.skeleton = scene::Skeleton::point;
   }
-  ISL_CHECK(false, "skeleton {}", static_cast<int>(c.skeleton));
+  if (c.skeleton == scene::Skeleton::point) c.b = c.a;
+  if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
+  return c;
 }
 
-/// A component in blob space (similarities of points and limbs baked in), before sorting.
+/// A component in blob space (similarities of points and limbs, and every map of a half-space, baked in), before sorting.
 struct Prepared {
-  FieldForm form;
   scene::Component component;
   Vec3 third_corner;  ///< of a triangle: its number depends on the order in which a scene names them
   std::uint32_t source;
@@ -75,15 +58,21 @@ auto parameters(const Prepared& p) {
 }
 
 Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::uint32_t source) {
-  Prepared p{FieldForm::point, blob.components[source], Vec3(0), source};
+  Prepared p{simplified(blob.components[source]), Vec3(0), source};
   scene::Component& c = p.component;
   if (c.skeleton == scene::Skeleton::triangle) p.third_corner = blob.corners[c.corner];
-  const bool has_ends = c.skeleton == scene::Skeleton::segment || c.skeleton == scene::Skeleton::cone;
-  if (c.skeleton == scene::Skeleton::point) c.b = c.a;
-  if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
-  p.form = static_cast<FieldForm>(shape_of(blob, c).index());
-  if (!p.is_mapped() || (c.skeleton != scene::Skeleton::point && !has_ends)) return p;
+  if (!p.is_mapped()) return p;
   const scene::Transform& transform = database.transforms[scene::index(c.transform)];
+  if (c.skeleton == scene::Skeleton::plane) {
+    const Vec3 normal = transform.normal(c.b);
+    const double length = normal.length();
+    c.a = transform.point(c.a);
+    c.b = normal / length;
+    c.radius_a /= length;
+    c.transform = scene::kIdentity;
+    return p;
+  }
+  if (c.skeleton != scene::Skeleton::point && !has_ends(c.skeleton)) return p;
   if (const auto factor = similarity_factor(transform.matrix)) {
     c.a = transform.point(c.a);
     c.b = transform.point(c.b);
@@ -127,42 +116,16 @@ Box image(const Box& box, const scene::Matrix& m) {
   return {centre - extent, centre + extent};
 }
 
-/// Puts a shape into its table's rows.
-struct AddShape {
-  ComponentTable& table;
-
-  void operator()(const Sphere&) const {}
-  template <class T>
-  void operator()(const T& shape) const {
-    std::get<std::vector<T>>(table.shapes_and_maps).push_back(shape);
-  }
-};
-
-/// How many shapes of that form, and maps, the table has so far.
-std::uint32_t shape_count(const ComponentTable& table, FieldForm form) {
-  switch (form) {
-    case FieldForm::point: return 0;
-#define ISL_SKELETON(form, Type) \
-  case FieldForm::form:          \
-    return static_cast<std::uint32_t>(table.rows<Type>().size());
-#include "renderer/fields/skeletons/skeletons.def"
-#undef ISL_SKELETON
-  }
-  ISL_CHECK(false, "form {}", static_cast<int>(form));
-}
-
 /// Calls `use` with the skeleton of a record, in its own space.
 template <class Use>
-auto with_skeleton_of(const scene::Blob& blob, const scene::Component& c, const Use& use) {
-  return std::visit(
-      [&](const auto& shape) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Sphere>) {
-          return use(Point{shape.centre, 1 / (shape.radius * shape.radius)});
-        } else {
-          return use(shape);
-        }
-      },
-      shape_of(blob, c));
+auto with_skeleton_of(const scene::Blob& blob, const scene::Component& component, const Use& use) {
+  const scene::Component c = simplified(component);
+  return with_skeleton_type(c.skeleton, [&](auto type) { return use(typename decltype(type)::type(blob, c)); });
+}
+
+template <class Shape>
+std::vector<Shape>& column(ComponentTable& table) {
+  return std::get<std::vector<Shape>>(table.shapes);
 }
 
 }  // namespace
@@ -176,17 +139,19 @@ const FieldGroup& ComponentTable::group_of(std::uint32_t component) const {
 
 std::size_t ComponentTable::bytes() const {
   const auto of_rows = [](const auto&... columns) { return ((columns.capacity() * sizeof(columns[0])) + ...); };
-  return of_rows(x, y, z, scale, amplitude, texture, source) + std::apply(of_rows, shapes_and_maps);
+  return of_rows(x, y, z, scale, amplitude, texture, source, branch, maps) + std::apply(of_rows, shapes);
 }
 
-ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob) {
+ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob, bool skeleton) {
+  const bool is_skeleton = skeleton || blob.is_skeleton;
   std::vector<Prepared> prepared;
   prepared.reserve(blob.components.size());
   for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
-    if (blob.components[i].strength != 0) prepared.push_back(prepare(database, blob, i));
+    const double strength = blob.components[i].strength;
+    if (is_skeleton ? strength > 0 : strength != 0) prepared.push_back(prepare(database, blob, i));
   }
   set_morton_codes(prepared);
-  const auto group_of = [](const Prepared& p) { return std::tuple(p.is_mapped(), p.form, p.component.kernel); };
+  const auto group_of = [](const Prepared& p) { return std::tuple(p.is_mapped(), p.component.skeleton, p.component.kernel); };
   std::sort(prepared.begin(), prepared.end(), [&](const Prepared& p, const Prepared& q) {
     if (group_of(p) != group_of(q)) return group_of(p) < group_of(q);
     if (p.morton != q.morton) return p.morton < q.morton;
@@ -195,6 +160,8 @@ ComponentTable compile_components(const scene::Database& database, const scene::
 
   ComponentTable table;
   table.threshold = blob.threshold;
+  table.is_skeleton = is_skeleton;
+  if (!is_skeleton) table.tree = BranchTree({blob.branches.begin(), blob.branches.end()});
   const auto n = static_cast<std::uint32_t>(prepared.size());
   for (auto* column : {&table.x, &table.y, &table.z, &table.scale, &table.amplitude}) column->reserve(n);
   table.texture.reserve(n);
@@ -204,26 +171,27 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     const scene::Component& c = p.component;
     if (i == 0 || group_of(prepared[i - 1]) != group_of(p)) {
       const KernelConstants kernel = kernel_constants(database.kernels[static_cast<std::size_t>(c.kernel)]);
-      const auto first_map = static_cast<std::uint32_t>(table.rows<scene::Transform>().size());
-      table.groups.push_back({p.is_mapped(), p.form, kernel, i, i, shape_count(table, p.form), first_map});
+      const std::uint32_t first_shape = with_skeleton_type(c.skeleton, [&](auto type) {
+        return static_cast<std::uint32_t>(column<typename decltype(type)::type>(table).size());
+      });
+      const auto first_map = static_cast<std::uint32_t>(table.maps.size());
+      table.groups.push_back({p.is_mapped(), c.skeleton, kernel, i, i, first_shape, first_map});
     }
     FieldGroup& group = table.groups.back();
     group.end = i + 1;
-    const Shape shape = shape_of(blob, c);
-    std::visit(AddShape{table}, shape);
-    if (p.is_mapped()) {
-      std::get<std::vector<scene::Transform>>(table.shapes_and_maps)
-          .push_back(database.transforms[scene::index(c.transform)]);
+    const bool is_point = c.skeleton == scene::Skeleton::point;
+    if (!is_point) {
+      with_skeleton_of(blob, c, [&](const auto& shape) { column<std::decay_t<decltype(shape)>>(table).push_back(shape); });
     }
-    const Sphere* const sphere = std::get_if<Sphere>(&shape);
-    const Vec3 centre = sphere ? sphere->centre : c.a;
-    table.x.push_back(centre.x);
-    table.y.push_back(centre.y);
-    table.z.push_back(centre.z);
-    table.scale.push_back(sphere ? group.kernel.scale / (sphere->radius * sphere->radius) : group.kernel.scale);
+    if (p.is_mapped()) table.maps.push_back(database.transforms[scene::index(c.transform)]);
+    table.x.push_back(c.a.x);
+    table.y.push_back(c.a.y);
+    table.z.push_back(c.a.z);
+    table.scale.push_back(is_point ? group.kernel.scale / (c.radius_a * c.radius_a) : group.kernel.scale);
     table.amplitude.push_back(c.strength * group.kernel.amplitude);
     table.texture.push_back(c.texture);
     table.source.push_back(p.source);
+    if (table.tree.size() > 0) table.branch.push_back(blob.branch_of[p.source]);
   }
   return table;
 }

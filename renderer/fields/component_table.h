@@ -4,36 +4,26 @@
 #pragma once
 
 #include "base/check.h"
+#include "renderer/fields/branches.h"
 #include "renderer/fields/kernels/kernel_constants.h"
-#include "renderer/fields/skeletons/circle.h"
-#include "renderer/fields/skeletons/flat_triangle.h"
-#include "renderer/fields/skeletons/limb.h"
-#include "renderer/fields/skeletons/point.h"
-#include "renderer/fields/skeletons/solid_box.h"
+#include "renderer/fields/skeletons/skeletons.h"
 #include "renderer/scene/database.h"
 
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace isl::render {
 
-/// What decides the code that evaluates a component.
-enum class FieldForm : std::uint8_t {
-  point,
-#define ISL_SKELETON(form, Type) form,
-#include "renderer/fields/skeletons/skeletons.def"
-#undef ISL_SKELETON
-};
-
-/// Components begin … end − 1 share form, kernel, and whether they are mapped: a transform that is no similarity stays
-/// a map of its own, by which rays and points come into the component's space.
+/// Components begin … end − 1 share skeleton, kernel, and whether they are mapped: a transform that is no similarity
+/// stays a map of its own, by which rays and points come into the component's space.
 struct FieldGroup {
   bool is_mapped;
-  FieldForm form;
+  scene::Skeleton skeleton;
   KernelConstants kernel;
   std::uint32_t begin, end;
-  std::uint32_t first_shape;  ///< of the first component, among the shapes of its form
+  std::uint32_t first_shape;  ///< of the first component, among the shapes of its skeleton
   std::uint32_t first_map;    ///< likewise, where is_mapped
 };
 
@@ -46,33 +36,32 @@ struct ComponentTable {
   std::vector<double> amplitude;  ///< strength times the kernel's
   std::vector<scene::TextureId> texture;
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
-  // What only some have: a row for each component of the form, and for each that is mapped.
-  std::tuple<
-#define ISL_SKELETON(form, Type) std::vector<Type>,
-#include "renderer/fields/skeletons/skeletons.def"
-#undef ISL_SKELETON
-      std::vector<scene::Transform>>
-      shapes_and_maps;
+  bool is_skeleton = false;           ///< the blob is the greatest of its fields (scene::Blob::is_skeleton)
+  std::vector<std::uint32_t> branch;  ///< empty where the blob is one sum, or a skeleton
+  BranchTree tree;
+  // What only some have: a row for each component of the skeleton (but points), and for each that is mapped.
+  SkeletonColumns shapes;
+  std::vector<scene::Transform> maps;
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(x.size()); }
   [[nodiscard]] const FieldGroup& group_of(std::uint32_t component) const;
   [[nodiscard]] std::size_t bytes() const;
 
-  template <class T>
-  [[nodiscard]] const std::vector<T>& rows() const {
-    return std::get<std::vector<T>>(shapes_and_maps);
-  }
   template <class Shape>
-  [[nodiscard]] const Shape& shape(const FieldGroup& group, std::uint32_t component) const {
-    return rows<Shape>()[component - group.begin + group.first_shape];
+  [[nodiscard]] Shape shape(const FieldGroup& group, std::uint32_t component) const {
+    if constexpr (std::is_same_v<Shape, Point>) {
+      return {{x[component], y[component], z[component]}, scale[component]};
+    } else {
+      return std::get<std::vector<Shape>>(shapes)[component - group.begin + group.first_shape];
+    }
   }
   [[nodiscard]] const scene::Transform& blob_from_component(const FieldGroup& group, std::uint32_t component) const {
-    return rows<scene::Transform>()[component - group.begin + group.first_map];
+    return maps[component - group.begin + group.first_map];
   }
   /// v of a component = v_scale · q of its skeleton as with_skeleton() gives it: a point's radius is one of v already,
   /// for a rounding less.
   [[nodiscard]] static double v_scale(const FieldGroup& group) {
-    return group.form == FieldForm::point ? 1 : group.kernel.scale;
+    return group.skeleton == scene::Skeleton::point ? 1 : group.kernel.scale;
   }
   /// The root of the skeleton's q where the support ends.
   [[nodiscard]] static double support_root(const FieldGroup& group) {
@@ -81,25 +70,16 @@ struct ComponentTable {
   /// What `use` makes of the component's skeleton, in its own space.
   template <class Use>
   auto with_skeleton(const FieldGroup& group, std::uint32_t component, const Use& use) const {
-    switch (group.form) {
-      case FieldForm::point: return use(Point{{x[component], y[component], z[component]}, scale[component]});
-#define ISL_SKELETON(form, Type) \
-  case FieldForm::form:          \
-    return use(shape<Type>(group, component));
-#include "renderer/fields/skeletons/skeletons.def"
-#undef ISL_SKELETON
-    }
-    ISL_CHECK(false, "form {}", static_cast<int>(group.form));
+    return with_skeleton_type(group.skeleton, [&](auto type) {
+      return use(shape<typename decltype(type)::type>(group, component));
+    });
   }
 };
 
 /// `database` resolves kernels and transforms. Components of strength 0 are left out: they add nothing.
-[[nodiscard]] ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob);
-
-/// Range of a field over a box: least and greatest value.
-struct FieldRange {
-  double low, high;
-};
+/// `skeleton`: as its skeleton model, whether the blob says so or not.
+[[nodiscard]] ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob,
+                                                bool skeleton = false);
 
 /// An enclosure of f_component over the box, tight for points; {0, 0} exactly when the support does not reach it. In
 /// blob space.

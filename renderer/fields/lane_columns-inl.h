@@ -1,7 +1,7 @@
 // Octets read back from LaneMemory: the forms that skeletons take along a ray.
 //
 // Quadratic lanes: v = v₀ + κ(t − t₀)² on [begin, end), for points and for the pieces of segments, boxes and triangles.
-// Cone lanes: the round cone of skeletons/limb.h in (x, ρ²), x = x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)². Circle lanes:
+// Cone lanes: the round cone of skeletons/cone.h in (x, ρ²), x = x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)². Circle lanes:
 // that of skeletons/circle.h in (z, ρ²), likewise.
 #if defined(ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_

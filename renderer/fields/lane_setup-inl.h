@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -67,7 +68,7 @@ class LaneSetup {
                             const std::uint32_t* items, std::uint32_t count, const Vec3& origin, const Vec3& direction,
                             double t0, double t1) {
     sums_.exponent = std::max(sums_.exponent, group.kernel.support);
-    if (group.form == FieldForm::point && !group.is_mapped)
+    if (group.skeleton == scene::Skeleton::point && !group.is_mapped)
       return add_points(kernel, table, items, count, origin, direction, t0, t1);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t item = items[i];
@@ -85,24 +86,19 @@ class LaneSetup {
 
   void add_shape(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& origin,
                  const Vec3& direction, double t0, double t1) {
-    const double amplitude = table.amplitude[item], scale = ComponentTable::v_scale(group);
-    const auto add_piece = [&](const QuadraticPiece& piece) {
-      add_quadratic(scale * piece.q0, scale * piece.kappa, piece.middle, amplitude, group.kernel.support, t0, t1,
-                    piece.begin, piece.end);
-    };
-    switch (group.form) {
-      case FieldForm::point:
-        return add_piece(sphere_piece({table.x[item], table.y[item], table.z[item]}, table.scale[item], origin,
-                                      direction, -kInfinity, kInfinity));
-      case FieldForm::limb: {
-        const Limb& limb = table.shape<Limb>(group, item);
-        if (limb.slope != 0) return add_cone(limb, amplitude, origin, direction);
-        return limb.along(origin, direction, add_piece);
+    const double amplitude = table.amplitude[item];
+    table.with_skeleton(group, item, [&](const auto& shape) {
+      using Shape = std::decay_t<decltype(shape)>;
+      if constexpr (std::is_same_v<Shape, Cone>) {
+        add_cone(shape, amplitude, origin, direction);
+      } else if constexpr (std::is_same_v<Shape, Circle>) {
+        add_circle(shape, amplitude, origin, direction);
+      } else {
+        const double scale = ComponentTable::v_scale(group), support = group.kernel.support;
+        shape.along(origin, direction,
+                    [&](const QuadraticPiece& piece) { add_piece(piece, scale, amplitude, support, t0, t1); });
       }
-      case FieldForm::box: return table.shape<SolidBox>(group, item).along(origin, direction, add_piece);
-      case FieldForm::triangle: return table.shape<FlatTriangle>(group, item).along(origin, direction, add_piece);
-      case FieldForm::circle: return add_circle(table.shape<Circle>(group, item), amplitude, origin, direction);
-    }
+    });
   }
 
   template <class Kernel>
@@ -148,13 +144,14 @@ class LaneSetup {
     return load(kIndex) < Octet(static_cast<double>(n));
   }
 
-  void add_quadratic(double v0, double kappa, double middle, double amplitude, double support, double t0, double t1,
-                     double begin, double end) {
-    const double from = std::max(t0, begin), to = std::min(t1, end);
+  /// A piece of v = scale · q, unless it cannot reach the stretch.
+  void add_piece(const QuadraticPiece& piece, double scale, double amplitude, double support, double t0, double t1) {
+    const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
+    const double from = std::max(t0, piece.begin), to = std::min(t1, piece.end);
     if (!(from <= to)) return;
-    const double near = std::clamp(middle, from, to) - middle;
+    const double near = std::clamp(piece.middle, from, to) - piece.middle;
     if (!(v0 + kappa * near * near < support)) return;
-    m_.quadratic.set_row(quadratics_++, {v0, kappa, middle, amplitude, begin, end});
+    m_.quadratic.set_row(quadratics_++, {v0, kappa, piece.middle, amplitude, piece.begin, piece.end});
   }
 
   /// A line about an axis through `at`: its place along the axis, x₀ + x′t, and its squared distance from it, n₀ + n₂(t
@@ -172,10 +169,10 @@ class LaneSetup {
     return {x0, dx, (o + d * middle).length2(), n2, middle};
   }
 
-  void add_cone(const Limb& limb, double amplitude, const Vec3& origin, const Vec3& direction) {
-    const AboutAxis line = about_axis(limb.a, limb.axis, origin, direction);
+  void add_cone(const Cone& cone, double amplitude, const Vec3& origin, const Vec3& direction) {
+    const AboutAxis line = about_axis(cone.a, cone.axis, origin, direction);
     m_.cone.set_row(cones_++,
-                    {line.x0, line.dx, line.n0, line.n2, line.middle, limb.radius, limb.slope, limb.length, amplitude});
+                    {line.x0, line.dx, line.n0, line.n2, line.middle, cone.radius, cone.slope, cone.length, amplitude});
   }
 
   void add_circle(const Circle& circle, double amplitude, const Vec3& origin, const Vec3& direction) {
@@ -224,7 +221,7 @@ class LaneSetup {
     const LaneSpan quadratics{first_.quadratics, quadratics_}, cones{first_.cones, cones_},
         circles{first_.circles, circles_};
     if (quadratics.is_empty() && cones.is_empty() && circles.is_empty()) return;
-    const bool has_pieces = group.form != FieldForm::point || group.is_mapped;
+    const bool has_pieces = group.skeleton != scene::Skeleton::point || group.is_mapped;
     m_.runs.push_back({&group.kernel, has_pieces, quadratics, cones, circles});
   }
 

@@ -196,7 +196,8 @@ class RayLanes {
       const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
       const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
       const OctetMask smooth = whole & (u_far < room) & kernel.is_smooth(lane.v0 + u_near, lane.v0 + u_far);
-      const OctetMask counts = (u_near < room) & (from <= to);
+      // Where v does not change (inside a box or a half-space) there is no error, whatever the kernel's slopes are there.
+      const OctetMask counts = (u_near < room) & (from <= to) & (lane.kappa > Octet(0.0));
       add_bounds(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h,
                  value, slope);
     }

@@ -4,6 +4,7 @@
 // complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as Amanatides and Woo 1987.
 #pragma once
 
+#include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
 
 #include <ImathBox.h>
@@ -21,16 +22,17 @@ enum class CellKind : std::uint32_t {
   inside,  ///< a field certainly above the threshold
   leaf,    ///< `first` and `count`: the items that matter here
   brick,   ///< `first`: the first of 64 cells
+  choice,  ///< `first` and `count`: lists in Grid::choices, the field being the greatest of theirs
 };
 
 struct Cell {
   std::uint32_t first = 0;
   std::uint32_t kind_and_count = 0;
 
-  [[nodiscard]] CellKind kind() const { return static_cast<CellKind>(kind_and_count & 3); }
-  [[nodiscard]] std::uint32_t count() const { return kind_and_count >> 2; }
+  [[nodiscard]] CellKind kind() const { return static_cast<CellKind>(kind_and_count & 7); }
+  [[nodiscard]] std::uint32_t count() const { return kind_and_count >> 3; }
   [[nodiscard]] static Cell make(CellKind kind, std::uint32_t first = 0, std::uint32_t count = 0) {
-    return {first, static_cast<std::uint32_t>(kind) | count << 2};
+    return {first, static_cast<std::uint32_t>(kind) | count << 3};
   }
 };
 static_assert(sizeof(Cell) == 8);
@@ -42,6 +44,11 @@ inline constexpr std::uint32_t kBrickCells = 64;
 /// to spare in a double.
 inline constexpr int kMaxGridDepth = 16;
 
+/// items[first … first + count − 1] of a grid.
+struct ItemList {
+  std::uint32_t first, count;
+};
+
 struct Grid {
   static constexpr std::size_t kListTail = 7;
 
@@ -52,13 +59,26 @@ struct Grid {
   std::vector<Cell> cells;        ///< bricks of 64, x fastest; the first is the top
   std::vector<std::uint64_t> occupied;  ///< a bit for each cell of a brick: it is not empty
   std::vector<std::uint32_t> items;     ///< the lists of leaves, then kListTail zeros: lists are read eight entries at a time
+  std::vector<ItemList> choices;
   std::uint32_t longest_list = 0;
+
+  /// Items without end, and the cell that stands for all that lies beyond the box; kNone where only empty space does.
+  std::vector<std::uint32_t> endless_items;
+  std::uint32_t beyond = scene::kNone;
+
+  /// The lists of a leaf (one) or choice.
+  [[nodiscard]] std::uint32_t list_count(const Cell& cell) const {
+    return cell.kind() == CellKind::choice ? cell.count() : cell.kind() == CellKind::leaf ? 1 : 0;
+  }
+  [[nodiscard]] ItemList list(const Cell& cell, std::uint32_t i) const {
+    return cell.kind() == CellKind::choice ? choices[cell.first + i] : ItemList{cell.first, cell.count()};
+  }
 
   [[nodiscard]] bool is_empty() const { return cells.empty(); }
   [[nodiscard]] std::size_t list_entries() const { return is_empty() ? 0 : items.size() - kListTail; }
   [[nodiscard]] std::size_t bytes() const {
     return cells.capacity() * sizeof(Cell) + occupied.capacity() * sizeof(std::uint64_t) +
-           items.capacity() * sizeof(std::uint32_t);
+           (items.capacity() + endless_items.capacity()) * sizeof(std::uint32_t) + choices.capacity() * sizeof(ItemList);
   }
 };
 

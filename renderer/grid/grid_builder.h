@@ -3,6 +3,7 @@
 //
 //   CellKind  classify(box, items, kept)   what the cell is, given the items of its parent; fills `kept` if it is a leaf
 //   bool      should_divide(size, kept)    whether a leaf is worth dividing, size = its side
+//   void      list(box, kept, lists)       one list for a leaf, or those of a choice: lists.add(numbers)
 //   Box       item_bounds(item)            a box around all that the item touches
 //
 // A box is handed over enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few units in
@@ -22,16 +23,41 @@
 
 namespace isl::render {
 
+/// Where a classifier leaves the lists of a cell.
+class ListSink {
+ public:
+  explicit ListSink(std::vector<std::uint32_t>& items) : items_(items) {}
+  void add(std::span<const std::uint32_t> numbers) {
+    lists_.push_back({static_cast<std::uint32_t>(items_.size()), static_cast<std::uint32_t>(numbers.size())});
+    items_.insert(items_.end(), numbers.begin(), numbers.end());
+  }
+  [[nodiscard]] std::span<const ItemList> lists() const { return lists_; }
+
+ private:
+  std::vector<std::uint32_t>& items_;
+  std::vector<ItemList> lists_;
+};
+
+/// The cell of these lists; several go into `choices`.
+[[nodiscard]] inline Cell cell_of(std::span<const ItemList> lists, std::vector<ItemList>& choices) {
+  if (lists.size() == 1) return Cell::make(CellKind::leaf, lists[0].first, lists[0].count);
+  const Cell cell = Cell::make(CellKind::choice, static_cast<std::uint32_t>(choices.size()),
+                               static_cast<std::uint32_t>(lists.size()));
+  choices.insert(choices.end(), lists.begin(), lists.end());
+  return cell;
+}
+
 template <class Classifier>
 class GridBuilder {
  public:
   explicit GridBuilder(const Classifier& classifier) : classifier_(classifier) {}
 
-  /// `bounds` holds everything; `items` are all item numbers, ascending.
-  [[nodiscard]] Grid build(const Box& bounds, std::span<const std::uint32_t> items) {
+  /// `bounds` holds everything that has an end; `items` are all item numbers, ascending. `has_endless`: some have none, so
+  /// that no cell of the top brick may be left empty without a look, not even one that a ray grazes by a rounding.
+  [[nodiscard]] Grid build(const Box& bounds, std::span<const std::uint32_t> items, bool has_endless = false) {
     grid_ = {};
     if (bounds.isEmpty() || items.empty()) return std::move(grid_);
-    lay_out_top_brick(bounds);
+    lay_out_top_brick(bounds, has_endless);
     const std::vector<std::vector<std::uint32_t>> lists = deal_out(items);
     std::vector<Part> parts(kBrickCells);
     parallel_for(kBrickCells, [&](std::size_t index) {
@@ -50,19 +76,21 @@ class GridBuilder {
     Cell top;
     std::vector<Cell> cells;
     std::vector<std::uint32_t> items;
+    std::vector<ItemList> choices;
     std::uint32_t longest_list = 0;
     std::array<std::vector<std::uint32_t>, kMaxGridDepth + 1> kept;  ///< working memory, by depth
   };
 
   /// Cubic cells, four on the longest side of the content, about its centre; wider by 2⁻²⁰, as every cell is.
-  void lay_out_top_brick(const Box& bounds) {
+  void lay_out_top_brick(const Box& bounds, bool has_endless) {
     const Vec3 size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z, std::numeric_limits<double>::min()});
     grid_.bounds = bounds;
     grid_.cell_size = longest * (1 + 0x1p-20) / kBrickSide;
     Vec3 half;
     for (int axis = 0; axis < 3; ++axis) {
-      grid_.dimensions[axis] = std::clamp(static_cast<int>(std::ceil(size[axis] / grid_.cell_size)), 1, kBrickSide);
+      const int needed = std::clamp(static_cast<int>(std::ceil(size[axis] / grid_.cell_size)), 1, kBrickSide);
+      grid_.dimensions[axis] = has_endless ? kBrickSide : needed;
       half[axis] = 0.5 * grid_.cell_size * grid_.dimensions[axis];
     }
     grid_.box = Box(bounds.center() - half, bounds.center() + half);
@@ -99,14 +127,14 @@ class GridBuilder {
   [[nodiscard]] Cell build_cell(Part& part, const Vec3& low, double size, std::span<const std::uint32_t> items, int depth) const {
     std::vector<std::uint32_t>& kept = part.kept[static_cast<std::size_t>(depth)];
     const Vec3 margin(size * 0x1p-20);
-    const CellKind kind = classifier_.classify(Box(low - margin, low + Vec3(size) + margin), items, kept);
+    const Box box(low - margin, low + Vec3(size) + margin);
+    const CellKind kind = classifier_.classify(box, items, kept);
     if (kind != CellKind::leaf) return Cell::make(kind);
     if (depth == kMaxGridDepth || !classifier_.should_divide(size, kept)) {
-      const auto count = static_cast<std::uint32_t>(kept.size());
-      const Cell leaf = Cell::make(CellKind::leaf, static_cast<std::uint32_t>(part.items.size()), count);
-      part.items.insert(part.items.end(), kept.begin(), kept.end());
-      part.longest_list = std::max(part.longest_list, count);
-      return leaf;
+      ListSink sink(part.items);
+      classifier_.list(box, kept, sink);
+      for (const ItemList& list : sink.lists()) part.longest_list = std::max(part.longest_list, list.count);
+      return cell_of(sink.lists(), part.choices);
     }
     const auto first = static_cast<std::uint32_t>(part.cells.size());
     part.cells.resize(first + kBrickCells);
@@ -133,14 +161,17 @@ class GridBuilder {
       Part& part = parts[i];
       const auto first_cell = static_cast<std::uint32_t>(grid_.cells.size());
       const auto first_item = static_cast<std::uint32_t>(grid_.items.size());
+      const auto first_choice = static_cast<std::uint32_t>(grid_.choices.size());
       const auto shifted = [&](Cell cell) {
         if (cell.kind() == CellKind::brick) cell.first += first_cell;
         if (cell.kind() == CellKind::leaf) cell.first += first_item;
+        if (cell.kind() == CellKind::choice) cell.first += first_choice;
         return cell;
       };
       grid_.cells[i] = shifted(part.top);
       for (const Cell& cell : part.cells) grid_.cells.push_back(shifted(cell));
       grid_.items.insert(grid_.items.end(), part.items.begin(), part.items.end());
+      for (const ItemList& list : part.choices) grid_.choices.push_back({list.first + first_item, list.count});
       grid_.longest_list = std::max(grid_.longest_list, part.longest_list);
       part = {};
     }

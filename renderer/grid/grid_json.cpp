@@ -16,13 +16,14 @@ void count_cells(const Grid& grid, std::uint32_t first, std::uint32_t count, std
   if (counts.size() <= depth) counts.resize(depth + 1);
   for (std::uint32_t i = first; i < first + count; ++i) {
     const Cell cell = grid.cells[i];
-    ++counts[depth][static_cast<std::size_t>(cell.kind())];
+    const CellKind kind = cell.kind() == CellKind::choice ? CellKind::leaf : cell.kind();
+    ++counts[depth][static_cast<std::size_t>(kind)];
     if (cell.kind() == CellKind::brick) count_cells(grid, cell.first, kBrickCells, depth + 1, counts);
   }
 }
 
 Json to_json(const Grid& grid) {
-  if (grid.is_empty()) return Json::object();
+  if (grid.cell_size == 0) return Json::object();
   const auto& n = grid.dimensions;
   std::vector<std::array<std::size_t, 4>> counts;
   count_cells(grid, 0, kBrickCells, 0, counts);

@@ -4,14 +4,27 @@
 #include "renderer/solids/solid.h"
 
 #include <cmath>
+#include <limits>
 
 namespace isl::render {
 namespace {
 
+bool is_finite(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) return false;
+  }
+  return true;
+}
+
+Box bounds_of(const Grid& grid) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  return grid.beyond == scene::kNone ? grid.bounds : Box(Vec3(-kFar), Vec3(kFar));
+}
+
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
-  Box box = instance.kind == scene::Object::Kind::blob ? scene.blobs[instance.shape].grid.bounds
+  Box box = instance.kind == scene::Object::Kind::blob ? bounds_of(scene.blobs[instance.shape].grid)
                                                        : bounds(scene.solids[instance.shape]);
-  if (!instance.is_placed || box.isEmpty()) return box;
+  if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
@@ -19,13 +32,6 @@ Box world_bounds(const CompiledScene& scene, const Instance& instance) {
     world.extendBy(instance.world_from_object.point(p));
   }
   return world;
-}
-
-bool is_finite(const Box& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) return false;
-  }
-  return true;
 }
 
 class BoxClassifier {
@@ -39,6 +45,8 @@ class BoxClassifier {
     }
     return kept.empty() ? CellKind::empty : CellKind::leaf;
   }
+
+  static void list(const Box&, const std::vector<std::uint32_t>& kept, ListSink& lists) { lists.add(kept); }
 
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return boxes_[item]; }
 

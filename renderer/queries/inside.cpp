@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isl::render {
 
@@ -103,11 +104,18 @@ bool is_inside(const Database& database, const Solid& solid, const Vec3& p) {
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
                const Vec3& point) {
-  double sum = 0;
-  for (const Component& c : blob.components) {
-    sum += c.strength * kernel_value(kernels[index(c.kernel)], q_at(database, blob, c, point));
+  const auto field_of = [&](const Component& c) {
+    return c.strength * kernel_value(kernels[index(c.kernel)], q_at(database, blob, c, point));
+  };
+  if (blob.is_skeleton) {
+    return std::ranges::any_of(blob.components, [&](const Component& c) { return field_of(c) >= blob.threshold; });
   }
-  return sum >= blob.threshold;
+  std::vector<double> sums(std::max<std::size_t>(blob.branches.size(), 1));
+  for (std::size_t i = 0; i < blob.components.size(); ++i) {
+    sums[blob.branches.empty() ? 0 : blob.branch_of[i]] += field_of(blob.components[i]);
+  }
+  BranchTree({blob.branches.begin(), blob.branches.end()}).add_up(sums);
+  return sums[0] >= blob.threshold;
 }
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const Object& object,

@@ -14,7 +14,6 @@ namespace isl::scene {
 namespace {
 
 constexpr std::string_view kRadiusMeanings[] = {"surface", "support"};
-constexpr std::string_view kSkeletons[] = {"point", "segment", "cone", "box", "triangle", "circle"};
 constexpr std::string_view kObjectKinds[] = {"solid", "blob", "group"};
 constexpr std::string_view kOperations[] = {"union", "merge", "intersection", "difference"};
 
@@ -100,7 +99,7 @@ class Writer {
   }
 
   [[nodiscard]] Json component(const Blob& b, const Component& c, OriginId origin) const {
-    Json json = {{"skeleton", name(kSkeletons, c.skeleton)}, {"a", vector(c.a)}};
+    Json json = {{"skeleton", name(kSkeletonWords, c.skeleton)}, {"a", vector(c.a)}};
     if (c.skeleton != Skeleton::point) json["b"] = vector(c.b);
     if (c.skeleton == Skeleton::triangle) json["c"] = vector(b.corners[c.corner]);
     json["radius"] = c.radius_a;
@@ -117,8 +116,14 @@ class Writer {
     Json components = Json::array();
     for (std::size_t i = 0; i < b.components.size(); ++i) {
       components.push_back(component(b, b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
+      if (!b.branches.empty()) components.back()["branch"] = b.branch_of[i];
     }
-    return {{"threshold", b.threshold}, {"components", std::move(components)}};
+    Json json = {{"threshold", b.threshold}, {"components", std::move(components)}};
+    if (b.is_skeleton) json["skeleton"] = true;
+    for (std::size_t i = 1; i < b.branches.size(); ++i) {
+      json["branches"].push_back({{"parent", b.branches[i].parent}, {"maximum", b.branches[i].maximum}});
+    }
+    return json;
   }
 
   [[nodiscard]] Json group(const Group& g) const {

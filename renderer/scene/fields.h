@@ -40,8 +40,20 @@ struct Kernel {
 /// point: a, radius_a. segment: a to b, radius_a. cone: a to b, radius_a at a and radius_b at b (a round cone: the
 /// union of the spheres whose centre and radius run linearly from one end to the other). box: between the corners a
 /// and b, radius_a. triangle: a, b and Blob::corners[corner], radius_a. circle: about the centre a and the unit axis b,
-/// of radius radius_b, with radius_a about it.
-enum class Skeleton : std::uint8_t { point, segment, cone, box, triangle, circle };
+/// of radius radius_b, with radius_a about it. plane: the half-space behind the plane through a across the unit vector b,
+/// with radius_a before it.
+enum class Skeleton : std::uint8_t {
+#define ISL_SKELETON(word, Type) word,
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+};
+
+/// What a dump calls each.
+inline constexpr std::string_view kSkeletonWords[] = {
+#define ISL_SKELETON(word, Type) #word,
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+};
 
 /// One field of a blob: f = strength · φ(squared distance / radius²), in the blob's space after `transform`.
 struct Component {
@@ -65,12 +77,25 @@ inline constexpr bool isl::kMovesAsBytes<isl::scene::Vec3> = true;
 
 namespace isl::scene {
 
+/// A sum of components, and of maxima of branches. A maximum is named by the first of its branches.
+struct Branch {
+  std::uint32_t parent;   ///< the branch whose sum the maximum belongs to; less than its own number
+  std::uint32_t maximum;  ///< the maximum that it is in
+};
+
 /// Components whose fields add up; the surface is where the sum meets the threshold. In the blob's own space.
 struct Blob {
   double threshold = 1;
   GrowingArray<Component> components;
   GrowingArray<OriginId> origins;  ///< cold: one a component
   GrowingArray<Vec3> corners = {};  ///< third corners of triangles
+  /// Empty where the blob is one sum. Else the first is the blob's own sum, and branch_of says for each component which
+  /// one it is in.
+  GrowingArray<Branch> branches = {};
+  GrowingArray<std::uint32_t> branch_of = {};
+  /// The skeleton model: the greatest of the fields instead of their sum, so that each component is the solid that it is
+  /// alone. Branches and what carves are left aside.
+  bool is_skeleton = false;
 };
 
 }  // namespace isl::scene

@@ -1,6 +1,7 @@
 // The certified search for a blob's surface along a ray: the grid's cells in order, each solved by itself (hermite-inl.h).
 // The ray carries which side of the surface it is on; a crossing is a change of that side, whether a cell's solver found it or
-// two neighbours disagree by a rounding about a root on their common border.
+// two neighbours disagree by a rounding about a root on their common border. Where the blob has half-spaces, the ray is also
+// searched before and behind the grid.
 #if defined(ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_
@@ -12,6 +13,12 @@
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/maximum-inl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -24,38 +31,83 @@ class CellSearch {
 
   [[nodiscard]] BlobHit first_hit(const BlobRay& ray) {
     const Grid& grid = blob_.grid;
-    if (grid.is_empty()) return {};
-    const BoxSpan span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
-    if (!(span.enter < span.leave)) return {};
-
-    // From far away the ray is taken up again where it meets the grid, so that the fields see small numbers.
-    base_ = span.enter;
-    origin_ = ray.origin + ray.direction * base_;
-    direction_ = ray.direction;
-    starts_on_surface_ = ray.starts_on_surface && base_ == 0;
-    any_ = ray.any;
-    side_ = base_ > 0 ? kOutside : kUnknown;
-    reached_ = 0;
-    last_cell_ = scene::kNone;
-    is_node_valid_ = false;
+    ray_ = &ray;
+    side_ = Side::unknown;
     hit_ = {};
-    const Vec3 diagonal = grid.box.size();
-    const double stretch = diagonal.length() / ray.direction.length();
-    const double tolerance = settings_.at(ray.path_length + base_);
-    // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob: a pair of roots closer than that
-    // encloses a depth below the rounding of F.
-    shortest_ = std::max(0x1p-40 * stretch, 1e-3 * tolerance);
-    walk(grid, origin_, direction_, 0, span.leave - base_,
-         [&](std::uint32_t index, const Cell& cell, double t0, double t1) HWY_ATTR { return visit(index, cell, t0, t1); });
+    BoxSpan span{1, 0};
+    if (grid.cell_size > 0) span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
+    const bool meets_grid = span.enter < span.leave;
+    if (grid.beyond == scene::kNone) {
+      if (meets_grid) in_grid(span);
+    } else if (!meets_grid) {
+      beyond_grid(0, ray.t_max);
+    } else if (!beyond_grid(0, span.enter) && !in_grid(span)) {
+      beyond_grid(span.leave, ray.t_max);
+    }
     return hit_;
   }
 
  private:
-  static constexpr double kOutside = 1, kInside = -1, kUnknown = 0;
+  /// From far away the ray is taken up again where it meets the grid, so that the fields see small numbers: t counts from
+  /// `base`. `extent`: the size of what is met there.
+  void take_up(double base, double extent) {
+    base_ = base;
+    origin_ = ray_->origin + ray_->direction * base;
+    direction_ = ray_->direction;
+    starts_on_surface_ = ray_->starts_on_surface && base == 0;
+    reached_ = 0;
+    last_cell_ = scene::kNone;
+    is_node_valid_ = false;
+    // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob: a pair of roots closer than that
+    // encloses a depth below the rounding of F.
+    shortest_ = std::max(0x1p-40 * extent / direction_.length(), 1e-3 * settings_.at(ray_->path_length + base));
+  }
+
+  /// Whether the ray crosses the surface in the grid's box.
+  bool in_grid(const BoxSpan& span) {
+    const Grid& grid = blob_.grid;
+    take_up(span.enter, grid.box.size().length());
+    if (grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
+    walk(grid, origin_, direction_, 0, span.leave - base_,
+         [&](std::uint32_t index, const Cell& cell, double t0, double t1) HWY_ATTR { return visit(index, cell, t0, t1); });
+    return !hit_.is_miss();
+  }
+
+  /// The same where half-spaces are alone. Between the planes where they begin and end the field is smooth, and behind the
+  /// last of them it is constant: one stretch more, of any length, shows what it is there.
+  bool beyond_grid(double begin, double end) {
+    if (!(begin < end)) return false;
+    const Grid& grid = blob_.grid;
+    const Cell& cell = grid.cells[grid.beyond];
+    double extent = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t item : grid.endless_items) extent = std::min(extent, half_space(item).radius);
+    take_up(begin, extent);
+    const double length = end - begin;
+    double t = 0;
+    while (t < length) {
+      double next = std::numeric_limits<double>::infinity();
+      for (const std::uint32_t item : grid.endless_items) {
+        const HalfSpace shape = half_space(item);
+        const double x = (origin_ - shape.at).dot(shape.normal), dx = direction_.dot(shape.normal);
+        const double reach = shape.radius * ComponentTable::support_root(blob_.components.group_of(item));
+        for (const double border : {0.0, reach}) {
+          if (const double at = (border - x) / dx; at > t) next = std::min(next, at);
+        }
+      }
+      const bool is_constant = std::isinf(next);
+      if (visit(grid.beyond, cell, t, std::min(length, is_constant ? t + std::max(1.0, t) : next))) return true;
+      if (is_constant) return false;
+      t = next;
+    }
+    return false;
+  }
+  [[nodiscard]] HalfSpace half_space(std::uint32_t item) const {
+    return blob_.components.shape<HalfSpace>(blob_.components.group_of(item), item);
+  }
 
   /// The ray changes sides at t, on the border of `cell` or in it.
   bool cross(double t, std::uint32_t cell) {
-    hit_ = {base_ + t, cell, side_ == kInside};
+    hit_ = {base_ + t, cell, side_ == Side::inside};
     return true;
   }
 
@@ -67,37 +119,41 @@ class CellSearch {
     if (t0 > reached_ || !is_node_valid_) {
       // Between leaf cells lie only cells certainly outside.
       if (t0 > reached_) {
-        if (side_ == kInside) return cross(reached_, last_solved_or(index));
-        side_ = kOutside;
+        if (side_ == Side::inside) return cross(reached_, last_solved_or(index));
+        side_ = Side::outside;
       }
       is_node_valid_ = false;
     }
     if (cell.kind() == CellKind::inside) {
-      if (side_ == kOutside) return cross(t0, last_solved_or(index));
-      side_ = kInside;
+      if (side_ == Side::outside) return cross(t0, last_solved_or(index));
+      side_ = Side::inside;
       is_node_valid_ = false;
       reached_ = t1;
       return false;
     }
-    return solve(index, cell, t0, t1);
-  }
-
-  bool solve(std::uint32_t index, const Cell& cell, double t0, double t1) {
     const bool starts_here = starts_on_surface_ && t0 == 0;
     last_cell_ = index;
     reached_ = t1;
+    if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
+    is_node_valid_ = false;
+    const MaximumQuery query{origin_, direction_, t0, t1, shortest_, starts_here, ray_->any};
+    const std::optional<double> t = MaximumSolver(blob_, cell, query, fields_, counters_).first_crossing(side_);
+    return t && cross(*t, index);
+  }
+
+  bool solve(std::uint32_t index, const Cell& cell, double t0, double t1, bool starts_here) {
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), origin_, direction_, t0, t1);
     if (fields_.upper_bound() < 0 && !starts_here) {
       is_node_valid_ = false;
-      if (side_ == kInside) return cross(t0, index);
-      side_ = kOutside;
+      if (side_ == Side::inside) return cross(t0, index);
+      side_ = Side::outside;
       return false;
     }
-    HermiteSolver solver(fields_, side_ == kInside ? -1.0 : 1.0, shortest_, counters_);
+    HermiteSolver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, shortest_, counters_);
     Node a = is_node_valid_ ? node_ : solver.node(t0);
-    if (side_ == kUnknown) {
-      side_ = (starts_here ? leaves_inwards(a) : a.value > a.noise) ? kInside : kOutside;
-      if (side_ == kInside) {
+    if (side_ == Side::unknown) {
+      side_ = (starts_here ? leaves_inwards(fields_, a) : a.value > a.noise) ? Side::inside : Side::outside;
+      if (side_ == Side::inside) {
         a.value = -a.value;
         a.slope = -a.slope;
         solver.turn_inside();
@@ -105,17 +161,10 @@ class CellSearch {
     }
     if (starts_here) a.value = 0;
     const Node b = solver.node(t1);
-    if (const std::optional<double> t = solver.first_root(a, b, starts_here, any_)) return cross(*t, index);
+    if (const std::optional<double> t = solver.first_root(a, b, starts_here, ray_->any)) return cross(*t, index);
     node_ = b;
     is_node_valid_ = true;
     return false;
-  }
-
-  /// Whether a ray that starts on the surface goes in: by the slope there or, where that is lost in rounding (a tangent ray), by
-  /// the curvature.
-  [[nodiscard]] bool leaves_inwards(const Node& start) const {
-    if (std::abs(start.slope) > start.slope_noise) return start.slope > 0;
-    return fields_.curvature(start.t) > 0;
   }
 
   const CompiledBlob& blob_;
@@ -123,10 +172,11 @@ class CellSearch {
   RayLanes fields_;
   TraceCounters& counters_;
 
+  const BlobRay* ray_ = nullptr;
   Vec3 origin_, direction_;
   double base_ = 0, shortest_ = 0;
-  bool starts_on_surface_ = false, any_ = false;
-  double side_ = kUnknown;
+  bool starts_on_surface_ = false;
+  Side side_ = Side::unknown;
   double reached_ = 0;  ///< how far the ray has been followed
   std::uint32_t last_cell_ = scene::kNone;  ///< the last one solved: its list holds what matters at `reached_`
   bool is_node_valid_ = false;

@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -33,22 +35,34 @@ class PaperSearch {
 
   [[nodiscard]] BlobHit first_hit(const BlobRay& ray) {
     const Grid& grid = blob_.grid;
-    if (grid.is_empty()) return {};
-    const BoxSpan span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
-    if (!(span.enter < span.leave)) return {};
-    const Vec3 origin = ray.origin + ray.direction * span.enter;
-    const double reach = span.leave - span.enter;
+    BoxSpan span{1, 0};
+    if (grid.cell_size > 0) span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
+    const bool meets_grid = span.enter < span.leave;
+    if (!meets_grid && grid.beyond == scene::kNone) return {};
+    // With half-spaces the whole ray counts, without them what lies in the grid.
+    const double base = grid.beyond == scene::kNone ? span.enter : 0;
+    const Vec3 origin = ray.origin + ray.direction * base;
+    double reach = meets_grid ? span.leave - base : 0;
     m_.begin_ray(blob_.components.size());
-    walk(grid, origin, ray.direction, 0, reach, [&](std::uint32_t index, const Cell& cell, double, double t1) HWY_ATTR {
-      ++counters_.cells;
-      m_.cells.push_back({t1, index});
-      for (std::uint32_t i = 0; i < cell.count(); ++i) {
-        const std::uint32_t item = grid.items[cell.first + i];
-        if (m_.meet(item)) add_field(item, origin, ray.direction);
-      }
-      return false;
-    });
-    return sweep(ray, span.enter, reach);
+    for (const std::uint32_t item : grid.endless_items) reach = std::max(reach, end_of_change(item, origin, ray.direction));
+    reach = std::min(reach, ray.t_max - base);
+    for (const std::uint32_t item : grid.endless_items) add_half_space(item, origin, ray.direction, reach);
+    if (meets_grid) {
+      walk(grid, ray.origin + ray.direction * span.enter, ray.direction, 0, span.leave - span.enter,
+           [&](std::uint32_t index, const Cell& cell, double, double t1) HWY_ATTR {
+             ++counters_.cells;
+             m_.cells.push_back({span.enter - base + t1, index});
+             for (std::uint32_t i = 0; i < grid.list_count(cell); ++i) {
+               const ItemList list = grid.list(cell, i);
+               for (std::uint32_t k = 0; k < list.count; ++k) {
+                 const std::uint32_t item = grid.items[list.first + k];
+                 if (m_.meet(item)) add_field(item, origin, ray.direction);
+               }
+             }
+             return false;
+           });
+    }
+    return sweep(ray, base, reach, meets_grid ? span.enter - base : reach);
   }
 
  private:
@@ -87,10 +101,16 @@ class PaperSearch {
       line.direction = map.inverse_vector(direction);
     }
     double begin, end;
-    if (!support_on(line, begin, end)) return;
+    if (support_on(line, begin, end)) interpolate(line, begin, end, 0, 0);
+  }
+
+  /// K interpolants of a field on a stretch at whose ends it is flat and has these values.
+  void interpolate(const Line& line, double begin, double end, double at_begin, double at_end) {
+    const FieldGroup& group = line.group;
+    const double amplitude = line.table.amplitude[line.item];
     const int k = settings_.interpolants;
     const double h = (end - begin) / k;
-    PaperMemory::Interpolant previous{begin, 0, 0, 0, 0, 0};
+    PaperMemory::Interpolant previous{begin, at_begin, 0, 0, 0, 0, branch_of(line.item)};
     for (int first = 1; first <= k; first += static_cast<int>(kOctet)) {
       alignas(64) double v[kOctet], dv[kOctet], value[kOctet], slope[kOctet];
       for (int j = 0; j < static_cast<int>(kOctet); ++j) {
@@ -99,25 +119,65 @@ class PaperSearch {
         dv[j] = a.slope;
       }
       const KernelValue phi = kernel_value(group.kernel, load(v));
-      store(Octet(table.amplitude[item]) * phi.value, value);
-      store(Octet(table.amplitude[item]) * phi.slope * load(dv), slope);
+      store(Octet(amplitude) * phi.value, value);
+      store(Octet(amplitude) * phi.slope * load(dv), slope);
       for (int j = 0; j < static_cast<int>(kOctet) && first + j <= k; ++j) {
         const bool is_last = first + j == k;
         PaperMemory::Interpolant piece = previous;
         piece.t1 = is_last ? end : begin + h * (first + j);
-        piece.value1 = is_last ? 0 : value[j];
+        piece.value1 = is_last ? at_end : value[j];
         piece.slope1 = is_last ? 0 : slope[j];
         m_.interpolants.push_back(piece);
-        previous = {piece.t1, piece.value1, piece.slope1, 0, 0, 0};
+        previous = {piece.t1, piece.value1, piece.slope1, 0, 0, 0, piece.branch};
         if (!is_last) ++counters_.field_evaluations;
       }
     }
   }
 
+  /// The plane x = 0 where a half-space begins, and the one where its field ends, along a ray.
+  struct HalfSpaceLine {
+    double x, dx, begins, ends;
+  };
+  [[nodiscard]] HalfSpaceLine half_space_line(std::uint32_t item, const Vec3& origin, const Vec3& direction) const {
+    const FieldGroup& group = blob_.components.group_of(item);
+    const HalfSpace shape = blob_.components.shape<HalfSpace>(group, item);
+    const double x = (origin - shape.at).dot(shape.normal), dx = direction.dot(shape.normal);
+    return {x, dx, -x / dx, (shape.radius * ComponentTable::support_root(group) - x) / dx};
+  }
+  /// Behind it the half-space's field is constant along the ray.
+  [[nodiscard]] double end_of_change(std::uint32_t item, const Vec3& origin, const Vec3& direction) const {
+    const HalfSpaceLine line = half_space_line(item, origin, direction);
+    return line.dx == 0 ? 0 : std::max(line.begins, line.ends);
+  }
+  void add_half_space(std::uint32_t item, const Vec3& origin, const Vec3& direction, double reach) {
+    if (!m_.meet(item)) return;
+    const ComponentTable& table = blob_.components;
+    const FieldGroup& group = table.group_of(item);
+    const HalfSpaceLine h = half_space_line(item, origin, direction);
+    const Line line{table, group, item, origin, direction};
+    const auto add_constant = [&](double from, double to, double v) {
+      const double value = table.amplitude[item] * kernel_profile(group.kernel, v);
+      if (from < to) m_.interpolants.push_back({from, value, 0, to, value, 0, branch_of(item)});
+    };
+    if (h.dx == 0) return add_constant(0, reach, line.at(0).v);
+    const double peak = table.amplitude[item] * kernel_profile(group.kernel, 0);
+    if (h.dx > 0) {
+      add_constant(0, h.begins, 0);
+      interpolate(line, h.begins, h.ends, peak, 0);
+    } else {
+      interpolate(line, h.ends, h.begins, 0, peak);
+      add_constant(h.begins, reach, 0);
+    }
+  }
+
+  [[nodiscard]] std::uint32_t branch_of(std::uint32_t item) const {
+    return blob_.components.branch.empty() ? 0 : blob_.components.branch[item];
+  }
+
   /// Where v < support: from its first to its last point on the line.
   [[nodiscard]] static bool support_on(const Line& line, double& begin, double& end) {
     const double support = line.group.kernel.support, dd = line.direction.length2();
-    if (line.group.form == FieldForm::point) {
+    if (line.group.skeleton == scene::Skeleton::point) {
       const ComponentTable& table = line.table;
       const Vec3 centre(table.x[line.item], table.y[line.item], table.z[line.item]);
       const double scale = table.scale[line.item];
@@ -138,7 +198,7 @@ class PaperSearch {
     };
     const double low = (-farthest(-line.direction) - start) / dd, high = (farthest(line.direction) - start) / dd;
     double first = 0, last = 0;  // points in the support
-    if (line.group.form == FieldForm::circle) {
+    if (line.group.skeleton == scene::Skeleton::circle) {
       // A line can leave a torus and come back; a stretch thinner than these steps goes unseen, as the mode allows.
       constexpr int kSteps = 256;
       bool is_met = false;
@@ -171,8 +231,8 @@ class PaperSearch {
     return end > begin;
   }
 
-  /// The sum of the interpolants between neighbouring ends, in order along the ray.
-  [[nodiscard]] BlobHit sweep(const BlobRay& ray, double base, double reach) {
+  /// The sum of the interpolants between neighbouring ends, in order along the ray. The grid begins at t = `grid_begin`.
+  [[nodiscard]] BlobHit sweep(const BlobRay& ray, double base, double reach, double grid_begin) {
     std::sort(m_.interpolants.begin(), m_.interpolants.end(),
               [](const auto& p, const auto& q) { return p.t0 != q.t0 ? p.t0 < q.t0 : p.t1 < q.t1; });
     m_.ends.clear();
@@ -182,7 +242,6 @@ class PaperSearch {
     }
     m_.ends.push_back(0);
     std::sort(m_.ends.begin(), m_.ends.end());
-    const double threshold = blob_.components.threshold;
     m_.active.clear();
     std::size_t next = 0;
     double side = 0;
@@ -192,28 +251,86 @@ class PaperSearch {
         m_.active.push_back(m_.interpolants[next++]);
       std::erase_if(m_.active, [&](const auto& piece) { return piece.t1 <= from; });
       if (to <= 0 || from >= reach || !(to > from)) continue;
-      double f0 = -threshold, f1 = -threshold, d0 = 0, d1 = 0;
-      for (const PaperMemory::Interpolant& piece : m_.active) {
-        const CubicPoint a = piece.at(from), b = piece.at(to);
-        f0 += a.value;
-        d0 += a.slope;
-        f1 += b.value;
-        d1 += b.slope;
-      }
+      add_up(from, to);
+      double greatest = m_.sums[0].value0;
+      for (const HermiteSum& sum : m_.sums) greatest = std::max(greatest, sum.value0);
       // A ray that leaves the surface is outside, whatever the interpolants say of its start.
-      if (side == 0) side = f0 > 0 && !ray.starts_on_surface && base == 0 ? -1 : 1;
-      if (side * f0 >= 0 && ray.starts_on_surface) continue;
-      const double h = to - from;
-      const double u =
-          first_crossing_of_cubic(side * f0, side * (f0 + h * d0 / 3), side * (f1 - h * d1 / 3), side * f1);
-      const double t = from + u * h;
-      if (u > 1 || t > reach) continue;
-      if (t <= 0) continue;
+      if (side == 0) side = greatest > 0 && !ray.starts_on_surface && base == 0 ? -1 : 1;
+      if (side * greatest >= 0 && ray.starts_on_surface) continue;
+      const double u = side > 0 ? enters_at(to - from) : leaves_at(to - from);
+      const double t = from + u * (to - from);
+      if (u > 1 || t > reach || t <= 0) continue;
       const auto cell = std::find_if(m_.cells.begin(), m_.cells.end(), [&](const auto& c) { return t <= c.t1; });
-      if (cell == m_.cells.end()) return {};
-      return {base + t, cell->index, side < 0};
+      const bool is_beyond = t < grid_begin || cell == m_.cells.end();
+      const std::uint32_t index = is_beyond ? blob_.grid.beyond : cell->index;
+      if (index == scene::kNone) return {};
+      return {base + t, index, side < 0};
     }
     return {};
+  }
+
+  /// Sums of what is active on a stretch: one, or where the blob has maxima one for each selection of branches, or of a
+  /// skeleton one for each field.
+  void add_up(double from, double to) {
+    const BranchTree& tree = blob_.components.tree;
+    const double threshold = blob_.components.threshold;
+    m_.sums.clear();
+    if (blob_.components.is_skeleton) {
+      for (const PaperMemory::Interpolant& piece : m_.active) {
+        const CubicPoint a = piece.at(from), b = piece.at(to);
+        m_.sums.push_back({a.value - threshold, a.slope, b.value - threshold, b.slope});
+      }
+      if (m_.sums.empty()) m_.sums.push_back({-threshold, 0, -threshold, 0});
+      return;
+    }
+    m_.branch_sums.assign(std::max(tree.size(), 1u), {});
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::vector<FieldRange> ranges(tree.size(), {0, 0});
+    for (const PaperMemory::Interpolant& piece : m_.active) {
+      const CubicPoint a = piece.at(from), b = piece.at(to);
+      m_.branch_sums[piece.branch] += {a.value, a.slope, b.value, b.slope};
+      if (tree.size() > 0) ranges[piece.branch] = {-kFar, kFar};
+    }
+    if (tree.size() == 0) {
+      m_.sums.push_back({-threshold, 0, -threshold, 0});
+      m_.sums.back() += m_.branch_sums[0];
+      return;
+    }
+    for (const std::vector<std::uint32_t>& selection : tree.selections(ranges)) {
+      m_.sums.push_back({-threshold, 0, -threshold, 0});
+      for (const std::uint32_t branch : selection) m_.sums.back() += m_.branch_sums[branch];
+    }
+  }
+
+  /// The first u in [0, 1] where one of the sums comes above the threshold; above 1 if none does. h: the stretch's length.
+  [[nodiscard]] double enters_at(double h) const {
+    double first = 2;
+    for (const HermiteSum& s : m_.sums) {
+      first = std::min(first, first_crossing_of_cubic(s.value0, s.value0 + h * s.slope0 / 3, s.value1 - h * s.slope1 / 3,
+                                                      s.value1));
+    }
+    return first;
+  }
+  /// The first u where the last of them comes below it.
+  [[nodiscard]] double leaves_at(double h) const {
+    double u = 0;
+    for (std::size_t changes = 0; changes <= 3 * m_.sums.size(); ++changes) {
+      const auto value_at = [&](const HermiteSum& s) {
+        return cubic_at(s.value0, s.value0 + h * s.slope0 / 3, s.value1 - h * s.slope1 / 3, s.value1, u);
+      };
+      const HermiteSum* followed = m_.sums.data();
+      for (const HermiteSum& s : m_.sums) {
+        if (value_at(s).value > value_at(*followed).value) followed = &s;
+      }
+      const CubicPoint start = value_at(*followed);
+      if (!(start.value > 0)) return u;
+      const double rest = 1 - u, third = rest / 3;
+      const double step = first_crossing_of_cubic(-start.value, -(start.value + third * start.slope),
+                                                  -(followed->value1 - third * h * followed->slope1), -followed->value1);
+      if (step > 1) return 2;
+      u += step * rest;
+    }
+    return u;
   }
 
   const CompiledBlob& blob_;

@@ -8,10 +8,24 @@
 
 namespace isl::render {
 
+/// Value and slope at both ends of a stretch.
+struct HermiteSum {
+  double value0 = 0, slope0 = 0, value1 = 0, slope1 = 0;
+
+  HermiteSum& operator+=(const HermiteSum& other) {
+    value0 += other.value0;
+    slope0 += other.slope0;
+    value1 += other.value1;
+    slope1 += other.slope1;
+    return *this;
+  }
+};
+
 struct PaperMemory {
   /// One cubic Hermite interpolant of one field.
   struct Interpolant {
     double t0, value0, slope0, t1, value1, slope1;
+    std::uint32_t branch;  ///< that the field is in
 
     [[nodiscard]] CubicPoint at(double t) const {
       const double h = t1 - t0;
@@ -28,6 +42,7 @@ struct PaperMemory {
   std::vector<Interpolant> interpolants, active;
   std::vector<VisitedCell> cells;
   std::vector<double> ends;
+  std::vector<HermiteSum> branch_sums, sums;  ///< of one stretch: by branch; by selection, less the threshold
 
   void begin_ray(std::uint32_t components) {
     interpolants.clear();

@@ -117,6 +117,9 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
       int noticed = 0, fields = 0;
       for (const FieldCase& field : field_cases()) {
         if (field.kernel.meaning != scene::RadiusMeaning::surface || field.kernel.hardness != 4) continue;
+        // A half-space has its extremes at a box's corners: that sabotage is none there.
+        const bool is_plane = field.component.skeleton == scene::Skeleton::plane;
+        if (is_plane && sabotage.broken == bounded_from_its_corners) continue;
         ++fields;
         const FieldUnderTest tested = reference_field_under_test(field);
         if (!property.violation(sabotage.broken(tested), field).empty()) ++noticed;

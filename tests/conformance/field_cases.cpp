@@ -43,7 +43,8 @@ const std::vector<Shape>& skeletons() {
       {"triangle_obtuse", reference::triangle({0.1, 0.15, 0.05}, {0.9, 0, 0}, 0.2), {-0.8, 0.1, -0.1}},
       {"triangle_needle", reference::triangle({-0.8, 0.1, 0.2}, {0.7, -0.3, 0.1}, 0.25), {0.7, -0.293, 0.107}},
       {"circle", reference::circle({0, 0, 0}, {0, 1, 0}, 0.9, 0.12)},
-      {"circle_tilted", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 1.1, 0.15)}};
+      {"circle_tilted", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 1.1, 0.15)},
+      {"plane", reference::half_space({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)}};
   return list;
 }
 
@@ -87,11 +88,13 @@ double longest_stretch(const scene::Transform& transform) {
   return std::sqrt(sum);
 }
 
-/// A ball of this radius about the origin of the component's space holds the skeleton.
+/// A ball of this radius about the origin of the component's space holds the skeleton, or what is looked at of one
+/// without end.
 double skeleton_reach(const FieldCase& field) {
   const scene::Component& c = field.component;
   switch (c.skeleton) {
     case scene::Skeleton::circle: return c.a.length() + c.radius_b;
+    case scene::Skeleton::plane: return c.a.length() + 1;
     case scene::Skeleton::triangle: return std::max({c.a.length(), c.b.length(), field.third_corner.length()});
     case scene::Skeleton::box: {
       const auto farther = [&](int i) { return std::max(std::abs(c.a[i]), std::abs(c.b[i])); };

@@ -15,7 +15,7 @@ struct FieldCase {
   scene::Kernel kernel;
   scene::Transform transform;   ///< blob_from_component
   scene::Vec3 third_corner{0};  ///< of a triangle
-  double reach = 0;             ///< a ball of this radius about the origin of the blob's space holds the support
+  double reach = 0;             ///< a ball of this radius about the origin of the blob's space holds the support, if it ends
 };
 
 [[nodiscard]] const std::vector<FieldCase>& field_cases();

@@ -22,8 +22,9 @@ using reference::ReferenceComponent;
 /// A field and property; there are hundreds of fields, so few suffice.
 constexpr int kPoints = 8;
 
-/// 1e-13: some 450 units in the last place, for tens of operations and an exponential of an argument of up to 500.
-constexpr double kRounding = 1e-13;
+/// 2e-13: some 900 units in the last place, for tens of operations and an exponential of an argument of up to 500, of which
+/// one unit in the last place is 500 of the result.
+constexpr double kRounding = 2e-13;
 
 std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", p.x, p.y, p.z); }
 

@@ -118,11 +118,17 @@ std::optional<SurfaceWitness> on_circle(const FieldCase& field, const Draw& draw
   return SurfaceWitness{c.a + radial * c.radius_b, radial * std::cos(turn) + c.b * std::sin(turn), c.radius_a};
 }
 
+std::optional<SurfaceWitness> on_plane(const FieldCase& field, const Draw& draw) {
+  const scene::Component& c = field.component;
+  return SurfaceWitness{c.a + across(c.b, draw.random.direction()) * draw.random.unit(), c.b, c.radius_a};
+}
+
 std::optional<SurfaceWitness> witness(const FieldCase& field, const Draw& draw) {
   switch (field.component.skeleton) {
     case scene::Skeleton::box: return on_box(field, draw);
     case scene::Skeleton::triangle: return on_triangle(field, draw);
     case scene::Skeleton::circle: return on_circle(field, draw);
+    case scene::Skeleton::plane: return on_plane(field, draw);
     default: return on_limb(field, draw);
   }
 }

@@ -55,27 +55,32 @@ TEST_P(Flake, TracerAgreesOnTenThousandRays) {
   }
 }
 
-TEST_P(Flake, ShadowRaysFromFoundSurfacesAgree) {
-  const scene::Database database = flake(GetParam().kernel);
-  const ReferenceScene scene(database);
-  const TracerUnderTest tracer(database);
-  const std::vector<render::Ray> eyes = random_rays(32, 2000, 3, 0.9);
+/// From every surface that the eyes meet, one ray to a light somewhere, and one that grazes: 1e-6 off the tangent plane,
+/// to either side. `scale` is that of the scene.
+std::vector<render::Ray> shadow_rays(const TracerUnderTest& tracer, const std::vector<render::Ray>& eyes, double scale,
+                                     RandomSource& random) {
   const std::vector<render::Hit> hits = tracer.hits(eyes);
-  RandomSource random(33);
   std::vector<render::Ray> shadows;
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     if (hits[i].is_miss()) continue;
     const render::SurfacePoint point = tracer.surface(eyes[i], hits[i]);
-    const scene::Vec3 light = random.direction() * 5;
+    const scene::Vec3 light = random.direction() * (5 * scale);
     const double distance = (light - point.position).length();
-    shadows.push_back(
-        {point.position, (light - point.position) / distance, distance, hits[i].t, {hits[i].instance, hits[i].part}});
-    // Grazing: 1e-6 off the tangent plane, to either side.
+    const render::RayStart start{hits[i].instance, hits[i].part};
+    shadows.push_back({point.position, (light - point.position) / distance, distance, hits[i].t, start});
     const scene::Vec3 tangent = point.normal.cross(random.direction()).normalized();
     const double lift = random.below(2) == 0 ? 1e-6 : -1e-6;
-    shadows.push_back(
-        {point.position, (tangent + point.normal * lift).normalized(), 5, hits[i].t, {hits[i].instance, hits[i].part}});
+    shadows.push_back({point.position, (tangent + point.normal * lift).normalized(), 5 * scale, hits[i].t, start});
   }
+  return shadows;
+}
+
+TEST_P(Flake, ShadowRaysFromFoundSurfacesAgree) {
+  const scene::Database database = flake(GetParam().kernel);
+  const ReferenceScene scene(database);
+  const TracerUnderTest tracer(database);
+  RandomSource random(33);
+  const std::vector<render::Ray> shadows = shadow_rays(tracer, random_rays(32, 2000, 3, 0.9), 1, random);
   const Agreement agreement = compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison());
   std::cout << GetParam().name << ": " << agreement.text() << '\n';
   EXPECT_EQ(agreement.disagreements(), 0U) << agreement.text();
@@ -104,6 +109,8 @@ TEST(FlakeByThePaper, DiffersFromTheReference) {
 struct RandomBlobsCase {
   double scale;
   double hardest;
+  bool maxima = false;
+  bool half_space = false;
 };
 
 class RandomBlobs : public testing::TestWithParam<RandomBlobsCase> {};
@@ -114,8 +121,11 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
   std::size_t hits = 0, excused = 0, rays_in_all = 0;
   for (const int components : {1, 2, 3, 5, 9, 17, 30, 60, 120, 200}) {
     for (int repeat = 0; repeat < 3; ++repeat) {
-      const scene::Database database =
-          random_blob(random, {.components = components, .scale = scale, .hardest = GetParam().hardest});
+      const scene::Database database = random_blob(random, {.components = components,
+                                                            .scale = scale,
+                                                            .maxima = GetParam().maxima,
+                                                            .half_space = GetParam().half_space,
+                                                            .hardest = GetParam().hardest});
       const ReferenceScene scene(database);
       const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
       std::vector<render::Ray> rays;
@@ -138,12 +148,43 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
   EXPECT_LT(excused, 5U);
 }
 
+TEST_P(RandomBlobs, ShadowRaysFromFoundSurfacesAgree) {
+  const double scale = GetParam().scale;
+  RandomSource random(43);
+  std::size_t excused = 0, rays_in_all = 0;
+  for (const int components : {1, 4, 12, 40, 120}) {
+    const scene::Database database = random_blob(random, {.components = components,
+                                                          .scale = scale,
+                                                          .maxima = GetParam().maxima,
+                                                          .half_space = GetParam().half_space,
+                                                          .hardest = GetParam().hardest});
+    const ReferenceScene scene(database);
+    const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
+    std::vector<render::Ray> eyes;
+    for (int i = 0; i < 120; ++i) eyes.push_back(camera_ray(random_line(random, 3 * scale, 0.7 * scale)));
+    const std::vector<render::Ray> shadows = shadow_rays(tracer, eyes, scale, random);
+    const Agreement agreement = compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison());
+    EXPECT_EQ(agreement.disagreements(), 0U) << components << " components: " << agreement.text();
+    excused += agreement.lost_in_rounding + agreement.too_thin;
+    rays_in_all += shadows.size();
+  }
+  EXPECT_GT(rays_in_all, 200U);
+  EXPECT_LT(excused, rays_in_all / 50);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scales, RandomBlobs,
                          testing::Values(RandomBlobsCase{1e-3, 8}, RandomBlobsCase{0.02, 8}, RandomBlobsCase{1, 8},
                                          RandomBlobsCase{30, 8}, RandomBlobsCase{1e3, 8}));
 
 // Where a field's middle is e^40 and more, what is lost in rounding there must not be charged to the surface.
 INSTANTIATE_TEST_SUITE_P(HardKernels, RandomBlobs, testing::Values(RandomBlobsCase{1, 40}, RandomBlobsCase{1, 300}));
+
+INSTANTIATE_TEST_SUITE_P(Trees, RandomBlobs,
+                         testing::Values(RandomBlobsCase{1, 8, true}, RandomBlobsCase{0.02, 40, true}));
+INSTANTIATE_TEST_SUITE_P(HalfSpaces, RandomBlobs,
+                         testing::Values(RandomBlobsCase{1, 8, false, true}, RandomBlobsCase{30, 8, false, true}));
+INSTANTIATE_TEST_SUITE_P(TreesWithHalfSpaces, RandomBlobs,
+                         testing::Values(RandomBlobsCase{1, 8, true, true}, RandomBlobsCase{1e-3, 8, true, true}));
 
 TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {
   RandomSource random(51);

@@ -1,6 +1,7 @@
 #include "tests/reference/random_scenes.h"
 
 #include "tests/reference/reference_kernel.h"
+#include "tests/reference/small_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,21 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
     }
     blob.components.push_back(component);
     blob.origins.push_back({});
+  }
+  if (options.half_space) {
+    const scene::Vec3 normal = random.direction();
+    scene::Component plane =
+        half_space(normal * (-options.scale * random.between(0.2, 1)), normal, options.scale * random.between(0.02, 0.3));
+    plane.kernel = static_cast<scene::KernelId>(1 + random.below(static_cast<int>(database.kernels.size()) - 1));
+    plane.strength = random.between(0.5, 2);
+    blob.components.push_back(plane);
+    blob.origins.push_back({});
+  }
+  if (options.maxima) {
+    // 0: the blob's own sum; 1, 2, 3 and 4, 5 rival; inside 2 do 6 and 7.
+    blob.branches = {{0, 0}, {0, 1}, {0, 1}, {0, 1}, {0, 4}, {0, 4}, {2, 6}, {2, 6}};
+    for (std::size_t i = 0; i < blob.components.size(); ++i)
+      blob.branch_of.push_back(static_cast<std::uint32_t>(random.below(8)));
   }
   scene::Object& object = database.objects.emplace_back();
   object.kind = scene::Object::Kind::blob;

@@ -42,6 +42,8 @@ struct RandomBlobOptions {
   double scale = 1;        ///< everything lies within about this radius
   bool negatives = true;   ///< one in four carves
   bool transforms = true;  ///< one in three has its own
+  bool maxima = false;     ///< components lie in branches of two maxima, one of them with another inside
+  bool half_space = false;  ///< one more component, whose plane passes within the scale
   double hardest =
       8;  ///< hardness of the hardest kernels; of hardness h, gaussian and cauchy have some e^h in the middle
 };

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isl::reference {
@@ -64,18 +65,26 @@ ReferenceField::ReferenceField(const scene::Database& database, const scene::Blo
     components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component),
                              std::span(blob.corners.begin(), blob.corners.size()));
   }
+  branch_of_.assign(blob.branch_of.begin(), blob.branch_of.end());
+  branches_.assign(blob.branches.begin(), blob.branches.end());
+  if (branches_.empty()) branches_.push_back({0, 0});
+  branch_of_.resize(components_.size());
 }
 
 FieldSample ReferenceField::sample(const Vector<long double>& p) const {
-  FieldSample sum;
-  for (const ReferenceComponent& component : components_) {
-    const FieldSample part = component.sample(p);
+  std::vector<FieldSample> sums(branches_.size());
+  const auto add = [](FieldSample& sum, const FieldSample& part) {
     sum.value += part.value;
     sum.sum_of_values += part.sum_of_values;
     sum.gradient = sum.gradient + part.gradient;
-  }
-  sum.value -= threshold_;
-  return sum;
+  };
+  for (std::size_t i = 0; i < components_.size(); ++i) add(sums[branch_of_[i]], components_[i].sample(p));
+  fold_maxima(branches_, [&](std::uint32_t parent, std::span<const std::uint32_t> rivals) {
+    const auto less = [&](std::uint32_t a, std::uint32_t b) { return sums[a].value < sums[b].value; };
+    add(sums[parent], sums[*std::ranges::max_element(rivals, less)]);
+  });
+  sums[0].value -= threshold_;
+  return sums[0];
 }
 
 }  // namespace isl::reference

@@ -1,5 +1,5 @@
-// F(p) = Σ strength·φ(q) − threshold of a scene::Blob straight from its definition: every component, long double, no
-// structure in space. The judge of the product's fields, with which it shares only the records of the database.
+// F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob straight from its definition: every
+// component, long double, no structure in space. The judge of the product's fields, with which it shares only the records of the database.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -7,6 +7,7 @@
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/reference_skeleton.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,21 @@ class ReferenceComponent {
   bool has_transform_;
 };
 
+/// Calls fold(parent, rivals) for each maximum, those inside before those around them: the greatest of the rivals' sums,
+/// by then complete, belongs to the parent's.
+template <class Fold>
+void fold_maxima(const std::vector<scene::Branch>& branches, const Fold& fold) {
+  // A branch has a greater number than its parent, so the maximum that begins last has no other inside its branches.
+  for (std::uint32_t first = static_cast<std::uint32_t>(branches.size()); first-- > 1;) {
+    if (branches[first].maximum != first) continue;
+    std::vector<std::uint32_t> rivals;
+    for (std::uint32_t b = first; b < branches.size(); ++b) {
+      if (branches[b].maximum == first) rivals.push_back(b);
+    }
+    fold(branches[first].parent, std::span<const std::uint32_t>(rivals));
+  }
+}
+
 class ReferenceField {
  public:
   ReferenceField(const scene::Database& database, const scene::Blob& blob);
@@ -59,10 +75,16 @@ class ReferenceField {
   [[nodiscard]] long double value(const Vector<long double>& p) const { return sample(p).value; }
 
   [[nodiscard]] const std::vector<ReferenceComponent>& components() const { return components_; }
+  /// The blob's sum is branch 0. Only that one, where it has no maxima.
+  [[nodiscard]] const std::vector<scene::Branch>& branches() const { return branches_; }
+  /// By component.
+  [[nodiscard]] std::uint32_t branch_of(std::size_t component) const { return branch_of_[component]; }
   [[nodiscard]] long double threshold() const { return threshold_; }
 
  private:
   std::vector<ReferenceComponent> components_;
+  std::vector<std::uint32_t> branch_of_;
+  std::vector<scene::Branch> branches_;
   long double threshold_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace isl::reference {
 namespace {
@@ -10,8 +11,10 @@ Vector<long double> middle(const Vector<Interval>& v) { return {v.x.middle(), v.
 
 }  // namespace
 
-FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray) : threshold_(field.threshold()) {
-  for (const ReferenceComponent& component : field.components()) {
+FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray)
+    : branches_(&field.branches()), threshold_(field.threshold()) {
+  for (std::size_t i = 0; i < field.components().size(); ++i) {
+    const ReferenceComponent& component = field.components()[i];
     Line local{ray.origin, ray.direction};
     if (component.has_transform()) {
       local.origin = transformed_point(ray.origin, component.component_from_blob());
@@ -19,14 +22,18 @@ FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray) : thres
     }
     const std::optional<Support> support = support_on(component, local);
     if (!support) continue;
-    if (parts_.empty() || support->begin < begin_) begin_ = support->begin;
-    if (parts_.empty() || support->end > end_) end_ = support->end;
-    parts_.push_back({&component, local, *support});
+    const long double root_q = std::sqrt(component.kernel().support().hi);
+    const std::optional<ChangeOnLine> change = component.skeleton().change_on(local, root_q);
+    const long double begin = change ? change->begin : support->begin, end = change ? change->end : support->end;
+    if (parts_.empty() || begin < begin_) begin_ = begin;
+    if (parts_.empty() || end > end_) end_ = end;
+    parts_.push_back({&component, field.branch_of(i), local, *support});
   }
 }
 
 std::optional<FieldOnRay::Support> FieldOnRay::support_on(const ReferenceComponent& component, const Line& line) {
   const ReferenceSkeleton& skeleton = component.skeleton();
+  if (skeleton.change_on(line, 1)) return Support{-kUnbounded, kUnbounded};
   const long double reach = skeleton.reach(component.kernel().support().hi);
   const Vector<long double> w = middle(line.origin) - skeleton.bound_centre();
   const Vector<long double> d = middle(line.direction);
@@ -60,31 +67,52 @@ FieldRange FieldOnRay::Part::field_of(const DistanceOnLine& distance) const {
           component->strength() * component->kernel().slope(distance.q) * distance.slope};
 }
 
+/// Of the greatest of several sums, its value and, where any of them may be the greatest, its derivative.
+FieldRange FieldOnRay::total(std::vector<FieldRange>& sums) const {
+  fold_maxima(*branches_, [&](std::uint32_t parent, std::span<const std::uint32_t> rivals) {
+    Interval greatest = sums[rivals[0]].value;
+    for (const std::uint32_t b : rivals)
+      greatest = {std::max(greatest.lo, sums[b].value.lo), std::max(greatest.hi, sums[b].value.hi)};
+    std::optional<Interval> derivative;
+    for (const std::uint32_t b : rivals) {
+      if (sums[b].value.hi < greatest.lo) continue;
+      derivative = derivative ? hull(*derivative, sums[b].derivative) : sums[b].derivative;
+    }
+    sums[parent].value = sums[parent].value + greatest;
+    sums[parent].derivative = sums[parent].derivative + *derivative;
+  });
+  return {sums[0].value - threshold_, sums[0].derivative};
+}
+
 FieldRange FieldOnRay::at(const Active& active, long double t) const {
-  FieldRange sum{-threshold_, 0};
+  std::vector<FieldRange> sums(branches_->size());
   for (const std::uint32_t i : active) {
     const FieldRange part = parts_[i].field_of(parts_[i].distance_at(t));
+    FieldRange& sum = sums[parts_[i].branch];
     sum.value = sum.value + part.value;
     sum.derivative = sum.derivative + part.derivative;
   }
-  return sum;
+  return total(sums);
 }
 
 FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1) const {
-  FieldRange sum{-threshold_, 0};
-  Interval value0 = -threshold_, value1 = -threshold_;
+  std::vector<FieldRange> sums(branches_->size()), firsts(sums), lasts(sums);
   for (const std::uint32_t i : active) {
     const Part& part = parts_[i];
     const DistanceOnLine first = part.distance_at(t0), last = part.distance_at(t1);
     const FieldRange range = part.field_of(part.component->skeleton().over({part.line, t0, t1, first, last}));
+    FieldRange& sum = sums[part.branch];
     sum.value = sum.value + range.value;
     sum.derivative = sum.derivative + range.derivative;
-    value0 = value0 + part.field_of(first).value;
-    value1 = value1 + part.field_of(last).value;
+    firsts[part.branch].value = firsts[part.branch].value + part.field_of(first).value;
+    lasts[part.branch].value = lasts[part.branch].value + part.field_of(last).value;
   }
+  // A maximum has edges, but between any two of its values lie slopes of the sums that are the greatest there: the
+  // mean-value form holds for it too.
+  FieldRange sum = total(sums);
   const Interval step(0, (Interval(t1) - Interval(t0)).hi);
-  sum.value = common(sum.value, value0 + sum.derivative * step);
-  sum.value = common(sum.value, value1 - sum.derivative * step);
+  sum.value = common(sum.value, total(firsts).value + sum.derivative * step);
+  sum.value = common(sum.value, total(lasts).value - sum.derivative * step);
   return sum;
 }
 

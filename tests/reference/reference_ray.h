@@ -33,7 +33,7 @@ class FieldOnRay {
 
   FieldOnRay(const ReferenceField& field, const FieldRay& ray);
 
-  /// Outside [begin, end] no component has a value; begin > end if the ray meets no support.
+  /// Outside [begin, end] no component changes, and only half-spaces have a value; begin > end if the ray meets no support.
   [[nodiscard]] long double begin() const { return begin_; }
   [[nodiscard]] long double end() const { return end_; }
 
@@ -70,6 +70,7 @@ class FieldOnRay {
   /// One component with the ray in its own space. Outside `support` it has no value.
   struct Part {
     const ReferenceComponent* component;
+    std::uint32_t branch;
     Line line;
     Support support;
 
@@ -77,8 +78,10 @@ class FieldOnRay {
     [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
   };
 
+  [[nodiscard]] FieldRange total(std::vector<FieldRange>& sums) const;
   [[nodiscard]] static std::optional<Support> support_on(const ReferenceComponent& component, const Line& line);
 
+  const std::vector<scene::Branch>* branches_;
   std::vector<Part> parts_;
   Interval threshold_;
   long double begin_ = 0, end_ = -1;

@@ -27,6 +27,11 @@ class ReferenceSkeleton {
   /// q and dq/dt over a stretch of a line.
   [[nodiscard]] DistanceOnLine over(const Stretch& stretch) const { return form_->over(stretch); }
 
+  /// Of a skeleton without end: where on a line q passes between 0 and root_q².
+  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const {
+    return form_->change_on(line, root_q);
+  }
+
   /// A sphere about bound_centre() with radius reach(q) holds every point whose q is at most the given one.
   [[nodiscard]] const Vector<long double>& bound_centre() const { return extent_.centre; }
   [[nodiscard]] long double reach(long double q) const;

@@ -129,13 +129,17 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   RootSearch search(field, options.first_only);
   const FieldOnRay::Active all = field.all();
   const long double begin = std::max(field.begin(), 0.0L), end = std::min(field.end(), options.t_max);
-  if (all.empty() || begin >= end) return search.finish();
+  if (all.empty()) return search.finish();
+  if (begin >= end) {  // nothing changes in front of the ray's start
+    if (const int sign = field.at(all, 0).value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
+    return search.finish();
+  }
   long double from = begin;
   if (options.starts_on_root) {
     field.raise_threshold(field.at(all, 0).value.middle());
     from = leave_start(field, search, end);
   } else if (begin > 0) {
-    search.constant(-1);
+    if (const int sign = field.at(all, 0).value.sign(); sign != 0) search.constant(sign);
   }
   search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
   return search.finish();

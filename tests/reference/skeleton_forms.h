@@ -7,6 +7,7 @@
 #include "tests/reference/interval.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace isl::reference {
@@ -55,6 +56,11 @@ struct Stretch {
   [[nodiscard]] Interval steps() const { return {0, (Interval(t1) - Interval(t0)).hi}; }
 };
 
+/// Where on a line a field without end changes; before and behind it is constant. Empty where begin = end.
+struct ChangeOnLine {
+  long double begin, end;
+};
+
 class SkeletonForm {
  public:
   virtual ~SkeletonForm() = default;
@@ -63,6 +69,8 @@ class SkeletonForm {
   [[nodiscard]] virtual RelativeDistance at(const Vector<Interval>& p) const = 0;
   /// All over a stretch. The forms whose skeleton is a convex set of one radius, where q is convex, need not say.
   [[nodiscard]] virtual DistanceOnLine over(const Stretch& stretch) const;
+  /// Of a skeleton without end: where q passes between 0 and root_q². Nothing for all others.
+  [[nodiscard]] virtual std::optional<ChangeOnLine> change_on(const Line&, long double) const { return std::nullopt; }
 };
 
 using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
@@ -72,6 +80,8 @@ using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 [[nodiscard]] SkeletonFormHandle box_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle triangle_form(const scene::Component& component, const scene::Vec3& third_corner);
 [[nodiscard]] SkeletonFormHandle circle_form(const scene::Component& component);
+/// Half-space.
+[[nodiscard]] SkeletonFormHandle plane_form(const scene::Component& component);
 
 /// A lower bound of a convex function on [t0, t1], from enclosures of its values and slopes at the ends: where the
 /// tangents meet, or the end that is lowest.

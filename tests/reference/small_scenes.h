@@ -74,6 +74,14 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
+/// The half-space behind the plane through `at`; `normal` has unit length.
+[[nodiscard]] inline scene::Component half_space(const scene::Vec3& at, const scene::Vec3& normal, double radius,
+                                                 double strength = 1) {
+  scene::Component component = segment(at, normal, radius, strength);
+  component.skeleton = scene::Skeleton::plane;
+  return component;
+}
+
 /// One blob in the world, untransformed, all components with the same kernel.
 [[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel,
                                               const std::vector<scene::Component>& components, double threshold = 1) {
@@ -89,14 +97,16 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return database;
 }
 
-/// The blob's parts with `change` made to every place; a circle's axis is none.
+/// The blob's parts with `change` made to every place; a circle's axis and a plane's normal are none.
 template <class Change>
 [[nodiscard]] scene::Database with_places(scene::Database database, const Change& change) {
   scene::Blob& blob = database.blobs.front();
   for (scene::Vec3& corner : blob.corners) change(corner);
   for (scene::Component& component : blob.components) {
     change(component.a);
-    if (component.skeleton != scene::Skeleton::circle) change(component.b);
+    const bool is_direction =
+        component.skeleton == scene::Skeleton::circle || component.skeleton == scene::Skeleton::plane;
+    if (!is_direction) change(component.b);
   }
   return database;
 }

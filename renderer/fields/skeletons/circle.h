@@ -8,6 +8,9 @@
 namespace isl::render {
 
 struct Circle {
+  Circle(const scene::Blob&, const scene::Component& c)
+      : centre(c.a), axis(c.b), ring_radius(c.radius_b), radius(c.radius_a) {}
+
   Vec3 centre;
   Vec3 axis;  ///< unit
   double ring_radius, radius;

@@ -1,4 +1,4 @@
-// Eight round cones (skeletons/limb.h) along a ray. With w = r₀ + kx, N = ρ² and M = w² + k²N, all polynomials of t:
+// Eight round cones (skeletons/cone.h) along a ray. With w = r₀ + kx, N = ρ² and M = w² + k²N, all polynomials of t:
 //
 //   u* = x + kN/w in [0, L]:  q = N/M, so that  q′ = (N′ − qM′)/M,  q″ = (N″ − 2q′M′ − qM″)/M,
 //                             q‴ = −3(q″M′ + q′M″)/M,  q⁗ = −(4q‴M′ + 6q″M″)/M        (differentiate qM = N)

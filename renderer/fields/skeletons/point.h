@@ -1,4 +1,5 @@
-// The point: q = |p − c|²/r². Its lanes along a ray are set up from the table's columns (lane_setup-inl.h).
+// The point: q = |p − c|²/r². Most components are points, so they lie in columns of the table, eight of which
+// lane_setup-inl.h reads at once.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -6,6 +7,9 @@
 namespace isl::render {
 
 struct Point {
+  Point(const Vec3& centre_, double inverse_radius2_) : centre(centre_), inverse_radius2(inverse_radius2_) {}
+  Point(const scene::Blob&, const scene::Component& c) : Point(c.a, 1 / (c.radius_a * c.radius_a)) {}
+
   Vec3 centre;
   double inverse_radius2;
 
@@ -27,6 +31,12 @@ struct Point {
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const Reach centre_only{n.dot(centre), thickest()};
     return {centre_only, centre_only};
+  }
+
+  template <class Emit>
+  void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    emit(sphere_piece(centre, inverse_radius2, origin, direction, -kInfinity, kInfinity));
   }
 };
 

@@ -1,6 +1,7 @@
 // What every skeleton says of itself. A skeleton is a set of spheres (points or discs of one radius, or of a radius
 // that changes along it); the field's argument q at a point is the least squared distance to a centre over that
-// sphere's squared radius. It is a class, in its component's own space, with
+// sphere's squared radius. It is a class, in its component's own space, made of a record (and its blob, for what does
+// not fit into one), with
 //
 //   Foot nearest(p)                        the sphere that is nearest in that measure
 //   QRange q_over(box)                     an enclosure of q
@@ -8,10 +9,10 @@
 //   double thickest()                      the largest radius
 //   void along(origin, direction, emit)    q along a ray, in quadratic pieces, unless it has lanes of its own
 //
-// and a row in renderer/fields/skeletons/skeletons.def.
+// and a row in renderer/scene/skeletons.def.
 #pragma once
 
-#include "renderer/scene/transform.h"
+#include "renderer/scene/fields.h"
 
 #include <ImathBox.h>
 
@@ -56,6 +57,15 @@ struct QuadraticPiece {
   return {inverse_radius2 * (oc - direction * middle).length2(), inverse_radius2 * dd, middle, begin, end};
 }
 
+/// q of what a ray nears with the part `by` of its direction, from an offset `from` at t = 0: |from + by·t|² over the
+/// squared radius.
+[[nodiscard]] inline QuadraticPiece distance_piece(const Vec3& from, const Vec3& by, double inverse_radius2, double begin,
+                                                   double end) {
+  const double dd = by.length2();
+  const double middle = dd > 0 ? -from.dot(by) / dd : 0;
+  return {inverse_radius2 * (from + by * middle).length2(), inverse_radius2 * dd, middle, begin, end};
+}
+
 /// The t at which a ray's pieces meet, in order; each piece is then known by any t within.
 template <std::size_t N>
 class Breaks {
@@ -83,6 +93,29 @@ class Breaks {
  private:
   std::array<double, N> t_{};
   std::size_t count_ = 0;
+};
+
+/// Where a box lies along and about an axis (unit) through a point: x in [x_low, x_high], ρ in [rho_low, rho_high].
+struct AxialRange {
+  AxialRange(const Box& box, const Vec3& at, const Vec3& axis) {
+    const Vec3 half = box.size() * 0.5, centre = box.center() - at;
+    const double x = centre.dot(axis), rho = (centre - axis * x).length();
+    const double half_x = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+    // A corner is as far from the axis as its diagonal is long, less what of it lies along the axis.
+    double least_axial2 = half_x * half_x;
+    for (const Vec3& diagonal :
+         {Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z), Vec3(half.x, half.y, -half.z)}) {
+      const double axial = diagonal.dot(axis);
+      least_axial2 = std::min(least_axial2, axial * axial);
+    }
+    const double half_rho = std::sqrt(std::max(half.length2() - least_axial2, 0.0));
+    x_low = x - half_x;
+    x_high = x + half_x;
+    rho_low = std::max(rho - half_rho, 0.0);
+    rho_high = rho + half_rho;
+  }
+
+  double x_low, x_high, rho_low, rho_high;
 };
 
 /// From the value of q at a box's centre: its root over one radius changes by no more than the distance over that

@@ -45,9 +45,9 @@ TEST(ComponentTable, OrderOfTheSceneDoesNotMatter) {
   EXPECT_EQ(forward.amplitude, backward.amplitude);
 }
 
-TEST(ComponentTable, GroupsHoldOneFormAndOneKernelEach) {
+TEST(ComponentTable, GroupsHoldOneSkeletonAndOneKernelEach) {
   const ComponentTable table = compile_components(database(), mixed_blob());
-  ASSERT_EQ(table.groups.size(), 4U);  // points and limbs, of two kernels
+  ASSERT_EQ(table.groups.size(), 6U);  // points, segments and cones, of two kernels
   EXPECT_EQ(table.groups.front().begin, 0U);
   EXPECT_EQ(table.groups.back().end, table.size());
   for (std::size_t i = 1; i < table.groups.size(); ++i) EXPECT_EQ(table.groups[i].begin, table.groups[i - 1].end);
@@ -79,8 +79,8 @@ TEST(ComponentTable, BakesInSimilaritiesAndKeepsOtherMapsApart) {
   blob.origins.resize(2);
   const ComponentTable table = compile_components(db, blob);
   ASSERT_EQ(table.groups.size(), 2U);
-  EXPECT_EQ(table.groups[0].form, FieldForm::point);
-  EXPECT_EQ(table.groups[1].form, FieldForm::point);
+  EXPECT_EQ(table.groups[0].skeleton, scene::Skeleton::point);
+  EXPECT_EQ(table.groups[1].skeleton, scene::Skeleton::point);
   EXPECT_TRUE(table.groups[1].is_mapped);
   EXPECT_NEAR(Vec3(table.x[0], table.y[0], table.z[0]).length(), 2, 1e-14);
   EXPECT_NEAR(support_radius(table, table.groups[0], 0), std::sqrt(table.groups[0].kernel.support_q()), 1e-14);
@@ -97,7 +97,7 @@ TEST(ComponentTable, TrianglesStandInOneOrderHoweverTheyAreNamed) {
           {.b = {1, 0, 0}, .radius_a = 0.1, .skeleton = scene::Skeleton::triangle, .corner = corner});
       blob.origins.push_back({});
     }
-    return compile_components(db, blob).rows<FlatTriangle>().at(0).corner[2];
+    return std::get<std::vector<FlatTriangle>>(compile_components(db, blob).shapes).at(0).corner[2];
   };
   EXPECT_EQ(first_row({0, 1, 0}, {0, 0, 1}), first_row({0, 0, 1}, {0, 1, 0}));
 }

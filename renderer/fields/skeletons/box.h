@@ -10,6 +10,8 @@
 namespace isl::render {
 
 struct SolidBox {
+  SolidBox(const scene::Blob&, const scene::Component& c) : low(c.a), high(c.b), radius(c.radius_a) {}
+
   Vec3 low, high;
   double radius;
 
@@ -54,10 +56,7 @@ struct SolidBox {
         from_box[i] = origin[i] - (x < low[i] ? low[i] : high[i]);
         by[i] = direction[i];
       }
-      const double dd = by.length2();
-      const double middle = dd > 0 ? -from_box.dot(by) / dd : 0;
-      emit(QuadraticPiece{inverse_radius2 * (from_box + by * middle).length2(), inverse_radius2 * dd, middle, begin,
-                          end});
+      emit(distance_piece(from_box, by, inverse_radius2, begin, end));
     });
   }
 };

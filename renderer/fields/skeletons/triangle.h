@@ -10,8 +10,10 @@
 namespace isl::render {
 
 struct FlatTriangle {
-  FlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double radius_)
-      : corner{a, b, c}, radius(radius_), normal((b - a).cross(c - a).normalized()) {
+  FlatTriangle(const scene::Blob& blob, const scene::Component& c)
+      : corner{c.a, c.b, blob.corners[c.corner]},
+        radius(c.radius_a),
+        normal((corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized()) {
     for (int i = 0; i < 3; ++i) {
       const Vec3 edge = corner[(i + 1) % 3] - corner[i];
       length[i] = edge.length();
@@ -80,9 +82,7 @@ struct FlatTriangle {
         from = from_corner - edge * from_corner.dot(edge);
         by = direction - edge * direction.dot(edge);
       }
-      const double dd = by.length2();
-      const double middle = dd > 0 ? -from.dot(by) / dd : 0;
-      emit(QuadraticPiece{inverse_radius2 * (from + by * middle).length2(), inverse_radius2 * dd, middle, begin, end});
+      emit(distance_piece(from, by, inverse_radius2, begin, end));
     });
   }
 

@@ -1,0 +1,57 @@
+// The segment: q = (squared distance to the stretch from one point to another)/r², r the same all along. Along a ray a
+// quadratic between the planes at the ends, and that of the nearer end's sphere beyond them.
+#pragma once
+
+#include "renderer/fields/skeletons/skeleton.h"
+
+namespace isl::render {
+
+struct Segment {
+  Segment(const scene::Blob&, const scene::Component& c) : a(c.a), length((c.b - c.a).length()), radius(c.radius_a) {
+    axis = (c.b - c.a) / length;
+  }
+
+  Vec3 a;
+  Vec3 axis;      ///< unit
+  double length;  ///< > 0
+  double radius;
+
+  [[nodiscard]] Foot nearest(const Vec3& p) const {
+    const Vec3 from_a = p - a;
+    return {from_a - axis * std::clamp(from_a.dot(axis), 0.0, length), 1 / (radius * radius)};
+  }
+
+  /// Through the rectangle in (x, ρ), along the axis and from it, that holds the box.
+  [[nodiscard]] QRange q_over(const Box& box) const {
+    const AxialRange range(box, a, axis);
+    const double beyond_low = std::max({range.x_low - length, -range.x_high, 0.0});
+    const double beyond_high = std::max({range.x_high - length, -range.x_low, 0.0});
+    const double inverse_radius2 = 1 / (radius * radius);
+    return {inverse_radius2 * (beyond_low * beyond_low + range.rho_low * range.rho_low),
+            inverse_radius2 * (beyond_high * beyond_high + range.rho_high * range.rho_high)};
+  }
+
+  [[nodiscard]] double thickest() const { return radius; }
+  [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
+    const double at_a = n.dot(a);
+    return {Reach{at_a, radius}, Reach{at_a + n.dot(axis) * length, radius}};
+  }
+
+  template <class Emit>
+  void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
+    const Vec3 from_a = origin - a;
+    const double x = from_a.dot(axis), dx = direction.dot(axis);
+    const double inverse_radius2 = 1 / (radius * radius);
+    Breaks<2> breaks;
+    breaks.add(x, dx, 0);
+    breaks.add(x, dx, length);
+    breaks.for_each([&](double begin, double end, double inside) {
+      const double place = x + inside * dx;
+      if (place < 0) return emit(sphere_piece(a, inverse_radius2, origin, direction, begin, end));
+      if (place > length) return emit(sphere_piece(a + axis * length, inverse_radius2, origin, direction, begin, end));
+      emit(distance_piece(from_a - axis * x, direction - axis * dx, inverse_radius2, begin, end));
+    });
+  }
+};
+
+}  // namespace isl::render
