@@ -52,8 +52,7 @@ class Context {
   MemoryAccount memory;
   Scopes scopes;
   std::vector<Frame> frames;
-  std::vector<Slot*> argument_slots;   ///< of macro calls whose arguments are being evaluated
-  std::vector<Value> argument_values;  ///< of built-in functions whose arguments are being evaluated
+  std::vector<Slot*> argument_slots;  ///< of macro calls whose arguments are being evaluated
   RandomStreams random;
   OpenFiles files;
   scene::Database database;

@@ -39,32 +39,25 @@ Value read_to_end(ElementStream& stream, bool& terminated) {
   return value;
 }
 
-/// The value of a declaration, as evaluate_scalar gives it; `terminated` where a macro's or branch's own semicolon
-/// ended it.
-bool declared_value(Context& context, const grammar::Declare& node, double& number, std::optional<Value>& other,
-                    bool& terminated) {
+/// The value of a declaration; `terminated` where a macro's or branch's own semicolon ended it.
+void evaluate_declared(Context& context, const grammar::Declare& node, Value& value, bool& terminated) {
   const Node* const only = node.value.size() == 1 ? node.value[0] : nullptr;
-  if (only && only->kind < NodeKind::word && only->kind != NodeKind::call)
-    return evaluate_scalar(context, *only, number, other);
-  if (only && only->kind == NodeKind::function) {
-    other = evaluate(context, *only);
-  } else if (only && only->kind == NodeKind::call) {
+  if (only && (only->kind < NodeKind::word || only->kind == NodeKind::function) && only->kind != NodeKind::call)
+    return evaluate_into(context, *only, value);
+  if (only && only->kind == NodeKind::call) {
     const auto& call = as<grammar::Call>(*only);
     const Value& callee = called(context, call);
     if (is_callable(callee)) {
-      other = call_function(context, call, callee);
+      value = call_function(context, call, callee);
     } else {
       // A lone macro call is followed without a frame for the list that holds it.
       ElementStream stream(context, call, callee.as<MacroValue>());
-      other = read_to_end(stream, terminated);
+      value = read_to_end(stream, terminated);
     }
   } else {
     ElementStream stream(context, node.value, node.span);
-    other = read_to_end(stream, terminated);
+    value = read_to_end(stream, terminated);
   }
-  if (!other->is_number()) return false;
-  number = other->number();
-  return true;
 }
 
 Slot& declared_slot(Context& context, const grammar::Declare& node) {
@@ -77,26 +70,23 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 [[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
   try {
     bool terminated = false;
-    double number = 0;
-    std::optional<Value> other;
-    const bool is_number = declared_value(context, node, number, other, terminated);
+    Value value;
+    evaluate_declared(context, node, value, terminated);
     if (!terminated) terminated = skip_semicolon(context);
-    if (!terminated && (is_number || other->is_numeric()) && context.language_version >= 3.5) [[unlikely]] {
-      context.error({node.span.end, node.span.end}, fmt::format("a `;` is missing after the declaration of {}",
-                                                                describe(is_number ? Value(number) : *other)));
+    if (!terminated && value.is_numeric() && context.language_version >= 3.5) [[unlikely]] {
+      context.error({node.span.end, node.span.end},
+                    fmt::format("a `;` is missing after the declaration of {}", describe(value)));
     }
     Slot& slot = declared_slot(context, node);
     if (slot.value.kind() == ValueKind::function) {
       context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
     }
-    if (is_number) {
-      slot.value.set_number(number);
-    } else if (other->kind() == ValueKind::array) {
-      if (node.target->kind == NodeKind::index) check_array_nesting(context, *other, node.span);
+    if (value.kind() == ValueKind::array) [[unlikely]] {
+      if (node.target->kind == NodeKind::index) check_array_nesting(context, value, node.span);
       // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
-      slot.value = Value(ValueKind::array, other->as<ArrayValue>().copy());
+      slot.value = Value(ValueKind::array, value.as<ArrayValue>().copy());
     } else {
-      slot.value = *std::move(other);
+      slot.value = std::move(value);
     }
   } catch (const Failed&) {
     // The name becomes known all the same, so that each use of it is not one more error.

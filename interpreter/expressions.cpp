@@ -24,12 +24,14 @@ namespace word = grammar::word;
 
 // Each kind of composite expression has its own function, kept out of line: the recursion's stack frames stay small.
 
-[[nodiscard]] [[gnu::noinline]] Value evaluate_name(Context& context, const grammar::Name& node) {
-  Slot* const slot = context.scopes.find(node.name);
-  if (!slot) {
-    context.fail(node.span, fmt::format("undeclared identifier `{}`", context.text(node.name)),
-                 context.suggest_declared(node.name));
-  }
+[[noreturn]] [[gnu::noinline]] void fail_undeclared(Context& context, SourceSpan span, Symbol name) {
+  context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
+}
+
+/// The value of a name that stands for no number or vector.
+[[gnu::noinline]] void evaluate_other_name(Context& context, const grammar::Name& node, const Slot* slot,
+                                           Value& result) {
+  if (!slot) fail_undeclared(context, node.span, node.name);
   if (slot->value.kind() <= ValueKind::poison) [[unlikely]] {
     if (slot->value.kind() == ValueKind::none)
       context.fail(node.span,
@@ -41,7 +43,14 @@ namespace word = grammar::word;
     context.fail(node.span, fmt::format("macro `{}` is called with parentheses, even where it takes no arguments",
                                         context.text(node.name)));
   }
-  return slot->value;
+  result = slot->value;
+}
+
+void evaluate_name(Context& context, const grammar::Name& node, Value& result) {
+  const Slot* const slot = context.scopes.find(node.name);
+  if (!slot || !slot->value.is_numeric()) [[unlikely]]
+    return evaluate_other_name(context, node, slot, result);
+  result = slot->value;
 }
 
 [[nodiscard]] [[gnu::noinline]] Value evaluate_constant(Context& context, const grammar::Constant& node) {
@@ -83,7 +92,7 @@ void evaluate_coordinate(Context& context, const Node& node, Append append) {
   }
 }
 
-[[nodiscard]] [[gnu::noinline]] Value evaluate_vector(Context& context, const grammar::Vector& node) {
+[[gnu::noinline]] void evaluate_vector(Context& context, const grammar::Vector& node, Value& result) {
   const NestingGuard guard(context, node.span);
   Value::Terms terms{};
   int count = 0;
@@ -94,32 +103,22 @@ void evaluate_coordinate(Context& context, const Node& node, Append append) {
     });
   }
   if (count < 2) context.fail(node.span, fmt::format("a vector needs at least 2 coordinates, found {}", count));
-  return {count, terms};
+  result = Value(count, terms);
 }
 
-[[nodiscard]] Value value_of_element(Context& context, const Node& node) {
+[[gnu::noinline]] void evaluate_element(Context& context, const Node& node, Value& result) {
   const Slot& slot = find_slot(context, node);
   if (slot.value.kind() == ValueKind::none) context.fail(node.span, "this array element is not set");
   if (slot.value.kind() == ValueKind::poison) throw Failed{};
-  return slot.value;
+  result = slot.value;
 }
 
-}  // namespace
-
-Value evaluate(Context& context, const Node& node) {
+/// What is seldom evaluated, or takes long.
+[[nodiscard]] [[gnu::noinline]] Value evaluate_rare(Context& context, const Node& node) {
   switch (node.kind) {
-    case NodeKind::number: return Value(as<grammar::Number>(node).value);
     case NodeKind::string: return make_string(context, std::string(as<grammar::String>(node).text), node.span);
     case NodeKind::constant: return evaluate_constant(context, as<grammar::Constant>(node));
-    case NodeKind::name: return evaluate_name(context, as<grammar::Name>(node));
-    case NodeKind::index: return value_of_element(context, node);
     case NodeKind::call: return evaluate_call(context, as<grammar::Call>(node));
-    case NodeKind::function_call: return call_builtin(context, as<grammar::FunctionCall>(node));
-    case NodeKind::dot: return evaluate_dot(context, as<grammar::Dot>(node));
-    case NodeKind::vector: return evaluate_vector(context, as<grammar::Vector>(node));
-    case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node));
-    case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node));
-    case NodeKind::conditional: return evaluate_conditional(context, as<grammar::Conditional>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
     case NodeKind::function: return make_function(context, as<grammar::Function>(node));
     case NodeKind::error: context.report_unparsed(as<grammar::Error>(node)); throw Failed{};
@@ -127,6 +126,27 @@ Value evaluate(Context& context, const Node& node) {
       const Node* const items[] = {&node};
       return evaluate_items(context, Items(items), node.span);
     }
+  }
+}
+
+[[gnu::noinline]] void evaluate_rare_into(Context& context, const Node& node, Value& result) {
+  result = evaluate_rare(context, node);
+}
+
+}  // namespace
+
+void evaluate_into(Context& context, const Node& node, Value& result) {
+  switch (node.kind) {
+    case NodeKind::number: return result.set_number(as<grammar::Number>(node).value);
+    case NodeKind::name: return evaluate_name(context, as<grammar::Name>(node), result);
+    case NodeKind::index: return evaluate_element(context, node, result);
+    case NodeKind::function_call: return call_builtin(context, as<grammar::FunctionCall>(node), result);
+    case NodeKind::dot: return evaluate_dot(context, as<grammar::Dot>(node), result);
+    case NodeKind::vector: return evaluate_vector(context, as<grammar::Vector>(node), result);
+    case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node), result);
+    case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node), result);
+    case NodeKind::conditional: return evaluate_conditional(context, as<grammar::Conditional>(node), result);
+    default: return evaluate_rare_into(context, node, result);
   }
 }
 
@@ -139,13 +159,12 @@ std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector
 }
 
 double evaluate_number(Context& context, const Node& node) {
-  double number = 0;
-  if (is_at_hand(context, node, number)) return number;
-  std::optional<Value> other;
-  if (!evaluate_scalar(context, node, number, other)) {
-    context.fail(node.span, fmt::format("expected a number, found {}", describe(*other)));
-  }
-  return number;
+  if (const double* const number = number_at_hand(context, node)) return *number;
+  Value value;
+  evaluate_into(context, node, value);
+  if (!value.is_number()) [[unlikely]]
+    context.fail(node.span, fmt::format("expected a number, found {}", describe(value)));
+  return value.number();
 }
 
 bool evaluate_condition(Context& context, const Node& node) {
@@ -177,8 +196,7 @@ Slot& find_slot(Context& context, const Node& target) {
   if (target.kind != NodeKind::name) throw Failed{};
   const Symbol name = as<grammar::Name>(target).name;
   if (Slot* slot = context.scopes.find(name)) return *slot;
-  context.fail(target.span, fmt::format("undeclared identifier `{}`", context.text(name)),
-               context.suggest_declared(name));
+  fail_undeclared(context, target.span, name);
 }
 
 // ---- Macro calls and directives as values ---------------------------------------------------------------------------

@@ -10,8 +10,14 @@
 
 namespace isl::interpreter {
 
-/// Fails where the expression has no value.
-[[nodiscard]] Value evaluate(Context& context, const grammar::Node& node);
+/// The expression's value. Fails where it has none. `result` is nobody's variable: it may be written to before the
+/// evaluation is over.
+void evaluate_into(Context& context, const grammar::Node& node, Value& result);
+[[nodiscard]] inline Value evaluate(Context& context, const grammar::Node& node) {
+  Value result;
+  evaluate_into(context, node, result);
+  return result;
+}
 /// The same where only a number will do; vectors are an error.
 [[nodiscard]] double evaluate_number(Context& context, const grammar::Node& node);
 /// A number's truth: not zero within kTolerance.

@@ -2,7 +2,6 @@
 
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
-#include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 
 #include <fmt/format.h>
@@ -30,8 +29,10 @@ ArgumentSlots::ArgumentSlots(Context& context, const grammar::Call& call, const 
 
 void ArgumentSlots::bind_to(std::span<const grammar::Symbol> parameters) {
   auto& slots = context_.argument_slots;
-  for (std::size_t i = 0; i < parameters.size(); ++i) context_.scopes.bind(parameters[i], slots[begin_ + i]);
-  slots.resize(begin_);
+  const auto begin = slots.begin() + static_cast<std::ptrdiff_t>(begin_);
+  auto slot = begin;
+  for (const grammar::Symbol parameter : parameters) context_.scopes.bind(parameter, *slot++);
+  slots.erase(begin, slots.end());
 }
 
 void ArgumentSlots::release() {
@@ -39,42 +40,32 @@ void ArgumentSlots::release() {
   for (; slots.size() > begin_; slots.pop_back()) context_.scopes.slots().release(slots.back());
 }
 
-void ArgumentSlots::push(Value value) {
+Value& ArgumentSlots::push() {
   Slot* const slot = context_.scopes.slots().make();
-  slot->value = std::move(value);
   context_.argument_slots.push_back(slot);
+  return slot->value;
 }
 
-void ArgumentSlots::push_value_of(const Node& node) {
-  double number = 0;
-  std::optional<Value> other;
-  const bool is_number = evaluate_scalar(context_, node, number, other);
-  Slot* const slot = context_.scopes.slots().make();
-  if (is_number) {
-    slot->value.set_number(number);
-  } else {
-    slot->value = *std::move(other);
-  }
-  context_.argument_slots.push_back(slot);
-}
-
-/// A lone identifier goes by reference; a name that stands for a macro does not.
-bool ArgumentSlots::push_reference(const Node& node) {
-  if (node.kind != NodeKind::name && node.kind != NodeKind::index) return false;
-  Slot& slot = find_slot(context_, node);
+/// A lone identifier goes by reference.
+void ArgumentSlots::push_reference(Slot& slot) {
   if (slot.value.kind() == ValueKind::poison) throw Failed{};
   context_.scopes.slots().retain(&slot);
   context_.argument_slots.push_back(&slot);
-  return true;
 }
 
 void ArgumentSlots::read(const grammar::Argument& argument) {
   const bool is_single =
       argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
-  if (is_single) {
-    if (!push_reference(*argument[0])) push_value_of(*argument[0]);
-    return;
+  if (!is_single) return read_stream(argument);
+  const Node& node = *argument[0];
+  if (node.kind == NodeKind::name || node.kind == NodeKind::index) {
+    push_reference(find_slot(context_, node));
+  } else {
+    evaluate_into(context_, node, push());
   }
+}
+
+void ArgumentSlots::read_stream(const grammar::Argument& argument) {
   // Several actuals without commas between them, a colour of several words, a block, or whatever a macro yields.
   ElementStream stream(context_, argument, argument.empty() ? SourceSpan{} : argument.front()->span);
   while (!stream.peek().is(ElementKind::end)) {
@@ -82,15 +73,15 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
     if (next.is(ElementKind::value) && next.word != grammar::kNoSymbol) {
       // Bound before the stream goes on: what follows may end the scope that the name is of.
       stream.drop();
-      push_reference(*next.node);
+      push_reference(find_slot(context_, *next.node));
       if (stream.peek().is(ElementKind::word)) {
         Value first = context_.argument_slots.back()->value;
         context_.scopes.slots().release(context_.argument_slots.back());
         context_.argument_slots.pop_back();
-        push(read_rvalue_after(stream, std::move(first)));
+        push() = read_rvalue_after(stream, std::move(first));
       }
     } else {
-      push(read_rvalue(stream));
+      push() = read_rvalue(stream);
     }
     stream.accept_comma();
   }

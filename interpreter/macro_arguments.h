@@ -21,9 +21,10 @@ class ArgumentSlots {
 
  private:
   void read(const grammar::Argument& argument);
-  void push(Value value);
-  void push_value_of(const grammar::Node& node);
-  bool push_reference(const grammar::Node& node);
+  void read_stream(const grammar::Argument& argument);
+  /// A new slot's value, to be set.
+  [[nodiscard]] Value& push();
+  void push_reference(Slot& slot);
   void release();
 
   Context& context_;

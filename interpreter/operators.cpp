@@ -62,25 +62,18 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return slot && slot->value.is_numeric() ? &slot->value : nullptr;
 }
 
-// ---- Two operands ---------------------------------------------------------------------------------------------------
-
-/// One side of an operator while the other is looked at. What a variable holds is read where it stands.
-struct Side {
-  double number = 0;
-  std::optional<Value> kept;
-  const Value* value = nullptr;  ///< null for a number
-
-  [[nodiscard]] Operand operand() const {
-    return value ? Operand{value->terms().data(), value->term_count()} : Operand{&number, 1};
+/// The general case: an item of anything, and mistakes.
+[[gnu::noinline]] void evaluate_item(Context& context, const grammar::Dot& node, Value& result) {
+  const NestingGuard guard(context, node.span);
+  const Value* base = variable(context, *node.base);
+  if (!base) {
+    evaluate_into(context, *node.base, result);
+    base = &result;
   }
-  [[nodiscard]] Value as_value() const { return value ? *value : Value(number); }
-};
-
-void evaluate_side(Context& context, const Node& node, Side& side) {
-  if (is_at_hand(context, node, side.number)) return;
-  side.value = variable(context, node);
-  if (!side.value && !evaluate_scalar(context, node, side.number, side.kept)) side.value = &*side.kept;
+  result.set_number(item_of(context, node, *base));
 }
+
+// ---- Two operands ---------------------------------------------------------------------------------------------------
 
 /// Evaluating such a node runs nothing that could change a variable.
 [[nodiscard]] bool is_still(const Node& node) {
@@ -122,50 +115,39 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
   }
 }
 
-[[nodiscard]] [[gnu::noinline]] Value of_values(Context& context, const grammar::Binary& node, const Side& left,
-                                                const Side& right) {
-  const bool is_numeric = (!left.value || left.value->is_numeric()) && (!right.value || right.value->is_numeric());
-  if (!is_numeric) [[unlikely]]
-    return compare_strings(context, node, left.as_value(), right.as_value());
+[[nodiscard]] [[gnu::noinline]] Value of_values(Context& context, const grammar::Binary& node, const Value& left,
+                                                const Value& right) {
+  if (!left.is_numeric() || !right.is_numeric()) [[unlikely]]
+    return compare_strings(context, node, left, right);
   if (node.op > BinaryOp::divide) [[unlikely]] {
-    context.fail(left.value ? node.left->span : node.right->span,
-                 fmt::format("`{}` compares numbers, found {}", spelling(node.op),
-                             describe(left.value ? *left.value : *right.value)));
+    const bool is_left = !left.is_number();
+    context.fail(is_left ? node.left->span : node.right->span,
+                 fmt::format("`{}` compares numbers, found {}", spelling(node.op), describe(is_left ? left : right)));
   }
-  const Operand a = left.operand(), b = right.operand();
+  const Operand a{left.terms().data(), left.term_count()}, b{right.terms().data(), right.term_count()};
   if (node.op == BinaryOp::divide && has_zero(b, std::max(a.count, b.count))) warn_of_zero(context, node);
   return arithmetic(node.op, a, b);
 }
 
 /// The general case: any operand may be anything.
-[[nodiscard]] [[gnu::noinline]] bool evaluate_sides(Context& context, const grammar::Binary& node, double& number,
-                                                    std::optional<Value>& other) {
-  Side left, right;
-  if (is_still(*node.right)) {
-    evaluate_side(context, *node.left, left);
-  } else if (!evaluate_scalar(context, *node.left, left.number, left.kept)) {
-    left.value = &*left.kept;
-  }
-  evaluate_side(context, *node.right, right);
-  if (!left.value && !right.value) {
-    number = of_numbers(context, node, left.number, right.number);
-    return true;
-  }
-  other = of_values(context, node, left, right);
-  if (!other->is_number()) return false;
-  number = other->number();
-  return true;
-}
-
-[[nodiscard]] [[gnu::noinline]] bool evaluate_binary(Context& context, const grammar::Binary& node, double& number,
-                                                     std::optional<Value>& other) {
-  double left = 0, right = 0;
-  if (is_at_hand(context, *node.left, left) && is_at_hand(context, *node.right, right)) {
-    number = of_numbers(context, node, left, right);
-    return true;
-  }
+[[gnu::noinline]] void evaluate_sides(Context& context, const grammar::Binary& node, Value& result) {
   const NestingGuard guard(context, node.span);
-  return evaluate_sides(context, node, number, other);
+  const Value* left = is_still(*node.right) ? variable(context, *node.left) : nullptr;
+  if (!left) {
+    evaluate_into(context, *node.left, result);
+    left = &result;
+  }
+  Value kept;
+  const Value* right = variable(context, *node.right);
+  if (!right) {
+    evaluate_into(context, *node.right, kept);
+    right = &kept;
+  }
+  if (left->is_number() && right->is_number()) {
+    result.set_number(of_numbers(context, node, left->number(), right->number()));
+  } else {
+    result = of_values(context, node, *left, *right);
+  }
 }
 
 // ---- One operand ----------------------------------------------------------------------------------------------------
@@ -179,78 +161,53 @@ void evaluate_side(Context& context, const Node& node, Side& side) {
   ISL_CHECK(false, "operator {}", static_cast<int>(op));
 }
 
-[[gnu::noinline]] bool evaluate_unary(Context& context, const grammar::Unary& node, double& number,
-                                      std::optional<Value>& other) {
-  const NestingGuard guard(context, node.span);
-  if (evaluate_scalar(context, *node.operand, number, other)) {
-    number = applied(node.op, number);
-    return true;
-  }
-  // What the parser makes of `(Name)`: the value itself, whatever it is, and no reference.
-  const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
-  if (node.op == grammar::UnaryOp::plus && is_variable) return false;
-  if (!other->is_numeric()) {
-    static constexpr std::string_view kSpellings[] = {"+", "-", "!"};
-    context.fail(node.operand->span, fmt::format("`{}` needs a number or vector, found {}",
-                                                 kSpellings[static_cast<int>(node.op)], describe(*other)));
-  }
-  Value::Terms terms = other->terms();
-  for (int i = 0; i < other->term_count(); ++i) terms[i] = applied(node.op, terms[i]);
-  other = Value(other->term_count(), terms);
-  return false;
-}
-
 }  // namespace
 
-bool is_item_at_hand(Context& context, const grammar::Dot& node, double& number) {
+const double* item_at_hand(Context& context, const grammar::Dot& node) {
   const Value* const base = variable(context, *node.base);
-  if (!base) return false;
+  if (!base || base->is_number()) return nullptr;
   const int i = term_of_item(node.item);
-  number = i >= 0 && i < base->term_count() && !base->is_number() ? base->terms()[i] : item_of(context, node, *base);
-  return true;
+  return i >= 0 && i < base->term_count() ? &base->terms()[i] : nullptr;
 }
 
-bool evaluate_scalar(Context& context, const Node& node, double& number, std::optional<Value>& other) {
-  if (is_at_hand(context, node, number)) return true;
-  switch (node.kind) {
-    case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node), number, other);
-    case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node), number, other);
-    default: break;
+[[gnu::noinline]] void evaluate_binary(Context& context, const grammar::Binary& node, Value& result) {
+  if (const double* const left = number_at_hand(context, *node.left)) {
+    if (const double* const right = number_at_hand(context, *node.right))
+      return result.set_number(of_numbers(context, node, *left, *right));
   }
-  other = evaluate(context, node);
-  if (!other->is_number()) return false;
-  number = other->number();
-  return true;
+  evaluate_sides(context, node, result);
 }
 
-Value evaluate_binary(Context& context, const grammar::Binary& node) {
-  double number = 0;
-  std::optional<Value> other;
-  if (evaluate_binary(context, node, number, other)) return Value(number);
-  return *std::move(other);
+[[gnu::noinline]] void evaluate_dot(Context& context, const grammar::Dot& node, Value& result) {
+  if (const double* const item = item_at_hand(context, node)) return result.set_number(*item);
+  evaluate_item(context, node, result);
 }
 
-[[gnu::noinline]] Value evaluate_dot(Context& context, const grammar::Dot& node) {
+[[gnu::noinline]] void evaluate_unary(Context& context, const grammar::Unary& node, Value& result) {
   const NestingGuard guard(context, node.span);
-  double number = 0;
-  if (is_item_at_hand(context, node, number)) return Value(number);
-  return Value(item_of(context, node, evaluate(context, *node.base)));
+  evaluate_into(context, *node.operand, result);
+  if (result.is_number()) return result.set_number(applied(node.op, result.number()));
+  // What the parser makes of `(Name)`: the value itself, whatever it is, and no reference.
+  const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
+  if (node.op == grammar::UnaryOp::plus && is_variable) return;
+  if (!result.is_numeric()) {
+    static constexpr std::string_view kSpellings[] = {"+", "-", "!"};
+    context.fail(node.operand->span, fmt::format("`{}` needs a number or vector, found {}",
+                                                 kSpellings[static_cast<int>(node.op)], describe(result)));
+  }
+  Value::Terms terms = result.terms();
+  for (int i = 0; i < result.term_count(); ++i) terms[i] = applied(node.op, terms[i]);
+  result = Value(result.term_count(), terms);
 }
 
-Value evaluate_unary(Context& context, const grammar::Unary& node) {
-  double number = 0;
-  std::optional<Value> other;
-  if (evaluate_unary(context, node, number, other)) return Value(number);
-  return *std::move(other);
-}
-
-[[gnu::noinline]] Value evaluate_conditional(Context& context, const grammar::Conditional& node) {
+[[gnu::noinline]] void evaluate_conditional(Context& context, const grammar::Conditional& node, Value& result) {
   const NestingGuard guard(context, node.span);
   // Both arms, as in POV-Ray: an undeclared name in the arm not taken is an error too.
   const bool condition = evaluate_condition(context, *node.condition);
-  Value yes = evaluate(context, *node.yes);
-  Value no = evaluate(context, *node.no);
-  return condition ? yes : no;
+  Value no;
+  evaluate_into(context, *node.yes, result);
+  evaluate_into(context, *node.no, no);
+  if (!condition) result = std::move(no);
 }
 
 }  // namespace isl::interpreter

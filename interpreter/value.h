@@ -67,7 +67,11 @@ class Value {
   Value(const Value& other) : kind_(other.kind_), term_count_(other.term_count_) { copy_payload(other); }
   Value(Value&& other) noexcept : kind_(other.kind_), term_count_(other.term_count_) { take_payload(other); }
   Value& operator=(const Value& other) {
-    if (this != &other) *this = Value(other);
+    if (is_shared() || other.is_shared()) [[unlikely]]
+      return *this = Value(other);
+    kind_ = other.kind_;
+    term_count_ = other.term_count_;
+    copy_payload(other);
     return *this;
   }
   Value& operator=(Value&& other) noexcept {

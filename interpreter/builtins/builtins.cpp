@@ -29,46 +29,52 @@ Table make_table() {
   return table;
 }
 
-/// Puts the values of the arguments on the context's stack of values, and takes them off again.
+/// One expression that yields one value, and no macro call: what most arguments are.
+bool is_plain(const grammar::Argument& argument) {
+  return argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
+}
+
+/// The values of a call's arguments, in order; on the stack where they are as few as most calls have.
 class ArgumentValues {
  public:
-  ArgumentValues(Context& context, const grammar::FunctionCall& call) : context_(context), begin_(values().size()) {
-    try {
-      for (const grammar::Argument& argument : call.arguments) read(argument, call.span);
-    } catch (...) {
-      release();
-      throw;
-    }
+  ArgumentValues(Context& context, const grammar::FunctionCall& call) : context_(context) {
+    for (const grammar::Argument& argument : call.arguments) read(argument, call.span);
   }
-  ~ArgumentValues() { release(); }
-  ArgumentValues(const ArgumentValues&) = delete;
-  ArgumentValues& operator=(const ArgumentValues&) = delete;
 
   [[nodiscard]] std::span<const Value> span() const {
-    return std::span<const Value>(context_.argument_values).subspan(begin_);
+    return many_.empty() ? std::span<const Value>(few_).first(count_) : std::span<const Value>(many_);
   }
 
  private:
-  [[nodiscard]] std::vector<Value>& values() const { return context_.argument_values; }
-  void release() { values().erase(values().begin() + static_cast<std::ptrdiff_t>(begin_), values().end()); }
+  static constexpr std::size_t kFew = 3;
 
   void read(const grammar::Argument& argument, SourceSpan span) {
-    if (argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call) {
-      Value value = evaluate(context_, *argument[0]);
-      values().push_back(std::move(value));
-      return;
+    if (is_plain(argument)) {
+      if (count_ < kFew) return evaluate_into(context_, *argument[0], few_[count_++]);
+      return push(evaluate(context_, *argument[0]));
     }
     // What a macro yields may be several arguments.
     ElementStream stream(context_, argument, span);
     while (!stream.peek().is(ElementKind::end)) {
-      Value value = read_rvalue(stream);
-      values().push_back(std::move(value));
+      push(read_rvalue(stream));
       stream.accept_comma();
     }
   }
 
+  void push(Value value) {
+    if (count_ < kFew) {
+      few_[count_] = std::move(value);
+    } else {
+      if (many_.empty()) many_.assign(few_.begin(), few_.end());
+      many_.push_back(std::move(value));
+    }
+    ++count_;
+  }
+
   Context& context_;
-  std::size_t begin_;
+  std::size_t count_ = 0;
+  std::array<Value, kFew> few_;
+  std::vector<Value> many_;  ///< all of them, where they are more than kFew
 };
 
 std::string expected_count(const Builtin& function) {
@@ -107,44 +113,47 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   return Value(static_cast<double>(array.dimensions[static_cast<std::size_t>(dimension) - 1]));
 }
 
-[[gnu::noinline]] Value call_general(Context& context, const grammar::FunctionCall& call, const Builtin& function) {
+/// The arguments may lie in `result`.
+void apply(const Builtin& function, const Arguments& arguments, Value& result) {
+  if (function.of_number) {
+    result.set_number(function.of_number(arguments.number(0)));
+  } else {
+    result = function.general(arguments);
+  }
+}
+
+[[gnu::noinline]] void call_list(Context& context, const grammar::FunctionCall& call, const Builtin& function,
+                                 Value& result) {
   const ArgumentValues values(context, call);
   const std::size_t found = values.span().size();
   if (found < function.min_arguments || found > function.max_arguments) {
     context.fail(call.span,
                  fmt::format("`{}` takes {}, found {}", context.text(call.function), expected_count(function), found));
   }
-  const Arguments arguments(context, call, values.span());
-  if (function.of_number) return Value(function.of_number(arguments.number(0)));
-  return function.general(arguments);
+  apply(function, Arguments(context, call, values.span()), result);
 }
 
-/// One argument that is one expression: most calls are, and need no list of values.
-bool is_plain_number(const grammar::FunctionCall& call) {
-  if (call.arguments.size() != 1 || call.arguments[0].size() != 1) return false;
-  const NodeKind kind = call.arguments[0][0]->kind;
-  return kind < NodeKind::word && kind != NodeKind::call;
-}
-
-[[gnu::noinline]] Value call_unlisted(Context& context, const grammar::FunctionCall& call) {
-  if (const std::optional<Value> answer = call_query(context, call)) return *answer;
+[[gnu::noinline]] void call_unlisted(Context& context, const grammar::FunctionCall& call, Value& result) {
+  if (std::optional<Value> answer = call_query(context, call)) {
+    result = *std::move(answer);
+    return;
+  }
   context.unsupported(call.span, context.text(call.function));
   throw Failed{};
 }
 
 }  // namespace
 
-[[gnu::noinline]] Value call_builtin(Context& context, const grammar::FunctionCall& call) {
+[[gnu::noinline]] void call_builtin(Context& context, const grammar::FunctionCall& call, Value& result) {
   static const Table kTable = make_table();
   const NestingGuard guard(context, call.span);
   const Builtin* function = kTable[static_cast<std::uint32_t>(call.function)];
-  if (function && function->of_number && is_plain_number(call)) {
-    double number = 0;
-    std::optional<Value> other;
-    if (evaluate_scalar(context, *call.arguments[0][0], number, other)) return Value(function->of_number(number));
-    Arguments(context, call, {&*other, 1}).fail(0, fmt::format("expected a number, found {}", describe(*other)));
-  }
-  return function ? call_general(context, call, *function) : call_unlisted(context, call);
+  if (!function) return call_unlisted(context, call, result);
+  // Most calls have one argument, and need no list of values.
+  const bool is_single = call.arguments.size() == 1 && function->min_arguments == 1 && is_plain(call.arguments[0]);
+  if (!is_single) return call_list(context, call, *function, result);
+  evaluate_into(context, *call.arguments[0][0], result);
+  apply(*function, Arguments(context, call, {&result, 1}), result);
 }
 
 // ---- Arguments ------------------------------------------------------------------------------------------------------
@@ -167,8 +176,8 @@ double Arguments::number(std::size_t i) const {
 scene::Vec3 Arguments::vector(std::size_t i) const {
   if (!values_[i].is_numeric()) [[unlikely]]
     fail(i, fmt::format("expected a vector, found {}", describe(values_[i])));
-  const Value value = promoted(values_[i], 3);
-  return {value.terms()[0], value.terms()[1], value.terms()[2]};
+  const Value::Terms& terms = values_[i].terms();
+  return values_[i].is_number() ? scene::Vec3(terms[0]) : scene::Vec3(terms[0], terms[1], terms[2]);
 }
 
 const std::string& Arguments::string(std::size_t i) const {

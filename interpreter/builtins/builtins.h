@@ -8,8 +8,8 @@
 
 namespace isl::interpreter {
 
-/// Fails where the function is not supported, or its arguments are not what it takes.
-[[nodiscard]] Value call_builtin(Context& context, const grammar::FunctionCall& call);
+/// evaluate_into() for calls. Fails where the function is not supported, or its arguments are not what it takes.
+void call_builtin(Context& context, const grammar::FunctionCall& call, Value& result);
 
 // ---- For the files that hold the functions --------------------------------------------------------------------------
 
