@@ -13,7 +13,14 @@ using grammar::Node;
 using grammar::NodeKind;
 
 void push_branch(Context& context, const Node& node, Items items) {
-  if (!items.empty()) context.push(Frame::Kind::branch, items, &node, node.span);
+  if (items.empty()) return;
+  // A list that has nothing left after its #if goes on as the branch: what follows its last item is the same.
+  Frame& frame = context.frames.back();
+  if (frame.next == frame.end) {
+    frame.set_items(items);
+  } else {
+    context.push(Frame::Kind::branch, items, &node, node.span);
+  }
 }
 
 /// Whether a #for whose variable stands at `value` makes another turn. The slack is POV-Ray's: 0 to 1 by 0.1 is eleven
@@ -22,7 +29,7 @@ bool has_turn(double value, double end, double step) {
   return step > 0 ? value < end + kTolerance : value > end - kTolerance;
 }
 
-void start_for(Context& context, const grammar::For& node) {
+[[gnu::noinline]] void start_for(Context& context, const grammar::For& node) {
   const double start = evaluate_number(context, *node.start);
   const double end = evaluate_number(context, *node.end);
   const double step = node.step ? evaluate_number(context, *node.step) : 1;
@@ -48,7 +55,7 @@ bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
   return subject >= low - kTolerance && subject <= evaluate_number(context, *c.high) + kTolerance;
 }
 
-void start_switch(Context& context, const grammar::Switch& node) {
+[[gnu::noinline]] void start_switch(Context& context, const grammar::Switch& node) {
   const double subject = evaluate_number(context, *node.subject);
   std::size_t taken = 0;
   while (taken < node.cases.size() && !matches(context, node.cases[taken], subject)) ++taken;
@@ -72,35 +79,37 @@ bool is_declared(Context& context, const Node& target) {
   return slot && slot->value.kind() != ValueKind::none;
 }
 
+[[gnu::noinline]] void start_if(Context& context, const grammar::If& node) {
+  push_branch(context, node, evaluate_condition(context, *node.condition) ? node.then : node.otherwise);
+}
+
+[[gnu::noinline]] void start_ifdef(Context& context, const grammar::Ifdef& node) {
+  push_branch(context, node, is_declared(context, *node.target) != node.negated ? node.then : node.otherwise);
+}
+
+[[gnu::noinline]] void start_if_block(Context& context, const grammar::IfBlock& node) {
+  const bool taken = evaluate_condition(context, *node.condition);
+  const Items prelude = taken ? node.then_prelude : node.else_prelude;
+  context.push(Frame::Kind::if_block, prelude, &node, node.span).condition = taken;
+}
+
+[[gnu::noinline]] void start_while(Context& context, const grammar::While& node) {
+  if (!evaluate_condition(context, *node.condition)) return;
+  context.count_turn(node.span);
+  context.push(Frame::Kind::while_, node.body, &node, node.span);
+}
+
 }  // namespace
 
+// No more than a jump, as execute() is.
 void start_control(Context& context, const Node& node) {
   switch (node.kind) {
-    case NodeKind::if_: {
-      const auto& n = as<grammar::If>(node);
-      push_branch(context, node, evaluate_condition(context, *n.condition) ? n.then : n.otherwise);
-      break;
-    }
-    case NodeKind::ifdef: {
-      const auto& n = as<grammar::Ifdef>(node);
-      push_branch(context, node, is_declared(context, *n.target) != n.negated ? n.then : n.otherwise);
-      break;
-    }
-    case NodeKind::if_block: {
-      const auto& n = as<grammar::IfBlock>(node);
-      const bool taken = evaluate_condition(context, *n.condition);
-      context.push(Frame::Kind::if_block, taken ? n.then_prelude : n.else_prelude, &node, node.span).condition = taken;
-      break;
-    }
-    case NodeKind::while_: {
-      const auto& n = as<grammar::While>(node);
-      if (!evaluate_condition(context, *n.condition)) break;
-      context.count_turn(node.span);
-      context.push(Frame::Kind::while_, n.body, &node, node.span);
-      break;
-    }
-    case NodeKind::for_: start_for(context, as<grammar::For>(node)); break;
-    case NodeKind::switch_: start_switch(context, as<grammar::Switch>(node)); break;
+    case NodeKind::if_: return start_if(context, as<grammar::If>(node));
+    case NodeKind::ifdef: return start_ifdef(context, as<grammar::Ifdef>(node));
+    case NodeKind::if_block: return start_if_block(context, as<grammar::IfBlock>(node));
+    case NodeKind::while_: return start_while(context, as<grammar::While>(node));
+    case NodeKind::for_: return start_for(context, as<grammar::For>(node));
+    case NodeKind::switch_: return start_switch(context, as<grammar::Switch>(node));
     default: ISL_CHECK(false, "node kind {} is no control directive", static_cast<int>(node.kind));
   }
 }

@@ -60,26 +60,18 @@ void ElementStream::yield(ElementKind kind, const Node& node, grammar::Symbol wo
 void ElementStream::take_call(const grammar::Call& call) {
   const bool is_plain = call.callee->kind == NodeKind::name;
   const Slot* slot = is_plain ? context_.scopes.find(as<grammar::Name>(*call.callee).name) : nullptr;
-  if (is_plain && !slot) {
-    yield(ElementKind::unknown, call, as<grammar::Name>(*call.callee).name);
-  } else if (slot && slot->value.kind() != ValueKind::macro) {
-    // A mistake, unless a reader knows the name as a contextual word: `hardness (2)` where the scene has a `hardness`
-    // too.
-    yield(ElementKind::value, call);
-  } else {
-    const Value& callee = called(context_, call);
-    if (callee.kind() == ValueKind::macro) {
-      push_macro(context_, call, callee.as<MacroValue>());
-    } else {
-      yield(ElementKind::value, call);
-    }
-  }
+  if (is_plain && !slot) return yield(ElementKind::unknown, call, as<grammar::Name>(*call.callee).name);
+  const Value& callee = slot ? slot->value : called(context_, call);
+  if (callee.kind() == ValueKind::macro) return push_macro(context_, call, callee.as<MacroValue>());
+  // A function's value; or a mistake, unless a reader knows the name as a contextual word: `hardness (2)` where the
+  // scene has a `hardness` too.
+  yield(ElementKind::value, call);
 }
 
 /// Leaves the innermost frame, or starts it again where it is a loop with turns to go. False at the stream's end.
 bool ElementStream::finish_frame() {
   Frame& frame = context_.frames.back();
-  if (continue_frame(context_, frame)) return true;
+  if (frame.kind > Frame::Kind::if_block && continue_frame(context_, frame)) return true;
   if (frame.kind == Frame::Kind::if_block) {
     const auto& node = as<grammar::IfBlock>(*frame.node);
     yield(ElementKind::block, node, frame.condition ? node.then_word : node.else_word);
@@ -143,19 +135,30 @@ void ElementStream::advance() {
 
 // ---- Macro calls ----------------------------------------------------------------------------------------------------
 
+namespace {
+
+// Out of line, because every call passes by.
+[[noreturn]] [[gnu::noinline]] void fail_undeclared_callee(Context& context, SourceSpan span, grammar::Symbol name) {
+  context.fail(span, fmt::format("undeclared macro or function `{}`", context.text(name)),
+               context.suggest_declared(name));
+}
+
+[[noreturn]] [[gnu::noinline]] void fail_uncallable(Context& context, SourceSpan span, const Value& value) {
+  context.fail(span, fmt::format("{} cannot be called", describe(value)));
+}
+
+}  // namespace
+
 const Value& called(Context& context, const grammar::Call& call) {
   if (call.callee->kind == NodeKind::name) {
     const grammar::Symbol name = as<grammar::Name>(*call.callee).name;
-    if (!context.scopes.find(name)) {
-      context.fail(call.callee->span, fmt::format("undeclared macro or function `{}`", context.text(name)),
-                   context.suggest_declared(name));
-    }
+    const Slot* const slot = context.scopes.find(name);
+    if (!slot) fail_undeclared_callee(context, call.callee->span, name);
+    if (slot->value.kind() == ValueKind::macro) return slot->value;
   }
   const Value& value = find_slot(context, *call.callee).value;
   if (value.kind() == ValueKind::poison) throw Failed{};
-  if (value.kind() != ValueKind::macro && !is_callable(value)) {
-    context.fail(call.span, fmt::format("{} cannot be called", describe(value)));
-  }
+  if (value.kind() != ValueKind::macro && !is_callable(value)) fail_uncallable(context, call.span, value);
   return value;
 }
 

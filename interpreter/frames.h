@@ -15,15 +15,16 @@ namespace isl::interpreter {
 /// Small and plain, because every branch and every macro call makes one.
 struct Frame {
   enum class Kind : std::uint8_t {
-    block,     ///< the body of a `{}`, bottom of its ElementStream; counts as depth
-    value,     ///< the items of a value or a file, bottom of their ElementStream
-    branch,    ///< of an #if
+    block,   ///< the body of a `{}`, bottom of its ElementStream; counts as depth
+    value,   ///< the items of a value or a file, bottom of their ElementStream
+    branch,  ///< of an #if
+    macro,
+    include,
+    // From here on something follows the last item.
     if_block,  ///< a prelude of grammar::IfBlock, after which comes the block itself
     while_,
     for_,
     case_,  ///< of a #switch; falls through to the next
-    macro,
-    include,
   };
   static constexpr std::uint32_t kNoCall = 0xFFFFFFFFu;
   static constexpr OriginTable::Chain kNoChain = 0xFFFFFFFFu;

@@ -1,13 +1,14 @@
 #include "interpreter/scopes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isl::interpreter {
 
 using grammar::Symbol;
 
 SlotPool::~SlotPool() {
-  for (Slot* slot : free_) delete slot;
+  while (free_) delete std::exchange(free_, free_->next_free);
 }
 
 Scopes::~Scopes() {
@@ -35,15 +36,12 @@ Slot& Scopes::local(Symbol name) {
 }
 
 Slot& Scopes::global(Symbol name) {
-  Binding* binding = &innermost(name);
-  if (binding->slot && binding->table > 0) {
-    // The outermost that hides it knows it.
-    const auto outermost =
-        std::ranges::find_if(trail_, [name](const Trace& trace) { return trace.name == name && !trace.is_gone; });
-    binding = &outermost->hidden;
-  }
-  if (!binding->slot) *binding = {slots_.make(), 0};
-  return *binding->slot;
+  Binding& top = innermost(name);
+  const bool is_hidden = top.slot && top.table > 0;
+  // The outermost that hides it knows it.
+  Slot*& slot = is_hidden ? std::ranges::find(trail_, name, &Trace::name)->hidden_slot : top.slot;
+  if (!slot) slot = slots_.make();
+  return *slot;
 }
 
 bool Scopes::undef(Symbol name) {
@@ -54,9 +52,9 @@ bool Scopes::undef(Symbol name) {
     top = {};
   } else {
     auto trace = trail_.rbegin();
-    while (trace->name != name || trace->is_gone) ++trace;
-    trace->is_gone = true;
-    top = trace->hidden;
+    while (trace->name != name) ++trace;
+    trace->name = grammar::kNoSymbol;
+    top = trace->hidden();
   }
   return true;
 }

@@ -15,7 +15,10 @@ namespace isl::interpreter {
 /// element, and must survive that name's #undef.
 struct Slot {
   Value value;
-  std::uint32_t references = 0;
+  union {
+    std::uint32_t references = 0;  ///< while it is in use
+    Slot* next_free;               ///< while it waits in its pool
+  };
 };
 
 /// What a slot and a pointer to it take: one element of an array.
@@ -34,12 +37,13 @@ class SlotPool {
   void release(Slot* slot) {
     if (--slot->references == 0) {
       slot->value.reset();
-      free_.push_back(slot);
+      slot->next_free = free_;
+      free_ = slot;
     }
   }
 
  private:
-  std::vector<Slot*> free_;
+  Slot* free_ = nullptr;  ///< the first of those that wait
 };
 
 class Scopes {
@@ -82,9 +86,11 @@ class Scopes {
   };
   /// A binding of a table other than the global one.
   struct Trace {
-    grammar::Symbol name;
-    Binding hidden;
-    bool is_gone = false;  ///< an #undef took it away
+    grammar::Symbol name;  ///< kNoSymbol where an #undef took it away
+    std::uint32_t hidden_table;
+    Slot* hidden_slot;
+
+    [[nodiscard]] Binding hidden() const { return {hidden_slot, hidden_table}; }
   };
 
   Binding& innermost(grammar::Symbol name);
@@ -100,12 +106,11 @@ class Scopes {
 // ---- What every macro call does -------------------------------------------------------------------------------------
 
 inline Slot* SlotPool::make() {
-  Slot* slot = nullptr;
-  if (free_.empty()) [[unlikely]] {
+  Slot* slot = free_;
+  if (!slot) [[unlikely]] {
     slot = new Slot;
   } else {
-    slot = free_.back();
-    free_.pop_back();
+    free_ = slot->next_free;
   }
   slot->references = 1;
   return slot;
@@ -121,21 +126,23 @@ inline Scopes::Binding& Scopes::innermost(grammar::Symbol name) {
 inline void Scopes::bind(grammar::Symbol name, Slot* slot) {
   ISL_DCHECK(table() > 0);
   Binding& top = innermost(name);
-  trail_.push_back({name, top});
+  trail_.push_back({name, top.table, top.slot});
   top = {slot, table()};
 }
 
 inline void Scopes::enter() { table_begin_.push_back(trail_.size()); }
 
 inline void Scopes::leave() {
-  for (const std::size_t begin = table_begin_.back(); trail_.size() > begin; trail_.pop_back()) {
-    const Trace& trace = trail_.back();
-    if (trace.is_gone) [[unlikely]]
+  const auto begin = trail_.begin() + static_cast<std::ptrdiff_t>(table_begin_.back());
+  for (auto trace = trail_.end(); trace != begin;) {
+    --trace;
+    if (trace->name == grammar::kNoSymbol) [[unlikely]]
       continue;
-    Binding& top = innermost_[static_cast<std::uint32_t>(trace.name)];
+    Binding& top = innermost_[static_cast<std::uint32_t>(trace->name)];
     slots_.release(top.slot);
-    top = trace.hidden;
+    top = trace->hidden();
   }
+  trail_.erase(begin, trail_.end());
   table_begin_.pop_back();
 }
 

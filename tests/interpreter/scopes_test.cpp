@@ -45,6 +45,7 @@ TEST(Scopes, AParameterIsItsCallersSlot) {
   Slot& slot = scopes.declare(kA);
   slot.value = Value(1.0);
   scopes.enter();
+  scopes.slots().retain(&slot);
   scopes.bind(kB, &slot);
   scopes.declare(kB).value = Value(2.0);
   scopes.leave();
@@ -57,6 +58,7 @@ TEST(Scopes, AParameterOutlivesTheUndefOfWhatItRefersTo) {
   Slot& slot = scopes.declare(kA);
   slot.value = Value(1.0);
   scopes.enter();
+  scopes.slots().retain(&slot);
   scopes.bind(kB, &slot);
   EXPECT_TRUE(scopes.undef(kA));
   EXPECT_EQ(number(scopes, kB), 1);
