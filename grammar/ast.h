@@ -67,7 +67,8 @@ struct Dot : Node { const Node* base; Symbol item; };
 struct Vector : Node { std::span<const Node* const> coordinates; };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not };
-struct Unary : Node { UnaryOp op; const Node* operand; };
+/// `negative` is the value of a minus before a number as it stands (-1); null for all else.
+struct Unary : Node { UnaryOp op; const Node* operand; const double* negative; };
 
 enum class BinaryOp : std::uint8_t {
   add, subtract, multiply, divide, less, greater, equal, less_equal, greater_equal, not_equal, logical_and, logical_or,

@@ -47,7 +47,9 @@ Tree ParseState::vector(SourceSpan span, const TreeList& coordinates) {
 }
 
 Tree ParseState::unary(SourceSpan span, UnaryOp op, Tree operand) {
-  return make<Unary>(NodeKind::unary, span, operand.height, op, operand.node);
+  const bool is_negative = op == UnaryOp::minus && operand.node->kind == NodeKind::number;
+  const double* const negative = is_negative ? arena_.create(-as<Number>(*operand.node).value) : nullptr;
+  return make<Unary>(NodeKind::unary, span, operand.height, op, operand.node, negative);
 }
 
 Tree ParseState::binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree left, Tree right) {

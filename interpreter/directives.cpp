@@ -6,6 +6,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/files.h"
 #include "interpreter/functions/functions.h"
+#include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 #include "interpreter/readers/scene.h"

@@ -3,16 +3,20 @@
 #include "interpreter/control.h"
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
-#include "interpreter/functions/functions.h"
-#include "interpreter/macro_arguments.h"
-
-#include <fmt/format.h>
+#include "interpreter/macro_calls.h"
 
 namespace isl::interpreter {
 
 using grammar::as;
 using grammar::Node;
 using grammar::NodeKind;
+
+namespace {
+
+/// Out of line, because every element passes by.
+[[gnu::noinline]] void report_unparsed(Context& context, const grammar::Error& node) { context.report_unparsed(node); }
+
+}  // namespace
 
 ElementStream::ElementStream(Context& context, const Element& block)
     : context_(context),
@@ -127,50 +131,10 @@ void ElementStream::advance() {
       case NodeKind::comma: yield(ElementKind::comma, node); break;
       case NodeKind::semicolon: yield(ElementKind::semicolon, node); break;
       case NodeKind::break_: break_out(context_, base_, node); break;
-      case NodeKind::error: context_.report_unparsed(as<grammar::Error>(node)); break;
+      case NodeKind::error: report_unparsed(context_, as<grammar::Error>(node)); break;
       default: execute(context_, node); break;
     }
   }
-}
-
-// ---- Macro calls ----------------------------------------------------------------------------------------------------
-
-namespace {
-
-// Out of line, because every call passes by.
-[[noreturn]] [[gnu::noinline]] void fail_undeclared_callee(Context& context, SourceSpan span, grammar::Symbol name) {
-  context.fail(span, fmt::format("undeclared macro or function `{}`", context.text(name)),
-               context.suggest_declared(name));
-}
-
-[[noreturn]] [[gnu::noinline]] void fail_uncallable(Context& context, SourceSpan span, const Value& value) {
-  context.fail(span, fmt::format("{} cannot be called", describe(value)));
-}
-
-}  // namespace
-
-const Value& called(Context& context, const grammar::Call& call) {
-  if (call.callee->kind == NodeKind::name) {
-    const grammar::Symbol name = as<grammar::Name>(*call.callee).name;
-    const Slot* const slot = context.scopes.find(name);
-    if (!slot) fail_undeclared_callee(context, call.callee->span, name);
-    if (slot->value.kind() == ValueKind::macro) return slot->value;
-  }
-  const Value& value = find_slot(context, *call.callee).value;
-  if (value.kind() == ValueKind::poison) throw Failed{};
-  if (value.kind() != ValueKind::macro && !is_callable(value)) fail_uncallable(context, call.span, value);
-  return value;
-}
-
-void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro) {
-  const grammar::Macro& definition = macro.definition;
-  const grammar::Unit& unit = macro.unit;
-  const std::uint32_t origin_name = macro.origin_name;
-  context.count_turn(call.span);
-  ArgumentSlots arguments(context, call, definition);
-  context.push_call(Frame::Kind::macro, definition.body, call, unit, origin_name);
-  context.scopes.enter();
-  arguments.bind_to(definition.parameters);
 }
 
 }  // namespace isl::interpreter

@@ -94,12 +94,4 @@ class ElementStream {
   Element element_;
 };
 
-/// Binds the arguments of `call` and pushes the frame that executes the macro's body. The macro may be a variable's: it
-/// is not looked at once arguments are evaluated.
-void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro);
-
-/// What `call` calls: a macro, function or spline; fails for a callee that is none. The value is a variable's:
-/// evaluating anything may change it.
-[[nodiscard]] const Value& called(Context& context, const grammar::Call& call);
-
 }  // namespace isl::interpreter

@@ -4,6 +4,7 @@
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/functions/functions.h"
+#include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
 

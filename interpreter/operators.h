@@ -18,7 +18,8 @@ namespace isl::interpreter {
     return slot && slot->value.is_number() ? slot->value.terms().data() : nullptr;
   }
   if (node.kind == NodeKind::number) return &grammar::as<grammar::Number>(node).value;
-  return node.kind == NodeKind::dot ? item_at_hand(context, grammar::as<grammar::Dot>(node)) : nullptr;
+  if (node.kind == NodeKind::dot) return item_at_hand(context, grammar::as<grammar::Dot>(node));
+  return node.kind == NodeKind::unary ? grammar::as<grammar::Unary>(node).negative : nullptr;
 }
 
 // Each is evaluate_into() for one kind of node.

@@ -18,14 +18,7 @@ Scopes::~Scopes() {
   }
 }
 
-Slot& Scopes::declare(Symbol name) {
-  if (Slot* found = find(name)) return *found;
-  return global(name);
-}
-
-Slot& Scopes::local(Symbol name) {
-  const Binding& top = innermost(name);
-  if (top.slot && top.table == table()) return *top.slot;
+Slot& Scopes::new_local(Symbol name) {
   Slot* const slot = slots_.make();
   if (table() > 0) {
     bind(name, slot);

@@ -94,6 +94,7 @@ class Scopes {
   };
 
   Binding& innermost(grammar::Symbol name);
+  [[nodiscard]] Slot& new_local(grammar::Symbol name);
   void make_room(std::uint32_t symbol);
   [[nodiscard]] std::uint32_t table() const { return static_cast<std::uint32_t>(table_begin_.size()); }
 
@@ -128,6 +129,16 @@ inline void Scopes::bind(grammar::Symbol name, Slot* slot) {
   Binding& top = innermost(name);
   trail_.push_back({name, top.table, top.slot});
   top = {slot, table()};
+}
+
+inline Slot& Scopes::declare(grammar::Symbol name) {
+  Slot* const found = find(name);
+  return found ? *found : global(name);
+}
+
+inline Slot& Scopes::local(grammar::Symbol name) {
+  const Binding& top = innermost(name);
+  return top.slot && top.table == table() ? *top.slot : new_local(name);
 }
 
 inline void Scopes::enter() { table_begin_.push_back(trail_.size()); }
