@@ -25,7 +25,8 @@ struct Operand {
   const double* terms;
   int count;
 
-  [[nodiscard]] double operator[](int i) const { return terms[count == 1 ? 0 : i]; }
+  [[nodiscard]] double operator[](int i) const { return terms[i * stride()]; }
+  [[nodiscard]] int stride() const { return count == 1 ? 0 : 1; }
 };
 
 /// a / b; positive infinity where b is zero, whatever a is (POV-Ray's rule; the caller warns).

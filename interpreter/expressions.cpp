@@ -159,8 +159,7 @@ std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector
   return numbers;
 }
 
-double evaluate_number(Context& context, const Node& node) {
-  if (const double* const number = number_at_hand(context, node)) return *number;
+double compute_number(Context& context, const Node& node) {
   Value value;
   evaluate_into(context, node, value);
   if (!value.is_number()) [[unlikely]]
@@ -169,7 +168,7 @@ double evaluate_number(Context& context, const Node& node) {
 }
 
 bool evaluate_condition(Context& context, const Node& node) {
-  return std::abs(evaluate_number(context, node)) > kTolerance;
+  return std::abs(compute_number(context, node)) > kTolerance;
 }
 
 const StringValue& evaluate_string(Context& context, const Node& node, Value& keep) {

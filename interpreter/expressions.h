@@ -4,6 +4,7 @@
 
 #include "interpreter/arithmetic.h"
 #include "interpreter/context.h"
+#include "interpreter/operators.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ void evaluate_into(Context& context, const grammar::Node& node, Value& result);
   return result;
 }
 /// The same where only a number will do; vectors are an error.
-[[nodiscard]] double evaluate_number(Context& context, const grammar::Node& node);
+[[nodiscard]] double compute_number(Context& context, const grammar::Node& node);
+[[nodiscard]] inline double evaluate_number(Context& context, const grammar::Node& node) {
+  const double* const number = number_at_hand(context, node);
+  return number ? *number : compute_number(context, node);
+}
 /// A number's truth: not zero within kTolerance.
 [[nodiscard]] bool evaluate_condition(Context& context, const grammar::Node& node);
 /// The same where only a string will do.
