@@ -14,9 +14,10 @@ using grammar::NodeKind;
 
 void push_branch(Context& context, const Node& node, Items items) {
   if (items.empty()) return;
-  // A list that has nothing left after its #if goes on as the branch: what follows its last item is the same.
+  // A list that has nothing left after its #if goes on as the branch: what follows its last item is the same. A file
+  // and what is read in one piece do not: after an error inside the branch, reading goes on with them.
   Frame& frame = context.frames.back();
-  if (frame.next == frame.end) {
+  if (frame.next == frame.end && frame.kind >= Frame::Kind::branch) {
     frame.set_items(items);
   } else {
     context.push(Frame::Kind::branch, items, &node, node.span);

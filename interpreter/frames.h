@@ -15,11 +15,12 @@ namespace isl::interpreter {
 /// Small and plain, because every branch and every macro call makes one.
 struct Frame {
   enum class Kind : std::uint8_t {
-    block,   ///< the body of a `{}`, bottom of its ElementStream; counts as depth
-    value,   ///< the items of a value or a file, bottom of their ElementStream
+    block,  ///< the body of a `{}`, bottom of its ElementStream; counts as depth
+    value,  ///< the items of a value or a file, bottom of their ElementStream
+    include,
+    // From here on a frame is given up after an error inside it (ElementStream::recover).
     branch,  ///< of an #if
     macro,
-    include,
     // From here on something follows the last item.
     if_block,  ///< a prelude of grammar::IfBlock, after which comes the block itself
     while_,

@@ -18,6 +18,13 @@ TEST(Recovery, ALoopWithAnErrorIsGivenUp) {
   EXPECT_EQ(scene.database().solids.size(), 1u);
 }
 
+TEST(Recovery, ABranchWithAnErrorIsGivenUpWhereverItStands) {
+  EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end sphere { 0, C }").messages(),
+            "error: undeclared identifier `A`\nerror: undeclared identifier `C`\n");
+  EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end").messages(),
+            "error: undeclared identifier `A`\n");
+}
+
 TEST(Recovery, AFailedDeclarationKeepsItsUsesSilent) {
   const EvaluatedText scene(
       "#declare A = B; #declare C = A + 1; sphere { 0, C } #macro M(X) X #end sphere { 0, M(C) } #debug str(C, 0, 0)");
