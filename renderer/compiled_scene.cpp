@@ -11,19 +11,25 @@ class Flattener {
  public:
   Flattener(const scene::Database& database, CompiledScene& compiled) : database_(database), compiled_(compiled) {}
 
-  void add(const scene::Object& object, const scene::Transform& world_from_parent, scene::TextureId inherited, bool no_shadow) {
-    const scene::Transform world_from_object = then(object.parent_from_object, world_from_parent);
-    const scene::TextureId texture = object.texture == scene::kNoTexture ? inherited : object.texture;
-    no_shadow = no_shadow || object.no_shadow;
+  /// What an object hands down to its children.
+  struct Inherited {
+    scene::Transform world_from_parent{};
+    scene::TextureId texture = scene::kNoTexture;
+    bool no_shadow = false;
+    bool is_inverse = false;
+  };
+
+  void add(const scene::Object& object, const Inherited& above) {
+    const Inherited own{then(object.parent_from_object, above.world_from_parent),
+                        object.texture == scene::kNoTexture ? above.texture : object.texture,
+                        above.no_shadow || object.no_shadow, above.is_inverse != object.inverse};
     if (object.kind == scene::Object::Kind::group) {
-      for (const scene::Object& child : database_.groups[object.shape].children) {
-        add(child, world_from_object, texture, no_shadow);
-      }
+      for (const scene::Object& child : database_.groups[object.shape].children) add(child, own);
       return;
     }
-    const bool is_placed = world_from_object.matrix != scene::Matrix();
-    compiled_.instances.push_back(
-        {object.kind, no_shadow, is_placed, object.shape, texture, world_from_object, object.origin});
+    const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
+    compiled_.instances.push_back({object.kind, own.no_shadow, is_placed, own.is_inverse, object.shape, own.texture,
+                                   own.world_from_parent, object.origin});
   }
 
  private:
@@ -42,8 +48,9 @@ std::size_t CompiledScene::grid_bytes() const {
 CompiledScene compile(const scene::Database& database, const CompileOptions& options) {
   CompiledScene compiled;
   compiled.solids = database.solids;
+  compiled.details = prepare_details(database);
   Flattener flattener(database, compiled);
-  for (const scene::Object& object : database.objects) flattener.add(object, {}, scene::kNoTexture, false);
+  for (const scene::Object& object : database.objects) flattener.add(object, {});
 
   // A blob that is declared and never placed costs nothing.
   std::vector<bool> is_used(database.blobs.size(), false);

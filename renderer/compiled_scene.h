@@ -5,6 +5,7 @@
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/grid.h"
 #include "renderer/scene/database.h"
+#include "renderer/solids/solid_details.h"
 
 #include <vector>
 
@@ -19,7 +20,8 @@ struct CompiledBlob {
 struct Instance {
   scene::Object::Kind kind;  ///< solid or blob
   bool no_shadow;
-  bool is_placed;  ///< false: object space is world space
+  bool is_placed;   ///< false: object space is world space
+  bool is_inverse;  ///< its normals point inwards
   std::uint32_t shape;
   scene::TextureId texture;
   scene::Transform world_from_object;
@@ -28,6 +30,7 @@ struct Instance {
 
 struct CompiledScene {
   std::vector<scene::Solid> solids;
+  SolidDetails details;  ///< of those
   std::vector<CompiledBlob> blobs;
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces

@@ -57,7 +57,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::solid) {
-    normal = normal_at(impl_->scene.solids[instance.shape], hit.part, local);
+    normal = shading_normal_at(impl_->scene.solids[instance.shape], hit.part, local, impl_->scene.details);
     point.textures.push_back({instance.texture, 1.0});
   } else {
     BlobPoint& blob = thread_blob_point();
@@ -73,6 +73,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
     if (point.textures.empty()) point.textures.push_back({instance.texture, 1.0});
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
+  if (instance.is_inverse) normal = -normal;
   const double length = normal.length();
   // A gradient of zero on the surface (a saddle exactly at the threshold) has no normal; facing the ray is as good as any.
   point.normal = length > 0 ? normal / length : -ray.direction;

@@ -1,6 +1,7 @@
 #include "renderer/extents/solid_support.h"
 
 #include "base/check.h"
+#include "renderer/solids/quadric_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,22 +42,6 @@ double box(const Vec3& low, const Vec3& high, const Vec3& direction) {
   return sum;
 }
 
-/// An ellipsoid pᵀAp + b·p + c ≤ 0, A positive definite: its centre is m = −A⁻¹b/2, and with k = mᵀAm − c it is
-/// (p − m)ᵀA(p − m) ≤ k, which reaches d·m + √(k dᵀA⁻¹d). Any other quadric is taken for endless.
-double ellipsoid(const std::vector<double>& q, const Vec3& direction) {
-  // Terms: x², xy, xz, x, y², yz, y, z², z, 1. Columns of the symmetric A:
-  const Vec3 a0(q[0], q[1] / 2, q[2] / 2), a1(q[1] / 2, q[4], q[5] / 2), a2(q[2] / 2, q[5] / 2, q[7]);
-  const Vec3 c0 = a1.cross(a2), c1 = a2.cross(a0), c2 = a0.cross(a1);
-  const double determinant = a0.dot(c0);
-  const bool is_definite = a0.x > 0 && a0.x * a1.y - a0.y * a0.y > 0 && determinant > 0;
-  if (!is_definite) return kFar;
-  const auto solved = [&](const Vec3& v) { return Vec3(c0.dot(v), c1.dot(v), c2.dot(v)) / determinant; };
-  const Vec3 b(q[3], q[6], q[8]);
-  const Vec3 centre = solved(b) * -0.5;
-  const double k = -centre.dot(b) / 2 - q[9];  // Am = −b/2
-  return direction.dot(centre) + std::sqrt(std::max(k, 0.0) * direction.dot(solved(direction)));
-}
-
 /// The norm dual to ‖(x, y)‖ₚ with p = 2/exponent. Below p = 1 the unit ball is not convex; its hull is that of p = 1.
 double dual_norm(double x, double y, double exponent) {
   x = std::abs(x);
@@ -85,7 +70,7 @@ double support(const Database& database, const Solid& solid, const Vec3& directi
     case SolidKind::torus:
       return solid.radius_a * std::hypot(direction.x, direction.z) + solid.radius_b * direction.length();
     case SolidKind::disc: return direction.dot(solid.a) + solid.radius_a * across(direction, solid.b);
-    case SolidKind::quadric: return ellipsoid(database.polynomials[solid.detail].coefficients, direction);
+    case SolidKind::quadric: return ellipsoid_reach(database.polynomials[solid.detail].coefficients, direction);
     case SolidKind::cubic:
     case SolidKind::quartic:
     case SolidKind::poly: return kFar;

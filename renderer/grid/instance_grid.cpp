@@ -23,7 +23,7 @@ Box bounds_of(const Grid& grid) {
 
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
   Box box = instance.kind == scene::Object::Kind::blob ? bounds_of(scene.blobs[instance.shape].grid)
-                                                       : bounds(scene.solids[instance.shape]);
+                                                       : bounds(scene.solids[instance.shape], scene.details);
   if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {

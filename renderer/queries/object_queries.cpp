@@ -32,7 +32,7 @@ void ObjectQueries::follow(const scene::Database& database) {
 
 ObjectQueries::TracedShape& ObjectQueries::shape_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
-  std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip}];
+  std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
   if (shape) return *shape;
   shape = std::make_unique<TracedShape>();
   const scene::Database alone = subset(database, object);

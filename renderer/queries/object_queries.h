@@ -32,7 +32,7 @@ class ObjectQueries final : public scene::Queries {
 
  private:
   /// What decides the surface of an object in its own space.
-  using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId>;
+  using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
   /// A shape made ready, or what of it cannot be.
   struct TracedShape;
 

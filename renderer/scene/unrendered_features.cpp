@@ -1,7 +1,5 @@
 #include "renderer/scene/unrendered_features.h"
 
-#include <iterator>
-
 namespace isl::scene {
 namespace {
 
@@ -72,17 +70,6 @@ constexpr WorldFeature kWorldFeatures[] = {
      [](Database& database) { database.rainbows.clear(); }},
 };
 
-/// By SolidKind; "" for what is drawn.
-constexpr std::string_view kSolids[] = {"",           "",
-                                        "",           "",
-                                        "`box`",      "`torus`",
-                                        "`disc`",     "`quadric`",
-                                        "`cubic`",    "`quartic`",
-                                        "`poly`",     "`superellipsoid`",
-                                        "`triangle`", "`smooth_triangle`",
-                                        "`polygon`"};
-static_assert(std::size(kSolids) == kSolidKindCount);
-
 }  // namespace
 
 std::span<const Feature<Camera>> camera_features() { return kCameraFeatures; }
@@ -92,11 +79,7 @@ std::span<const Feature<Group>> group_features() { return kGroupFeatures; }
 std::span<const WorldFeature> world_features() { return kWorldFeatures; }
 
 std::string_view unrendered_shape(const Database& database, const Object& object) {
-  switch (object.kind) {
-    case Object::Kind::solid: return kSolids[static_cast<std::size_t>(database.solids[object.shape].kind)];
-    case Object::Kind::blob: return {};
-    case Object::Kind::group: break;
-  }
+  if (object.kind != Object::Kind::group) return {};
   switch (database.groups[object.shape].operation) {
     case Operation::intersect: return "`intersection`";
     case Operation::subtract: return "`difference`";

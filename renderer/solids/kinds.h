@@ -31,4 +31,37 @@ inline constexpr std::uint8_t kCapB = 2;
 [[nodiscard]] Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                         std::uint8_t start_part) noexcept;
 
+[[nodiscard]] Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                                      std::uint8_t start_part) noexcept;
+[[nodiscard]] Vec3 box_normal(std::uint8_t part) noexcept;
+[[nodiscard]] bool is_flat_box(const scene::Solid& solid) noexcept;
+
+[[nodiscard]] Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                                        std::uint8_t start_part) noexcept;
+[[nodiscard]] Vec3 torus_normal(const scene::Solid& solid, const Vec3& point) noexcept;
+[[nodiscard]] Box torus_bounds(const scene::Solid& solid) noexcept;
+
+/// `with_unseen`: beyond the rim too.
+[[nodiscard]] Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                                       std::uint8_t start_part, bool with_unseen) noexcept;
+[[nodiscard]] Box disc_bounds(const scene::Solid& solid) noexcept;
+
+[[nodiscard]] Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                                                 std::uint8_t start_part) noexcept;
+[[nodiscard]] Vec3 superellipsoid_normal(const scene::Solid& solid, const Vec3& point) noexcept;
+
+[[nodiscard]] Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
+                                             const Vec3& direction, std::uint8_t start_part) noexcept;
+[[nodiscard]] Vec3 polynomial_normal(const PreparedPolynomial& polynomial, const Vec3& point) noexcept;
+[[nodiscard]] Box quadric_bounds(const PreparedPolynomial& polynomial) noexcept;
+
+[[nodiscard]] Crossings triangle_crossings(const scene::Triangle& triangle, const Vec3& origin, const Vec3& direction,
+                                           std::uint8_t start_part) noexcept;
+[[nodiscard]] Vec3 triangle_normal(const scene::Triangle& triangle) noexcept;
+[[nodiscard]] Vec3 smooth_normal(const scene::Triangle& triangle, const Vec3& point) noexcept;
+[[nodiscard]] Box triangle_bounds(const scene::Triangle& triangle) noexcept;
+
+[[nodiscard]] Crossings polygon_crossings(const PreparedPolygon& polygon, const Vec3& origin, const Vec3& direction,
+                                          std::uint8_t start_part) noexcept;
+
 }  // namespace isl::render

@@ -50,9 +50,7 @@ struct LineInterval {
   if (inside.empty()) return result;
   for (const LineEnd& end : {inside.low, inside.high}) {
     if (end.known || end.part == kNoPart) continue;
-    result.t[result.count] = end.t;
-    result.part[result.count] = end.part;
-    ++result.count;
+    result.add(end.t, end.part);
   }
   return result;
 }
@@ -63,9 +61,7 @@ struct LineInterval {
   if (side.empty() || slab.empty()) return result;
   for (const LineEnd& end : {side.low, side.high}) {
     if (end.known || end.part == kNoPart || end.t < slab.low.t || end.t > slab.high.t) continue;
-    result.t[result.count] = end.t;
-    result.part[result.count] = end.part;
-    ++result.count;
+    result.add(end.t, end.part);
   }
   return result;
 }

@@ -7,10 +7,8 @@ Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const V
                           std::uint8_t start_part) noexcept {
   Crossings result;
   const double rise = direction.dot(solid.a);
-  if (start_part == kSide || rise == 0) return result;
-  result.t[0] = (solid.radius_a - origin.dot(solid.a)) / rise;
-  result.part[0] = kSide;
-  result.count = 1;
+  result.ends_inside = rise < 0 || (rise == 0 && start_part != kSide && origin.dot(solid.a) < solid.radius_a);
+  if (start_part != kSide && rise != 0) result.add((solid.radius_a - origin.dot(solid.a)) / rise, kSide);
   return result;
 }
 

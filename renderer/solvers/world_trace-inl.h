@@ -84,21 +84,25 @@ class WorldTrace {
       const BlobRay blob_ray{origin, direction, best.t, starts_here, any, ray.path_length};
       const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
       if (hit.is_miss() || !(any || hit.t < best.t)) return false;  // with `any`, t is rough and within t_max
-      best = {hit.t, index, hit.cell, 0, hit.from_inside};
+      best = {hit.t, index, hit.cell, 0, hit.from_inside != instance.is_inverse};
       return true;
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
-    const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart);
+    const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart, scene_.details);
     for (int i = 0; i < found.count; ++i) {
       const double t = found.t[static_cast<std::size_t>(i)];
       if (!(t > 0)) continue;
       if (!(t < best.t)) return false;
       const std::uint8_t part = found.part[static_cast<std::size_t>(i)];
-      const bool from_inside = !any && normal_at(solid, part, origin + direction * t).dot(direction) > 0;
+      const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
       best = {t, index, scene::kNone, part, from_inside};
       return true;
     }
     return false;
+  }
+
+  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const Vec3& direction) const {
+    return normal_at(solid, part, point, scene_.details).dot(direction) > 0;
   }
 
   [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {

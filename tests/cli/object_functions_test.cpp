@@ -60,7 +60,7 @@ L)"),
 }
 
 TEST_F(ObjectFunctions, TellWhatTheyCannotAnswer) {
-  const std::string errors = said(R"(#declare T = torus { 1, .2 }
+  const std::string errors = said(R"(#declare T = intersection { torus { 1, .2 } sphere { 0, 1 } }
 #declare L = light_source { 0, 1 }
 #declare F = 3;
 #declare P = trace(T, 0, x);
@@ -69,7 +69,7 @@ TEST_F(ObjectFunctions, TellWhatTheyCannotAnswer) {
 #declare P = inside(L, 0);
 #declare P = min_extent(3);
 )");
-  EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: the surface of `torus` cannot be found yet"));
+  EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: the surface of `intersection` cannot be found yet"));
   EXPECT_THAT(errors,
               HasSubstr("5:43: error: `trace`: the variable for the normal holds a 3-term vector, found a number"));
   EXPECT_THAT(errors, HasSubstr("6:40: error: `trace`: expected the name of a variable"));

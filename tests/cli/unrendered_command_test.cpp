@@ -10,7 +10,7 @@ using testing::Not;
 
 constexpr std::string_view kScene = R"(camera { location -4*z }
 light_source { -9*z, rgb 1 spotlight }
-#macro Ring(R) torus { R, .1 } #end
+#macro Ring(R) light_group { torus { R, .1 } } #end
 sphere { 0, 1 pigment { rgb 1 } }
 Ring(1) Ring(2)
 )";
@@ -24,7 +24,7 @@ TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("scene.isl:2:1: error: `spotlight` is not rendered yet"));
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `torus` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `light_group` is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
   EXPECT_THAT(result.err, HasSubstr("Ring"));
   EXPECT_FALSE(exists("scene.png"));
@@ -33,7 +33,7 @@ TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
 TEST_F(Unrendered, IsLeftOutWithAWarningWhereTheUserIsLenient) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24", "--lenient"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("warning: `torus` is not rendered yet; left out"));
+  EXPECT_THAT(result.err, HasSubstr("warning: `light_group` is not rendered yet; left out"));
   EXPECT_TRUE(exists("scene.png"));
 }
 

@@ -64,6 +64,27 @@ TEST_F(Trace, MissesBehindItAndWithoutADirection) {
   expect_near(from_inside->normal, {0, 0, 1});
 }
 
+TEST_F(Trace, TurnsTheNormalOfWhatIsInverseAsPovrayDoes) {
+  Object sphere = object(Object::Kind::solid, 0);
+  EXPECT_TRUE(trace(sphere, {0, 5, 0}, {0, -1, 0}));
+  sphere.inverse = true;
+  const auto hit = trace(sphere, {0, 5, 0}, {0, -1, 0});
+  ASSERT_TRUE(hit);
+  expect_near(hit->position, {0, 1, 0});
+  expect_near(hit->normal, {0, -1, 0});
+}
+
+TEST_F(Trace, FindsAPlaneThatWasMoved) {
+  database_.solids.push_back({.kind = SolidKind::plane, .a = {0, 1, 0}});
+  Object plane = object(Object::Kind::solid, 2);
+  plane.parent_from_object.matrix[3][1] = -1;
+  plane.parent_from_object.inverse[3][1] = 1;
+  database_.groups = {{.children = {plane, object(Object::Kind::solid, 0)}}};
+  const auto hit = trace(object(Object::Kind::group, 0), {3, 4, 0}, {0, -1, 0});
+  ASSERT_TRUE(hit);
+  expect_near(hit->position, {3, -1, 0});
+}
+
 TEST_F(Trace, SeesWhatFlagsHideFromTheCamera) {
   Object sphere = object(Object::Kind::solid, 0);
   sphere.no_image = sphere.no_shadow = sphere.double_illuminate = true;
@@ -72,8 +93,9 @@ TEST_F(Trace, SeesWhatFlagsHideFromTheCamera) {
 }
 
 TEST_F(Trace, NamesWhatItCannotFind) {
-  database_.groups = {{.children = {object(Object::Kind::solid, 0), object(Object::Kind::solid, 1)}}};
-  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::group, 0)), "`torus`");
+  database_.groups = {{.operation = scene::Operation::intersect,
+                       .children = {object(Object::Kind::solid, 0), object(Object::Kind::solid, 1)}}};
+  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::group, 0)), "`intersection`");
   EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::solid, 0)), "");
 }
 

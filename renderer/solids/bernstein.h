@@ -1,0 +1,67 @@
+// Polynomials in Bernstein form on [0, 1]: Σ bᵢ C(n,i) uⁱ (1−u)ⁿ⁻ⁱ. The form in which a polynomial's values lie between
+// its coefficients and its roots move least when the coefficients are rounded (Farouki and Rajan 1987).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace isl::render {
+
+/// POV-Ray's greatest order of a `poly`.
+inline constexpr int kMostDegree = 35;
+
+struct Bernstein {
+  int degree;                             // nothing is set here: stacks of these are made for every ray
+  std::array<double, kMostDegree + 1> b;  ///< the first degree + 1 count
+
+  double& operator[](int i) { return b[static_cast<std::size_t>(i)]; }
+  double operator[](int i) const { return b[static_cast<std::size_t>(i)]; }
+};
+
+/// Binomial coefficients, exact: C(35, 17) is below 2³³.
+[[nodiscard]] inline double binomial(int n, int i) {
+  static constexpr auto kRows = [] {
+    std::array<std::array<double, kMostDegree + 1>, kMostDegree + 1> rows{};
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      rows[row][0] = 1;
+      for (std::size_t k = 1; k <= row; ++k) rows[row][k] = rows[row - 1][k - 1] + (k < row ? rows[row - 1][k] : 0);
+    }
+    return rows;
+  }();
+  return kRows[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)];
+}
+
+/// The value at u in [0, 1], by Horner's rule in u/(1−u) from the nearer end: all terms are products of numbers in
+/// [0, 1] with coefficients, so the rounding is below 2n units of the largest.
+[[nodiscard]] inline double value_at(const Bernstein& p, double u) {
+  const bool from_left = u <= 0.5;
+  const double far = from_left ? u : 1 - u, near = from_left ? 1 - u : u;
+  const double ratio = far / near;
+  double sum = 0, scale = 1;
+  for (int i = p.degree; i >= 0; --i) {
+    sum = sum * ratio + binomial(p.degree, i) * p[from_left ? i : p.degree - i];
+    if (i > 0) scale *= near;
+  }
+  return sum * scale;
+}
+
+/// Splits at ½ (de Casteljau): `p` becomes the left half, `right` the right one.
+inline void halve(Bernstein& p, Bernstein& right) {
+  const int n = p.degree;
+  right.degree = n;
+  right[n] = p[n];
+  for (int level = 1; level <= n; ++level) {
+    for (int i = n; i >= level; --i) p[i] = 0.5 * (p[i - 1] + p[i]);
+    right[n - level] = p[n];
+  }
+}
+
+/// For a polynomial with b₀ = 0: itself over u, of one degree less: cᵢ = n/(i+1) bᵢ₊₁.
+[[nodiscard]] inline Bernstein over_u(const Bernstein& p) {
+  Bernstein quotient;
+  quotient.degree = p.degree - 1;
+  for (int i = 0; i < p.degree; ++i) quotient[i] = p[i + 1] * p.degree / (i + 1);
+  return quotient;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,76 @@
+// box: the points with a ≤ p ≤ b in every coordinate; three slabs, each between two faces. Part 2·axis is the face at
+// a, 2·axis + 1 the one at b.
+//
+// A box without thickness along an axis is the sheet that POV-Ray makes of it: a rectangle, crossed once.
+#include "renderer/solids/line_interval.h"
+
+namespace isl::render {
+namespace {
+
+std::uint8_t face(int axis, int end) { return static_cast<std::uint8_t>(2 * axis + end); }
+
+/// Each face's plane is met from that face, so that a far one costs a near one no digits; from a start on one, the
+/// other is the thickness away. `is_on_another`: the start lies on another face, so certainly within this slab.
+LineInterval face_slab(const scene::Solid& solid, int axis, const Vec3& origin, const Vec3& direction,
+                       std::uint8_t start_part) {
+  const double rise = direction[axis];
+  double to_a = solid.a[axis] - origin[axis], to_b = solid.b[axis] - origin[axis];
+  const bool starts_on_a = start_part == face(axis, 0), starts_on_b = start_part == face(axis, 1);
+  if (starts_on_a) to_a = 0, to_b = solid.b[axis] - solid.a[axis];
+  if (starts_on_b) to_a = solid.a[axis] - solid.b[axis], to_b = 0;
+  const bool starts_on_another = start_part != kNoPart && !starts_on_a && !starts_on_b;
+  LineInterval slab;
+  if (rise == 0) {
+    if (!(to_a < 0 && to_b > 0) && !starts_on_another) slab = LineInterval::none();
+    return slab;
+  }
+  const LineEnd a{to_a / rise, face(axis, 0), starts_on_a}, b{to_b / rise, face(axis, 1), starts_on_b};
+  slab = rise > 0 ? LineInterval{a, b} : LineInterval{b, a};
+  if (starts_on_another) slab.hold_origin();
+  return slab;
+}
+
+/// The axis along which the box has no thickness, or −1.
+int flat_axis(const scene::Solid& solid) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (solid.a[axis] == solid.b[axis]) return axis;
+  }
+  return -1;
+}
+
+Crossings rectangle_crossings(const scene::Solid& solid, int axis, const Vec3& origin, const Vec3& direction,
+                              std::uint8_t start_part) {
+  Crossings result;
+  if (start_part != kNoPart || direction[axis] == 0) return result;
+  const double t = (solid.a[axis] - origin[axis]) / direction[axis];
+  for (int other = 0; other < 3; ++other) {
+    if (other == axis) continue;
+    const double p = origin[other] + t * direction[other];
+    if (!(p >= solid.a[other] && p <= solid.b[other])) return result;
+  }
+  result.add(t, face(axis, 0));
+  return result;
+}
+
+}  // namespace
+
+Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                        std::uint8_t start_part) noexcept {
+  if (const int axis = flat_axis(solid); axis >= 0) {
+    return rectangle_crossings(solid, axis, origin, direction, start_part);
+  }
+  LineInterval inside = face_slab(solid, 0, origin, direction, start_part);
+  inside = intersection(inside, face_slab(solid, 1, origin, direction, start_part));
+  inside = intersection(inside, face_slab(solid, 2, origin, direction, start_part));
+  return closed_crossings(inside);
+}
+
+Vec3 box_normal(std::uint8_t part) noexcept {
+  Vec3 normal(0);
+  normal[part / 2] = part % 2 == 0 ? -1 : 1;
+  return normal;
+}
+
+bool is_flat_box(const scene::Solid& solid) noexcept { return flat_axis(solid) >= 0; }
+
+}  // namespace isl::render

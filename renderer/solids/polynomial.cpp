@@ -1,0 +1,262 @@
+// quadric, cubic, quartic, poly: where a polynomial P(x, y, z) of order n is ≤ 0.
+//
+// Along a line P is a polynomial of one variable over an unbounded stretch. It is followed over three pieces on which
+// it is one over [0, 1] and nothing grows beyond bounds (P made homogeneous, P̂(x, y, z, w) = wⁿ P(x/w, y/w, z/w)):
+//
+//      ──────── −h/v ────────┤├──── foot ± h ────┤├──────── h/v ────────
+//
+// the middle one about the line's foot, its point nearest to the origin; beyond, t = foot ± h/v with v in (0, 1], where
+// v·p(t) is linear in v and v = 0 is infinity. h is the larger of the foot's distance and the polynomial's own reach
+// (PreparedPolynomial), so that on every piece all terms are at most of the size that they have near the surface; and
+// everything is divided by h, so that no power overflows. Only what lies beyond t = 0 is followed.
+//
+// On a piece the coordinates and w are linear forms l₀(1−u) + l₁u. Horner's rule for polynomials in three variables, on
+// sums Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ, needs products with linear forms, which are convolutions, and sums of one degree, since a
+// term's missing order is made up for by powers of w. The cᵢ over binomials are the Bernstein coefficients: no change
+// of basis, no shift, nothing cancels that the polynomial itself does not cancel. Horner's rule with absolute values
+// bounds the rounding (polynomial_roots.h, which finds the sign changes).
+//
+// A ray that starts on the surface begins the first piece at its own origin, where the coefficient is 0: divided out.
+#include "renderer/shading/power.h"
+#include "renderer/solids/kinds.h"
+#include "renderer/solids/polynomial_roots.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::render {
+namespace {
+
+/// l₀(1−u) + l₁u.
+struct LinearForm {
+  double l0, l1;
+  [[nodiscard]] double largest() const { return std::max(std::abs(l0), std::abs(l1)); }
+};
+
+struct Piece {
+  LinearForm x, y, z, w;
+};
+
+/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ.
+struct Scaled {
+  int degree = 0;
+  std::array<double, kMostDegree + 1> c;
+
+  void multiply(const LinearForm& l) {
+    c[static_cast<std::size_t>(degree) + 1] = l.l1 * c[static_cast<std::size_t>(degree)];
+    for (auto i = static_cast<std::size_t>(degree); i > 0; --i) c[i] = l.l0 * c[i] + l.l1 * c[i - 1];
+    c[0] *= l.l0;
+    ++degree;
+  }
+  void add(const Scaled& other) {
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] += other.c[i];
+  }
+  void add_times(double factor, const Scaled& other) {
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] += factor * other.c[i];
+  }
+  void set_times(double factor, const Scaled& other) {
+    degree = other.degree;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] = factor * other.c[i];
+  }
+};
+
+/// P̂ along a piece.
+Bernstein along(const PreparedPolynomial& polynomial, const Piece& piece) {
+  const int n = polynomial.order;
+  Scaled powers_of_w[kMostDegree + 1];
+  powers_of_w[0].c[0] = 1;
+  for (int k = 1; k <= n; ++k) {
+    powers_of_w[k] = powers_of_w[k - 1];
+    powers_of_w[k].multiply(piece.w);
+  }
+  const double* coefficient = polynomial.coefficients.data();
+  Scaled in_x, in_y, in_z;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      in_z.set_times(*coefficient++, powers_of_w[0]);
+      for (int k = 1; k <= j; ++k) {
+        in_z.multiply(piece.z);
+        if (*coefficient != 0) in_z.add_times(*coefficient, powers_of_w[k]);
+        ++coefficient;
+      }
+      if (j == 0) {
+        in_y = in_z;
+      } else {
+        in_y.multiply(piece.y);
+        in_y.add(in_z);
+      }
+    }
+    if (i == 0) {
+      in_x = in_y;
+    } else {
+      in_x.multiply(piece.x);
+      in_x.add(in_y);
+    }
+  }
+  Bernstein result;
+  result.degree = n;
+  for (int i = 0; i <= n; ++i) result[i] = in_x.c[static_cast<std::size_t>(i)] / binomial(n, i);
+  return result;
+}
+
+/// Horner's rule once more, with a term's missing order made up for by powers of w.
+double value(const PreparedPolynomial& polynomial, double x, double y, double z, double w, bool absolute) {
+  const double* coefficient = polynomial.coefficients.data();
+  double in_x = 0;
+  for (int i = 0; i <= polynomial.order; ++i) {
+    double in_y = 0;
+    for (int j = 0; j <= i; ++j) {
+      double in_z = 0, power = 1;
+      for (int k = 0; k <= j; ++k) {
+        const double c = *coefficient++;
+        in_z = in_z * z + (absolute ? std::abs(c) : c) * power;
+        power *= w;
+      }
+      in_y = in_y * y + in_z;
+    }
+    in_x = in_x * x + in_y;
+  }
+  return in_x;
+}
+
+/// The largest that the terms can add up to on the piece.
+double magnitude(const PreparedPolynomial& polynomial, const Piece& piece) {
+  return value(polynomial, piece.x.largest(), piece.y.largest(), piece.z.largest(), piece.w.largest(), true);
+}
+
+/// One polynomial along one line, from t = 0 on.
+class PolynomialLine {
+ public:
+  PolynomialLine(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
+                 bool starts_on_surface)
+      : polynomial_(polynomial), origin_(origin), direction_(direction), deflates_(starts_on_surface) {
+    const double length = direction.length();
+    foot_ = -origin.dot(direction) / direction.dot(direction);
+    const Vec3 foot = origin + direction * foot_;
+    h_ = std::max(foot.length(), polynomial.reach);
+    if (!(h_ > 0)) h_ = origin.length() > 0 ? origin.length() : 1;  // a cone met at its apex: any length is as good
+    near_ = h_ / length;
+  }
+
+  Crossings follow() {
+    // t = foot − near/v up to foot − near, then to foot + near, then foot + near/v.
+    const double from = std::max(0.0, foot_ - near_), to = foot_ + near_;
+    if (from > 0) follow_far(-1, near_ / foot_, 1, true);
+    if (to > 0) {
+      const Vec3 a = point(from) / h_, b = point(to) / h_;
+      follow({{a.x, b.x}, {a.y, b.y}, {a.z, b.z}, {1 / h_, 1 / h_}}, [&](double u) { return from + u * (to - from); });
+      follow_far(1, 1, 0, false);
+    } else {
+      follow_far(1, -near_ / foot_, 0, true);
+    }
+    result_.ends_inside = sign_.sign() < 0;
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] Vec3 point(double t) const { return origin_ + direction_ * t; }
+
+  /// t = foot + side·near/v for v from `from` to `to`. v·p(t)/h = v·foot/h + side·near/h·direction. `is_first`: the
+  /// first v is t = 0.
+  void follow_far(double side, double from, double to, bool is_first) {
+    const Vec3 foot = point(foot_) / h_, step = direction_ * (side * near_ / h_);
+    Vec3 a = foot * from + step;
+    const Vec3 b = foot * to + step;
+    if (is_first) a = origin_ * (from / h_);
+    follow({{a.x, b.x}, {a.y, b.y}, {a.z, b.z}, {from / h_, to / h_}},
+           [&](double u) { return foot_ + side * near_ / (from + u * (to - from)); });
+  }
+
+  template <class TimeAt>
+  void follow(const Piece& piece, const TimeAt& time_at) {
+    Bernstein p = along(polynomial_, piece);
+    double band = rounding_of_order(polynomial_.order) * magnitude(polynomial_, piece);
+    if (deflates_) {
+      band *= p.degree;
+      p = over_u(p);
+      deflates_ = false;
+    }
+    sign_.follow(p, band, [&](double u) { result_.add(time_at(u), kSide); });
+  }
+
+  const PreparedPolynomial& polynomial_;
+  Vec3 origin_, direction_;
+  bool deflates_;  ///< the next piece begins with the known root
+  double foot_, h_, near_;
+  SignFollower sign_{0};
+  Crossings result_;
+};
+
+}  // namespace
+
+PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
+  // By total order: the place of a coefficient tells its powers.
+  const int n = polynomial.order;
+  std::array<double, kMostDegree + 1> largest{};
+  std::size_t place = 0;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      for (int k = 0; k <= j; ++k) {
+        double& own = largest[static_cast<std::size_t>(n - k)];  // x^(n−i) y^(i−j) z^(j−k)
+        own = std::max(own, std::abs(polynomial.coefficients[place++]));
+      }
+    }
+  }
+  PreparedPolynomial result;
+  result.order = n;
+  while (result.order > 0 && largest[static_cast<std::size_t>(result.order)] == 0) --result.order;
+  place = 0;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      for (int k = 0; k <= j; ++k, ++place) {
+        // What is left has the same nesting: i, j and k all fall by the orders that are gone.
+        if (k >= n - result.order) result.coefficients.push_back(polynomial.coefficients[place]);
+      }
+    }
+  }
+  const double leading = largest[static_cast<std::size_t>(result.order)];
+  for (int k = 0; k < result.order; ++k) {
+    const double share = largest[static_cast<std::size_t>(k)] / leading;
+    if (share > 0) result.reach = std::max(result.reach, power(share, 1.0 / (result.order - k)));
+  }
+  // The nearest power of two, so that a scene scaled by one has the same digits.
+  if (result.reach > 0 && std::isfinite(result.reach))
+    result.reach = std::ldexp(1.0, std::ilogb(result.reach * std::sqrt(2.0)));
+  return result;
+}
+
+Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
+                               std::uint8_t start_part) noexcept {
+  if (polynomial.order == 0) {
+    Crossings result;
+    result.ends_inside = polynomial.coefficients[0] <= 0;
+    return result;
+  }
+  return PolynomialLine(polynomial, origin, direction, start_part == kSide).follow();
+}
+
+/// The gradient, by the product rule along Horner's.
+Vec3 polynomial_normal(const PreparedPolynomial& polynomial, const Vec3& point) noexcept {
+  const double* coefficient = polynomial.coefficients.data();
+  double in_x = 0;
+  Vec3 slope_x(0);
+  for (int i = 0; i <= polynomial.order; ++i) {
+    double in_y = 0;
+    Vec3 slope_y(0);
+    for (int j = 0; j <= i; ++j) {
+      double in_z = 0, slope_z = 0;
+      for (int k = 0; k <= j; ++k) {
+        slope_z = slope_z * point.z + in_z;
+        in_z = in_z * point.z + *coefficient++;
+      }
+      slope_y = slope_y * point.y + Vec3(0, in_y, slope_z);
+      in_y = in_y * point.y + in_z;
+    }
+    slope_x = slope_x * point.x + Vec3(in_x, slope_y.y, slope_y.z);
+    in_x = in_x * point.x + in_y;
+  }
+  const double length = slope_x.length();
+  return length > 0 && std::isfinite(length) ? slope_x / length : Vec3(0);
+}
+
+}  // namespace isl::render

@@ -1,0 +1,45 @@
+// The place in a bracket where a function changes sign, to the last digit of its argument or to where its values are 0.
+#pragma once
+
+#include <cmath>
+
+namespace isl::render {
+
+/// f(low) has the sign `sign` or, within rounding, is zero; f(high) has the other. Regula falsi with halved weights of
+/// an end that stays (Illinois; Dowell and Jarratt 1971), and a halving of the bracket whenever three steps have not
+/// halved it: at most four times as many evaluations as bisection, usually eight.
+template <class Function>
+[[nodiscard]] double root_in_bracket(const Function& f, double low, double high, int sign) {
+  double f_low = sign * f(low), f_high = sign * f(high);
+  if (!(f_low > 0)) return low;
+  if (!(f_high < 0)) return high;
+  double width = high - low;
+  int kept = 0;  // > 0: how often the low end stayed
+  for (int step = 1;; ++step) {
+    double middle = low + (high - low) * (f_low / (f_low - f_high));
+    if (step % 3 == 0) {
+      if (high - low > 0.5 * width) middle = low + 0.5 * (high - low);
+      width = high - low;
+    }
+    if (!(middle > low && middle < high)) {
+      middle = low + 0.5 * (high - low);
+      if (!(middle > low && middle < high)) return std::abs(f_low) < std::abs(f_high) ? low : high;
+    }
+    const double value = sign * f(middle);
+    if (value > 0) {
+      low = middle;
+      f_low = value;
+      if (kept < 0) f_high *= 0.5;
+      kept = -1;
+    } else if (value < 0) {
+      high = middle;
+      f_high = value;
+      if (kept > 0) f_low *= 0.5;
+      kept = 1;
+    } else {
+      return middle;  // also where it is no number
+    }
+  }
+}
+
+}  // namespace isl::render

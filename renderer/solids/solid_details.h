@@ -1,0 +1,56 @@
+// What solids need that does not fit into one record, made ready for rays: the columns that scene::Solid::detail
+// indexes.
+#pragma once
+
+#include "renderer/scene/solids.h"
+
+#include <ImathBox.h>
+
+#include <vector>
+
+namespace isl::scene {
+struct Database;
+}
+
+namespace isl::render {
+
+using scene::Vec3;
+
+/// A polynomial without the orders that are all zero, and its own measure of length.
+struct PreparedPolynomial {
+  int order = 0;
+  std::vector<double> coefficients;  ///< in the order of scene::Polynomial
+  /// The largest radius at which the terms of a lower order can weigh as much as those of the highest:
+  /// max (A_k/A_n)^(1/(n−k)), with A_k the largest coefficient of order k, to the nearest power of two. Scales as the
+  /// shape does; 0 for a cone.
+  double reach = 0;
+};
+
+struct PlanePoint {
+  double u, v;
+};
+
+/// A polygon seen along the axis that its normal is nearest to. Coordinates are the points' own, so that neighbours
+/// that share an edge have the same one.
+struct PreparedPolygon {
+  Vec3 normal{0};  ///< unit length
+  Vec3 anchor{0};  ///< a point of the plane
+  Imath::Box3d box;
+  int axis_u = 0, axis_v = 1;
+  std::vector<PlanePoint> starts, ends;  ///< of every edge
+};
+
+struct SolidDetails {
+  std::vector<PreparedPolynomial> polynomials;
+  std::vector<scene::Triangle> triangles;
+  std::vector<PreparedPolygon> polygons;
+};
+
+/// For solids that need none.
+inline const SolidDetails kNoDetails;
+
+[[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);
+[[nodiscard]] PreparedPolygon prepare(const scene::Polygon& polygon);
+[[nodiscard]] SolidDetails prepare_details(const scene::Database& database);
+
+}  // namespace isl::render

@@ -1,0 +1,156 @@
+// torus: the points within r = radius_b of the circle of radius R = radius_a about the y axis.
+//
+// For r ≤ R its surface is where
+//   f = (|p|² − R² − r²)² − 4R²(r² − y²)
+// is zero: near the surface both terms are small where r is, unlike those of the textbook's (|p|² + R² − r²)² − 4R²(x²
+// + z²). Along the stretch of a line within the ball of radius R + r and the slab |y| ≤ r, f is a quartic over [0, 1];
+// its Bernstein coefficients are products of those of |p|² (p₀², p₀·p₁, p₁²) and y. polynomial_roots.h finds where it
+// changes sign, and Newton's steps on the distance itself, √((ρ − R)² + y²) − r, ρ² = x² + z², take out what the
+// coefficients' rounding, of the size of R⁴, left.
+//
+// For r > R (a spindle) f is also zero on the lemon within, which bounds nothing, and touches zero where the axis meets
+// the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
+// and a norm), goes to split_search.h.
+#include "renderer/solids/kinds.h"
+#include "renderer/solids/polynomial_roots.h"
+#include "renderer/solids/split_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::render {
+namespace {
+
+double from_axis(const Vec3& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+/// The stretch of t > 0 in which the line may meet the torus.
+struct Stretch {
+  double from = 0, to = 0;
+  bool comes_from_outside = false;
+};
+
+Stretch stretch_of(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, bool starts_on_surface) {
+  const double reach = solid.radius_a + solid.radius_b, dd = direction.dot(direction);
+  const double middle = -origin.dot(direction) / dd;
+  const double distance = (origin + direction * middle).length();
+  if (!(distance < reach)) return {};
+  const double half = std::sqrt((reach - distance) * (reach + distance) / dd);
+  Stretch result{middle - half, middle + half};
+  if (direction.y != 0) {
+    const double a = (-solid.radius_b - origin.y) / direction.y, b = (solid.radius_b - origin.y) / direction.y;
+    result.from = std::max(result.from, std::min(a, b));
+    result.to = std::min(result.to, std::max(a, b));
+  } else if (!(std::abs(origin.y) <= solid.radius_b)) {
+    return {};
+  }
+  result.comes_from_outside = result.from > 0 && !starts_on_surface;
+  if (!result.comes_from_outside) result.from = 0;
+  return result;
+}
+
+/// f along the line from `a` to `b`, and the band of its coefficients.
+Bernstein quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, double& band) {
+  const double big = solid.radius_a * solid.radius_a, small = solid.radius_b * solid.radius_b;
+  const double s0 = a.dot(a) - big - small, s1 = a.dot(b) - big - small, s2 = b.dot(b) - big - small;
+  const double y0 = a.y * a.y - small, y1 = a.y * b.y - small, y2 = b.y * b.y - small;
+  Bernstein p;
+  p.degree = 4;
+  const double four = 4 * big;
+  p[0] = s0 * s0 + four * y0;
+  p[1] = s0 * s1 + four * 0.5 * (y0 + y1);
+  p[2] = (2 * s1 * s1 + s0 * s2) / 3 + four * (y0 + 4 * y1 + y2) / 6;
+  p[3] = s1 * s2 + four * 0.5 * (y1 + y2);
+  p[4] = s2 * s2 + four * y2;
+  // The points are in the ball of radius R + r: |p|² has 5 roundings of at most (R + r)², f as many again of its
+  // square.
+  const double largest = 2 * (std::sqrt(big) + std::sqrt(small)) * (std::sqrt(big) + std::sqrt(small));
+  band = rounding_of_order(4) * largest * largest;
+  return p;
+}
+
+/// Newton's steps on the distance while they help; the root is simple wherever they are long.
+double polished(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double t, double longest) {
+  for (int step = 0; step < 3; ++step) {
+    const Vec3 p = origin + direction * t;
+    const double rho = from_axis(p), across = rho - solid.radius_a;
+    const double distance = std::sqrt(across * across + p.y * p.y);
+    const double slope = (across * (p.x * direction.x + p.z * direction.z) / rho + p.y * direction.y) / distance;
+    const double move = (distance - solid.radius_b) / slope;
+    if (!(std::abs(move) <= longest)) break;
+    t -= move;
+    longest = 0.5 * std::abs(move);
+  }
+  return t;
+}
+
+/// h of the head comment, at t.
+SplitNode spindle_node(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double t) {
+  const Vec3 p = origin + direction * t;
+  const double rho = from_axis(p), square = p.dot(p), big = solid.radius_a, small = solid.radius_b;
+  SplitNode node;
+  node.t = t;
+  node.u = square + (big - small) * (big + small);
+  node.slope_u = 2 * p.dot(direction);
+  node.v = 2 * big * rho;
+  // On the axis the norm has a kink; 0 lies between its slopes on both sides.
+  node.slope_v = rho > 0 ? 2 * big * (p.x * direction.x + p.z * direction.z) / rho : 0;
+  node.value = node.u - node.v;
+  node.noise = 0x1p-49 * (square + big * big + small * small);
+  return node;
+}
+
+}  // namespace
+
+Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                          std::uint8_t start_part) noexcept {
+  Crossings result;
+  const bool starts_on_surface = start_part == kSide;
+  const Stretch stretch = stretch_of(solid, origin, direction, starts_on_surface);
+  const double length = stretch.to - stretch.from;
+  if (!(length > 0)) return result;
+  const Vec3 begin = origin + direction * stretch.from;
+  const int sign = stretch.comes_from_outside ? 1 : 0;
+  int last = 0;
+  if (solid.radius_b > solid.radius_a) {
+    SplitSearch search(sign);
+    search.follow([&](double t) { return spindle_node(solid, begin, direction, t); }, 0, length, 1, 1,
+                  starts_on_surface, [&](double t) { result.add(stretch.from + t, kSide); });
+    last = search.sign();
+  } else {
+    double band = 0;
+    Bernstein p = quartic(solid, begin, begin + direction * length, band);
+    if (starts_on_surface) {
+      p = over_u(p);
+      band *= 4;
+    }
+    // Rounding of the coefficients moves a root that Newton's steps can tell from its neighbours by less than this.
+    constexpr double kMoved = 0x1p-20;
+    SignFollower follower(sign);
+    follower.follow(p, band, [&](double u) {
+      const double t = polished(solid, begin, direction, u * length, kMoved * length);
+      result.add(stretch.from + std::clamp(t, 0.0, length), kSide);
+    });
+    last = follower.sign();
+  }
+  // Beyond the stretch everything is outside.
+  if (last < 0) result.add(stretch.to, kSide);
+  return result;
+}
+
+Vec3 torus_normal(const scene::Solid& solid, const Vec3& point) noexcept {
+  const double rho = from_axis(point);
+  // On the axis, which only a spindle's surface meets, every direction of its cone is as good: along the axis.
+  if (rho == 0) return {0, point.y < 0 ? -1.0 : 1.0, 0};
+  const double along = 1 - solid.radius_a / rho;
+  const Vec3 across(point.x * along, point.y, point.z * along);
+  const double length = across.length();
+  return length > 0 ? across / length : Vec3(0, 1, 0);
+}
+
+Box torus_bounds(const scene::Solid& solid) noexcept {
+  const double reach = solid.radius_a + solid.radius_b;
+  const Vec3 corner(reach, solid.radius_b, reach);
+  return {-corner, corner};
+}
+
+}  // namespace isl::render
