@@ -1,5 +1,6 @@
 #include "renderer/compiled_scene.h"
 
+#include "renderer/csg/csg_builder.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/instance_grid.h"
 
@@ -9,7 +10,8 @@ namespace {
 /// Walks the tree of objects, composing transforms and handing textures down.
 class Flattener {
  public:
-  Flattener(const scene::Database& database, CompiledScene& compiled) : database_(database), compiled_(compiled) {}
+  Flattener(const scene::Database& database, CompiledScene& compiled)
+      : database_(database), compiled_(compiled), csg_(database) {}
 
   /// What an object hands down to its children.
   struct Inherited {
@@ -23,18 +25,23 @@ class Flattener {
     const Inherited own{then(object.parent_from_object, above.world_from_parent),
                         object.texture == scene::kNoTexture ? above.texture : object.texture,
                         above.no_shadow || object.no_shadow, above.is_inverse != object.inverse};
-    if (object.kind == scene::Object::Kind::group) {
+    const bool is_csg = needs_csg(database_, object, above.is_inverse);
+    if (object.kind == scene::Object::Kind::group && !is_csg) {
       for (const scene::Object& child : database_.groups[object.shape].children) add(child, own);
       return;
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
-    compiled_.instances.push_back({object.kind, own.no_shadow, is_placed, own.is_inverse, object.shape, own.texture,
+    compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind, own.no_shadow, is_placed,
+                                   own.is_inverse && !is_csg, is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape, own.texture,
                                    own.world_from_parent, object.origin});
   }
+
+  void finish() { compiled_.trees = csg_.take_trees(); }
 
  private:
   const scene::Database& database_;
   CompiledScene& compiled_;
+  CsgBuilder csg_;
 };
 
 }  // namespace
@@ -42,6 +49,7 @@ class Flattener {
 std::size_t CompiledScene::grid_bytes() const {
   std::size_t bytes = grid.bytes();
   for (const CompiledBlob& blob : blobs) bytes += blob.grid.bytes() + blob.components.bytes();
+  for (const CsgTree& tree : trees) bytes += tree.bytes();
   return bytes;
 }
 
@@ -51,11 +59,17 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   compiled.details = prepare_details(database);
   Flattener flattener(database, compiled);
   for (const scene::Object& object : database.objects) flattener.add(object, {});
+  flattener.finish();
 
   // A blob that is declared and never placed costs nothing.
   std::vector<bool> is_used(database.blobs.size(), false);
   for (const Instance& instance : compiled.instances) {
     if (instance.kind == scene::Object::Kind::blob) is_used[instance.shape] = true;
+  }
+  for (const CsgTree& tree : compiled.trees) {
+    for (const CsgLeaf& leaf : tree.leaves) {
+      if (leaf.kind == scene::Object::Kind::blob) is_used[leaf.shape] = true;
+    }
   }
   compiled.blobs.resize(database.blobs.size());
   for (std::size_t i = 0; i < database.blobs.size(); ++i) {

@@ -2,11 +2,13 @@
 // top-level grid over them. Immutable; one struct on one screen.
 #pragma once
 
+#include "renderer/csg/csg_tree.h"
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/grid.h"
 #include "renderer/scene/database.h"
 #include "renderer/solids/solid_details.h"
 
+#include <limits>
 #include <vector>
 
 namespace isl::render {
@@ -14,14 +16,20 @@ namespace isl::render {
 struct CompiledBlob {
   ComponentTable components;
   Grid grid;
+
+  /// Of all that it has, in its own space; infinite where it has half-spaces, empty where it has no surface.
+  [[nodiscard]] Box bounds() const {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    return grid.beyond == scene::kNone ? grid.bounds : Box(Vec3(-kFar), Vec3(kFar));
+  }
 };
 
-/// A solid or blob that stands somewhere. Its number is its InstanceId.
+/// A solid, a blob or a combination of such that stands somewhere. Its number is its InstanceId.
 struct Instance {
-  scene::Object::Kind kind;  ///< solid or blob
+  scene::Object::Kind kind;  ///< `group`: `shape` is the number of a CSG tree
   bool no_shadow;
   bool is_placed;   ///< false: object space is world space
-  bool is_inverse;  ///< its normals point inwards
+  bool is_inverse;  ///< its normals point inwards; a CSG tree knows that itself
   std::uint32_t shape;
   scene::TextureId texture;
   scene::Transform world_from_object;
@@ -32,6 +40,7 @@ struct CompiledScene {
   std::vector<scene::Solid> solids;
   SolidDetails details;  ///< of those
   std::vector<CompiledBlob> blobs;
+  std::vector<CsgTree> trees;
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
   std::vector<std::uint32_t> bounded;    ///< all other instances

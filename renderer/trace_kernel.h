@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/compiled_scene.h"
+#include "renderer/csg/csg_search.h"
 #include "renderer/fields/lane_memory.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_memory.h"
@@ -21,6 +22,7 @@ struct BlobPoint {
 struct TraceMemory {
   LaneMemory lanes;
   PaperMemory paper;
+  CsgMemory csg;
 };
 
 struct TraceKernel {

@@ -25,6 +25,26 @@ struct Tracer::Impl {
   CompiledScene scene;
   SolverSettings settings;
   const TraceKernel* kernel = nullptr;
+
+  /// The normal of a solid or blob at a point in its own space, of any length; adds its materials there, of which `texture`
+  /// is the one where it has none of its own.
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, scene::TextureId texture, const Hit& hit, const Vec3& local,
+                std::vector<TextureShare>& textures) const {
+    if (kind == scene::Object::Kind::solid) {
+      textures.push_back({texture, 1.0});
+      return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
+    }
+    BlobPoint& blob = thread_blob_point();
+    kernel->blob_point(scene.blobs[shape], hit.cell, local, blob);
+    double total = 0;
+    for (const TextureShare& share : blob.shares) total += share.weight;
+    for (const TextureShare& share : blob.shares) {
+      textures.push_back({share.texture == scene::kNoTexture ? texture : share.texture, share.weight / total});
+    }
+    // Only where the published solver takes a place far from every field for the surface.
+    if (textures.empty()) textures.push_back({texture, 1.0});
+    return -blob.gradient;
+  }
 };
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
@@ -56,21 +76,15 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
   point.textures.clear();
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
-  if (instance.kind == scene::Object::Kind::solid) {
-    normal = shading_normal_at(impl_->scene.solids[instance.shape], hit.part, local, impl_->scene.details);
-    point.textures.push_back({instance.texture, 1.0});
+  if (instance.kind == scene::Object::Kind::group) {
+    const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
+    const scene::TextureId texture = leaf.texture == scene::kNoTexture ? instance.texture : leaf.texture;
+    const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures);
+    if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
+    if (leaf.is_inverse) normal = -normal;
   } else {
-    BlobPoint& blob = thread_blob_point();
-    impl_->kernel->blob_point(impl_->scene.blobs[instance.shape], hit.cell, local, blob);
-    normal = -blob.gradient;
-    double total = 0;
-    for (const TextureShare& share : blob.shares) total += share.weight;
-    for (const TextureShare& share : blob.shares) {
-      const scene::TextureId texture = share.texture == scene::kNoTexture ? instance.texture : share.texture;
-      point.textures.push_back({texture, share.weight / total});
-    }
-    // Only where the published solver takes a place far from every field for the surface.
-    if (point.textures.empty()) point.textures.push_back({instance.texture, 1.0});
+    normal = impl_->shape_at(instance.kind, instance.shape, instance.texture, hit, local, point.textures);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

@@ -22,6 +22,7 @@ using InstanceId = std::uint32_t;
 struct RayStart {
   InstanceId instance = scene::kNone;
   std::uint8_t part = 0;  ///< of a solid: which of its surfaces (Hit::part)
+  std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these (Hit::leaf)
 };
 
 /// A half-line in world space. The direction has unit length. A ray with NaN or infinite entries, or a zero direction,
@@ -41,8 +42,11 @@ struct Hit {
   std::uint32_t cell = scene::kNone;  ///< of a blob: the cell whose list holds every component that matters at the hit
   std::uint8_t part = 0;              ///< of a solid: which of its surfaces
   bool from_inside = false;           ///< the ray came out of the solid rather than into it
+  std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these
 
   [[nodiscard]] bool is_miss() const { return instance == scene::kNone; }
+  /// For a ray that goes on from here.
+  [[nodiscard]] RayStart start() const { return {instance, part, leaf}; }
 };
 
 /// A texture and its share of the material at a point; the shares of a point add up to one.

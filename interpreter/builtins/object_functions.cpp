@@ -42,8 +42,6 @@ Value trace(const Arguments& a) {
   if (normal && normal->value.term_count() != 3) {
     a.fail(3, fmt::format("the variable for the normal holds a 3-term vector, found {}", describe(normal->value)));
   }
-  if (const std::string thing = queries(a).untraceable(context.database, target); !thing.empty())
-    a.fail(0, fmt::format("the surface of {} cannot be found yet", thing));
   const auto hit = queries(a).trace(context.database, target, origin, direction);
   if (normal) normal->value = to_value(hit ? hit->normal : Vec3(0));
   return to_value(hit ? hit->position : Vec3(0));

@@ -57,7 +57,9 @@ Box Extents::of(const Object& object) { return boxes_of(object).surface; }
 Extents::Boxes Extents::boxes_of(const Object& object) {
   Boxes boxes;
   if (object.kind == Object::Kind::solid) {  // tight in the space outside, which a mapped box would not be
-    boxes.surface = boxes.inside = box_of(database_, database_.solids[object.shape], object.parent_from_object);
+    const scene::Solid& solid = database_.solids[object.shape];
+    boxes.surface = boxes.inside = box_of(database_, solid, object.parent_from_object);
+    if (solid.kind == scene::SolidKind::disc) boxes.inside = kEverything;  // the half-space behind it
   } else {
     boxes = boxes_of_shape(object);
     boxes.surface = mapped(boxes.surface, object.parent_from_object);

@@ -4,7 +4,6 @@
 #include "renderer/solids/solid.h"
 
 #include <cmath>
-#include <limits>
 
 namespace isl::render {
 namespace {
@@ -16,14 +15,17 @@ bool is_finite(const Box& box) {
   return true;
 }
 
-Box bounds_of(const Grid& grid) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  return grid.beyond == scene::kNone ? grid.bounds : Box(Vec3(-kFar), Vec3(kFar));
+Box local_bounds(const CompiledScene& scene, const Instance& instance) {
+  switch (instance.kind) {
+    case scene::Object::Kind::blob: return scene.blobs[instance.shape].bounds();
+    case scene::Object::Kind::group: return scene.trees[instance.shape].bounds;
+    case scene::Object::Kind::solid: break;
+  }
+  return bounds(scene.solids[instance.shape], scene.details);
 }
 
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
-  Box box = instance.kind == scene::Object::Kind::blob ? bounds_of(scene.blobs[instance.shape].grid)
-                                                       : bounds(scene.solids[instance.shape], scene.details);
+  const Box box = local_bounds(scene, instance);
   if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {

@@ -48,7 +48,7 @@ void WaveRenderer::shade_hit(std::uint32_t sample, const CameraSample& where, Wo
     const LightArrival arrival = light_arrival(materials_, point, light, plan_.highlights);
     if (arrival.is_dark()) continue;
     if (plan_.shadows && !light.shadowless) {
-      workspace.shadows.push(sample, arrival, point.position, {hit.instance, hit.part}, ray.path_length + hit.t);
+      workspace.shadows.push(sample, arrival, point.position, hit.start(), ray.path_length + hit.t);
     } else {
       colour += arrival.colour;
     }

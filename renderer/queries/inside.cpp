@@ -2,8 +2,8 @@
 
 #include "base/check.h"
 #include "renderer/fields/component_table.h"
+#include "renderer/solids/solid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -55,29 +55,53 @@ double value(const scene::Polynomial& polynomial, const Vec3& p) {
   return in_x;
 }
 
-bool in_group(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Group& group,
-              const Vec3& point) {
-  const auto holds = [&](const Object& child) { return is_inside(database, kernels, child, point); };
-  switch (group.operation) {
-    case Operation::unite:
-    case Operation::merge: return std::ranges::any_of(group.children, holds);
-    case Operation::intersect: return std::ranges::all_of(group.children, holds);
-    case Operation::subtract:
-      return !group.children.empty() && holds(group.children[0]) &&
-             std::none_of(group.children.begin() + 1, group.children.end(), holds);
-  }
-  ISL_CHECK(false, "operation {}", static_cast<int>(group.operation));
-}
+/// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; sheets have neither, so
+/// that a negation is handed down to the leaves.
+class Membership {
+ public:
+  Membership(const Database& database, const std::vector<KernelConstants>& kernels)
+      : database_(database), kernels_(kernels) {}
 
-bool in_shape(const Database& database, const std::vector<KernelConstants>& kernels, const Object& object,
-              const Vec3& point) {
-  switch (object.kind) {
-    case Object::Kind::solid: return is_inside(database, database.solids[object.shape], point);
-    case Object::Kind::blob: return is_inside(database, kernels, database.blobs[object.shape], point);
-    case Object::Kind::group: return in_group(database, kernels, database.groups[object.shape], point);
+  /// In the space that the object is placed into.
+  [[nodiscard]] bool holds(const Object& object, bool is_inverse, const Vec3& point) const {
+    const Vec3 p = object.parent_from_object.inverse_point(point);
+    const bool in_shape = shape_holds(object, is_inverse != object.inverse, p);
+    if (object.clip == scene::kNoGroup) return in_shape;
+    // Outside what is clipped is outside the shape or outside what clips it.
+    const bool in_clip = group_holds(database_.groups[index(object.clip)], is_inverse, p);
+    return is_inverse ? in_shape || in_clip : in_shape && in_clip;
   }
-  ISL_CHECK(false, "object kind {}", static_cast<int>(object.kind));
-}
+
+ private:
+  [[nodiscard]] bool group_holds(const scene::Group& group, bool is_inverse, const Vec3& point) const {
+    if (group.children.empty()) return is_inverse;
+    const bool is_union = group.operation == Operation::unite || group.operation == Operation::merge;
+    const bool wants_all = is_union == is_inverse;
+    bool is_first = true;
+    for (const Object& child : group.children) {
+      const bool is_taken_away = group.operation == Operation::subtract && !is_first;
+      if (holds(child, is_inverse != is_taken_away, point) != wants_all) return !wants_all;
+      is_first = false;
+    }
+    return wants_all;
+  }
+
+  [[nodiscard]] bool shape_holds(const Object& object, bool is_inverse, const Vec3& point) const {
+    switch (object.kind) {
+      case Object::Kind::solid: {
+        const Solid& solid = database_.solids[object.shape];
+        return !is_sheet(solid) && is_inside(database_, solid, point) != is_inverse;
+      }
+      case Object::Kind::blob:
+        return is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
+      case Object::Kind::group: return group_holds(database_.groups[object.shape], is_inverse, point);
+    }
+    ISL_CHECK(false, "object kind {}", static_cast<int>(object.kind));
+  }
+
+  const Database& database_;
+  const std::vector<KernelConstants>& kernels_;
+};
 
 }  // namespace
 
@@ -120,9 +144,7 @@ bool is_inside(const Database& database, const std::vector<KernelConstants>& ker
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const Object& object,
                const Vec3& point) {
-  const Vec3 p = object.parent_from_object.inverse_point(point);
-  if (in_shape(database, kernels, object, p) == object.inverse) return false;
-  return object.clip == scene::kNoGroup || in_group(database, kernels, database.groups[index(object.clip)], p);
+  return Membership(database, kernels).holds(object, false, point);
 }
 
 }  // namespace isl::render

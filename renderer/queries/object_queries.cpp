@@ -2,18 +2,11 @@
 
 #include "renderer/queries/inside.h"
 #include "renderer/queries/subset.h"
-#include "renderer/scene/unrendered.h"
 #include "renderer/tracer.h"
 
 #include <span>
-#include <string>
 
 namespace isl::render {
-
-struct ObjectQueries::TracedShape {
-  std::string untraceable;
-  std::optional<Tracer> tracer;  ///< where untraceable is empty
-};
 
 ObjectQueries::ObjectQueries() = default;
 ObjectQueries::~ObjectQueries() = default;
@@ -23,36 +16,27 @@ void ObjectQueries::follow(const scene::Database& database) {
   if (database_ != &database) {
     database_ = &database;
     kernels_.clear();
-    shapes_.clear();
+    tracers_.clear();
     extents_.emplace(database);
   }
   for (std::size_t i = kernels_.size(); i < database.kernels.size(); ++i)
     kernels_.push_back(kernel_constants(database.kernels[i]));
 }
 
-ObjectQueries::TracedShape& ObjectQueries::shape_of(const scene::Database& database, const scene::Object& object) {
+const Tracer& ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
-  std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
-  if (shape) return *shape;
-  shape = std::make_unique<TracedShape>();
-  const scene::Database alone = subset(database, object);
-  if (const std::vector<scene::Unrendered> things = scene::unrendered(alone); !things.empty()) {
-    shape->untraceable = things[0].what;
-  } else {
+  std::unique_ptr<Tracer>& tracer = tracers_[{object.kind, object.shape, object.clip, object.inverse}];
+  if (!tracer) {
     TracerOptions options;
     options.solver = SolverName::exact;
-    shape->tracer.emplace(alone, options);
+    tracer = std::make_unique<Tracer>(subset(database, object), options);
   }
-  return *shape;
-}
-
-std::string ObjectQueries::untraceable(const scene::Database& database, const scene::Object& object) {
-  return shape_of(database, object).untraceable;
+  return *tracer;
 }
 
 std::optional<scene::TracedPoint> ObjectQueries::trace(const scene::Database& database, const scene::Object& object,
                                                        const Vec3& origin, const Vec3& direction) {
-  const Tracer& tracer = shape_of(database, object).tracer.value();
+  const Tracer& tracer = tracer_of(database, object);
   Ray ray;
   ray.origin = object.parent_from_object.inverse_point(origin);
   ray.direction = object.parent_from_object.inverse_vector(direction);

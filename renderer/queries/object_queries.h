@@ -22,7 +22,6 @@ class ObjectQueries final : public scene::Queries {
   ObjectQueries();
   ~ObjectQueries() override;
 
-  [[nodiscard]] std::string untraceable(const scene::Database& database, const scene::Object& object) override;
   [[nodiscard]] std::optional<scene::TracedPoint> trace(const scene::Database& database, const scene::Object& object,
                                                         const scene::Vec3& origin,
                                                         const scene::Vec3& direction) override;
@@ -33,16 +32,13 @@ class ObjectQueries final : public scene::Queries {
  private:
   /// What decides the surface of an object in its own space.
   using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
-  /// A shape made ready, or what of it cannot be.
-  struct TracedShape;
-
-  TracedShape& shape_of(const scene::Database& database, const scene::Object& object);
+  const Tracer& tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
 
   const scene::Database* database_ = nullptr;  ///< what the rest was made from
   std::vector<KernelConstants> kernels_;
   std::optional<Extents> extents_;
-  std::map<ShapeKey, std::unique_ptr<TracedShape>> shapes_;
+  std::map<ShapeKey, std::unique_ptr<Tracer>> tracers_;
 };
 
 }  // namespace isl::render

@@ -7,7 +7,6 @@
 #include <ImathBox.h>
 
 #include <optional>
-#include <string>
 
 namespace isl::scene {
 
@@ -23,9 +22,6 @@ class Queries {
  public:
   virtual ~Queries() = default;
 
-  /// What the object holds whose surface cannot be found yet ("`torus`"), and trace() must not be asked; "" for
-  /// nothing.
-  [[nodiscard]] virtual std::string untraceable(const Database& database, const Object& object) = 0;
   /// The first surface along the ray beyond its origin, whatever the object's flags; none for a miss and for a
   /// direction of length zero.
   [[nodiscard]] virtual std::optional<TracedPoint> trace(const Database& database, const Object& object,

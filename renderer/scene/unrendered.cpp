@@ -8,8 +8,7 @@
 namespace isl::scene {
 namespace {
 
-/// Walks what stands in the world, each shared group once; what belongs to a shape that cannot be drawn is not looked
-/// into.
+/// Walks what stands in the world, each shared group once.
 class Finder {
  public:
   explicit Finder(const Database& database) : database_(database), is_seen_(database.groups.size(), false) {}
@@ -65,10 +64,6 @@ class Finder {
 
   void look_at(const std::vector<Object>& objects) {
     for (const Object& object : objects) {
-      if (const std::string_view shape = unrendered_shape(database_, object); !shape.empty()) {
-        add(shape, object.origin);
-        continue;
-      }
       look(object_features(), object, object.origin);
       if (object.texture != kNoTexture) look_at(database_.texture(object.texture), object.origin);
       if (object.kind == Object::Kind::blob) look_at(database_.blobs[object.shape]);
@@ -110,11 +105,6 @@ void leave_out(const Database& database, Texture& texture) {
   }
 }
 
-void leave_out_objects(const Database& database, std::vector<Object>& objects) {
-  std::erase_if(objects, [&](const Object& object) { return !unrendered_shape(database, object).empty(); });
-  leave_out(object_features(), objects);
-}
-
 }  // namespace
 
 std::vector<Unrendered> unrendered(const Database& database) { return Finder(database).find(); }
@@ -128,9 +118,9 @@ void leave_out_unrendered(Database& database) {
   leave_out(database, database.default_texture);
   for (Texture& texture : database.textures) leave_out(database, texture);
   leave_out(finish_features(), database.finishes);
-  leave_out_objects(database, database.objects);
+  leave_out(object_features(), database.objects);
   for (Group& group : database.groups) {
-    leave_out_objects(database, group.children);
+    leave_out(object_features(), group.children);
     leave_out(light_features(), group.lights);
   }
   leave_out(group_features(), database.groups);

@@ -20,8 +20,7 @@ struct Unrendered {
 /// Each kind once, in the order in which a walk over the camera, the lights and the objects meets them.
 [[nodiscard]] std::vector<Unrendered> unrendered(const Database& database);
 
-/// Leaves out what unrendered() names: an object whose shape cannot be drawn goes, anything else goes back to what it
-/// is where the scene says nothing.
+/// Leaves out what unrendered() names: it goes back to what it is where the scene says nothing.
 void leave_out_unrendered(Database& database);
 
 }  // namespace isl::scene

@@ -39,7 +39,7 @@ constexpr Feature<Light> kLightFeatures[] = {
 };
 
 // `hollow` and `no_reflection` are not here: they change nothing without fog and reflection, which are listed on their
-// own. Nor is `inverse`, which turns no surface unless something is clipped or cut by it.
+// own.
 constexpr Feature<Object> kObjectFeatures[] = {
     {"`no_image`", [](const Object& object) { return object.no_image; },
      [](Object& object) { object.no_image = false; }},
@@ -47,13 +47,9 @@ constexpr Feature<Object> kObjectFeatures[] = {
      [](Object& object) { object.double_illuminate = false; }},
     {"`interior_texture`", [](const Object& object) { return object.interior_texture != kNoTexture; },
      [](Object& object) { object.interior_texture = kNoTexture; }},
-    {"`clipped_by`", [](const Object& object) { return object.clip != kNoGroup; },
-     [](Object& object) { object.clip = kNoGroup; }},
 };
 
 constexpr Feature<Group> kGroupFeatures[] = {
-    {"`merge`", [](const Group& group) { return group.operation == Operation::merge; },
-     [](Group& group) { group.operation = Operation::unite; }},
     {"`light_group`", [](const Group& group) { return group.is_light_group; },
      [](Group& group) { group.is_light_group = false; }},
 };
@@ -77,16 +73,5 @@ std::span<const Feature<Light>> light_features() { return kLightFeatures; }
 std::span<const Feature<Object>> object_features() { return kObjectFeatures; }
 std::span<const Feature<Group>> group_features() { return kGroupFeatures; }
 std::span<const WorldFeature> world_features() { return kWorldFeatures; }
-
-std::string_view unrendered_shape(const Database& database, const Object& object) {
-  if (object.kind != Object::Kind::group) return {};
-  switch (database.groups[object.shape].operation) {
-    case Operation::intersect: return "`intersection`";
-    case Operation::subtract: return "`difference`";
-    case Operation::unite:
-    case Operation::merge: break;
-  }
-  return {};
-}
 
 }  // namespace isl::scene

@@ -26,13 +26,9 @@ struct WorldFeature {
 
 [[nodiscard]] std::span<const Feature<Camera>> camera_features();
 [[nodiscard]] std::span<const Feature<Light>> light_features();
-/// Of an object apart from its shape.
 [[nodiscard]] std::span<const Feature<Object>> object_features();
 [[nodiscard]] std::span<const Feature<Group>> group_features();
 /// Of what stands in no object.
 [[nodiscard]] std::span<const WorldFeature> world_features();
-
-/// What the language calls a shape that cannot be drawn at all; "" for one that can.
-[[nodiscard]] std::string_view unrendered_shape(const Database& database, const Object& object);
 
 }  // namespace isl::scene

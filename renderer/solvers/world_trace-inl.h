@@ -84,8 +84,13 @@ class WorldTrace {
       const BlobRay blob_ray{origin, direction, best.t, starts_here, any, ray.path_length};
       const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
       if (hit.is_miss() || !(any || hit.t < best.t)) return false;  // with `any`, t is rough and within t_max
-      best = {hit.t, index, hit.cell, 0, hit.from_inside != instance.is_inverse};
+      best = {hit.t, index, hit.cell, 0, hit.from_inside != instance.is_inverse, scene::kNone};
       return true;
+    }
+    if (instance.kind == scene::Object::Kind::group) {
+      return meet_csg(index, {origin, direction, best.t, starts_here ? ray.start.leaf : scene::kNone, ray.start.part,
+                              ray.path_length, reach_of(instance, ray, starts_here)},
+                      best);
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
     const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart, scene_.details);
@@ -95,10 +100,34 @@ class WorldTrace {
       if (!(t < best.t)) return false;
       const std::uint8_t part = found.part[static_cast<std::size_t>(i)];
       const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
-      best = {t, index, scene::kNone, part, from_inside};
+      best = {t, index, scene::kNone, part, from_inside, scene::kNone};
       return true;
     }
     return false;
+  }
+
+  bool meet_csg(std::uint32_t index, const CsgRay& ray, Hit& best) {
+    const Instance& instance = scene_.instances[index];
+    const BlobSearch blobs{this, [](void* self, std::uint32_t blob, const BlobRay& blob_ray) {
+                             auto& world = *static_cast<WorldTrace*>(self);
+                             return world.first_hit(world.scene_.blobs[blob], blob_ray);
+                           }};
+    const CsgHit hit = first_csg_hit(scene_, scene_.trees[instance.shape], ray, blobs, memory_.csg);
+    if (hit.is_miss()) return false;
+    best = {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf};
+    return true;
+  }
+
+  /// How large the numbers were that a ray's origin in an instance's space was computed from. A start on a surface was found
+  /// at the end of a path.
+  [[nodiscard]] static double reach_of(const Instance& instance, const Ray& ray, bool starts_here) {
+    const auto largest = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const double reach = largest(ray.origin) + (starts_here ? ray.path_length : 0);
+    if (!instance.is_placed) return reach;
+    const scene::Matrix& m = instance.world_from_object.inverse;
+    const double stretch = std::max({largest({m[0][0], m[0][1], m[0][2]}), largest({m[1][0], m[1][1], m[1][2]}),
+                                     largest({m[2][0], m[2][1], m[2][2]})});
+    return reach * stretch + largest({m[3][0], m[3][1], m[3][2]});
   }
 
   [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const Vec3& direction) const {

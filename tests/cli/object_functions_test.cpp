@@ -35,7 +35,7 @@ L)"),
               HasSubstr("0.0,1.0,0.0 0.0,1.0,0.0\n"));
 }
 
-TEST_F(ObjectFunctions, InsideAndExtentsKnowWhatIsNotDrawnYet) {
+TEST_F(ObjectFunctions, InsideAndExtentsOfADifference) {
   EXPECT_THAT(said(R"(#declare L = difference { box { -1, 1 } torus { 1, .25 } translate 5*x }
 #debug concat(str(inside(L, 5*x), 0, 0), str(inside(L, 6*x), 0, 0), str(inside(L, 0), 0, 0), " ")
 #debug concat(vstr(3, min_extent(L), ",", 0, 2), " ", vstr(3, max_extent(L), ",", 0, 2), "\n")
@@ -60,16 +60,16 @@ L)"),
 }
 
 TEST_F(ObjectFunctions, TellWhatTheyCannotAnswer) {
-  const std::string errors = said(R"(#declare T = intersection { torus { 1, .2 } sphere { 0, 1 } }
+  const std::string errors = said(R"(#declare T = torus { 1, .2 }
 #declare L = light_source { 0, 1 }
 #declare F = 3;
-#declare P = trace(T, 0, x);
+#declare P = trace(3, 0, x);
 #declare P = trace(sphere { 0, 1 }, 0, x, F);
 #declare P = trace(object { T }, 0, x, <0, 0, 0>);
 #declare P = inside(L, 0);
 #declare P = min_extent(3);
 )");
-  EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: the surface of `intersection` cannot be found yet"));
+  EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: expected an object, found a number"));
   EXPECT_THAT(errors,
               HasSubstr("5:43: error: `trace`: the variable for the normal holds a 3-term vector, found a number"));
   EXPECT_THAT(errors, HasSubstr("6:40: error: `trace`: expected the name of a variable"));

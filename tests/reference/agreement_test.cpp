@@ -66,7 +66,7 @@ std::vector<render::Ray> shadow_rays(const TracerUnderTest& tracer, const std::v
     const render::SurfacePoint point = tracer.surface(eyes[i], hits[i]);
     const scene::Vec3 light = random.direction() * (5 * scale);
     const double distance = (light - point.position).length();
-    const render::RayStart start{hits[i].instance, hits[i].part};
+    const render::RayStart start = hits[i].start();
     shadows.push_back({point.position, (light - point.position) / distance, distance, hits[i].t, start});
     const scene::Vec3 tangent = point.normal.cross(random.direction()).normalized();
     const double lift = random.below(2) == 0 ? 1e-6 : -1e-6;

@@ -64,7 +64,7 @@ class TracerUnderTest {
       if (next.is_miss()) break;
       travelled += next.t;
       found.push_back(travelled);
-      ray = {surface(ray, next).position, direction, kInfinity, travelled, {next.instance, next.part}};
+      ray = {surface(ray, next).position, direction, kInfinity, travelled, next.start()};
     }
     return found;
   }

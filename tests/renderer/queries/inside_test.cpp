@@ -78,6 +78,14 @@ TEST_F(InsideObject, CombinesAsTheOperationSays) {
   EXPECT_TRUE(holds(Operation::intersect, left) && !holds(Operation::intersect, middle));
 }
 
+TEST_F(InsideObject, OfATriangleIsNothingInverseOrNot) {
+  database_.triangles.resize(1);
+  database_.solids[1] = {.kind = SolidKind::triangle, .detail = 0};
+  EXPECT_FALSE(holds(Operation::intersect, Vec3(0)));
+  EXPECT_FALSE(holds(Operation::subtract, Vec3(0))) << "as in POV-Ray";
+  EXPECT_TRUE(holds(Operation::unite, Vec3(0)));
+}
+
 TEST_F(InsideObject, FollowsTransformsAndClips) {
   Object object = pair_[0];
   object.parent_from_object.matrix[3][1] = 5;

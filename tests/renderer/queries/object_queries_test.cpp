@@ -88,15 +88,19 @@ TEST_F(Trace, FindsAPlaneThatWasMoved) {
 TEST_F(Trace, SeesWhatFlagsHideFromTheCamera) {
   Object sphere = object(Object::Kind::solid, 0);
   sphere.no_image = sphere.no_shadow = sphere.double_illuminate = true;
-  EXPECT_EQ(queries_.untraceable(database_, sphere), "");
   EXPECT_TRUE(trace(sphere, {0, 0, -5}, {0, 0, 1}));
 }
 
-TEST_F(Trace, NamesWhatItCannotFind) {
-  database_.groups = {{.operation = scene::Operation::intersect,
-                       .children = {object(Object::Kind::solid, 0), object(Object::Kind::solid, 1)}}};
-  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::group, 0)), "`intersection`");
-  EXPECT_EQ(queries_.untraceable(database_, object(Object::Kind::solid, 0)), "");
+TEST_F(Trace, FindsCutSurfacesWithTheirNormalsOutwards) {
+  // The numbers are POV-Ray's.
+  database_.solids.push_back({.kind = SolidKind::box, .a = Vec3(-1), .b = Vec3(1)});
+  database_.solids.push_back({.a = {0, 1, 0}, .radius_a = 0.5});
+  database_.groups = {{.operation = scene::Operation::subtract,
+                       .children = {object(Object::Kind::solid, 2), object(Object::Kind::solid, 3)}}};
+  const auto hit = trace(object(Object::Kind::group, 0), {0, 5, 0}, {0, -1, 0});
+  ASSERT_TRUE(hit);
+  expect_near(hit->position, {0, 0.5, 0});
+  expect_near(hit->normal, {0, 1, 0});
 }
 
 TEST_F(Trace, FollowsADatabaseThatGrows) {

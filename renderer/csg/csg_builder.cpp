@@ -1,0 +1,191 @@
+#include "renderer/csg/csg_builder.h"
+
+#include "renderer/extents/solid_support.h"
+#include "renderer/solids/solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isl::render {
+
+using scene::Group;
+using scene::Object;
+using scene::Operation;
+using scene::SolidKind;
+
+namespace {
+
+CsgNode::Kind kind_of(Operation operation, bool is_inverse) {
+  switch (operation) {
+    case Operation::unite: return is_inverse ? CsgNode::Kind::all : CsgNode::Kind::unite;
+    case Operation::merge: return is_inverse ? CsgNode::Kind::all : CsgNode::Kind::merge;
+    case Operation::intersect:
+    case Operation::subtract: break;
+  }
+  return is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all;
+}
+
+/// A box that rounding cannot move a ray out of: a leaf that its box wrongly excludes loses no more than what a ray
+/// that touches it by rounding sees.
+Box widened(Box box) {
+  if (box.isEmpty()) return box;
+  for (int i = 0; i < 3; ++i) {
+    const double low = std::abs(box.min[i]), high = std::abs(box.max[i]);
+    const double margin = 0x1p-40 * ((std::isfinite(low) ? low : 0) + (std::isfinite(high) ? high : 0));
+    box.min[i] -= margin;
+    box.max[i] += margin;
+  }
+  return box;
+}
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The largest coordinate of the numbers that describe a solid.
+double size_of(const scene::Database& database, const scene::Solid& solid) {
+  double size = std::max({largest(solid.a), largest(solid.b), std::abs(solid.radius_a), std::abs(solid.radius_b)});
+  if (scene::is_triangle(solid.kind)) {
+    for (const Vec3& corner : database.triangles[solid.detail].corners) size = std::max(size, largest(corner));
+  } else if (solid.kind == SolidKind::polygon) {
+    for (const Vec3& point : database.polygons[solid.detail].points) size = std::max(size, largest(point));
+  } else if (scene::is_polynomial(solid.kind)) {
+    size = prepare(database.polynomials[solid.detail]).reach;
+  } else if (solid.kind == SolidKind::superellipsoid) {
+    size = 1;
+  }
+  return size;
+}
+
+double size_of(const scene::Blob& blob) {
+  double size = 0;
+  for (const scene::Component& c : blob.components) {
+    size = std::max({size, largest(c.a), largest(c.b), std::abs(c.radius_a), std::abs(c.radius_b)});
+  }
+  return size;
+}
+
+}  // namespace
+
+bool needs_csg(const scene::Database& database, const Object& object, bool is_inverse) {
+  if (object.clip != scene::kNoGroup) return true;
+  if (object.kind != Object::Kind::group) return false;
+  const Group& group = database.groups[object.shape];
+  // The only child of whatever operation is what it is.
+  if (group.children.size() <= 1) return false;
+  return group.operation != Operation::unite || is_inverse != object.inverse;
+}
+
+/// What an object is added below.
+struct CsgBuilder::Above {
+  std::uint32_t parent = scene::kNone;
+  scene::Transform group_from_parent{};
+  scene::TextureId texture = scene::kNoTexture;
+  bool is_inverse = false;
+  bool is_seen = true;
+};
+
+std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
+  const auto [place, is_new] = known_.try_emplace({object.kind, object.shape, object.clip, object.inverse, is_inverse},
+                                                  static_cast<std::uint32_t>(trees_.size()));
+  if (!is_new) return place->second;
+  Object alone;
+  alone.kind = object.kind;
+  alone.shape = object.shape;
+  alone.clip = object.clip;
+  alone.inverse = object.inverse;
+  CsgTree tree;
+  tree.nodes.push_back({});
+  add(tree, alone, {.parent = 0, .is_inverse = is_inverse});
+  tree.bounds = widened(extents_.of(alone));
+  tree.holding_at_rest.assign(tree.nodes.size(), 0);
+  for (const CsgLeaf& leaf : tree.leaves) {
+    if (leaf.is_inverse && !leaf.is_sheet) ++tree.holding_at_rest[leaf.parent];
+  }
+  for (std::size_t i = tree.nodes.size() - 1; i > 0; --i) {  // children before parents
+    if (tree.nodes[i].holds(tree.holding_at_rest[i])) ++tree.holding_at_rest[tree.nodes[i].parent];
+  }
+  trees_.push_back(std::move(tree));
+  return place->second;
+}
+
+void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
+  Above own = above;
+  own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
+  if (object.texture != scene::kNoTexture) own.texture = object.texture;
+  if (object.clip == scene::kNoGroup) {
+    own.is_inverse ^= object.inverse;
+    add_shape(tree, object, own);
+    return;
+  }
+  // Both the shape and what clips it, whose own surface is not seen. Inverting the shape does not invert the clip.
+  ++tree.nodes[above.parent].child_count;
+  own.parent = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({above.is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all, above.parent, 0});
+  Above of_clip = own;
+  of_clip.is_seen = false;
+  own.is_inverse ^= object.inverse;
+  add_shape(tree, object, own);
+  add_group(tree, database_.groups[index(object.clip)], of_clip);
+}
+
+void CsgBuilder::add_shape(CsgTree& tree, const Object& object, const Above& above) {
+  if (object.kind == Object::Kind::group) {
+    add_group(tree, database_.groups[object.shape], above);
+  } else {
+    add_leaf(tree, object, above);
+  }
+}
+
+void CsgBuilder::add_group(CsgTree& tree, const Group& group, const Above& above) {
+  ++tree.nodes[above.parent].child_count;
+  Above own = above;
+  own.parent = static_cast<std::uint32_t>(tree.nodes.size());
+  // Of nothing nothing is made, whatever the operation; a union of none holds nowhere.
+  const Operation operation = group.children.empty() ? Operation::unite : group.operation;
+  tree.nodes.push_back({kind_of(operation, above.is_inverse), above.parent, 0});
+  bool is_first = true;
+  for (const Object& child : group.children) {
+    own.is_inverse = above.is_inverse != (group.operation == Operation::subtract && !is_first);
+    add(tree, child, own);
+    is_first = false;
+  }
+}
+
+void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& above) {
+  ++tree.nodes[above.parent].child_count;
+  CsgLeaf leaf;
+  leaf.kind = object.kind;
+  leaf.is_seen = above.is_seen;
+  leaf.is_inverse = above.is_inverse;
+  leaf.is_sheet = object.kind == Object::Kind::solid && is_sheet(database_.solids[object.shape]);
+  leaf.is_placed = above.group_from_parent.matrix != scene::Matrix();
+  leaf.shape = object.shape;
+  leaf.parent = above.parent;
+  leaf.texture = above.texture;
+  leaf.group_from_leaf = above.group_from_parent;
+  leaf.box = widened(box_of_leaf(leaf));
+  leaf.size = object.kind == Object::Kind::solid ? size_of(database_, database_.solids[object.shape])
+                                                 : size_of(database_.blobs[object.shape]);
+  if (leaf.is_placed) {
+    const scene::Matrix& m = leaf.group_from_leaf.inverse;
+    leaf.stretch = std::max({largest({m[0][0], m[0][1], m[0][2]}), largest({m[1][0], m[1][1], m[1][2]}),
+                             largest({m[2][0], m[2][1], m[2][2]})});
+    leaf.size += largest({m[3][0], m[3][1], m[3][2]});
+  }
+  tree.leaves.push_back(leaf);
+}
+
+Box CsgBuilder::box_of_leaf(const CsgLeaf& leaf) {
+  // What is inside a disc is a half-space.
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  if (leaf.kind == Object::Kind::solid && database_.solids[leaf.shape].kind == SolidKind::disc) {
+    return {Vec3(-kFar), Vec3(kFar)};
+  }
+  Object placed;
+  placed.kind = leaf.kind;
+  placed.shape = leaf.shape;
+  placed.parent_from_object = leaf.group_from_leaf;
+  return extents_.of(placed);
+}
+
+}  // namespace isl::render

@@ -1,0 +1,60 @@
+// The first surface of a CSG tree along a ray.
+#pragma once
+
+#include "renderer/compiled_scene.h"
+#include "renderer/csg/csg_state.h"
+#include "renderer/solvers/blob_ray.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace isl::render {
+
+/// In the tree's space; t means the same as in the world.
+struct CsgRay {
+  Vec3 origin, direction;
+  double t_max = std::numeric_limits<double>::infinity();
+  std::uint32_t start_leaf = scene::kNone;  ///< whose surface the ray starts on
+  std::uint8_t start_part = 0;              ///< which of its surfaces
+  double path_length = 0;                   ///< before t = 0, in world units
+  /// The largest of the terms that the origin was computed from: where it starts on a surface, the path before it too.
+  double reach = 0;
+};
+
+struct CsgHit {
+  double t = std::numeric_limits<double>::infinity();
+  std::uint32_t leaf = scene::kNone;
+  std::uint32_t cell = scene::kNone;  ///< of a blob
+  std::uint8_t part = 0;              ///< of a solid
+  bool from_inside = false;           ///< out of the whole; of a sheet, out of its back
+
+  [[nodiscard]] bool is_miss() const { return leaf == scene::kNone; }
+};
+
+/// The search for a blob's first crossing, which is compiled for several vector widths elsewhere.
+struct BlobSearch {
+  void* context;
+  BlobHit (*first_hit)(void* context, std::uint32_t blob, const BlobRay& ray);
+};
+
+/// A leaf passes between inside and outside, or the ray meets a sheet.
+struct CsgEvent {
+  double t;
+  std::uint32_t leaf;
+  std::uint32_t cell;
+  std::uint8_t part;
+};
+
+/// Kept from ray to ray.
+struct CsgMemory {
+  CsgState state;
+  std::vector<CsgEvent> events;  ///< a heap, the nearest first
+  std::vector<CsgEvent> group;   ///< those that are taken together
+  std::vector<std::uint8_t> shown;
+};
+
+[[nodiscard]] CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray,
+                                   const BlobSearch& blobs, CsgMemory& memory);
+
+}  // namespace isl::render

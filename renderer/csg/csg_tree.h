@@ -1,0 +1,59 @@
+// What `intersection`, `difference`, `merge` and `clipped_by` make of solids and blobs, flat and ready for rays: an
+// expression over leaves, each of which is inside or outside at any place of a ray. Compiled once for each distinct
+// group (csg_builder.h) and shared by its copies; followed along rays by csg_search.h.
+//
+// There are no negations but at the leaves: `difference` is an intersection with what is inverse, and an inverse
+// intersection is a merge of inverses.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <ImathBox.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+struct CsgNode {
+  /// `unite` differs from `merge` by the surfaces inside, which stay.
+  enum class Kind : std::uint8_t { all, unite, merge };
+  Kind kind = Kind::all;
+  std::uint32_t parent = scene::kNone;
+  std::uint32_t child_count = 0;
+
+  [[nodiscard]] bool holds(std::uint32_t holding_children) const {
+    return kind == Kind::all ? holding_children == child_count : holding_children > 0;
+  }
+};
+
+struct CsgLeaf {
+  scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
+  bool is_seen = true;      ///< false: of what clips, whose surface is none of the object's
+  bool is_inverse = false;  ///< holds outside rather than inside; its normals are turned round
+  bool is_sheet = false;    ///< without an inside: holds nowhere, inverse or not, as in POV-Ray
+  bool is_placed = false;   ///< false: its space is the group's
+  std::uint32_t shape = 0;
+  std::uint32_t parent = 0;  ///< node
+  /// Its own, or that of the nearest group in the tree that has one; else kNoTexture.
+  scene::TextureId texture = scene::kNoTexture;
+  scene::Transform group_from_leaf;
+  Imath::Box3d box;    ///< in the group's space; outside it the leaf is outside. Sides may be infinite
+  double stretch = 1;  ///< the largest factor of the map into its own space
+  double size = 0;     ///< the largest coordinate there that its surface is computed from, the map's offset included
+};
+
+struct CsgTree {
+  std::vector<CsgNode> nodes;  ///< parents before children; the first is the root
+  std::vector<CsgLeaf> leaves;
+  /// For every node, how many children hold where no leaf is inside.
+  std::vector<std::uint32_t> holding_at_rest;
+  Imath::Box3d bounds;  ///< of the surface; sides may be infinite
+
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +
+           holding_at_rest.capacity() * sizeof(std::uint32_t);
+  }
+};
+
+}  // namespace isl::render
