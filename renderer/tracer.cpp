@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "renderer/compiled_scene.h"
+#include "renderer/csg/cutaway.h"
 #include "renderer/grid/grid_json.h"
 #include "renderer/solids/solid.h"
 #include "renderer/trace_kernel.h"
@@ -78,7 +79,8 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
-    const scene::TextureId texture = leaf.texture == scene::kNoTexture ? instance.texture : leaf.texture;
+    scene::TextureId texture = leaf.texture == scene::kNoTexture ? instance.texture : leaf.texture;
+    if (texture == scene::kNoTexture) texture = cutaway_texture(impl_->scene, impl_->scene.trees[instance.shape], leaf, local);
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);

@@ -80,6 +80,7 @@ struct CsgBuilder::Above {
   std::uint32_t parent = scene::kNone;
   scene::Transform group_from_parent{};
   scene::TextureId texture = scene::kNoTexture;
+  std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
 };
@@ -143,6 +144,7 @@ void CsgBuilder::add_group(CsgTree& tree, const Group& group, const Above& above
   // Of nothing nothing is made, whatever the operation; a union of none holds nowhere.
   const Operation operation = group.children.empty() ? Operation::unite : group.operation;
   tree.nodes.push_back({kind_of(operation, above.is_inverse), above.parent, 0});
+  if (group.cutaway_textures) own.cutaway = own.parent;
   bool is_first = true;
   for (const Object& child : group.children) {
     own.is_inverse = above.is_inverse != (group.operation == Operation::subtract && !is_first);
@@ -162,6 +164,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.shape = object.shape;
   leaf.parent = above.parent;
   leaf.texture = above.texture;
+  if (leaf.texture == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));
   leaf.size = object.kind == Object::Kind::solid ? size_of(database_, database_.solids[object.shape])

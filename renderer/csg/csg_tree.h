@@ -37,6 +37,8 @@ struct CsgLeaf {
   std::uint32_t parent = 0;  ///< node
   /// Its own, or that of the nearest group in the tree that has one; else kNoTexture.
   scene::TextureId texture = scene::kNoTexture;
+  /// The nearest group above with `cutaway_textures`, where the leaf has no texture from within it; else kNone.
+  std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
   Imath::Box3d box;    ///< in the group's space; outside it the leaf is outside. Sides may be infinite
   double stretch = 1;  ///< the largest factor of the map into its own space

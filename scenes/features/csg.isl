@@ -21,12 +21,14 @@ difference {
   rotate -28 * y translate <-3.4, 1, 0.6>
 }
 
-// A frame whose holes end in its own faces: no skin is left over them.
+// A frame whose holes end in its own faces: no skin is left over them. POV-Ray needs a Beyond above 0 for that.
+#ifndef (Beyond) #declare Beyond = 0; #end
+#declare End = 1 + Beyond;
 difference {
   box { -1, 1 }
-  box { <-0.65, -0.65, -1>, <0.65, 0.65, 1> }
-  box { <-0.65, -1, -0.65>, <0.65, 1, 0.65> }
-  box { <-1, -0.65, -0.65>, <1, 0.65, 0.65> }
+  box { <-0.65, -0.65, -End>, <0.65, 0.65, End> }
+  box { <-0.65, -End, -0.65>, <0.65, End, 0.65> }
+  box { <-End, -0.65, -0.65>, <End, 0.65, 0.65> }
   pigment { rgb <0.2, 0.45, 0.8> }
   rotate 32 * y translate <0, 1, 1.2>
 }

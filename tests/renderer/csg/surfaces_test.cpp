@@ -123,6 +123,19 @@ TEST_F(Surfaces, OfADifferenceHaveTheTextureOfWhatWasTakenAway) {
   EXPECT_EQ(seen(within, 0.9).textures[0].texture, scene::TextureId{3});
 }
 
+TEST_F(Surfaces, CutAwayLookLikeWhatTheyWereCutFromIfTheSceneSaysSo) {
+  Object left = scene_.solid(box({-1, -1, -1}, {0, 1, 1})), right = scene_.solid(box({0, -1, -1}, {1, 1, 1}));
+  left.texture = scene::TextureId{1};
+  right.texture = scene::TextureId{2};
+  const Object both = scene_.group(Operation::merge, {left, right});
+  const Object cut = scene_.group(Operation::subtract, {both, scene_.solid(plane({0, -1, 0}, 0))});
+  EXPECT_EQ(seen(cut, 0.5).textures[0].texture, scene::kNoTexture);
+  scene_.database.groups[cut.shape].cutaway_textures = true;
+  EXPECT_EQ(seen(cut, 0.5).position.y, 0);
+  EXPECT_EQ(seen(cut, 0.5).textures[0].texture, scene::TextureId{2});
+  EXPECT_EQ(seen(cut, -0.5).textures[0].texture, scene::TextureId{1});
+}
+
 TEST_F(Surfaces, OfCopiesComeFromOneTree) {
   const Object cut =
       scene_.group(Operation::subtract, {scene_.solid(box(Vec3(-1), Vec3(1))), scene_.solid(sphere({0, 1, 0}, 0.5))});
