@@ -45,7 +45,7 @@ compare() {
   share=$(awk '/pixels \(.*%\) over 0.0078/ { sub(/^.*\(/, ""); sub(/%.*$/, ""); print; exit }' "$work/report")
   mean=$(awk '/Mean error/ { print $4; exit }' "$work/report")
   printf '%-28s %10s %10s\n' "$name" "${share:-0}" "${mean:-0}"
-  worst=$(awk -v a="$worst" -v b="${share:-0}" 'BEGIN { print a > b ? a : b }')
+  worst=$(awk -v a="$worst" -v b="${share:-0}" 'BEGIN { print (a > b ? a : b) }')
   if [ -n "$keep" ]; then
     mkdir -p -- "$keep" || exit 1
     cp -- "$work/povray.png" "$keep/$name-povray.png"

@@ -17,22 +17,31 @@ class Flattener {
   struct Inherited {
     scene::Transform world_from_parent{};
     scene::TextureId texture = scene::kNoTexture;
+    TextureSpace texture_space = kOuterSpace;
     bool no_shadow = false;
     bool is_inverse = false;
   };
 
   void add(const scene::Object& object, const Inherited& above) {
-    const Inherited own{then(object.parent_from_object, above.world_from_parent),
-                        object.texture == scene::kNoTexture ? above.texture : object.texture,
-                        above.no_shadow || object.no_shadow, above.is_inverse != object.inverse};
+    Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
+                  above.no_shadow || object.no_shadow, above.is_inverse != object.inverse};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
-    if (object.kind == scene::Object::Kind::group && !is_csg) {
+    const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
+    if (object.texture != scene::kNoTexture) {
+      own.texture = object.texture;
+      own.texture_space = kOwnSpace;
+      if (is_union && !database_.texture(object.texture).is_plain()) {
+        own.texture_space = static_cast<TextureSpace>(compiled_.texture_spaces.size());
+        compiled_.texture_spaces.push_back(own.world_from_parent);
+      }
+    }
+    if (is_union) {
       for (const scene::Object& child : database_.groups[object.shape].children) add(child, own);
       return;
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
     compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind, own.no_shadow, is_placed,
-                                   own.is_inverse && !is_csg, is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape, own.texture,
+                                   own.is_inverse && !is_csg, is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape, own.texture, own.texture_space,
                                    own.world_from_parent, object.origin});
   }
 

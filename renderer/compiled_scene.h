@@ -32,6 +32,7 @@ struct Instance {
   bool is_inverse;  ///< its normals point inwards; a CSG tree knows that itself
   std::uint32_t shape;
   scene::TextureId texture;
+  TextureSpace texture_space;
   scene::Transform world_from_object;
   OriginId origin;
 };
@@ -41,6 +42,7 @@ struct CompiledScene {
   SolidDetails details;  ///< of those
   std::vector<CompiledBlob> blobs;
   std::vector<CsgTree> trees;
+  std::vector<scene::Transform> texture_spaces;  ///< world_from_space, of groups that hand a pattern down
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
   std::vector<std::uint32_t> bounded;    ///< all other instances

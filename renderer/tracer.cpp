@@ -27,12 +27,12 @@ struct Tracer::Impl {
   SolverSettings settings;
   const TraceKernel* kernel = nullptr;
 
-  /// The normal of a solid or blob at a point in its own space, of any length; adds its materials there, of which `texture`
-  /// is the one where it has none of its own.
-  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, scene::TextureId texture, const Hit& hit, const Vec3& local,
+  /// The normal of a solid or blob at a point in its own space, of any length; adds its textures there, of which `other` is
+  /// the one where it has none of its own.
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit, const Vec3& local,
                 std::vector<TextureShare>& textures) const {
     if (kind == scene::Object::Kind::solid) {
-      textures.push_back({texture, 1.0});
+      textures.push_back(other);
       return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
     }
     BlobPoint& blob = thread_blob_point();
@@ -40,13 +40,36 @@ struct Tracer::Impl {
     double total = 0;
     for (const TextureShare& share : blob.shares) total += share.weight;
     for (const TextureShare& share : blob.shares) {
-      textures.push_back({share.texture == scene::kNoTexture ? texture : share.texture, share.weight / total});
+      const bool is_own = share.texture != scene::kNoTexture;
+      textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place});
     }
     // Only where the published solver takes a place far from every field for the surface.
-    if (textures.empty()) textures.push_back({texture, 1.0});
+    if (textures.empty()) textures.push_back(other);
     return -blob.gradient;
   }
 };
+
+namespace {
+
+/// The whole of a surface in the texture of an instance.
+TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
+  const TextureSpace space = instance.texture_space;
+  const Vec3 place = space == kOwnSpace     ? local
+                     : space == kOuterSpace ? world
+                                            : scene.texture_spaces[space].inverse_point(world);
+  return {instance.texture, 1, place};
+}
+
+/// The same of a leaf of a tree, at a point in the tree's group's space. Precondition: it has one.
+TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
+  const TextureSpace space = leaf.texture_space;
+  const Vec3 place = space == kOwnSpace     ? leaf.group_from_leaf.inverse_point(point)
+                     : space == kOuterSpace ? point
+                                            : tree.texture_spaces[space].inverse_point(point);
+  return {leaf.texture, 1, place};
+}
+
+}  // namespace
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
   impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle};
@@ -79,14 +102,20 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
-    scene::TextureId texture = leaf.texture == scene::kNoTexture ? instance.texture : leaf.texture;
-    if (texture == scene::kNoTexture) texture = cutaway_texture(impl_->scene, impl_->scene.trees[instance.shape], leaf, local);
+    const CsgTree& tree = impl_->scene.trees[instance.shape];
+    TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
+    if (leaf.texture != scene::kNoTexture) {
+      texture = texture_of(tree, leaf, local);
+    } else if (texture.texture == scene::kNoTexture) {
+      if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local)) texture = texture_of(tree, *cut, local);
+    }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
-    normal = impl_->shape_at(instance.kind, instance.shape, instance.texture, hit, local, point.textures);
+    const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, point.textures);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

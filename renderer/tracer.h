@@ -53,6 +53,7 @@ struct Hit {
 struct TextureShare {
   scene::TextureId texture;
   double weight;
+  Vec3 place{0};  ///< the point, in the space that the texture lives in
 };
 
 struct SurfacePoint {

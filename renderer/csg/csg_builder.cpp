@@ -80,6 +80,7 @@ struct CsgBuilder::Above {
   std::uint32_t parent = scene::kNone;
   scene::Transform group_from_parent{};
   scene::TextureId texture = scene::kNoTexture;
+  TextureSpace texture_space = kOuterSpace;
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
@@ -112,7 +113,14 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
 void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   Above own = above;
   own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
-  if (object.texture != scene::kNoTexture) own.texture = object.texture;
+  if (object.texture != scene::kNoTexture) {
+    own.texture = object.texture;
+    own.texture_space = kOwnSpace;
+    if (object.kind == Object::Kind::group && !database_.texture(object.texture).is_plain()) {
+      own.texture_space = static_cast<TextureSpace>(tree.texture_spaces.size());
+      tree.texture_spaces.push_back(own.group_from_parent);
+    }
+  }
   if (object.clip == scene::kNoGroup) {
     own.is_inverse ^= object.inverse;
     add_shape(tree, object, own);
@@ -164,6 +172,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.shape = object.shape;
   leaf.parent = above.parent;
   leaf.texture = above.texture;
+  leaf.texture_space = above.texture_space;
   if (leaf.texture == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));

@@ -15,6 +15,11 @@
 
 namespace isl::render {
 
+/// Where the texture of an instance or leaf lives: kOwnSpace is that of the shape itself, kOuterSpace that around it (the
+/// world, or the tree's group), all else the number of a space that a group in between handed down with the texture.
+using TextureSpace = std::uint32_t;
+inline constexpr TextureSpace kOwnSpace = 0xFFFFFFFF, kOuterSpace = 0xFFFFFFFE;
+
 struct CsgNode {
   /// `unite` differs from `merge` by the surfaces inside, which stay.
   enum class Kind : std::uint8_t { all, unite, merge };
@@ -37,6 +42,7 @@ struct CsgLeaf {
   std::uint32_t parent = 0;  ///< node
   /// Its own, or that of the nearest group in the tree that has one; else kNoTexture.
   scene::TextureId texture = scene::kNoTexture;
+  TextureSpace texture_space = kOuterSpace;
   /// The nearest group above with `cutaway_textures`, where the leaf has no texture from within it; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
@@ -48,6 +54,7 @@ struct CsgLeaf {
 struct CsgTree {
   std::vector<CsgNode> nodes;  ///< parents before children; the first is the root
   std::vector<CsgLeaf> leaves;
+  std::vector<scene::Transform> texture_spaces;  ///< group_from_space
   /// For every node, how many children hold where no leaf is inside.
   std::vector<std::uint32_t> holding_at_rest;
   Imath::Box3d bounds;  ///< of the surface; sides may be infinite

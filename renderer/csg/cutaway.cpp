@@ -24,14 +24,13 @@ bool holds(const CompiledScene& scene, const CsgLeaf& leaf, const Vec3& point) {
 
 }  // namespace
 
-scene::TextureId cutaway_texture(const CompiledScene& scene, const CsgTree& tree, const CsgLeaf& leaf,
-                                 const Vec3& point) {
-  scene::TextureId first = scene::kNoTexture;
+const CsgLeaf* leaf_cut_away(const CompiledScene& scene, const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
+  const CsgLeaf* first = nullptr;
   if (leaf.cutaway == scene::kNone) return first;
   for (const CsgLeaf& other : tree.leaves) {
     if (other.texture == scene::kNoTexture || other.is_inverse || !is_below(tree, other, leaf.cutaway)) continue;
-    if (first == scene::kNoTexture) first = other.texture;
-    if (holds(scene, other, point)) return other.texture;
+    if (!first) first = &other;
+    if (holds(scene, other, point)) return &other;
   }
   return first;
 }

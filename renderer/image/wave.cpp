@@ -15,7 +15,7 @@ WaveRenderer::WaveRenderer(const scene::Database& database, const Tracer& tracer
       tracer_(tracer),
       plan_(plan),
       camera_(camera),
-      materials_(database),
+      textures_(database),
       working_space_(database.settings),
       keeps_layers_(film.aovs().any_of_surface()),
       film_(film) {
@@ -32,20 +32,21 @@ void WaveRenderer::shade_hit(std::uint32_t sample, const CameraSample& where, Wo
   const Hit& hit = workspace.hits[sample];
   SurfacePoint& surface = workspace.point;
   tracer_.surface_at(ray, hit, surface);
+  textures_.at(surface.textures, workspace.textures);
   const ShadingPoint point{surface.position, turned_to_viewer(surface.normal, ray.direction), ray.direction,
-                           surface.textures};
+                           workspace.textures};
   if (keeps_layers_ && where.is_centre) {
-    film_.set_surface(where.pixel, {&hit, &surface, working_space_.to_linear(plain_colour(materials_, point))});
+    film_.set_surface(where.pixel, {&hit, &surface, working_space_.to_linear(plain_colour(point))});
   }
   Rgb& colour = workspace.colours[sample];
   if (plan_.plain_colours) {
-    colour = plain_colour(materials_, point);
+    colour = plain_colour(point);
     return;
   }
-  colour = ambient_colour(materials_, point);
+  colour = ambient_colour(point);
   if (!plan_.lighting) return;
   for (const scene::Light& light : database_.lights) {
-    const LightArrival arrival = light_arrival(materials_, point, light, plan_.highlights);
+    const LightArrival arrival = light_arrival(point, light, plan_.highlights);
     if (arrival.is_dark()) continue;
     if (plan_.shadows && !light.shadowless) {
       workspace.shadows.push(sample, arrival, point.position, hit.start(), ray.path_length + hit.t);

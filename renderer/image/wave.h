@@ -9,6 +9,7 @@
 #include "renderer/image/film.h"
 #include "renderer/image/tiles.h"
 #include "renderer/image/transfer.h"
+#include "renderer/shading/point_textures.h"
 
 #include <span>
 #include <vector>
@@ -42,6 +43,7 @@ struct Workspace {
   std::vector<Rgb> colours;  ///< working space
   ShadowQueue shadows;
   SurfacePoint point;
+  std::vector<LitTexture> textures;  ///< of `point`
   RayCounts counts;
   TraceCounters counters;
 };
@@ -63,7 +65,7 @@ class WaveRenderer {
   const Tracer& tracer_;
   const Plan& plan_;
   CameraRays camera_;
-  MaterialTable materials_;
+  PointTextures textures_;
   WorkingSpace working_space_;
   Rgb background_{0};
   double background_alpha_ = 1;

@@ -1,5 +1,10 @@
 #include "renderer/scene/unrendered_textures.h"
 
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
+#include <variant>
+
 namespace isl::scene {
 namespace {
 
@@ -7,6 +12,50 @@ bool is_transparent(const Colour& colour) { return colour.filter != 0 || colour.
 
 bool is_patterned(const Database& database, const Pigment& pigment) {
   return !pigment.is_plain() && database.pigments[index(pigment.pattern)].pattern.kind != PatternKind::plain;
+}
+
+/// What needs more than a point, or a file.
+constexpr PatternKind kNotDrawn[] = {
+    PatternKind::aoi,           PatternKind::bump_map, PatternKind::density_file, PatternKind::facets, PatternKind::image_map,
+    PatternKind::image_pattern, PatternKind::material_map, PatternKind::object,   PatternKind::pavement, PatternKind::slope,
+    PatternKind::tiling};
+
+/// Whether any pigment that this one is made of, itself included, is as `is_such` says; each is looked at once.
+class PigmentWalk {
+ public:
+  using IsSuch = bool (*)(const Pigment&, const PatternedPigment*);
+  PigmentWalk(const Database& database, IsSuch is_such) : database_(database), is_such_(is_such) {}
+
+  bool finds(const Pigment& pigment) {
+    if (pigment.is_plain()) return is_such_(pigment, nullptr);
+    if (!seen_.insert(index(pigment.pattern)).second) return false;
+    const PatternedPigment& record = database_.pigments[index(pigment.pattern)];
+    if (is_such_(pigment, &record)) return true;
+    if (const auto* const inner = std::get_if<PigmentOperands>(&record.pattern.operands)) {
+      if (finds({.pattern = inner->pigment})) return true;
+    }
+    if (record.map == kNoPigmentMap) return false;
+    const auto finds_in = [this](const PigmentEntry& entry) { return finds(entry.pigment); };
+    return std::ranges::any_of(database_.pigment_maps[index(record.map)], finds_in);
+  }
+
+ private:
+  const Database& database_;
+  IsSuch is_such_;
+  std::unordered_set<std::uint32_t> seen_;
+};
+
+bool is_undrawable(const Pigment&, const PatternedPigment* record) {
+  return record && std::ranges::find(kNotDrawn, record->pattern.kind) != std::end(kNotDrawn);
+}
+
+bool lets_light_through(const Pigment& pigment, const PatternedPigment* record) {
+  if (!record) return is_transparent(pigment.colour);
+  return record->pattern.kind == PatternKind::plain && is_transparent(record->colour);
+}
+
+bool has(const Database& database, const Pigment& pigment, PigmentWalk::IsSuch is_such) {
+  return PigmentWalk(database, is_such).finds(pigment);
 }
 
 /// For a pigment that cannot be drawn: its preview colour, else the mean of the plain colours that it chooses from,
@@ -29,6 +78,9 @@ Colour stand_in(const Database& database, const PatternedPigment& pigment) {
 }
 
 void make_opaque(const Database& database, Texture& texture) {
+  if (is_patterned(database, texture.pigment)) {
+    texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
+  }
   Colour colour = database.colour(texture.pigment);
   colour.filter = colour.transmit = 0;
   texture.pigment = {colour};
@@ -50,16 +102,19 @@ constexpr TextureFeature kTextureFeatures[] = {
      [](const Database&, const Texture& texture) { return texture.pattern != kNoTexturePattern; }, choose_first},
     {"a texture of layers", [](const Database&, const Texture& texture) { return texture.below != kNoTexture; },
      [](const Database&, Texture& texture) { texture.below = kNoTexture; }},
-    {"a pigment by a pattern",
-     [](const Database& database, const Texture& texture) { return is_patterned(database, texture.pigment); },
+    {"a pigment by a file, an object, paving or the surface's slope",
+     [](const Database& database, const Texture& texture) { return has(database, texture.pigment, is_undrawable); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
     {"a transparent pigment",
-     [](const Database& database, const Texture& texture) {
-       return !is_patterned(database, texture.pigment) && is_transparent(database.colour(texture.pigment));
-     },
+     [](const Database& database, const Texture& texture) { return has(database, texture.pigment, lets_light_through); },
      make_opaque},
+    {"`uv_mapping`",
+     [](const Database& database, const Texture& texture) {
+       return texture.uv_mapping != 0 && is_patterned(database, texture.pigment);
+     },
+     [](const Database&, Texture& texture) { texture.uv_mapping = 0; }},
     {"`normal`", [](const Database&, const Texture& texture) { return texture.normal != kNoNormal; },
      [](const Database&, Texture& texture) { texture.normal = kNoNormal; }},
 };

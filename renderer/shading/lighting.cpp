@@ -39,20 +39,19 @@ double highlight(const Material& material, const HighlightAngles& angle) {
 
 }  // namespace
 
-Rgb plain_colour(const MaterialTable& materials, const ShadingPoint& point) {
+Rgb plain_colour(const ShadingPoint& point) {
   Rgb colour(0);
-  for (const TextureShare& share : point.textures) colour += materials[share.texture].pigment * share.weight;
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.weight;
   return colour;
 }
 
-Rgb ambient_colour(const MaterialTable& materials, const ShadingPoint& point) {
+Rgb ambient_colour(const ShadingPoint& point) {
   Rgb colour(0);
-  for (const TextureShare& share : point.textures) colour += materials[share.texture].ambient * share.weight;
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.material->ambient * lit.weight;
   return colour;
 }
 
-LightArrival light_arrival(const MaterialTable& materials, const ShadingPoint& point, const scene::Light& light,
-                           bool highlights) {
+LightArrival light_arrival(const ShadingPoint& point, const scene::Light& light, bool highlights) {
   LightArrival arrival;
   const Vec3 way = light.location - point.position;
   arrival.distance = way.length();
@@ -60,14 +59,14 @@ LightArrival light_arrival(const MaterialTable& materials, const ShadingPoint& p
   arrival.direction = way / arrival.distance;
   const double incidence = point.normal.dot(arrival.direction);
   if (!(incidence > 0)) return arrival;
-  for (const TextureShare& share : point.textures) {
-    const Material& material = materials[share.texture];
-    arrival.colour += material.diffuse * (power(incidence, material.brilliance) * share.weight);
+  for (const LitTexture& lit : point.textures) {
+    const Material& material = *lit.material;
+    arrival.colour += lit.pigment * (material.diffuse * power(incidence, material.brilliance) * lit.weight);
   }
   if (highlights && !light.shadowless) {
     const HighlightAngles angle = highlight_angles(point, arrival.direction);
-    for (const TextureShare& share : point.textures) {
-      arrival.colour += Rgb(highlight(materials[share.texture], angle) * share.weight);
+    for (const LitTexture& lit : point.textures) {
+      arrival.colour += Rgb(highlight(*lit.material, angle) * lit.weight);
     }
   }
   arrival.colour *= rgb(light.colour);

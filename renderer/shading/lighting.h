@@ -3,18 +3,19 @@
 #pragma once
 
 #include "renderer/shading/material.h"
-#include "renderer/tracer.h"
 
 #include <span>
 
 namespace isl::render {
+
+using scene::Vec3;
 
 /// A point about to be lit, in world space.
 struct ShadingPoint {
   Vec3 position;
   Vec3 normal;                             ///< unit, turned to the viewer
   Vec3 view;                               ///< unit, from the eye to the point
-  std::span<const TextureShare> textures;  ///< shares that add up to one
+  std::span<const LitTexture> textures;  ///< shares that add up to one
 };
 
 /// `normal` or its opposite, whichever faces the eye that looks along `view`. Across the view it is left alone.
@@ -32,15 +33,14 @@ struct LightArrival {
 };
 
 /// Σ share × pigment: the point without light.
-[[nodiscard]] Rgb plain_colour(const MaterialTable& materials, const ShadingPoint& point);
+[[nodiscard]] Rgb plain_colour(const ShadingPoint& point);
 
 /// Σ share × ambient × ambient_light × pigment.
-[[nodiscard]] Rgb ambient_colour(const MaterialTable& materials, const ShadingPoint& point);
+[[nodiscard]] Rgb ambient_colour(const ShadingPoint& point);
 
 /// Σ share × light colour × (diffuse (N·L)^brilliance pigment + phong (R·L)^phong_size + specular (N·H)^(1/roughness)),
 /// all zero unless N·L > 0; a shadowless light gives no highlights. `highlights` false: the caller knows that there are
 /// none.
-[[nodiscard]] LightArrival light_arrival(const MaterialTable& materials, const ShadingPoint& point,
-                                         const scene::Light& light, bool highlights);
+[[nodiscard]] LightArrival light_arrival(const ShadingPoint& point, const scene::Light& light, bool highlights);
 
 }  // namespace isl::render

@@ -5,8 +5,8 @@ namespace isl::render {
 Material material_of(const scene::Texture& texture, const scene::Finish& finish, const scene::Colour& ambient_light) {
   Material material;
   material.pigment = rgb(texture.pigment.colour);
-  material.ambient = material.pigment * rgb(finish.ambient) * rgb(ambient_light);
-  material.diffuse = material.pigment * finish.diffuse;
+  material.ambient = rgb(finish.ambient) * rgb(ambient_light);
+  material.diffuse = finish.diffuse;
   material.brilliance = finish.brilliance;
   material.phong = finish.phong;
   material.phong_size = finish.phong_size;
@@ -18,8 +18,12 @@ Material material_of(const scene::Texture& texture, const scene::Finish& finish,
 MaterialTable::MaterialTable(const scene::Database& database) {
   materials_.reserve(database.textures.size() + 1);
   const auto add = [&](scene::Texture texture) {
+    const bool is_patterned =
+        !texture.pigment.is_plain() &&
+        database.pigments[scene::index(texture.pigment.pattern)].pattern.kind != scene::PatternKind::plain;
     texture.pigment = {database.colour(texture.pigment)};
     materials_.push_back(material_of(texture, database.finish(texture.finish), database.settings.ambient_light));
+    materials_.back().is_patterned = is_patterned;
   };
   for (const scene::Texture& texture : database.textures) add(texture);
   add(database.default_texture);

@@ -17,9 +17,10 @@ using Rgb = Imath::Color3<double>;
 
 /// A texture for POV-Ray's plain finish. Highlights are colourless: they take the light's colour.
 struct Material {
-  Rgb pigment;  ///< the plain colour: what quality 0 and 1 show, and the albedo layer
-  Rgb ambient;  ///< finish ambient × ambient_light × pigment
-  Rgb diffuse;  ///< finish diffuse × pigment
+  Rgb pigment;  ///< the plain colour; says nothing where is_patterned
+  Rgb ambient;  ///< finish ambient × ambient_light: the pigment's factor
+  double diffuse = 0;
+  bool is_patterned = false;  ///< the colour depends on the point
   double brilliance = 1;
   double phong = 0;
   double phong_size = 40;
@@ -27,6 +28,13 @@ struct Material {
   double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as POV-Ray has it
 
   [[nodiscard]] bool has_highlight() const { return phong > 0 || specular > 0; }
+};
+
+/// A texture at a point, with its share of the material there.
+struct LitTexture {
+  const Material* material;
+  Rgb pigment;  ///< the colour at the point: what quality 0 and 1 show, and the albedo layer
+  double weight;
 };
 
 [[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Finish& finish,

@@ -31,14 +31,12 @@ class TracerUnderTest {
 
   [[nodiscard]] TraceBatch trace() const {
     return [this](std::span<const render::Ray> rays, std::span<render::Hit> hits) {
-      render::TraceCounters counters;
-      tracer_.first_hits(rays, hits, counters);
+      tracer_.first_hits(rays, hits, counters_);
     };
   }
   [[nodiscard]] OccludeBatch occlude() const {
     return [this](std::span<const render::Ray> rays, std::span<std::uint8_t> occluded) {
-      render::TraceCounters counters;
-      tracer_.occlusions(rays, occluded, counters);
+      tracer_.occlusions(rays, occluded, counters_);
     };
   }
   [[nodiscard]] std::vector<render::Hit> hits(const std::vector<render::Ray>& rays) const {
@@ -70,10 +68,34 @@ class TracerUnderTest {
   }
 
   [[nodiscard]] const AgreementOptions& comparison() const { return comparison_; }
+  /// Of all rays so far.
+  [[nodiscard]] std::uint64_t uncertified_steps() const { return counters_.uncertified_steps; }
 
  private:
   render::Tracer tracer_;
+  mutable render::TraceCounters counters_;
   AgreementOptions comparison_;
 };
+
+/// From every surface that the eyes meet, one ray to a light somewhere, and one that grazes: 1e-6 off the tangent plane,
+/// to either side. `scale` is that of the scene.
+[[nodiscard]] inline std::vector<render::Ray> shadow_rays(const TracerUnderTest& tracer,
+                                                          const std::vector<render::Ray>& eyes, double scale,
+                                                          RandomSource& random) {
+  const std::vector<render::Hit> hits = tracer.hits(eyes);
+  std::vector<render::Ray> shadows;
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    if (hits[i].is_miss()) continue;
+    const render::SurfacePoint point = tracer.surface(eyes[i], hits[i]);
+    const scene::Vec3 light = random.direction() * (5 * scale);
+    const double distance = (light - point.position).length();
+    const render::RayStart start = hits[i].start();
+    shadows.push_back({point.position, (light - point.position) / distance, distance, hits[i].t, start});
+    const scene::Vec3 tangent = point.normal.cross(random.direction()).normalized();
+    const double lift = random.below(2) == 0 ? 1e-6 : -1e-6;
+    shadows.push_back({point.position, (tangent + point.normal * lift).normalized(), 5 * scale, hits[i].t, start});
+  }
+  return shadows;
+}
 
 }  // namespace isl::reference

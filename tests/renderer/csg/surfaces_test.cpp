@@ -107,6 +107,7 @@ TEST_F(Surfaces, WithinAUnionStayAndWithinAMergeGo) {
 }
 
 TEST_F(Surfaces, OfADifferenceHaveTheTextureOfWhatWasTakenAway) {
+  scene_.database.textures.resize(6);
   Object ball = scene_.solid(sphere({0, 1, 0}, 0.5));
   const Object block = scene_.solid(box(Vec3(-1), Vec3(1)));
   Object plain = scene_.group(Operation::subtract, {block, ball});
@@ -124,6 +125,7 @@ TEST_F(Surfaces, OfADifferenceHaveTheTextureOfWhatWasTakenAway) {
 }
 
 TEST_F(Surfaces, CutAwayLookLikeWhatTheyWereCutFromIfTheSceneSaysSo) {
+  scene_.database.textures.resize(6);
   Object left = scene_.solid(box({-1, -1, -1}, {0, 1, 1})), right = scene_.solid(box({0, -1, -1}, {1, 1, 1}));
   left.texture = scene::TextureId{1};
   right.texture = scene::TextureId{2};

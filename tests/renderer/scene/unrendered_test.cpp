@@ -82,7 +82,7 @@ Database everything() {
   database.fogs.resize(2);
   database.rainbows.resize(1);
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
-                       {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
+                       {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}, .uv_mapping = 1},
                        {.pattern = TexturePatternId{0}}};
   database.finishes = {{.emission = {1, 0, 0},
                         .diffuse_back = 1,
@@ -93,7 +93,7 @@ Database everything() {
                         .crand = 1,
                         .phong_albedo = true}};
   database.pigments.resize(1);
-  database.pigments[0].pattern.kind = PatternKind::marble;
+  database.pigments[0].pattern.kind = PatternKind::image_map;
   database.pigments[0].map = PigmentMapId{0};
   database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}}};
   database.texture_patterns.resize(1);
@@ -117,11 +117,30 @@ Database everything() {
 
 TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 28u);
+  EXPECT_EQ(names(database).size(), 29u);
   leave_out_unrendered(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
   EXPECT_EQ(database.textures[2].pigment.colour, (Colour{0.5, 0.5, 0})) << "the first of what the pattern chooses from";
+}
+
+TEST(Unrendered, APatternThatNeedsOnlyThePointIsDrawn) {
+  Database database;
+  database.pigments.resize(3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    database.pigments[i].pattern.kind = i == 0 ? PatternKind::marble : PatternKind::checker;
+    database.pigments[i].map = PigmentMapId{i};
+  }
+  database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}},
+                           {{0, {.pattern = PigmentId{0}}}, {1, {{0, 1, 0}}}},
+                           {{0, {.pattern = PigmentId{1}}}, {1, {{.transmit = 0.5}}}}};
+  const auto in_use = [&](std::uint32_t pigment) {
+    database.default_texture = {.pigment = {.pattern = PigmentId{pigment}}};
+    return names(database);
+  };
+  EXPECT_THAT(in_use(0), ElementsAre());
+  EXPECT_THAT(in_use(1), ElementsAre());
+  EXPECT_THAT(in_use(2), ElementsAre("a transparent pigment")) << "in a map of a map";
 }
 
 TEST(Unrendered, APlainPigmentMayHaveAPreviewColourToo) {

@@ -68,14 +68,15 @@ TEST(BlendedMaterial, is_the_mean_of_finished_colours) {
     gradient += component.gradient(position);
     total += std::abs(component.field(position));
   }
-  std::vector<TextureShare> shares;
+  const MaterialTable materials(database);
+  std::vector<LitTexture> textures;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    shares.push_back({scene::TextureId(i), std::abs(kComponents[i].field(position)) / total});
+    const Material& material = materials[scene::TextureId(i)];
+    textures.push_back({&material, material.pigment, std::abs(kComponents[i].field(position)) / total});
   }
   const Vec3 view(0, 0, 1);
-  const ShadingPoint point{position, turned_to_viewer(-gradient.normalized(), view), view, shares};
-  const MaterialTable materials(database);
-  const Rgb colour = ambient_colour(materials, point) + light_arrival(materials, point, light, true).colour;
+  const ShadingPoint point{position, turned_to_viewer(-gradient.normalized(), view), view, textures};
+  const Rgb colour = ambient_colour(point) + light_arrival(point, light, true).colour;
   EXPECT_NEAR(colour.x * 65535, 16128, 2);
   EXPECT_NEAR(colour.y * 65535, 8714, 2);
   EXPECT_NEAR(colour.z * 65535, 16044, 2);

@@ -25,8 +25,10 @@ class Plane {
     light_.location = location;
     const MaterialTable materials(database_);
     const Vec3 view(0, 0, 1);
-    const ShadingPoint point{{0, 0, 0}, turned_to_viewer(normal, view), view, shares_};
-    return light_arrival(materials, point, light_, true).colour;
+    const Material& material = materials[scene::TextureId(0)];
+    const std::vector<LitTexture> textures = {{&material, material.pigment, 1}};
+    const ShadingPoint point{{0, 0, 0}, turned_to_viewer(normal, view), view, textures};
+    return light_arrival(point, light_, true).colour;
   }
 
   Vec3 normal{0, 0, -1};
@@ -34,7 +36,6 @@ class Plane {
 
  private:
   scene::Database database_;
-  std::vector<TextureShare> shares_{{scene::TextureId(0), 1}};
 };
 
 void expect_colour(const Rgb& colour, double red, double green, double blue) {
@@ -110,8 +111,10 @@ TEST(Lighting, ambient_is_the_finishs_times_the_scenes_times_the_pigment) {
   scene::Database database;
   database.settings.ambient_light = {0.5, 1, 2};
   database.default_texture = isl::test::plain_texture(database, {0.4, 0.6, 0.8}, {.ambient = {0.1, 0.2, 0.3}});
-  const std::vector<TextureShare> shares{{scene::kNoTexture, 1}};
-  const Rgb colour = ambient_colour(MaterialTable(database), {{}, {0, 0, -1}, {0, 0, 1}, shares});
+  const MaterialTable materials(database);
+  const Material& material = materials[scene::kNoTexture];
+  const std::vector<LitTexture> textures{{&material, material.pigment, 1}};
+  const Rgb colour = ambient_colour({{}, {0, 0, -1}, {0, 0, 1}, textures});
   expect_colour(colour, 0.02, 0.12, 0.48);
 }
 
