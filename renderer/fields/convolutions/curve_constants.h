@@ -1,0 +1,13 @@
+// The constants of a convolved curve's window and of a convolved plane's profile, solved once when a blob is compiled, so that
+// an infinite straight skeleton has value 1 and slope −h in q at distance r.
+#pragma once
+
+#include "renderer/fields/kernels/kernel_constants.h"
+
+namespace isl::render {
+
+/// For segments and rings, whose integrals are taken in support radii: `scale` = 1/Q, `support` = 1, `amplitude` that of the
+/// integral, `a` the Cauchy window's ε in support radii squared. Precondition: quartic or cauchy with the surface's radius.
+[[nodiscard]] KernelConstants curve_constants(const scene::Kernel& kernel);
+
+}  // namespace isl::render

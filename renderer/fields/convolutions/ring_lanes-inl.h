@@ -1,0 +1,111 @@
+// Eight convolved rings along a ray, in support radii: z = z₀ + z′t along the axis from the ring's centre, ρ² = n₀ + n₂(t −
+// tₙ)² from the axis.
+//
+// With S = 1 − d² and a = 2Rρ (curve_integrals-inl.h) the support cuts the ring at an angle μ, sin²(μ/2) = S/2a, with
+//   W² = ρ² sin²μ = (S/R)(ρ − S/4R),
+// concave in S and rising with ρ, so its least value on a stretch is at a corner of their ranges; half the part within is
+// μ = 2 arcsin √σ ≤ 2√σ(1 + (π/2 − 1)σ), σ = S/2a (arcsin x/x is convex in x²). From its nearest point the squared
+// distance grows by 4Rρ sin²(φ/2) ≥ (4ρ/π²R)(Rφ)².
+#if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
+#undef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
+#endif
+
+#include "renderer/fields/convolutions/curve_point-inl.h"
+#include "renderer/fields/convolutions/curve_remainder-inl.h"
+#include "renderer/fields/convolutions/ring_cauchy-inl.h"
+#include "renderer/fields/convolutions/ring_quartic-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct RingLanes {
+  Octet z0, dz;
+  Octet n0, n2, middle;
+  Octet ring_radius, amplitude;
+
+  template <class Window>
+  [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t) const {
+    const Octet two(2.0), tau = t - middle, rise = n2 * tau, z = z0 + dz * t;
+    const Octet rho = sqrt(n0 + rise * tau), across = rho - ring_radius;
+    const RingView<Octet> view{ring_radius, rho, across * across + z * z};
+    const RingIntegrals<Octet> f = integrate(window, view);
+    const OctetMask active = view.distance2 < Octet(1.0);
+    const Octet size = abs(amplitude), along = rise + z * dz;  // p·D
+    return {keep(active, amplitude * f.value),
+            keep(active, two * amplitude * (rise * f.radial - along * f.whole)),
+            keep(active, size * f.value_terms),
+            keep(active, two * size * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms))};
+  }
+
+  /// No value on the stretch is greater than this (rounding apart), of amplitude 1: that at the least distance, and the
+  /// least ρ, along which the ring bends away least.
+  template <class Window>
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, double t0, double t1) const {
+    const Ranges r = ranges(t0, t1);
+    const RingView<Octet> view{ring_radius, r.rho_low, r.y_low};
+    return keep(r.y_low < Octet(1.0), integrate(window, view).value);
+  }
+
+  [[nodiscard]] HWY_INLINE CurveStretch stretch(double t0, double t1) const {
+    const Octet zero(0.0), one(1.0), four(4.0);
+    const Ranges r = ranges(t0, t1);
+    const Octet s_high = one - r.y_low, s_low = one - r.y_high;
+    const Octet least(1e-300);
+    const Octet sigma = min(one, s_high / max(four * ring_radius * r.rho_low, least));
+    CurveStretch result;
+    result.y_least = r.y_low;
+    result.length = two_pi_times(ring_radius) * min(one, Octet(2 / kPi) * sqrt(max(sigma, zero)) *
+                                                             (one + Octet(kPi / 2 - 1) * sigma));
+    result.spread = Octet(kPi / 2) * sqrt(ring_radius / max(r.rho_low, least));
+    result.speed2 = dz * dz + n2;
+    result.e2 = result.speed2;  // the distance within the support is below 1
+    result.tangent = sqrt(n2);
+    const Octet most = sqrt(result.speed2);
+    const auto width2 = [&](const Octet& s) HWY_ATTR {
+      return s / ring_radius * (r.rho_low - Octet(0.25) * s / ring_radius);
+    };
+    const OctetMask never = s_low >= four * ring_radius * r.rho_high;
+    const OctetMask always = (s_low > zero) & (s_high < four * ring_radius * r.rho_low);
+    CutBounds cut;
+    cut.may_be = s_low < four * ring_radius * r.rho_high;
+    cut.stays = never | always;
+    cut.width2 = min(width2(max(s_low, zero)), width2(s_high));
+    cut.e_low = zero - most;
+    cut.e_high = most;
+    cut.bend = r.rho_high / ring_radius;
+    result.cuts[0] = result.cuts[1] = cut;
+    return result;
+  }
+
+ private:
+  struct Ranges {
+    Octet rho_low, rho_high;
+    Octet y_low, y_high;  ///< squared distance to the ring
+  };
+  [[nodiscard]] HWY_INLINE Ranges ranges(double t0, double t1) const {
+    const Octet zero(0.0);
+    const Octet za = z0 + dz * Octet(t0), zb = z0 + dz * Octet(t1);
+    const Octet z_near = max(zero, max(min(za, zb), zero - max(za, zb))), z_far = max(abs(za), abs(zb));
+    const Octet a = Octet(t0) - middle, b = Octet(t1) - middle;
+    const Octet near = max(zero, max(a, zero - b)), far = max(abs(a), abs(b));
+    Ranges r;
+    r.rho_low = sqrt(n0 + n2 * near * near);
+    r.rho_high = sqrt(n0 + n2 * far * far);
+    const Octet gap = max(zero, max(r.rho_low - ring_radius, ring_radius - r.rho_high));
+    const Octet spread = max(abs(r.rho_high - ring_radius), abs(ring_radius - r.rho_low));
+    r.y_low = gap * gap + z_near * z_near;
+    r.y_high = spread * spread + z_far * z_far;
+    return r;
+  }
+  [[nodiscard]] static HWY_INLINE Octet two_pi_times(const Octet& radius) { return Octet(2 * kPi) * radius; }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
