@@ -4,6 +4,7 @@
 #include "cli/interrupt.h"
 #include "cli/search_path.h"
 #include "cli/stopwatch.h"
+#include "renderer/queries/faint.h"
 #include "renderer/queries/object_queries.h"
 
 #include <fmt/format.h>
@@ -77,6 +78,7 @@ ExitCode Session::evaluate() {
 /// What only the whole scene can tell.
 void Session::check_result() {
   const scene::Database& database = scene_->database;
+  warn_of_faint_components();
   const scene::Settings& settings = database.settings;
   const auto complain = [this](const auto& parsed, OriginId place) {
     if (parsed.ok()) return;
@@ -86,6 +88,22 @@ void Session::check_result() {
   if (!settings.solver.empty()) complain(parse_solver(settings.solver), settings.solver_origin);
   if (!settings.tolerance.empty()) complain(parse_tolerance(settings.tolerance), settings.tolerance_origin);
   if (database.objects.empty()) sink_.warning({}, fmt::format("{} holds no object", display_name()));
+}
+
+void Session::warn_of_faint_components() {
+  const std::optional<render::FaintComponents> faint = render::faint_components(scene_->database);
+  if (!faint) return;
+  const interpreter::Origin origin = scene_->origins.resolve(faint->first);
+  const char* const what = faint->skeleton == scene::Skeleton::circle ? "`torus` is too small" : "`cylinder` is too short";
+  Diagnostic warning{Severity::warning,
+                     origin.span,
+                     fmt::format("this {} to have a surface by itself: convolved, it reaches {:.3g} of the threshold",
+                                 what, faint->greatest),
+                     {},
+                     {},
+                     origin.chain};
+  if (faint->count > 1) warning.hint = fmt::format("{} components do not, this is the first", faint->count);
+  sink_.report(std::move(warning));
 }
 
 }  // namespace isl::cli

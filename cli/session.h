@@ -48,6 +48,7 @@ class Session {
 
  private:
   void check_result();
+  void warn_of_faint_components();
 
   const SceneOptions& options_;
   grammar::SourceMap sources_;

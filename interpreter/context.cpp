@@ -12,6 +12,7 @@ using grammar::Symbol;
 ContextualWords::ContextualWords(grammar::SymbolTable& symbols)
     : kernel(symbols.intern("kernel")),
       hardness(symbols.intern("hardness")),
+      convolution(symbols.intern("convolution")),
       skeleton(symbols.intern("skeleton")),
       solver(symbols.intern("solver")),
       tolerance(symbols.intern("tolerance")),

@@ -34,7 +34,7 @@ inline constexpr std::size_t kOriginBytes = 40;
 /// The words of ours that are not reserved: they mean something only where a reader looks for them.
 struct ContextualWords {
   explicit ContextualWords(grammar::SymbolTable& symbols);
-  grammar::Symbol kernel, hardness, skeleton, solver, tolerance;
+  grammar::Symbol kernel, hardness, convolution, skeleton, solver, tolerance;
   grammar::Symbol hf;  ///< `.hf` of a pigment function: a height coded in red and green
 };
 

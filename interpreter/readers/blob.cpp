@@ -43,9 +43,12 @@ const std::vector<grammar::Symbol>& known_words() {
 
 /// What a blob hands down to the parts inside it: the kernel in force.
 struct KernelInForce {
+  Kernel kernel;
   scene::KernelId id{};
   bool is_ours = false;   ///< the scene named one
-  bool is_known = false;  ///< `id` is one of the database
+  bool is_known = false;  ///< `id` is the kernel's in the database
+
+  [[nodiscard]] bool is_convolved() const { return kernel.mode == scene::FieldMode::convolution; }
 };
 
 class BlobReader {
@@ -117,6 +120,9 @@ class BlobReader {
     } else if (leading_name(next) == context_.words.kernel) {
       read_kernel();
       return true;
+    } else if (leading_name(next) == context_.words.convolution) {
+      read_convolution();
+      return true;
     } else if (leading_name(next) == context_.words.skeleton) {
       if (is_part_) context_.fail(next.span, "a part of a blob has no skeleton of its own", "the whole blob may be its `skeleton`");
       stream_.drop();
@@ -171,6 +177,10 @@ class BlobReader {
         read_kernel();
         continue;
       }
+      if (leading_name(next) == context_.words.convolution) {
+        read_convolution();
+        continue;
+      }
       const bool is_part = next.is_block(word::kw_blob) || next.is_block(word::kw_union);
       if (!is_part && !(next.is(ElementKind::block) && is_component_word(next.word))) break;
       stream_.drop();
@@ -213,7 +223,7 @@ class BlobReader {
                     fmt::format("there are \"{}\"", fmt::join(scene::kKernelWords, "\", \"")));
     }
     const auto shape = static_cast<KernelShape>(known - std::begin(scene::kKernelWords));
-    Kernel kernel{shape, RadiusMeaning::surface, 4};
+    Kernel kernel{shape, RadiusMeaning::surface, 4, kernel_.kernel.mode};
     if (leading_name(stream_.peek()) == context_.words.hardness) {
       const SourceSpan hardness_span = stream_.peek().span;
       kernel.hardness = read_contextual_number(stream_, "a number after `hardness`");
@@ -222,7 +232,16 @@ class BlobReader {
                       fmt::format("`hardness` is above 0 and at most {:g}, found {:g}", kMaxHardness, kernel.hardness));
       }
     }
-    kernel_ = {kernel_id(kernel), true, true};
+    kernel_ = {kernel, {}, true, false};
+  }
+
+  /// `convolution on`, `convolution off`
+  void read_convolution() {
+    stream_.drop();
+    if (!stream_.peek().is(ElementKind::value)) fail_expected(stream_, "`on` or `off` after `convolution`");
+    kernel_.kernel.mode =
+        read_optional_truth(stream_) ? scene::FieldMode::convolution : scene::FieldMode::distance;
+    kernel_.is_known = false;
   }
 
   scene::KernelId kernel_id(const Kernel& kernel) {
@@ -238,8 +257,11 @@ class BlobReader {
   // ---- Components ---------------------------------------------------------------------------------------------------
 
   void read_component(const Element& block, std::uint32_t branch = kOwnSum) {
+    if (kernel_.is_convolved() && !kernel_.is_ours)
+      context_.fail(block.word_span, "a convolution needs a kernel in force", "write `kernel \"quartic\"` before it");
     ElementStream stream(context_, block);
-    Component component = read_component_shape(stream, block, kernel_.is_ours, assembly_.blob());
+    Component component =
+        read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
     read_strength(stream, component);
     if (!stream.peek().is(ElementKind::end)) read_modifiers(stream, component);
     add(component, block.span, branch);
@@ -266,6 +288,7 @@ class BlobReader {
 
   /// `component strength, radius, <centre>` of POV-Ray 1, without braces and modifiers.
   void read_old_component(const Element& keyword) {
+    if (kernel_.is_convolved()) context_.fail(keyword.span, "a `component` has no convolution");
     Component component;
     component.strength = read_number(stream_, "a strength");
     stream_.accept_comma();
@@ -294,7 +317,10 @@ class BlobReader {
   }
 
   void add(Component& component, SourceSpan span, std::uint32_t branch) {
-    if (!kernel_.is_known) kernel_ = {kernel_id(Kernel{}), false, true};
+    if (!kernel_.is_known) {
+      kernel_.id = kernel_id(kernel_.kernel);
+      kernel_.is_known = true;
+    }
     component.kernel = kernel_.id;
     context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes);
     assembly_.add(component, context_.origin(span), branch);

@@ -34,7 +34,6 @@ void read_cylinder(ElementStream& stream, Component& c, scene::Blob&) {
   c.b = read_vector(stream, "the second end");
   stream.accept_comma();
   c.radius_a = c.radius_b = read_positive(stream, "a radius");
-  check_apart(stream, c.a, c.b);
 }
 
 void read_cone(ElementStream& stream, Component& c, scene::Blob&) {
@@ -46,7 +45,6 @@ void read_cone(ElementStream& stream, Component& c, scene::Blob&) {
   c.b = read_vector(stream, "the second end");
   stream.accept_comma();
   c.radius_b = read_positive(stream, "the radius at the second end");
-  check_apart(stream, c.a, c.b);
 }
 
 void read_box(ElementStream& stream, Component& c, scene::Blob&) {
@@ -103,15 +101,15 @@ void read_plane(ElementStream& stream, Component& c, scene::Blob&) {
 
 struct Row {
   grammar::Symbol word;
-  bool needs_kernel;
+  bool needs_kernel, has_convolution;
   void (*read)(ElementStream&, Component&, scene::Blob&);
 };
 
 constexpr Row kRows[] = {
-    {word::kw_sphere, false, read_sphere}, {word::kw_cylinder, false, read_cylinder},
-    {word::kw_cone, true, read_cone},      {word::kw_box, true, read_box},
-    {word::kw_torus, true, read_torus},    {word::kw_triangle, true, read_triangle},
-    {word::kw_plane, true, read_plane},
+    {word::kw_sphere, false, false, read_sphere}, {word::kw_cylinder, false, true, read_cylinder},
+    {word::kw_cone, true, false, read_cone},      {word::kw_box, true, false, read_box},
+    {word::kw_torus, true, true, read_torus},     {word::kw_triangle, true, false, read_triangle},
+    {word::kw_plane, true, false, read_plane},
 };
 
 constexpr auto kWords = [] {
@@ -120,21 +118,41 @@ constexpr auto kWords = [] {
   return words;
 }();
 
+/// Only what has a closed form is convolved.
+void check_convolution(Context& context, const Element& block, const Row& row, const scene::Kernel& kernel) {
+  constexpr const char* kHint = "a `cylinder` or a `torus` can be convolved, with the kernel \"quartic\" or \"cauchy\"; "
+                                "`convolution off` ends it";
+  if (!row.has_convolution)
+    context.fail(block.word_span, fmt::format("a `{}` has no convolution", context.text(block.word)), kHint);
+  if (kernel.shape != scene::KernelShape::quartic && kernel.shape != scene::KernelShape::cauchy) {
+    context.fail(block.word_span,
+                 fmt::format("the kernel \"{}\" has no convolution",
+                             scene::kKernelWords[static_cast<std::size_t>(kernel.shape)]),
+                 kHint);
+  }
+}
+
 }  // namespace
 
 bool is_component_word(grammar::Symbol word) { return std::ranges::find(kWords, word) != kWords.end(); }
 
 std::span<const grammar::Symbol> component_words() { return kWords; }
 
-Component read_component_shape(ElementStream& stream, const Element& block, bool has_kernel, scene::Blob& blob) {
+Component read_component_shape(ElementStream& stream, const Element& block, const scene::Kernel* kernel,
+                               scene::Blob& blob) {
   const Row& row = *std::ranges::find(kRows, block.word, &Row::word);
   Context& context = stream.context();
-  if (row.needs_kernel && !has_kernel) {
+  if (row.needs_kernel && !kernel) {
     context.fail(block.word_span, fmt::format("a `{}` in a blob needs a kernel in force", context.text(block.word)),
                  "write `kernel \"gaussian\"` before it");
   }
+  const bool is_convolved = kernel && kernel->mode == scene::FieldMode::convolution;
+  if (is_convolved) check_convolution(context, block, row, *kernel);
   Component component;
   row.read(stream, component, blob);
+  // However short a segment, it has a convolution: its length is what counts.
+  const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
+  if (has_ends && !is_convolved) check_apart(stream, component.a, component.b);
   return component;
 }
 

@@ -12,9 +12,9 @@ namespace isl::interpreter {
 /// The words of all components, for suggestions.
 [[nodiscard]] std::span<const grammar::Symbol> component_words();
 
-/// Reads the skeleton and its radii from the block's stream. `has_kernel`: a kernel is in force; without one only
-/// POV-Ray's components are known. The blob takes what its record has no room for.
-[[nodiscard]] scene::Component read_component_shape(ElementStream& stream, const Element& block, bool has_kernel,
-                                                    scene::Blob& blob);
+/// Reads the skeleton and its radii from the block's stream. `kernel`: the one in force, null if there is none; without one
+/// only POV-Ray's components are known. The blob takes what its record has no room for.
+[[nodiscard]] scene::Component read_component_shape(ElementStream& stream, const Element& block,
+                                                    const scene::Kernel* kernel, scene::Blob& blob);
 
 }  // namespace isl::interpreter

@@ -25,8 +25,10 @@ namespace {
 
 /// A component seen along one direction: its two ends' coordinates, and what one radius measures there.
 struct Profile {
+  const Database* database = nullptr;
+  const scene::Blob* blob = nullptr;
+  const Component* component = nullptr;
   const KernelConstants* kernel = nullptr;
-  double strength = 0;
   std::uint32_t branch = 0;
   std::array<double, 2> end{};
   std::array<double, 2> radius{};
@@ -36,10 +38,10 @@ struct Profile {
   [[nodiscard]] double most_beyond(double a) const {
     double root_q = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i) {
-      if (end[i] >= a) return strength * kernel_value(*kernel, 0);
+      if (end[i] >= a) return most_at(*database, *blob, *component, *kernel, 0);
       if (radius[i] > 0) root_q = std::min(root_q, (a - end[i]) / radius[i]);
     }
-    return strength * kernel_value(*kernel, root_q * root_q);
+    return most_at(*database, *blob, *component, *kernel, root_q * root_q);
   }
   [[nodiscard]] double support_end() const {
     const double reach = std::sqrt(kernel->support_q());
@@ -68,8 +70,10 @@ class ReachOfBlob {
   [[nodiscard]] Profile profile_of(std::uint32_t i, const Vec3& n) const {
     const Component& c = blob_.components[i];
     const std::array<Reach, 2> reach = reach_of(database_, blob_, c, n);
-    return {&kernels_[index(c.kernel)],
-            c.strength,
+    return {&database_,
+            &blob_,
+            &c,
+            &kernels_[index(c.kernel)],
             blob_.branches.empty() ? 0 : blob_.branch_of[i],
             {reach[0].coordinate, reach[1].coordinate},
             {reach[0].radius, reach[1].radius}};

@@ -9,6 +9,7 @@
 #endif
 
 #include "renderer/compiled_scene.h"
+#include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/trace_kernel.h"
 
@@ -46,6 +47,43 @@ struct PointSums {
   Octet value, gx, gy, gz;
 };
 
+inline void add_share(std::vector<TextureShare>& shares, scene::TextureId texture, double weight) {
+  const auto share =
+      std::find_if(shares.begin(), shares.end(), [&](const TextureShare& s) { return s.texture == texture; });
+  if (share == shares.end()) {
+    shares.push_back({texture, weight});
+  } else {
+    share->weight += weight;
+  }
+}
+
+/// Convolved curves, whose gradient is no function of the nearest point.
+inline void add_point_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
+                             std::uint32_t count, const Vec3& point, PointSums& sums,
+                             std::vector<TextureShare>& shares) {
+  for (std::uint32_t i = 0; i < count; i += kOctet) {
+    alignas(64) double value[kOctet] = {}, gx[kOctet] = {}, gy[kOctet] = {}, gz[kOctet] = {};
+    for (std::uint32_t j = 0; j < std::min<std::uint32_t>(kOctet, count - i); ++j) {
+      const std::uint32_t item = items[i + j];
+      const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
+      const Vec3 p = map ? map->inverse_point(point) : point;
+      const CurveSample f = table.with_skeleton(
+          group, item, [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+      if (f.value == 0) continue;
+      value[j] = table.amplitude[item] * f.value;
+      const Vec3 gradient = (map ? map->normal(f.gradient) : f.gradient) * table.amplitude[item];
+      gx[j] = gradient.x;
+      gy[j] = gradient.y;
+      gz[j] = gradient.z;
+      add_share(shares, table.texture[item], std::abs(value[j]));
+    }
+    sums.value = sums.value + load(value);
+    sums.gx = sums.gx + load(gx);
+    sums.gy = sums.gy + load(gy);
+    sums.gz = sums.gz + load(gz);
+  }
+}
+
 template <class Kernel>
 void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
                      const std::uint32_t* items, std::uint32_t count, const Vec3& point, PointSums& sums,
@@ -69,14 +107,7 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
     store(abs(value), weights);
     for (std::uint32_t j = 0; j < n; ++j) {
       if (weights[j] == 0) continue;
-      const scene::TextureId texture = table.texture[items[i + j]];
-      const auto share =
-          std::find_if(shares.begin(), shares.end(), [&](const TextureShare& s) { return s.texture == texture; });
-      if (share == shares.end()) {
-        shares.push_back({texture, weights[j]});
-      } else {
-        share->weight += weights[j];
-      }
+      add_share(shares, table.texture[items[i + j]], weights[j]);
     }
   }
 }
@@ -91,9 +122,13 @@ inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, cons
     const FieldGroup& group = table.group_of(items[next]);
     std::uint32_t last = next;
     while (last < list.count && items[last] < group.end) ++last;
-    with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-      add_point_group(kernel, table, group, items + next, last - next, point, sums, shares);
-    });
+    if (group.kernel.is_convolved) {
+      add_point_curves(table, group, items + next, last - next, point, sums, shares);
+    } else {
+      with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+        add_point_group(kernel, table, group, items + next, last - next, point, sums, shares);
+      });
+    }
     next = last;
   }
   return sums;

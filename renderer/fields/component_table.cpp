@@ -1,5 +1,7 @@
 #include "renderer/fields/component_table.h"
 
+#include "renderer/fields/convolutions/curve_field.h"
+
 #include "base/check.h"
 
 #include <algorithm>
@@ -38,6 +40,12 @@ scene::Component simplified(scene::Component c) {
   if (c.skeleton == scene::Skeleton::point) c.b = c.a;
   if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
   return c;
+}
+
+/// An integral along nothing.
+bool is_void(const scene::Database& database, const scene::Component& c) {
+  const scene::FieldMode mode = database.kernels[scene::index(c.kernel)].mode;
+  return mode == scene::FieldMode::convolution && has_ends(c.skeleton) && c.a == c.b;
 }
 
 /// A component in blob space (similarities of points and limbs, and every map of a half-space, baked in), before sorting.
@@ -148,6 +156,7 @@ ComponentTable compile_components(const scene::Database& database, const scene::
   prepared.reserve(blob.components.size());
   for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
     const double strength = blob.components[i].strength;
+    if (is_void(database, blob.components[i])) continue;
     if (is_skeleton ? strength > 0 : strength != 0) prepared.push_back(prepare(database, blob, i));
   }
   set_morton_codes(prepared);
@@ -199,6 +208,13 @@ ComponentTable compile_components(const scene::Database& database, const scene::
 FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
                        const Box& blob_box) {
   const Box box = group.is_mapped ? image(blob_box, table.blob_from_component(group, component).inverse) : blob_box;
+  if (group.kernel.is_convolved) {
+    const CurveRange range = table.with_skeleton(
+        group, component, [&](const auto& skeleton) { return curve_range(group.kernel, skeleton, box); });
+    const double amplitude = table.amplitude[component];
+    return {std::min(amplitude * range.low, amplitude * range.high),
+            std::max(amplitude * range.low, amplitude * range.high)};
+  }
   const QRange q = table.with_skeleton(group, component, [&](const auto& skeleton) { return skeleton.q_over(box); });
   const double scale = ComponentTable::v_scale(group);
   if (!(scale * q.low < group.kernel.support)) return {0, 0};
@@ -229,11 +245,32 @@ Box support_bounds(const ComponentTable& table, const FieldGroup& group, std::ui
   return group.is_mapped ? image(box, table.blob_from_component(group, component).matrix) : box;
 }
 
-double q_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
-            const Vec3& point) {
+double field_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+                const KernelConstants& kernel, const Vec3& point) {
   const bool is_moved = component.transform != scene::kIdentity;
   const Vec3 p = is_moved ? database.transforms[scene::index(component.transform)].inverse_point(point) : point;
-  return with_skeleton_of(blob, component, [&](const auto& skeleton) { return skeleton.nearest(p).q(); });
+  if (kernel.is_convolved) {
+    if (is_void(database, component)) return 0;
+    const auto value = [&](const auto& skeleton) { return curve_sample(kernel, skeleton, p).value; };
+    return component.strength * kernel.amplitude * with_skeleton_of(blob, component, value);
+  }
+  const auto q = [&](const auto& skeleton) { return skeleton.nearest(p).q(); };
+  return component.strength * kernel_value(kernel, with_skeleton_of(blob, component, q));
+}
+
+double most_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+               const KernelConstants& kernel, double q) {
+  if (!kernel.is_convolved) return std::abs(component.strength) * kernel_value(kernel, q);
+  if (is_void(database, component)) return 0;
+  const auto most = [&](const auto& skeleton) { return curve_most(kernel, skeleton, q); };
+  return std::abs(component.strength) * kernel.amplitude * with_skeleton_of(blob, component, most);
+}
+
+double peak_of(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+               const KernelConstants& kernel) {
+  if (is_void(database, component)) return 0;
+  const auto peak = [&](const auto& skeleton) { return curve_peak(kernel, skeleton); };
+  return std::abs(component.strength) * kernel.amplitude * with_skeleton_of(blob, component, peak);
 }
 
 std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,

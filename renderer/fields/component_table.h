@@ -93,9 +93,18 @@ struct ComponentTable {
 /// skeleton.
 [[nodiscard]] double support_radius(const ComponentTable& table, const FieldGroup& group, std::uint32_t component);
 
-/// q of a component at a point of the blob's space, straight from the record (blob: for its corners).
-[[nodiscard]] double q_at(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
-                          const Vec3& point);
+/// f of a component at a point of the blob's space, straight from the record (blob: for its corners); `kernel`: its
+/// kernel's constants.
+[[nodiscard]] double field_at(const scene::Database& database, const scene::Blob& blob,
+                              const scene::Component& component, const KernelConstants& kernel, const Vec3& point);
+
+/// No |f| of the component is greater where its q is this or more. Falls with q.
+[[nodiscard]] double most_at(const scene::Database& database, const scene::Blob& blob,
+                             const scene::Component& component, const KernelConstants& kernel, double q);
+
+/// The greatest value of a convolved component, to a few digits.
+[[nodiscard]] double peak_of(const scene::Database& database, const scene::Blob& blob,
+                             const scene::Component& component, const KernelConstants& kernel);
 
 /// How far the component comes along n, in the blob's space: of skeleton spheres that hold all of them between them.
 [[nodiscard]] std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,

@@ -2,7 +2,8 @@
 //
 // Quadratic lanes: v = v₀ + κ(t − t₀)² on [begin, end), for points and for the pieces of segments, boxes and triangles.
 // Cone lanes: the round cone of skeletons/cone.h in (x, ρ²), x = x₀ + x′t and ρ² = n₀ + n₂(t − tₙ)². Circle lanes:
-// that of skeletons/circle.h in (z, ρ²), likewise.
+// that of skeletons/circle.h in (z, ρ²), likewise. Segment and ring lanes: convolutions/segment_lanes-inl.h and
+// ring_lanes-inl.h, in support radii.
 #if defined(ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
 #undef ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
@@ -10,6 +11,7 @@
 #define ISL_RENDERER_FIELDS_LANE_COLUMNS_INL_H_
 #endif
 
+#include "renderer/fields/convolutions/windows-inl.h"
 #include "renderer/fields/lane_memory.h"
 #include "renderer/fields/skeletons/circle_lanes-inl.h"
 #include "renderer/fields/skeletons/cone_lanes-inl.h"
@@ -52,6 +54,24 @@ struct QuadraticLanes {
           load(at + LaneMemory::kC0 * stride),      load(at + LaneMemory::kC2 * stride),
           load(at + LaneMemory::kCMiddle * stride), load(at + LaneMemory::kRing * stride),
           load(at + LaneMemory::kInverse * stride), load(at + LaneMemory::kCircleAmplitude * stride)};
+}
+
+[[nodiscard]] HWY_INLINE SegmentLanes load_segment(const LaneMemory& memory, std::uint32_t i) {
+  const double* const at = memory.segment.row(i);
+  const std::size_t stride = memory.segment.stride();
+  return {load(at + LaneMemory::kBefore * stride),    load(at + LaneMemory::kBehind * stride),
+          load(at + LaneMemory::kSegmentDx * stride), load(at + LaneMemory::kS0 * stride),
+          load(at + LaneMemory::kS2 * stride),        load(at + LaneMemory::kSMiddle * stride),
+          load(at + LaneMemory::kWhole * stride),     load(at + LaneMemory::kSegmentAmplitude * stride)};
+}
+
+[[nodiscard]] HWY_INLINE RingLanes load_ring(const LaneMemory& memory, std::uint32_t i) {
+  const double* const at = memory.ring.row(i);
+  const std::size_t stride = memory.ring.stride();
+  return {load(at + LaneMemory::kRingZ0 * stride),       load(at + LaneMemory::kRingDz * stride),
+          load(at + LaneMemory::kR0 * stride),           load(at + LaneMemory::kR2 * stride),
+          load(at + LaneMemory::kRMiddle * stride),      load(at + LaneMemory::kRadiusOfRing * stride),
+          load(at + LaneMemory::kRingAmplitude * stride)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -53,6 +53,7 @@ struct LaneRun {
   const KernelConstants* kernel;
   bool has_pieces;  ///< quadratic lanes hold on [begin, end) only
   LaneSpan quadratics, cones, circles;
+  LaneSpan segments, rings;  ///< convolved
 };
 
 struct LaneMemory {
@@ -60,9 +61,14 @@ struct LaneMemory {
   enum ConeColumn { kX0, kDx, kN0, kN2, kNMiddle, kRadius, kSlope, kLength, kConeAmplitude, kConeColumns };
   enum CircleColumn { kZ0, kDz, kC0, kC2, kCMiddle, kRing, kInverse, kCircleAmplitude, kCircleColumns };
 
+  enum SegmentColumn { kBefore, kBehind, kSegmentDx, kS0, kS2, kSMiddle, kWhole, kSegmentAmplitude, kSegmentColumns };
+  enum RingColumn { kRingZ0, kRingDz, kR0, kR2, kRMiddle, kRadiusOfRing, kRingAmplitude, kRingColumns };
+
   LaneTable quadratic{kQuadraticColumns};
   LaneTable cone{kConeColumns};
   LaneTable circle{kCircleColumns};
+  LaneTable segment{kSegmentColumns};
+  LaneTable ring{kRingColumns};
   std::vector<LaneRun> runs;
 
   /// Room for a cell of `count` components: a triangle makes up to ten lanes, and every run is filled up to an octet; a
@@ -71,7 +77,8 @@ struct LaneMemory {
     constexpr std::size_t kMostPieces = 10, kMostFill = 8;
     quadratic.reserve((kMostPieces + kMostFill) * std::size_t{count} + kMostFill);
     cone.reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
-    circle.reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
+    for (LaneTable* const table : {&circle, &segment, &ring})
+      table->reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
     runs.reserve(count);
   }
 };

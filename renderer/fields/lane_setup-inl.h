@@ -13,6 +13,7 @@
 #endif
 
 #include "renderer/fields/component_table.h"
+#include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/fields/lane_columns-inl.h"
 
@@ -52,10 +53,14 @@ class LaneSetup {
       } else {
         while (last < count && items[last] < group.end) ++last;
       }
-      first_ = {quadratics_, cones_, circles_};
-      with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-        add_group(kernel, table, group, items + next, last - next, origin, direction, t0, t1);
-      });
+      first_ = {quadratics_, cones_, circles_, segments_, rings_};
+      if (group.kernel.is_convolved) {
+        add_curves(table, group, items + next, last - next, origin, direction, t0, t1);
+      } else {
+        with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+          add_group(kernel, table, group, items + next, last - next, origin, direction, t0, t1);
+        });
+      }
       close_run(group);
       next = last;
     }
@@ -70,6 +75,33 @@ class LaneSetup {
     sums_.exponent = std::max(sums_.exponent, group.kernel.support);
     if (group.skeleton == scene::Skeleton::point && !group.is_mapped)
       return add_points(kernel, table, items, count, origin, direction, t0, t1);
+    add_shapes(table, group, items, count, origin, direction, t0, t1);
+    pad(group.kernel.support);
+    sum_up(kernel, group, t0, t1);
+  }
+
+  void add_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
+                  std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    sums_.exponent = std::max(sums_.exponent, group.kernel.support);
+    add_shapes(table, group, items, count, origin, direction, t0, t1);
+    pad_curves();
+    const Octet zero(0.0);
+    Octet peaks(0.0);
+    with_window(group.kernel, [&](const auto& window) HWY_ATTR {
+      for (std::uint32_t i = first_.segments; i < segments_; i += kOctet) {
+        const SegmentLanes lanes = load_segment(m_, i);
+        peaks = peaks + max(lanes.amplitude, zero) * lanes.most(window, t0, t1);
+      }
+      for (std::uint32_t i = first_.rings; i < rings_; i += kOctet) {
+        const RingLanes lanes = load_ring(m_, i);
+        peaks = peaks + max(lanes.amplitude, zero) * lanes.most(window, t0, t1);
+      }
+    });
+    sums_.peak += sum(peaks);
+  }
+
+  void add_shapes(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
+                  std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t item = items[i];
       if (group.is_mapped) {
@@ -80,8 +112,6 @@ class LaneSetup {
       }
     }
     sums_.field_count += count;
-    pad(group.kernel.support);
-    sum_up(kernel, group, t0, t1);
   }
 
   void add_shape(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& origin,
@@ -89,6 +119,9 @@ class LaneSetup {
     const double amplitude = table.amplitude[item];
     table.with_skeleton(group, item, [&](const auto& shape) {
       using Shape = std::decay_t<decltype(shape)>;
+      if constexpr (std::is_same_v<Shape, Segment> || std::is_same_v<Shape, Circle>) {
+        if (group.kernel.is_convolved) return add_curve(shape, group.kernel, amplitude, origin, direction);
+      }
       if constexpr (std::is_same_v<Shape, Cone>) {
         add_cone(shape, amplitude, origin, direction);
       } else if constexpr (std::is_same_v<Shape, Circle>) {
@@ -181,6 +214,33 @@ class LaneSetup {
                                    1 / (circle.radius * circle.radius), amplitude});
   }
 
+  void add_curve(const Segment& segment, const KernelConstants& kernel, double amplitude, const Vec3& origin,
+                 const Vec3& direction) {
+    const double unit = per_support(kernel, segment), unit2 = unit * unit;
+    const Vec3 end = segment.a + segment.axis * segment.length;
+    const AboutAxis from_a = about_axis(segment.a, segment.axis, origin, direction);
+    const AboutAxis from_b = about_axis(end, segment.axis, origin, direction);
+    // From the nearer end: the farther one's distance would cost digits.
+    const AboutAxis& line = std::abs(from_a.x0) < std::abs(from_b.x0) ? from_a : from_b;
+    m_.segment.set_row(segments_++, {from_a.x0 * unit, -from_b.x0 * unit, line.dx * unit, line.n0 * unit2,
+                                     line.n2 * unit2, line.middle, segment.length * unit, amplitude});
+  }
+
+  void add_curve(const Circle& ring, const KernelConstants& kernel, double amplitude, const Vec3& origin,
+                 const Vec3& direction) {
+    const double unit = per_support(kernel, ring), unit2 = unit * unit;
+    const AboutAxis line = about_axis(ring.centre, ring.axis, origin, direction);
+    m_.ring.set_row(rings_++, {line.x0 * unit, line.dx * unit, line.n0 * unit2, line.n2 * unit2, line.middle,
+                               ring.ring_radius * unit, amplitude});
+  }
+
+  /// Fills the last octets of convolved curves with lanes beyond their support.
+  void pad_curves() {
+    while ((segments_ - first_.segments) % kOctet != 0)
+      m_.segment.set_row(segments_++, {0.5, 0.5, 1, 4, 0, 0, 1, 0});
+    while ((rings_ - first_.rings) % kOctet != 0) m_.ring.set_row(rings_++, {kFar, 1, 1, 0, 0, 1, 0});
+  }
+
   /// Fills the last octet of each form with lanes that add nothing.
   void pad(double support) {
     while ((quadratics_ - first_.quadratics) % kOctet != 0)
@@ -219,10 +279,11 @@ class LaneSetup {
 
   void close_run(const FieldGroup& group) {
     const LaneSpan quadratics{first_.quadratics, quadratics_}, cones{first_.cones, cones_},
-        circles{first_.circles, circles_};
-    if (quadratics.is_empty() && cones.is_empty() && circles.is_empty()) return;
+        circles{first_.circles, circles_}, segments{first_.segments, segments_}, rings{first_.rings, rings_};
+    if (quadratics.is_empty() && cones.is_empty() && circles.is_empty() && segments.is_empty() && rings.is_empty())
+      return;
     const bool has_pieces = group.skeleton != scene::Skeleton::point || group.is_mapped;
-    m_.runs.push_back({&group.kernel, has_pieces, quadratics, cones, circles});
+    m_.runs.push_back({&group.kernel, has_pieces, quadratics, cones, circles, segments, rings});
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -231,9 +292,9 @@ class LaneSetup {
 
   LaneMemory& m_;
   LaneSums sums_;
-  std::uint32_t quadratics_ = 0, cones_ = 0, circles_ = 0;  ///< rows in use
+  std::uint32_t quadratics_ = 0, cones_ = 0, circles_ = 0, segments_ = 0, rings_ = 0;  ///< rows in use
   struct {
-    std::uint32_t quadratics, cones, circles;
+    std::uint32_t quadratics, cones, circles, segments, rings;
   } first_{};  ///< of the run in the making
 };
 

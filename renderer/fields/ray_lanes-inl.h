@@ -59,7 +59,11 @@ class RayLanes {
   [[nodiscard]] FieldAt at(double t) const {
     FieldSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
     for (const LaneRun& run : m_.runs) {
-      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_at(kernel, run, t, sums); });
+      if (run.kernel->is_convolved) {
+        add_curves_at(run, t, sums);
+      } else {
+        with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_at(kernel, run, t, sums); });
+      }
     }
     return {sum(sums.value) - threshold_, sum(sums.slope), sum(sums.magnitude), sum(sums.steepness)};
   }
@@ -68,6 +72,10 @@ class RayLanes {
   [[nodiscard]] double curvature(double t) const {
     Octet total(0.0);
     for (const LaneRun& run : m_.runs) {
+      if (run.kernel->is_convolved) {
+        total = total + curvature_of_curves(run, t);
+        continue;
+      }
       with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { total = total + curvature_of(kernel, run, t); });
     }
     return sum(total);
@@ -76,6 +84,10 @@ class RayLanes {
   [[nodiscard]] Remainder remainder(double t0, double t1) const {
     Octet value(0.0), slope(0.0);
     for (const LaneRun& run : m_.runs) {
+      if (run.kernel->is_convolved) {
+        add_remainder_of_curves(run, t0, t1, value, slope);
+        continue;
+      }
       with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, value, slope); });
     }
     return {sum(value), sum(slope)};
@@ -115,6 +127,47 @@ class RayLanes {
     }
     add_lanes_at(kernel, run, run.cones, load_cone, t, sums);
     add_lanes_at(kernel, run, run.circles, load_circle, t, sums);
+  }
+
+  /// Calls use(window, lanes) for every octet of convolved curves.
+  template <class Use>
+  HWY_INLINE void for_each_curve(const LaneRun& run, const Use& use) const {
+    with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
+      for (std::uint32_t i = run.segments.first; i < run.segments.last; i += kOctet) use(window, load_segment(m_, i));
+      for (std::uint32_t i = run.rings.first; i < run.rings.last; i += kOctet) use(window, load_ring(m_, i));
+    });
+  }
+
+  HWY_NOINLINE void add_curves_at(const LaneRun& run, double t, FieldSums& sums) const {
+    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+      const CurvePoint p = lanes.at(window, Octet(t));
+      sums.value = sums.value + p.value;
+      sums.slope = sums.slope + p.slope;
+      sums.magnitude = sums.magnitude + p.value_terms;
+      sums.steepness = sums.steepness + p.slope_terms;
+    });
+  }
+
+  /// Convolved fields are twice differentiable, so the slopes at t ± η tell: with η = 2⁻¹⁷ of the support, where the rounding
+  /// of the slopes (2⁻⁵²/η) and the next derivative's share (η²) are both below 2⁻³⁴ of it.
+  [[nodiscard]] HWY_NOINLINE Octet curvature_of_curves(const LaneRun& run, double t) const {
+    Octet total(0.0);
+    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+      const Octet step = Octet(0x1p-17) / lanes.speed();
+      const Octet rise = lanes.at(window, Octet(t) + step).slope - lanes.at(window, Octet(t) - step).slope;
+      total = total + Octet(0.5) * rise / step;
+    });
+    return total;
+  }
+
+  HWY_NOINLINE void add_remainder_of_curves(const LaneRun& run, double t0, double t1, Octet& value,
+                                            Octet& slope) const {
+    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+      const CurveRemainder r = curve_remainder(window, lanes.stretch(t0, t1), t1 - t0);
+      const Octet size = abs(lanes.amplitude);
+      value = value + size * r.value;
+      slope = slope + size * r.slope;
+    });
   }
 
   template <class Kernel, class Load>

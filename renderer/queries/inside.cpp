@@ -129,7 +129,7 @@ bool is_inside(const Database& database, const Solid& solid, const Vec3& p) {
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
                const Vec3& point) {
   const auto field_of = [&](const Component& c) {
-    return c.strength * kernel_value(kernels[index(c.kernel)], q_at(database, blob, c, point));
+    return field_at(database, blob, c, kernels[index(c.kernel)], point);
   };
   if (blob.is_skeleton) {
     return std::ranges::any_of(blob.components, [&](const Component& c) { return field_of(c) >= blob.threshold; });

@@ -20,6 +20,7 @@ constexpr std::string_view kOperations[] = {"union", "merge", "intersection", "d
 Json kernel(const Kernel& k) {
   Json json = {{"shape", name(kKernelWords, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
   if (k.meaning == RadiusMeaning::surface) json["hardness"] = k.hardness;
+  if (k.mode == FieldMode::convolution) json["mode"] = "convolution";
   return json;
 }
 

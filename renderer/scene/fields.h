@@ -30,10 +30,16 @@ inline constexpr std::string_view kKernelWords[] = {
 /// radius).
 enum class RadiusMeaning : std::uint8_t { surface, support };
 
+/// What a kernel is a function of. `distance`: the distance to the skeleton. `convolution`: it is integrated along the skeleton
+/// (a segment or a circle; quartic or cauchy), so that parts of a skeleton add up to the whole; a straight skeleton without
+/// end has φ(1) = 1 and φ′(1) = −hardness.
+enum class FieldMode : std::uint8_t { distance, convolution };
+
 struct Kernel {
   KernelShape shape = KernelShape::quartic;
   RadiusMeaning meaning = RadiusMeaning::support;
   double hardness = 4;  ///< in (0, 500]; without meaning for `support`
+  FieldMode mode = FieldMode::distance;
   friend bool operator==(const Kernel&, const Kernel&) = default;
 };
 

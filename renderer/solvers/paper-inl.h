@@ -12,6 +12,7 @@
 #endif
 
 #include "renderer/compiled_scene.h"
+#include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/solvers/blob_ray.h"
@@ -82,6 +83,12 @@ class PaperSearch {
       const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
       return {half_gradient.dot(foot.offset), 2 * half_gradient.dot(direction)};
     }
+    /// Of a convolved curve.
+    [[nodiscard]] CurveSample sample(double t) const {
+      const Vec3 p = origin + direction * t;
+      return table.with_skeleton(
+          group, item, [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+    }
   };
 
   [[nodiscard]] static KernelValue kernel_value(const KernelConstants& k, const Octet& v) {
@@ -118,9 +125,17 @@ class PaperSearch {
         v[j] = std::min(a.v, group.kernel.support);
         dv[j] = a.slope;
       }
-      const KernelValue phi = kernel_value(group.kernel, load(v));
-      store(Octet(amplitude) * phi.value, value);
-      store(Octet(amplitude) * phi.slope * load(dv), slope);
+      if (group.kernel.is_convolved) {
+        for (int j = 0; j < static_cast<int>(kOctet); ++j) {
+          const CurveSample f = line.sample(begin + h * std::min(first + j, k));
+          value[j] = amplitude * f.value;
+          slope[j] = amplitude * f.gradient.dot(line.direction);
+        }
+      } else {
+        const KernelValue phi = kernel_value(group.kernel, load(v));
+        store(Octet(amplitude) * phi.value, value);
+        store(Octet(amplitude) * phi.slope * load(dv), slope);
+      }
       for (int j = 0; j < static_cast<int>(kOctet) && first + j <= k; ++j) {
         const bool is_last = first + j == k;
         PaperMemory::Interpolant piece = previous;

@@ -42,7 +42,7 @@ struct CauchyWindow {
 
   [[nodiscard]] HWY_INLINE WindowBounds bounds(const Octet& y_least, const Octet& e2, const Octet& speed2) const {
     const Octet y = Octet(epsilon) + y_least, y2 = y * y, y3 = y * y2, one(1.0);
-    const Octet beta = min(one, e2 / (speed2 * y));
+    const Octet beta = min(one, e2 / max(speed2 * y, Octet(1e-300)));  // 0 at rest
     const Octet low = Octet(4 / (border * border * border)) - Octet(4.0) / y3;
     const Octet third = max(Octet(0.70711), sqrt(beta) * (Octet(8.0) * beta - Octet(3.0)));
     const Octet fourth = max(select(beta < Octet(0.125), Octet(3.0), Octet(4.2)),

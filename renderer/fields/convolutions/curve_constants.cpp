@@ -73,6 +73,7 @@ KernelConstants curve_constants(const scene::Kernel& kernel) {
   ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
   KernelConstants constants = is_quartic ? quartic(kernel.hardness) : cauchy(kernel.hardness);
   constants.shape = kernel.shape;
+  constants.is_convolved = true;
   return constants;
 }
 

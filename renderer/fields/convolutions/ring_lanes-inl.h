@@ -27,6 +27,9 @@ struct RingLanes {
   Octet n0, n2, middle;
   Octet ring_radius, amplitude;
 
+  /// |D|.
+  [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dz * dz + n2); }
+
   template <class Window>
   [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t) const {
     const Octet two(2.0), tau = t - middle, rise = n2 * tau, z = z0 + dz * t;
@@ -41,13 +44,14 @@ struct RingLanes {
             keep(active, two * size * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms))};
   }
 
-  /// No value on the stretch is greater than this (rounding apart), of amplitude 1: that at the least distance, and the
+  /// No value on the stretch is greater than this, of amplitude 1: that at the least distance, and the
   /// least ρ, along which the ring bends away least.
   template <class Window>
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, double t0, double t1) const {
     const Ranges r = ranges(t0, t1);
     const RingView<Octet> view{ring_radius, r.rho_low, r.y_low};
-    return keep(r.y_low < Octet(1.0), integrate(window, view).value);
+    const RingIntegrals<Octet> f = integrate(window, view);
+    return keep(r.y_low < Octet(1.0), f.value + Octet(0x1p-48) * f.value_terms);
   }
 
   [[nodiscard]] HWY_INLINE CurveStretch stretch(double t0, double t1) const {

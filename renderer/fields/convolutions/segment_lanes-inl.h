@@ -27,6 +27,9 @@ struct SegmentLanes {
   Octet n0, n2, middle;
   Octet length, amplitude;
 
+  /// |D|.
+  [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dx * dx + n2); }
+
   template <class Window>
   [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t) const {
     const Octet two(2.0), tau = t - middle, rise = n2 * tau, rho2 = n0 + rise * tau;
@@ -39,7 +42,7 @@ struct SegmentLanes {
             keep(active, two * size * (abs(dx) * f.along_terms + abs(rise) * f.across_terms))};
   }
 
-  /// No value on the stretch is greater than this (rounding apart), of amplitude 1: that of the nearest ρ with the segment
+  /// No value on the stretch is greater than this, of amplitude 1: that of the nearest ρ with the segment
   /// reaching as far to both sides as it does anywhere, and that of all of it at the least distance.
   template <class Window>
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, double t0, double t1) const {
@@ -48,7 +51,9 @@ struct SegmentLanes {
     const Chord<Octet> chord = chord_of(r.rho2_low, r.before_high, r.behind_high,
                                         Octet(0.5) * (r.before_high + r.behind_high));
     const OctetMask counts = (r.y_least() < Octet(1.0)) & (chord.half_length > zero);
-    return keep(counts, min(integrate(window, chord).value, length * window.value(r.y_least())));
+    const SegmentIntegrals<Octet> f = integrate(window, chord);
+    return keep(counts, min(f.value + Octet(0x1p-48) * f.value_terms,
+                            length * window.value(r.y_least()) * Octet(1 + 0x1p-48)));
   }
 
   [[nodiscard]] HWY_INLINE CurveStretch stretch(double t0, double t1) const {

@@ -1,11 +1,13 @@
 #include "renderer/fields/kernels/kernel_constants.h"
 
 #include "base/check.h"
+#include "renderer/fields/convolutions/curve_constants.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 
 namespace isl::render {
 
 KernelConstants kernel_constants(const scene::Kernel& kernel) {
+  if (kernel.mode == scene::FieldMode::convolution) return curve_constants(kernel);
   KernelConstants constants;
   if (kernel.meaning == scene::RadiusMeaning::support) {
     ISL_CHECK(kernel.shape == scene::KernelShape::quartic, "shape {}", static_cast<int>(kernel.shape));

@@ -12,6 +12,7 @@ namespace isl::render {
 
 struct KernelConstants {
   scene::KernelShape shape = scene::KernelShape::quartic;
+  bool is_convolved = false;  ///< a window to integrate (convolutions/), which has no profile
   double scale = 1;    ///< v = scale · q
   double support = 1;  ///< φ = 0 from here on, in v
   double amplitude = 1;
@@ -22,7 +23,7 @@ struct KernelConstants {
   [[nodiscard]] double support_q() const { return support / scale; }
 };
 
-/// Precondition: hardness in (0, 500] (the interpreter has seen to it).
+/// Precondition: hardness in (0, 500], and a convolution's shape quartic or cauchy (the interpreter has seen to it).
 [[nodiscard]] KernelConstants kernel_constants(const scene::Kernel& kernel);
 
 /// φ(v), without the amplitude; 0 beyond the support.

@@ -182,7 +182,7 @@ TEST_P(Convolution, HalvesOfASegmentAddUpToTheWhole) {
     if (!(whole.half_length > 0)) continue;
     const auto f = GetParam().integrate(whole);
     EXPECT_NEAR(value(of(before, part)) + value(of(before - part, length - part)), f.value,
-                static_cast<double>(kRounding) * f.value_terms);
+                static_cast<double>(2 * kRounding) * f.value_terms);
   }
 }
 

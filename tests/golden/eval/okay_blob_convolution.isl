@@ -1,0 +1,15 @@
+blob {
+  kernel "quartic" hardness 3
+  cylinder { 0, 2 * x, 0.5 }
+  convolution on
+  cylinder { 0, 2 * y, 0.5 strength 2 scale <1, 2, 1> }
+  kernel "cauchy"
+  torus { 2, 0.5 }
+  cylinder { 0, 0, 0.5 }            // of no length: it adds nothing, and is no mistake
+  convolution off
+  torus { 2, 0.5 }
+  threshold 0.7
+}
+blob { convolution on kernel "quartic" cylinder { 0, z, 0.1 } }
+#declare convolution = 3;
+blob { kernel "quartic" cylinder { 0, convolution * z, 0.1 } }
