@@ -110,7 +110,8 @@ class HermiteSolver {
       if (fall < -band) return Verdict::none;
     }
     const double middle = a.t + 0.5 * h;
-    const bool is_exact = e.value <= noise;  // false too where the bound overflowed
+    // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
+    const bool is_exact = e.value <= std::min(a.noise, b.noise);
     if (!is_exact && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
     ++counters_.uncertified_steps;
     if (crossed) return Verdict::in_cubic;
