@@ -53,7 +53,7 @@ inline constexpr std::uint8_t kCapB = 2;
 [[nodiscard]] Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
                                              const Vec3& direction, std::uint8_t start_part) noexcept;
 [[nodiscard]] Vec3 polynomial_normal(const PreparedPolynomial& polynomial, const Vec3& point) noexcept;
-[[nodiscard]] Box quadric_bounds(const PreparedPolynomial& polynomial) noexcept;
+[[nodiscard]] Box polynomial_bounds(const PreparedPolynomial& polynomial) noexcept;
 
 [[nodiscard]] Crossings triangle_crossings(const scene::Triangle& triangle, const Vec3& origin, const Vec3& direction,
                                            std::uint8_t start_part) noexcept;

@@ -16,13 +16,17 @@
 // of basis, no shift, nothing cancels that the polynomial itself does not cancel. Horner's rule with absolute values
 // bounds the rounding (polynomial_roots.h, which finds the sign changes).
 //
+// Where a cube is known to hold all that is inside (polynomial_bound.h), the stretch within it is the only piece.
+//
 // A ray that starts on the surface begins the first piece at its own origin, where the coefficient is 0: divided out.
 #include "renderer/shading/power.h"
 #include "renderer/solids/kinds.h"
+#include "renderer/solids/polynomial_bound.h"
 #include "renderer/solids/polynomial_roots.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isl::render {
 namespace {
@@ -37,26 +41,28 @@ struct Piece {
   LinearForm x, y, z, w;
 };
 
-/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ.
+/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ, or zero, of any degree: most coefficients of what people write are.
 struct Scaled {
-  int degree = 0;
+  int degree = -1;
   std::array<double, kMostDegree + 1> c;
 
+  [[nodiscard]] bool is_zero() const { return degree < 0; }
   void multiply(const LinearForm& l) {
+    if (is_zero()) return;
     c[static_cast<std::size_t>(degree) + 1] = l.l1 * c[static_cast<std::size_t>(degree)];
     for (auto i = static_cast<std::size_t>(degree); i > 0; --i) c[i] = l.l0 * c[i] + l.l1 * c[i - 1];
     c[0] *= l.l0;
     ++degree;
   }
-  void add(const Scaled& other) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] += other.c[i];
-  }
   void add_times(double factor, const Scaled& other) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] += factor * other.c[i];
-  }
-  void set_times(double factor, const Scaled& other) {
-    degree = other.degree;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i) c[i] = factor * other.c[i];
+    if (factor == 0 || other.is_zero()) return;
+    const auto count = static_cast<std::size_t>(other.degree) + 1;
+    if (is_zero()) {
+      degree = other.degree;
+      for (std::size_t i = 0; i < count; ++i) c[i] = factor * other.c[i];
+    } else {
+      for (std::size_t i = 0; i < count; ++i) c[i] += factor * other.c[i];
+    }
   }
 };
 
@@ -64,38 +70,33 @@ struct Scaled {
 Bernstein along(const PreparedPolynomial& polynomial, const Piece& piece) {
   const int n = polynomial.order;
   Scaled powers_of_w[kMostDegree + 1];
+  powers_of_w[0].degree = 0;
   powers_of_w[0].c[0] = 1;
   for (int k = 1; k <= n; ++k) {
-    powers_of_w[k] = powers_of_w[k - 1];
+    powers_of_w[k].add_times(1, powers_of_w[k - 1]);
     powers_of_w[k].multiply(piece.w);
   }
   const double* coefficient = polynomial.coefficients.data();
-  Scaled in_x, in_y, in_z;
+  Scaled in_x;
   for (int i = 0; i <= n; ++i) {
+    Scaled in_y;
     for (int j = 0; j <= i; ++j) {
-      in_z.set_times(*coefficient++, powers_of_w[0]);
-      for (int k = 1; k <= j; ++k) {
+      Scaled in_z;
+      for (int k = 0; k <= j; ++k) {
         in_z.multiply(piece.z);
-        if (*coefficient != 0) in_z.add_times(*coefficient, powers_of_w[k]);
-        ++coefficient;
+        in_z.add_times(*coefficient++, powers_of_w[k]);
       }
-      if (j == 0) {
-        in_y = in_z;
-      } else {
-        in_y.multiply(piece.y);
-        in_y.add(in_z);
-      }
+      in_y.multiply(piece.y);
+      in_y.add_times(1, in_z);
     }
-    if (i == 0) {
-      in_x = in_y;
-    } else {
-      in_x.multiply(piece.x);
-      in_x.add(in_y);
-    }
+    in_x.multiply(piece.x);
+    in_x.add_times(1, in_y);
   }
   Bernstein result;
   result.degree = n;
-  for (int i = 0; i <= n; ++i) result[i] = in_x.c[static_cast<std::size_t>(i)] / binomial(n, i);
+  for (int i = 0; i <= n; ++i) {
+    result[i] = in_x.is_zero() ? 0 : in_x.c[static_cast<std::size_t>(i)] / binomial(n, i);
+  }
   return result;
 }
 
@@ -139,6 +140,10 @@ class PolynomialLine {
   }
 
   Crossings follow() {
+    if (std::isfinite(polynomial_.cube)) {
+      follow_through_cube();
+      return result_;
+    }
     // t = foot − near/v up to foot − near, then to foot + near, then foot + near/v.
     const double from = std::max(0.0, foot_ - near_), to = foot_ + near_;
     if (from > 0) follow_far(-1, near_ / foot_, 1, true);
@@ -155,6 +160,24 @@ class PolynomialLine {
 
  private:
   [[nodiscard]] Vec3 point(double t) const { return origin_ + direction_ * t; }
+
+  /// The one piece that there is of something bounded.
+  void follow_through_cube() {
+    double from = 0, to = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+      const double a = (-polynomial_.cube - origin_[i]) / direction_[i],
+                   b = (polynomial_.cube - origin_[i]) / direction_[i];
+      if (direction_[i] == 0 && !(std::abs(origin_[i]) <= polynomial_.cube)) return;
+      if (direction_[i] == 0) continue;
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    if (!(from < to)) return;
+    h_ = polynomial_.cube;
+    if (from > 0) sign_ = SignFollower(1);
+    const Vec3 a = point(from) / h_, b = point(to) / h_;
+    follow({{a.x, b.x}, {a.y, b.y}, {a.z, b.z}, {1 / h_, 1 / h_}}, [&](double u) { return from + u * (to - from); });
+  }
 
   /// t = foot + side·near/v for v from `from` to `to`. v·p(t)/h = v·foot/h + side·near/h·direction. `is_first`: the
   /// first v is t = 0.
@@ -222,6 +245,7 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
   // The nearest power of two, so that a scene scaled by one has the same digits.
   if (result.reach > 0 && std::isfinite(result.reach))
     result.reach = std::ldexp(1.0, std::ilogb(result.reach * std::sqrt(2.0)));
+  result.cube = cube_of(result);
   return result;
 }
 

@@ -24,9 +24,8 @@ double ellipsoid_reach(const std::vector<double>& q, const scene::Vec3& directio
   return direction.dot(centre) + std::sqrt(std::max(k, 0.0) * direction.dot(solved(direction)));
 }
 
-Box quadric_bounds(const PreparedPolynomial& polynomial) noexcept {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (polynomial.order != 2) return {Vec3(-kFar), Vec3(kFar)};
+Box polynomial_bounds(const PreparedPolynomial& polynomial) noexcept {
+  if (polynomial.order != 2) return {Vec3(-polynomial.cube), Vec3(polynomial.cube)};
   Box box;
   for (int i = 0; i < 3; ++i) {
     Vec3 axis(0);

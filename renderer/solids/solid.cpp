@@ -92,7 +92,7 @@ Box bounds(const scene::Solid& solid, const SolidDetails& details) noexcept {
     case SolidKind::quadric:
     case SolidKind::cubic:
     case SolidKind::quartic:
-    case SolidKind::poly: return quadric_bounds(details.polynomials[solid.detail]);
+    case SolidKind::poly: return polynomial_bounds(details.polynomials[solid.detail]);
     case SolidKind::superellipsoid: return {Vec3(-1), Vec3(1)};
     case SolidKind::triangle:
     case SolidKind::smooth_triangle: return triangle_bounds(details.triangles[solid.detail]);

@@ -63,7 +63,8 @@ struct Crossings {
 [[nodiscard]] Vec3 shading_normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
                                      const SolidDetails& details = kNoDetails) noexcept;
 
-/// Of the surface. Tight, rounding aside; infinite for planes and for polynomials other than ellipsoids.
+/// Of the surface. Tight, rounding aside; infinite for planes; of polynomials
+/// tight for ellipsoids, a cube for others that are found to end, and infinite else.
 [[nodiscard]] Box bounds(const scene::Solid& solid, const SolidDetails& details = kNoDetails) noexcept;
 
 }  // namespace isl::render

@@ -6,6 +6,7 @@
 
 #include <ImathBox.h>
 
+#include <limits>
 #include <vector>
 
 namespace isl::scene {
@@ -24,6 +25,8 @@ struct PreparedPolynomial {
   /// max (A_k/A_n)^(1/(n−k)), with A_k the largest coefficient of order k, to the nearest power of two. Scales as the
   /// shape does; 0 for a cone.
   double reach = 0;
+  /// Half the side of a cube about the origin that holds whatever is inside; may be infinite.
+  double cube = std::numeric_limits<double>::infinity();
 };
 
 struct PlanePoint {

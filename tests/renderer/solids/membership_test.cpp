@@ -154,6 +154,36 @@ TEST(Membership, of_a_known_quartic_is_that_of_the_torus) {
   EXPECT_GT(hits, 1000);
 }
 
+TEST(Membership, ends_where_a_polynomials_cube_says) {
+  // x⁴ − 5x² + y⁴ − 5y² + z⁴ − 5z² + 11.8, and an order that does not end, and one whose highest terms vanish.
+  const WholeSolid tangle = algebraic(4, {1, 0, 0, 0, 0, 0, 0, 0,  0, -5, 0, 0, 0, 0, 0,  0, 0,   0,
+                                          0, 0, 1, 0, 0, 0, 0, -5, 0, 0,  0, 0, 1, 0, -5, 0, 11.8});
+  EXPECT_LT(tangle.details.polynomials[0].cube, 4.5);
+  EXPECT_GT(tangle.details.polynomials[0].cube, 2.1);
+  EXPECT_TRUE(std::isinf(algebraic(2, {1, 0, 0, 0, 1, 0, 0, -1, 0, -1}).details.polynomials[0].cube));
+  EXPECT_TRUE(std::isinf(algebraic(2, {1, 0, 0, 0, 1, 0, 0, 0, 0, -1}).details.polynomials[0].cube)) << "a cylinder";
+  EXPECT_NEAR(algebraic(2, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}).details.polynomials[0].cube, 1, 0.02);
+  // Inside is nowhere beyond it.
+  Random random(38);
+  int bounded = 0;
+  for (int i = 0; i < 3000; ++i) {
+    WholeSolid whole = random_whole(random, SolidKind::quartic);
+    scene::Polynomial polynomial = whole.polynomial;
+    for (const std::size_t place : {0u, 20u, 30u})
+      polynomial.coefficients[place] += random.uniform(0, 8);  // x⁴, y⁴, z⁴
+    whole = algebraic(4, polynomial.coefficients);
+    const double cube = whole.details.polynomials[0].cube;
+    if (!std::isfinite(cube)) continue;
+    ++bounded;
+    for (int point = 0; point < 50; ++point) {
+      Vec3 p = random.in_cube(1);
+      p *= cube * random.uniform(1, 3) / std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      ASSERT_GT(membership(whole, real(p)), 0);
+    }
+  }
+  EXPECT_GT(bounded, 100);
+}
+
 TEST(Membership, normals_are_gradients) {
   Random random(36);
   int checked = 0;
