@@ -144,7 +144,7 @@ class CsgSearch {
 
   void enter_blob(std::uint32_t index, bool is_start) {
     BlobHit hit = next_of_blob(index, 0, is_start);
-    bool is_inside = !hit.is_miss() && hit.from_inside;
+    bool is_inside = hit.from_inside;
     CsgEvent event{hit.t, index, hit.cell, 0};
     if (!hit.is_miss() && is_at_start(event)) {
       is_inside = !is_inside;

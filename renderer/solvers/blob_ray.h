@@ -22,7 +22,7 @@ struct BlobRay {
 struct BlobHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t cell = scene::kNone;
-  bool from_inside = false;
+  bool from_inside = false;  ///< of a miss: the ray stays inside, as it can in a half-space
 
   [[nodiscard]] bool is_miss() const { return cell == scene::kNone; }
 };

@@ -44,6 +44,7 @@ class CellSearch {
     } else if (!beyond_grid(0, span.enter) && !in_grid(span)) {
       beyond_grid(span.leave, ray.t_max);
     }
+    if (hit_.is_miss()) hit_.from_inside = side_ == Side::inside;
     return hit_;
   }
 

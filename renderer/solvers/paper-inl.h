@@ -281,7 +281,9 @@ class PaperSearch {
       if (index == scene::kNone) return {};
       return {base + t, index, side < 0};
     }
-    return {};
+    BlobHit miss;
+    miss.from_inside = side < 0;
+    return miss;
   }
 
   /// Sums of what is active on a stretch: one, or where the blob has maxima one for each selection of branches, or of a

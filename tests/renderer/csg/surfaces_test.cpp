@@ -106,6 +106,18 @@ TEST_F(Surfaces, WithinAUnionStayAndWithinAMergeGo) {
   expect_heights(heights(within(Operation::merge), 0), {1.5, -1});
 }
 
+TEST_F(Surfaces, StayWhereABlobHoldsTheWholeRay) {
+  scene::Component half_space;
+  half_space.skeleton = scene::Skeleton::plane;
+  half_space.a = {0, 5, 0};
+  half_space.b = {0, 1, 0};
+  half_space.radius_a = 0.1;
+  const Object all = scene_.blob({half_space}, 0.5), block = scene_.solid(box(Vec3(-1), Vec3(1)));
+  expect_heights(heights(scene_.group(Operation::intersect, {all, block}), 0, 4), {1, -1});
+  expect_heights(heights(scene_.group(Operation::subtract, {all, block}), 0, 4), {1, -1});
+  expect_heights(heights(scene_.group(Operation::subtract, {block, all}), 0, 4), {});
+}
+
 TEST_F(Surfaces, OfADifferenceHaveTheTextureOfWhatWasTakenAway) {
   scene_.database.textures.resize(6);
   Object ball = scene_.solid(sphere({0, 1, 0}, 0.5));
