@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace isl::render {
 
@@ -78,7 +79,10 @@ class Breaks {
   /// Calls piece(begin, end, inside) for every stretch, `inside` a t within it.
   template <class Piece>
   void for_each(const Piece& piece) {
-    std::sort(t_.begin(), t_.begin() + count_);
+    // A handful, by insertion: GCC 12 believes that std::sort takes such a short array for a longer one, and warns.
+    for (std::size_t i = 1; i < count_; ++i) {
+      for (std::size_t j = i; j > 0 && t_[j] < t_[j - 1]; --j) std::swap(t_[j], t_[j - 1]);
+    }
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (count_ == 0) return piece(-kInfinity, kInfinity, 0.0);
     const double first = t_[0], last = t_[count_ - 1];
