@@ -106,7 +106,7 @@ TEST_P(Convolution, SegmentIsTheIntegralOfItsWindow) {
   const double amplitude = GetParam().constants().amplitude;
   const double least = window.is_quartic || window.epsilon > 1e-6L ? 0 : 1e-3;
   Real worst = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 300; ++i) {
     // Closer to a line that is thinner than that the quadrature itself would lose digits.
     const double rho = i % 10 == 0 ? least : std::max(least, std::pow(uniform(0, 1), i % 3 == 0 ? 6 : 1));
     const double length = std::pow(10, uniform(-9, 2));
@@ -135,7 +135,7 @@ TEST_P(Convolution, RingIsTheIntegralOfItsWindow) {
   const Window window = GetParam().window();
   const double amplitude = GetParam().constants().amplitude;
   Real worst = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 300; ++i) {
     const double radius = std::pow(10, uniform(-3, i % 2 == 0 ? 0 : 3));
     const double rho = i % 10 == 0   ? 0
                        : i % 3 == 0 ? std::pow(10, uniform(-9, 0))
