@@ -85,6 +85,8 @@ class HermiteSolver {
   }
 
  private:
+  /// The band of the quotient by a known root, over that of F.
+  static constexpr double kQuotient = 2.46;
   enum class Verdict { none, at_start, one, in_cubic, unclear };
   static constexpr int kMostHalvings = 64;
 
@@ -99,7 +101,6 @@ class HermiteSolver {
     const Bernstein p = cubic(a, b);
     if (a_is_root) {
       const Bernstein c = quotient(a, b);
-      constexpr double kQuotient = 2.46;
       if (std::max({c.b0, c.b1, c.b2, c.b3}) + kQuotient * e.value + noise + h * slope_noise < 0) return Verdict::none;
     } else {
       if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
@@ -113,6 +114,13 @@ class HermiteSolver {
     // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
     if (!is_exact && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
+    // A ray that leaves the surface at a grazing angle and is back at once. Its quotient is a quadratic with one sign beyond
+    // rounding at one end and the other at the other: it has one root.
+    if (a_is_root && is_exact && crossed) {
+      const Bernstein c = quotient(a, b);
+      const double band = kQuotient * e.value + noise + h * slope_noise;
+      if (c.b0 < -band && c.b3 > band) return Verdict::in_cubic;
+    }
     ++counters_.uncertified_steps;
     if (crossed) return Verdict::in_cubic;
     // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as

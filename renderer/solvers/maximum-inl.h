@@ -111,6 +111,10 @@ class MaximumSolver {
   }
 
   [[nodiscard]] std::optional<double> leave() {
+    // A ray that is out in the end has left, wherever that was.
+    if (query_.any) {
+      if (const Greatest last = greatest_at(query_.t1); last.node.value < -last.node.noise) return query_.t1;
+    }
     double t = query_.t0;
     std::uint32_t followed = query_.starts_here ? first_entered() : greatest_at(t).index;
     bool is_start = query_.starts_here;
