@@ -114,19 +114,18 @@ class HermiteSolver {
     // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
     if (!is_exact && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
-    // A ray that leaves the surface at a grazing angle and is back at once. Its quotient is a quadratic with one sign beyond
-    // rounding at one end and the other at the other: it has one root.
-    if (a_is_root && is_exact && crossed) {
-      const Bernstein c = quotient(a, b);
-      const double band = kQuotient * e.value + noise + h * slope_noise;
-      if (c.b0 < -band && c.b3 > band) return Verdict::in_cubic;
+    const Bernstein known = a_is_root ? quotient(a, b) : p;
+    // Where the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, is one root
+    // (variation diminishes): of an exact piece that begins flat, of a grazing ray that is back at once.
+    if (is_exact && crossed) {
+      const double band = (a_is_root ? kQuotient : 1) * e.value + noise + h * slope_noise;
+      if (known.b0 < -band && known.b3 > band && !(known.b1 > -band && known.b2 < band)) return Verdict::in_cubic;
     }
     ++counters_.uncertified_steps;
     if (crossed) return Verdict::in_cubic;
     // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as
     // through the very middle of a hard component, knows nothing.
     if (!is_exact) return Verdict::none;
-    const Bernstein known = a_is_root ? quotient(a, b) : p;
     if (first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
       return Verdict::in_cubic;
     }
