@@ -124,7 +124,10 @@ class BlobReader {
       read_convolution();
       return true;
     } else if (leading_name(next) == context_.words.skeleton) {
-      if (is_part_) context_.fail(next.span, "a part of a blob has no skeleton of its own", "the whole blob may be its `skeleton`");
+      if (is_part_) {
+        context_.fail(next.span, "a part of a blob has no skeleton of its own",
+                      "the whole blob may be its `skeleton`");
+      }
       stream_.drop();
       assembly_.blob().is_skeleton = read_optional_truth(stream_);
       return true;
@@ -150,23 +153,20 @@ class BlobReader {
   // ---- Parts --------------------------------------------------------------------------------------------------------
 
   /// `blob { … }` inside a blob.
-  void read_part(const Element& block, std::uint32_t branch) {
-    ElementStream stream(context_, block);
-    ObjectDraft draft;
-    BlobReader part(stream, draft, kernel_);
-    part.read_items();
-    read_object_modifiers(stream, draft);
-    take_over(part, draft, branch, block);
-  }
+  void read_part(const Element& block, std::uint32_t branch) { read_inner(block, branch, &BlobReader::read_items); }
 
   /// `union { … }` inside a blob: every component, part and union in it is a branch.
   void read_maximum(const Element& block, std::uint32_t branch) {
+    read_inner(block, branch, &BlobReader::read_branches);
+  }
+
+  void read_inner(const Element& block, std::uint32_t branch, void (BlobReader::*read)()) {
     ElementStream stream(context_, block);
     ObjectDraft draft;
-    BlobReader branches(stream, draft, kernel_);
-    branches.read_branches();
+    BlobReader inner(stream, draft, kernel_);
+    (inner.*read)();
     read_object_modifiers(stream, draft);
-    take_over(branches, draft, branch, block);
+    take_over(inner, draft, branch, block);
   }
 
   void read_branches() {

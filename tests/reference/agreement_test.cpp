@@ -93,6 +93,14 @@ struct RandomBlobsCase {
   bool half_space = false;
 };
 
+RandomBlobOptions options_of(const RandomBlobsCase& given, int components) {
+  return {.components = components,
+          .scale = given.scale,
+          .maxima = given.maxima,
+          .half_space = given.half_space,
+          .hardest = given.hardest};
+}
+
 class RandomBlobs : public testing::TestWithParam<RandomBlobsCase> {};
 
 TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
@@ -101,11 +109,7 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
   std::size_t hits = 0, excused = 0, rays_in_all = 0;
   for (const int components : {1, 2, 3, 5, 9, 17, 30, 60, 120, 200}) {
     for (int repeat = 0; repeat < 3; ++repeat) {
-      const scene::Database database = random_blob(random, {.components = components,
-                                                            .scale = scale,
-                                                            .maxima = GetParam().maxima,
-                                                            .half_space = GetParam().half_space,
-                                                            .hardest = GetParam().hardest});
+      const scene::Database database = random_blob(random, options_of(GetParam(), components));
       const ReferenceScene scene(database);
       const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
       std::vector<render::Ray> rays;
@@ -133,11 +137,7 @@ TEST_P(RandomBlobs, ShadowRaysFromFoundSurfacesAgree) {
   RandomSource random(43);
   std::size_t excused = 0, rays_in_all = 0;
   for (const int components : {1, 4, 12, 40, 120}) {
-    const scene::Database database = random_blob(random, {.components = components,
-                                                          .scale = scale,
-                                                          .maxima = GetParam().maxima,
-                                                          .half_space = GetParam().half_space,
-                                                          .hardest = GetParam().hardest});
+    const scene::Database database = random_blob(random, options_of(GetParam(), components));
     const ReferenceScene scene(database);
     const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
     std::vector<render::Ray> eyes;
