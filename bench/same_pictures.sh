@@ -36,7 +36,9 @@ compare() {
     theirs=("Declare=Case=$3")
   fi
   timed povray "+I$scene" "+L$includes" "${theirs[@]}" +W320 +H240 -A -D -V -P +FN16 "+O$work/povray.png"
-  timed "$isl" render "$scene" -I "$includes" "${ours[@]}" -s 320x240 --samples 1 -q -o "$work/isl.exr"
+  timed "$isl" render "$scene" -I "$includes" "${ours[@]}" -s 320x240 --samples 1 -q -o "$work/unclipped.exr"
+  # What is brighter than white is white in POV-Ray's file.
+  timed oiiotool "$work/unclipped.exr" --ch R,G,B --clamp:min=0:max=1 -o "$work/isl.exr"
   oiiotool "$work/povray.png" --ch R,G,B -d float --colorconvert sRGB linear -o "$work/povray.exr" >/dev/null ||
     fail "oiiotool cannot read POV-Ray's picture of $name"
   # The share of pixels beyond the limit, and the mean error, from idiff's report.
@@ -49,7 +51,7 @@ compare() {
   if [ -n "$keep" ]; then
     mkdir -p -- "$keep" || exit 1
     cp -- "$work/povray.png" "$keep/$name-povray.png"
-    oiiotool "$work/isl.exr" --ch R,G,B --colorconvert linear sRGB -o "$keep/$name-isl.png"
+    oiiotool "$work/isl.exr" --colorconvert linear sRGB -o "$keep/$name-isl.png"
   fi
 }
 

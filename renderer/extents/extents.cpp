@@ -1,6 +1,7 @@
 #include "renderer/extents/extents.h"
 
 #include "renderer/extents/blob_extent.h"
+#include "renderer/extents/povray_blob_box.h"
 #include "renderer/extents/solid_support.h"
 
 #include <algorithm>
@@ -91,6 +92,7 @@ const Box& Extents::box_of_blob_at(std::uint32_t blob) {
   for (std::size_t i = kernels_.size(); i < database_.kernels.size(); ++i)
     kernels_.push_back(kernel_constants(database_.kernels[i]));
   std::optional<Box>& box = blobs_[blob];
+  if (!box && blob_box_ == BlobBox::povray) box = povray_box_of_blob(database_, database_.blobs[blob]);
   if (!box) box = box_of_blob(database_, kernels_, database_.blobs[blob]);
   return *box;
 }

@@ -6,6 +6,7 @@
 
 #include <ImathBox.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -13,11 +14,16 @@ namespace isl::render {
 
 [[nodiscard]] bool is_finite(const Imath::Box3d& box);
 
+/// What counts as the box of a blob whose components are all POV-Ray's own: the one about its surface, or POV-Ray's about their
+/// supports, which its scenes build on.
+enum class BlobBox : std::uint8_t { surface, povray };
+
 /// Boxes of shared shapes and groups are computed once. The database may grow while this lives; what it holds already
 /// must stay as it is.
 class Extents {
  public:
-  explicit Extents(const scene::Database& database) : database_(database) {}
+  explicit Extents(const scene::Database& database, BlobBox blob_box = BlobBox::surface)
+      : database_(database), blob_box_(blob_box) {}
 
   /// In the space that the object is placed into. Empty where the object has no surface; sides are infinite where it
   /// has no end, or where none is known. Never smaller than the surface; tight for solids, not quite for what is turned
@@ -36,6 +42,7 @@ class Extents {
   [[nodiscard]] const Imath::Box3d& box_of_blob_at(std::uint32_t blob);
 
   const scene::Database& database_;
+  BlobBox blob_box_;
   std::vector<KernelConstants> kernels_;
   std::vector<std::optional<Imath::Box3d>> blobs_;
   std::vector<std::optional<Boxes>> groups_;

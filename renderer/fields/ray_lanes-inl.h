@@ -7,11 +7,14 @@
 #define ISL_RENDERER_FIELDS_RAY_LANES_INL_H_
 #endif
 
+#include "renderer/fields/branches.h"
+#include "renderer/fields/lane_range-inl.h"
 #include "renderer/fields/lane_setup-inl.h"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -91,6 +94,27 @@ class RayLanes {
       with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, value, slope); });
     }
     return {sum(value), sum(slope)};
+  }
+
+  /// The first t between these two where a component's nearest feature changes: there F may bend as sharply as it likes.
+  [[nodiscard]] std::optional<double> border_within(double t0, double t1) const {
+    double first = t1;
+    for (const LaneRun& run : m_.runs) {
+      if (!run.has_pieces) continue;
+      for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; ++i) {
+        for (const auto column : {LaneMemory::kBegin, LaneMemory::kEnd}) {
+          const double border = m_.quadratic.row(i)[static_cast<std::size_t>(column) * m_.quadratic.stride()];
+          if (border > t0 && border < first) first = border;
+        }
+      }
+    }
+    return first < t1 ? std::optional(first) : std::nullopt;
+  }
+  /// F − T on [t0, t1], from outside (lane_range-inl.h).
+  [[nodiscard]] FieldRange range(double t0, double t1) const {
+    const SumRange f = LaneRange(m_, t0, t1).sum_range();
+    const double noise = relative_noise_ * f.magnitude + threshold_noise_;
+    return {f.low - threshold_ - noise, f.high - threshold_ + noise};
   }
 
  private:

@@ -6,8 +6,10 @@
 //   max b + E < 0                      no root: the hull of the control points holds the cubic;
 //   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
 //   otherwise                          halve the interval with a true node; E falls sixteenfold. Where E has fallen below the
-//                                      rounding of F and nothing is decided, the cubic is all that can be known: its own first
-//                                      root is taken, and counted as uncertified.
+//                                      rounding of F, or the interval is shorter than what counts, and nothing is decided: split
+//                                      where a skeleton's nearest feature changes, as F does there beside the core of a hard
+//                                      component; the ranges of the fields may show that F stays on its side. Else the cubic is
+//                                      all that can be known: its own first root is taken, and counted as uncertified.
 // A ray that starts on the surface (a shadow, later a reflection) knows its root at 0 and divides it out: with b₀ := 0 the
 // quotient has the Bernstein coefficients cᵢ = (3/(i+1)) bᵢ₊₁, and its own band is (384/162)E where f is smooth and 2.46 E where
 // it is only C¹ (u(1−u)² ≤ 4/27). No offset, and so neither acne nor leaks.
@@ -59,8 +61,8 @@ class HermiteSolver {
   /// it is on, and that root is not looked for. `any`: a crossing is all that is asked, its place may be rough.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     // Right ends of what is still to be searched, the nearest on top. Each halving adds one, and 2⁶⁴ halvings of any interval
-    // reach below the spacing of doubles.
-    Node ends[kMostHalvings];
+    // reach below the spacing of doubles; what is too short to be halved is split at borders of pieces, from the first on.
+    Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;
     while (top >= 0) {
@@ -74,11 +76,7 @@ class HermiteSolver {
         case Verdict::at_start: return a.t;
         case Verdict::one: return any ? b.t : polish(a, b);
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
-        case Verdict::unclear: {
-          const double middle = a.t + 0.5 * (b.t - a.t);
-          ends[++top] = node(middle);
-          break;
-        }
+        case Verdict::unclear: ends[++top] = node(split_); break;
       }
     }
     return std::nullopt;
@@ -113,7 +111,14 @@ class HermiteSolver {
     const double middle = a.t + 0.5 * h;
     // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
-    if (!is_exact && h > shortest_ && middle > a.t && middle < b.t) return Verdict::unclear;
+    if (!is_exact && middle > a.t && middle < b.t) {
+      split_ = middle;
+      if (h > shortest_) return Verdict::unclear;
+      if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
+        split_ = *border;
+        return Verdict::unclear;
+      }
+    }
     const Bernstein known = a_is_root ? quotient(a, b) : p;
     // Where the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, is one root
     // (variation diminishes): of an exact piece that begins flat, of a grazing ray that is back at once.
@@ -121,6 +126,7 @@ class HermiteSolver {
       const double band = (a_is_root ? kQuotient : 1) * e.value + noise + h * slope_noise;
       if (known.b0 < -band && known.b3 > band && !(known.b1 > -band && known.b2 < band)) return Verdict::in_cubic;
     }
+    if (!crossed && !a_is_root && stays_on_side(a.t, b.t)) return Verdict::none;
     ++counters_.uncertified_steps;
     if (crossed) return Verdict::in_cubic;
     // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as
@@ -130,6 +136,12 @@ class HermiteSolver {
       return Verdict::in_cubic;
     }
     return Verdict::none;
+  }
+
+  /// By the fields' ranges alone: through the middle of a hard component, where no cubic fits.
+  [[nodiscard]] bool stays_on_side(double t0, double t1) const {
+    const FieldRange f = fields_.range(t0, t1);
+    return side_ > 0 ? f.high < 0 : f.low > 0;
   }
 
   struct Bernstein {
@@ -181,6 +193,7 @@ class HermiteSolver {
 
   const RayLanes& fields_;
   double side_, shortest_;
+  double split_ = 0;  ///< where the interval judged unclear is to be parted
   TraceCounters& counters_;
 };
 

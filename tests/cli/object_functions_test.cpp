@@ -43,6 +43,29 @@ L)"),
               HasSubstr("100 4.00,-1.00,-1.00 6.00,1.00,1.00\n"));
 }
 
+TEST_F(ObjectFunctions, ExtentsOfPovraysBlobsAreWhatPovrayGives) {
+  const auto extents = [this](const std::string& components) {
+    return said("#declare B = blob { threshold 0.5 " + components + R"( }
+#debug concat("from ", vstr(3, min_extent(B), " ", 0, 4), " to ", vstr(3, max_extent(B), " ", 0, 4), "\n")
+B)");
+  };
+  EXPECT_THAT(extents("sphere { <1, 2, 3>, 0.5, 1 rotate 30*y translate x scale 2 }"),
+              HasSubstr("from 5.7321 3.0000 3.1962 to 7.7321 5.0000 5.1962\n"));
+  EXPECT_THAT(extents("sphere { <1, 2, 3>, 0.5, 1 scale <1, 2, 1> rotate 30*y translate x scale 2 }"),
+              HasSubstr("from 4.7321 6.0000 2.1962 to 8.7321 10.0000 6.1962\n"));
+  EXPECT_THAT(extents("sphere { 0, 1, 1 } cylinder { 0, 4*x, 1, -1 } sphere { 5*y, 0.1, 1 }"),
+              HasSubstr("from -1.0000 -1.0000 -1.0000 to 1.0000 5.1000 1.0000\n"));
+  EXPECT_THAT(extents("cylinder { 0, <1, 2, 3>, 1, 1 }"),
+              HasSubstr("from -2.9017 -2.4017 -1.9017 to 3.9017 4.4017 4.9017\n"));
+  EXPECT_THAT(extents("cylinder { 0, 2*z, 0.5, 1 scale 2 }"),
+              HasSubstr("from -2.2361 -2.2361 -1.0000 to 2.2361 2.2361 5.0000\n"));
+  EXPECT_THAT(extents("cylinder { 0, 4*x, 1, 1 } rotate 45*z"),
+              HasSubstr("from -2.2882 -2.2882 -2.2361 to 5.1167 5.1167 2.2361\n"));
+  // A kernel of ours has a radius that means the surface.
+  EXPECT_THAT(extents("kernel \"gaussian\" sphere { 0, 1 strength 0.5 }"),
+              HasSubstr("from -1.0000 -1.0000 -1.0000 to 1.0000 1.0000 1.0000\n"));
+}
+
 TEST_F(ObjectFunctions, APatternOfAnObjectIsOneInside) {
   EXPECT_THAT(said(R"(#declare F = function { pattern { object { torus { 1, .25 } } scale 2 } }
 #declare G = function { pigment { object { sphere { 0, 1 } rgb 0.25 rgb 0.75 } translate x } }
