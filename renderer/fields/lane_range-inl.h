@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 /// Of the sum of fields, the threshold not taken off.
 struct SumRange {
   double low, high;
-  double magnitude;  ///< of the terms that these were summed from: what rounding is relative to
+  double low_terms, high_terms;  ///< sums of the magnitudes of what these were summed from: what rounding is relative to
 };
 
 class LaneRange {
@@ -37,7 +37,8 @@ class LaneRange {
         t1_(t1 + drift_),
         low_(0.0),
         high_(0.0),
-        magnitude_(0.0) {}
+        low_terms_(0.0),
+        high_terms_(0.0) {}
 
   [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
     for (const LaneRun& run : m_.runs) {
@@ -54,7 +55,7 @@ class LaneRange {
         });
       }
     }
-    return {sum(low_), sum(high_), sum(magnitude_)};
+    return {sum(low_), sum(high_), sum(low_terms_), sum(high_terms_)};
   }
 
  private:
@@ -112,12 +113,13 @@ class LaneRange {
     const Octet least = min(one, other), most = max(one, other);
     low_ = low_ + least;
     high_ = high_ + most;
-    magnitude_ = magnitude_ + max(abs(least), abs(most));
+    low_terms_ = low_terms_ + abs(least);
+    high_terms_ = high_terms_ + abs(most);
   }
 
   const LaneMemory& m_;
   double drift_, t0_, t1_;
-  Octet low_, high_, magnitude_;
+  Octet low_, high_, low_terms_, high_terms_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -113,8 +113,8 @@ class RayLanes {
   /// F − T on [t0, t1], from outside (lane_range-inl.h).
   [[nodiscard]] FieldRange range(double t0, double t1) const {
     const SumRange f = LaneRange(m_, t0, t1).sum_range();
-    const double noise = relative_noise_ * f.magnitude + threshold_noise_;
-    return {f.low - threshold_ - noise, f.high - threshold_ + noise};
+    return {f.low - relative_noise_ * f.low_terms - threshold_ - threshold_noise_,
+            f.high + relative_noise_ * f.high_terms - threshold_ + threshold_noise_};
   }
 
  private:

@@ -59,9 +59,9 @@ class CellSearch {
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
-    // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob: a pair of roots closer than that
-    // encloses a depth below the rounding of F.
-    shortest_ = std::max(0x1p-40 * extent / direction_.length(), 1e-3 * settings_.at(ray_->path_length + base));
+    // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob.
+    shortest_.by_rounding = 0x1p-40 * extent / direction_.length();
+    shortest_.by_tolerance = std::max(shortest_.by_rounding, 1e-3 * settings_.at(ray_->path_length + base));
   }
 
   /// Whether the ray crosses the surface in the grid's box.
@@ -175,7 +175,8 @@ class CellSearch {
 
   const BlobRay* ray_ = nullptr;
   Vec3 origin_, direction_;
-  double base_ = 0, shortest_ = 0;
+  double base_ = 0;
+  Shortest shortest_{};
   bool starts_on_surface_ = false;
   Side side_ = Side::unknown;
   double reached_ = 0;  ///< how far the ray has been followed

@@ -42,11 +42,17 @@ struct Node {
   double noise, slope_noise;  ///< how far rounding may have moved them
 };
 
+/// Lengths of intervals that are not halved any more, in units of t.
+struct Shortest {
+  double by_rounding;   ///< a pair of roots closer than this encloses a depth below the rounding of F
+  double by_tolerance;  ///< what nobody asked to tell apart; no less than by_rounding
+};
+
 class HermiteSolver {
  public:
-  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals shorter than `shortest` are decided by the signs at
+  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals that are `shortest` are decided by the signs at
   /// their ends and counted as uncertified.
-  HermiteSolver(const RayLanes& fields, double side, double shortest, TraceCounters& counters)
+  HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)
       : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
 
   void turn_inside() { side_ = -1; }
@@ -113,7 +119,8 @@ class HermiteSolver {
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
     if (!is_exact && middle > a.t && middle < b.t) {
       split_ = middle;
-      if (h > shortest_) return Verdict::unclear;
+      // A grazing ray may be back at once: where it starts the tolerance tells nothing.
+      if (h > (a_is_root ? shortest_.by_rounding : shortest_.by_tolerance)) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
         split_ = *border;
         return Verdict::unclear;
@@ -192,7 +199,8 @@ class HermiteSolver {
   }
 
   const RayLanes& fields_;
-  double side_, shortest_;
+  double side_;
+  Shortest shortest_;
   double split_ = 0;  ///< where the interval judged unclear is to be parted
   TraceCounters& counters_;
 };

@@ -36,7 +36,7 @@ enum class Side { unknown, outside, inside };
 struct MaximumQuery {
   Vec3 origin, direction;
   double t0, t1;
-  double shortest;   ///< as HermiteSolver has it
+  Shortest shortest;
   bool starts_here;  ///< on the surface, at t0
   bool any;
 };

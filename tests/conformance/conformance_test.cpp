@@ -83,6 +83,12 @@ FieldUnderTest bounded_by_everything(FieldUnderTest field) {
   field.range_over_box = [](const Vec3&, const Vec3&) { return ValueRange{-1e300, 1e300}; };
   return field;
 }
+FieldUnderTest ranging_over_the_first_half(FieldUnderTest field) {
+  field.range_along_ray = [range = field.range_along_ray](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    return range(origin, direction, t0, 0.5 * (t0 + t1));
+  };
+  return field;
+}
 FieldUnderTest sure_of_its_values(FieldUnderTest field) {
   field.remainder = [bound = field.remainder](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     return RemainderBounds{0, bound(origin, direction, t0, t1).derivative};
@@ -107,6 +113,7 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
                                            {"IsSmoothAlongRays", cut_off_without_a_window},
                                            {"BoxRangeHoldsEverySample", bounded_from_its_corners},
                                            {"BoxRangeShrinksWithTheBox", bounded_by_everything},
+                                           {"RangeAlongARayHoldsEverySample", ranging_over_the_first_half},
                                            {"RemainderBoundsTheCubicsError", sure_of_its_values},
                                            {"RemainderBoundsTheCubicsError", sure_of_its_slopes}};
   for (const Property& property : properties()) {

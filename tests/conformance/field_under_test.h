@@ -36,6 +36,8 @@ struct FieldUnderTest {
   std::function<ValueAndDerivative(const Vec3& origin, const Vec3& direction, double t)> along_ray;
   /// Encloses f over the box.
   std::function<ValueRange(const Vec3& low, const Vec3& high)> range_over_box;
+  /// Encloses f over a stretch of a ray.
+  std::function<ValueRange(const Vec3& origin, const Vec3& direction, double t0, double t1)> range_along_ray;
   std::function<RemainderBounds(const Vec3& origin, const Vec3& direction, double t0, double t1)> remainder;
 };
 

@@ -273,6 +273,28 @@ std::string box_range_shrinks_with_the_box(const FieldUnderTest& tested, const F
   return {};
 }
 
+std::string range_along_a_ray_holds_every_sample(const FieldUnderTest& tested, const FieldCase& field) {
+  RandomSource random(109);
+  const ReferenceComponent judge = truth_of(field);
+  for (int i = 0; i < kPoints; ++i) {
+    const ProbeRay ray = probe_ray(random, field);
+    const double h = field.reach * std::pow(10, random.between(-3, 0)) / ray.direction.length();
+    const double t0 = ray.t - h * random.unit(), t1 = t0 + h;
+    const ValueRange range = tested.range_along_ray(ray.origin, ray.direction, t0, t1);
+    for (int k = 0; k <= 40; ++k) {
+      const long double t = t0 + (static_cast<long double>(t1) - t0) * k / 40;
+      const FieldSample truth = judge.sample(exactly(ray.origin) + exactly(ray.direction) * t);
+      const double value = static_cast<double>(truth.value);
+      const double slack = kRounding * (std::abs(value) + length_of(truth.gradient) * (field.reach + ray.origin.length()));
+      if (!(range.low - slack <= value && value <= range.high + slack)) {
+        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: {:.17g} is outside [{:.17g}, {:.17g}]", text(ray.origin),
+                           text(ray.direction), t0, t1, value, range.low, range.high);
+      }
+    }
+  }
+  return {};
+}
+
 std::string remainder_bounds_the_cubics_error(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(108);
   const ReferenceComponent judge = truth_of(field);
@@ -328,6 +350,7 @@ const std::vector<Property>& properties() {
       {"IsSmoothAlongRays", is_smooth_along_rays},
       {"BoxRangeHoldsEverySample", box_range_holds_every_sample},
       {"BoxRangeShrinksWithTheBox", box_range_shrinks_with_the_box},
+      {"RangeAlongARayHoldsEverySample", range_along_a_ray_holds_every_sample},
       {"RemainderBoundsTheCubicsError", remainder_bounds_the_cubics_error}};
   return list;
 }

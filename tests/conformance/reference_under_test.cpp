@@ -54,6 +54,11 @@ FieldUnderTest reference_field_under_test(const FieldCase& tested_case) {
     const Interval range = field->components().front().range({{low.x, high.x}, {low.y, high.y}, {low.z, high.z}});
     return ValueRange{rounded(range.lo), rounded(range.hi)};
   };
+  tested.range_along_ray = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
+    const Interval range = ray.over(ray.all(), t0, t1).value + Interval(field->threshold());
+    return ValueRange{rounded(range.lo), rounded(range.hi)};
+  };
   tested.remainder = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     return remainder_from_slopes(FieldOnRay(*field, {interval_of(origin), interval_of(direction)}), t0, t1);
   };
