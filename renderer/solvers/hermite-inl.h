@@ -10,9 +10,13 @@
 //                                      where a skeleton's nearest feature changes, as F does there beside the core of a hard
 //                                      component; the ranges of the fields may show that F stays on its side. Else the cubic is
 //                                      all that can be known: its own first root is taken, and counted as uncertified.
-// A ray that starts on the surface (a shadow, later a reflection) knows its root at 0 and divides it out: with b₀ := 0 the
-// quotient has the Bernstein coefficients cᵢ = (3/(i+1)) bᵢ₊₁, and its own band is (384/162)E where f is smooth and 2.46 E where
-// it is only C¹ (u(1−u)² ≤ 4/27). No offset, and so neither acne nor leaks.
+// A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the quotient
+// Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R vanishes twice at either
+// end, and |R″| ≤ 43 E wherever f is at least C¹ (32 E where it is smooth, 128/3 E by Peano's kernel of osc f″, 29 E by that of
+// osc f‴), so |R|/u ≤ 43/2 E min(u, (1 − u)²/u), which the coefficients 0, 14 E, 0 bound. Rounding δ of F₁ adds u(3 − 2u)δ, that
+// is 0, 3/2 δ, δ; and δ′ of the slopes hδ′₀, hδ′₁/2, 0. Neither touches c₀, whose sign is what the side was told by: that a
+// tangent ray does not come back at once is as certain as for any other. Where F″ > 0, 6 min(bⱼ − 2bⱼ₊₁ + bⱼ₊₂) being above its
+// own band, Q rises (h²∫ vF″(uv) dv > 0) and has one root: the ray is back. No offset, and so neither acne nor leaks.
 // The root is polished on the true field by Newton steps kept in a bracket, down to the rounding of F itself.
 //
 // Sherstyuk 1999 (Hermite interpolants along rays); Aydinlilar and Zanni 2023 (forward inclusion, here of third order);
@@ -89,8 +93,8 @@ class HermiteSolver {
   }
 
  private:
-  /// The band of the quotient by a known root, over that of F.
-  static constexpr double kQuotient = 2.46;
+  /// Of the quotient by a known root: the band of c₁ and that of F″, over E.
+  static constexpr double kMiddleBand = 14, kBendBand = 43;
   enum class Verdict { none, at_start, one, in_cubic, unclear };
   static constexpr int kMostHalvings = 64;
 
@@ -104,8 +108,13 @@ class HermiteSolver {
     const Remainder e = fields_.remainder(a.t, b.t);
     const Bernstein p = cubic(a, b);
     if (a_is_root) {
-      const Bernstein c = quotient(a, b);
-      if (std::max({c.b0, c.b1, c.b2, c.b3}) + kQuotient * e.value + noise + h * slope_noise < 0) return Verdict::none;
+      const Quotient c = quotient(a, b);
+      const bool leaves = c.c0 <= h * a.slope_noise;
+      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.noise + 0.5 * h * b.slope_noise < 0 && c.c2 + b.noise < 0) {
+        return Verdict::none;
+      }
+      const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);
+      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) return Verdict::in_cubic;
     } else {
       if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
       const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
@@ -126,11 +135,11 @@ class HermiteSolver {
         return Verdict::unclear;
       }
     }
-    const Bernstein known = a_is_root ? quotient(a, b) : p;
+    const Bernstein known = a_is_root ? quotient(a, b).raised() : p;
     // Where the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, is one root
     // (variation diminishes): of an exact piece that begins flat, of a grazing ray that is back at once.
     if (is_exact && crossed) {
-      const double band = (a_is_root ? kQuotient : 1) * e.value + noise + h * slope_noise;
+      const double band = (a_is_root ? kMiddleBand : 1) * e.value + noise + h * slope_noise;
       if (known.b0 < -band && known.b3 > band && !(known.b1 > -band && known.b2 < band)) return Verdict::in_cubic;
     }
     if (!crossed && !a_is_root && stays_on_side(a.t, b.t)) return Verdict::none;
@@ -158,16 +167,21 @@ class HermiteSolver {
     const double third = (b.t - a.t) * (1.0 / 3);
     return {a.value, a.value + third * a.slope, b.value - third * b.slope, b.value};
   }
-  /// The cubic over its root at a, c₀ … c₂, raised to a cubic again. Its hull is no larger.
-  [[nodiscard]] static Bernstein quotient(const Node& a, const Node& b) {
+  struct Quotient {
+    double c0, c1, c2;
+
+    /// The same as a cubic.
+    [[nodiscard]] Bernstein raised() const { return {c0, (c0 + 2 * c1) * (1.0 / 3), (2 * c1 + c2) * (1.0 / 3), c2}; }
+  };
+  /// The cubic over its root at a.
+  [[nodiscard]] static Quotient quotient(const Node& a, const Node& b) {
     const double h = b.t - a.t;
-    const double c0 = h * a.slope, c1 = 1.5 * (b.value - h * b.slope * (1.0 / 3)), c2 = b.value;
-    return {c0, (c0 + 2 * c1) * (1.0 / 3), (2 * c1 + c2) * (1.0 / 3), c2};
+    return {h * a.slope, 1.5 * (b.value - h * b.slope * (1.0 / 3)), b.value};
   }
 
   /// The root of an interval too short, or too close to rounding, to be certain of: the cubic's own, then two Newton steps.
   [[nodiscard]] double root_in_cubic(const Node& a, const Node& b, bool a_is_root) {
-    const Bernstein p = a_is_root ? quotient(a, b) : cubic(a, b);
+    const Bernstein p = a_is_root ? quotient(a, b).raised() : cubic(a, b);
     double t = a.t + (b.t - a.t) * std::min(1.0, first_crossing_of_cubic(p.b0, p.b1, p.b2, p.b3));
     for (int i = 0; i < 2; ++i) {
       const Node n = node(t);

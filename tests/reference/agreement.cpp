@@ -29,9 +29,7 @@ struct Judged {
 
   [[nodiscard]] FieldOnRay field(std::size_t placed) const {
     const ReferenceScene::Placed& blob = scene.placed()[placed];
-    FieldOnRay on_ray(blob.field, ReferenceScene::field_ray(blob, ray.origin, ray.direction));
-    if (options.starts_on_root) on_ray.raise_threshold(on_ray.at(on_ray.all(), 0).value.middle());
-    return on_ray;
+    return {blob.field, ReferenceScene::field_ray(blob, ray.origin, ray.direction)};
   }
 
   [[nodiscard]] std::vector<Crossing> crossings(std::size_t placed) const {

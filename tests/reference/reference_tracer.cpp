@@ -136,8 +136,16 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   }
   long double from = begin;
   if (options.starts_on_root) {
-    field.raise_threshold(field.at(all, 0).value.middle());
+    // The start is only as near to the surface as doubles are: near it the level that it lies on counts, until the ray has come
+    // eight times as far as that is off. Farther away, where F can be steep, the surface itself.
+    const FieldRange start = field.at(all, 0);
+    const long double offset = start.value.middle();
+    field.raise_threshold(offset);
     from = leave_start(field, search, end);
+    const long double settled = std::min(end, std::max(from, 8 * std::abs(offset) / start.derivative.mignitude()));
+    search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
+    from = settled;
+    field.raise_threshold(-offset);
   } else if (begin > 0) {
     if (const int sign = field.at(all, 0).value.sign(); sign != 0) search.constant(sign);
   }

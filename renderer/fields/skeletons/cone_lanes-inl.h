@@ -148,12 +148,15 @@ struct ConeLanes {
     result.least =
         min(select(result.may_a, result.at_a.least, highest),
             min(select(result.may_b, result.at_b.least, highest), select(result.may_body, result.body.least, highest)));
-    // Along the ray q ≤ its value at either sphere; the thinner one's is of no use when its radius vanishes.
+    // Along the ray q ≤ its value at any one sphere: at that nearest to the middle of the interval, which is all but it where the
+    // interval is short, or at either end's, unless its radius vanishes.
     const auto farthest = [&](const Octet& u) HWY_ATTR {
       const Octet r = radius + k * u, e = max(abs(x_low - u), abs(x_high - u));
       return Octet(scale) * (e * e + n_high) / max(r * r, Octet(kLeast));
     };
-    result.greatest = min(farthest(zero), farthest(length));
+    const Octet half(0.5), tau = half * (a + b);
+    const Octet between = nearest(half * (xa + xb), n0 + n2 * tau * tau);
+    result.greatest = min(farthest(between), min(farthest(zero), farthest(length)));
     return result;
   }
 
