@@ -106,9 +106,9 @@ struct AxialRange {
     const double x = centre.dot(axis), rho = (centre - axis * x).length();
     const double half_x = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
     // A corner is as far from the axis as its diagonal is long, less what of it lies along the axis.
-    double least_axial2 = half_x * half_x;
-    for (const Vec3& diagonal :
-         {Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z), Vec3(half.x, half.y, -half.z)}) {
+    double least_axial2 = half.length2();
+    for (const Vec3& diagonal : {half, Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z),
+                                 Vec3(half.x, half.y, -half.z)}) {
       const double axial = diagonal.dot(axis);
       least_axial2 = std::min(least_axial2, axial * axial);
     }
