@@ -162,10 +162,10 @@ NormalId read_normal(Context& context, const Element& block, NormalId base) {
   return read_normal_body(stream, base);
 }
 
-NormalId moved(Context& context, NormalId id, const scene::Transform& transform, Move how) {
+NormalId moved(Context& context, NormalId id, const scene::Transform& transform) {
   if (id == scene::kNoNormal || transform == scene::Transform()) return id;
   Normal normal = context.database.normals[index(id)];
-  if (how == Move::with_object && normal.pattern.uv_mapping) return id;
+  if (normal.pattern.uv_mapping) return id;
   PatternDraft draft = draft_of(context, normal.pattern);
   move(context, draft, transform);
   normal.pattern = std::move(draft.pattern);

@@ -11,8 +11,7 @@ namespace isl::interpreter {
 /// The same up to the end of the stream: the entry of a map has no braces of its own.
 [[nodiscard]] scene::NormalId read_normal_body(ElementStream& stream, scene::NormalId base);
 
-[[nodiscard]] scene::NormalId moved(Context& context, scene::NormalId normal, const scene::Transform& transform,
-                                    Move how);
+[[nodiscard]] scene::NormalId moved(Context& context, scene::NormalId normal, const scene::Transform& transform);
 /// The same bumps, whose height transforms do not scale.
 [[nodiscard]] scene::NormalId without_bump_scale(Context& context, scene::NormalId normal);
 

@@ -65,6 +65,8 @@ class PigmentReader {
     if (value.kind() == ValueKind::pigment) {
       const bool uv_mapping = record_ && draft_.pattern.uv_mapping;
       pigment_ = value.as<PigmentValue>().pigment;
+      is_declared_on_surface_ =
+          !pigment_.is_plain() && context_.database.pigments[index(pigment_.pattern)].pattern.uv_mapping;
       record_.reset();
       if (uv_mapping) {
         open();
@@ -121,6 +123,8 @@ class PigmentReader {
                     "the pattern or colour of a `pigment` comes first, and there is one");
     }
     if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
+    // As in POV-Ray: what was declared on the surface's coordinates is not moved there.
+    if (is_declared_on_surface_ && read_transform(stream_)) return true;
     open();
     return read_pattern_modifier(stream_, draft_);
   }
@@ -176,6 +180,7 @@ class PigmentReader {
   ElementStream& stream_;
   Context& context_;
   Pigment pigment_;
+  bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
   std::optional<PatternedPigment> record_;
   PatternDraft draft_;  ///< of the record's pattern, where there is a record
 };
@@ -194,11 +199,10 @@ scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {
   return with_record(context, {.colour = pigment.colour}).pattern;
 }
 
-Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform, Move how) {
+Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform) {
   if (pigment.is_plain() || transform == scene::Transform()) return pigment;
   PatternedPigment record = context.database.pigments[index(pigment.pattern)];
-  if (record.pattern.kind == PatternKind::plain || (how == Move::with_object && record.pattern.uv_mapping))
-    return pigment;
+  if (record.pattern.kind == PatternKind::plain || record.pattern.uv_mapping) return pigment;
   PatternDraft draft = draft_of(context, record.pattern);
   move(context, draft, transform);
   record.pattern = std::move(draft.pattern);

@@ -13,10 +13,7 @@ namespace isl::interpreter {
 /// The pigment as a record of the database, whatever it is.
 [[nodiscard]] scene::PigmentId patterned_pigment(Context& context, const scene::Pigment& pigment);
 
-/// How something is moved. `with_object`: what is evaluated at (u, v) of the surface stays where it is.
-enum class Move { itself, with_object };
-
-[[nodiscard]] scene::Pigment moved(Context& context, const scene::Pigment& pigment, const scene::Transform& transform,
-                                   Move how);
+/// What is evaluated at (u, v) of the surface stays where it is.
+[[nodiscard]] scene::Pigment moved(Context& context, const scene::Pigment& pigment, const scene::Transform& transform);
 
 }  // namespace isl::interpreter

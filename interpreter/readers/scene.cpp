@@ -25,7 +25,7 @@ void place(Context& context, const ObjectValue& value) {
       // The default stands in the world, not with the object.
       const scene::Transform& world_from_object = object.parent_from_object;
       object.texture =
-          texture_id(context, moved(context, context.default_texture, world_from_object.inverted(), Move::with_object));
+          texture_id(context, moved(context, context.default_texture, world_from_object.inverted()));
     }
     context.database.objects.push_back(object);
   }

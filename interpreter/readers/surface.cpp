@@ -20,7 +20,7 @@ namespace word = grammar::word;
 /// Takes what was written where the object stands by now back into the object's space.
 template <class Moved>
 Moved taken_back(Context& context, const Moved& what, const Transform& parent_from_object) {
-  return moved(context, what, parent_from_object.inverted(), Move::with_object);
+  return moved(context, what, parent_from_object.inverted());
 }
 
 void add_layer(Context& context, std::optional<Texture>& texture, const Texture& top, SourceSpan span) {
@@ -36,11 +36,11 @@ void read_part(Context& context, const Element& block, std::optional<Texture>& t
                  fmt::format("`{}` does not go with a texture that is chosen by a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
-    const scene::Pigment base = is_own ? moved(context, top.pigment, space, Move::with_object) : top.pigment;
+    const scene::Pigment base = is_own ? moved(context, top.pigment, space) : top.pigment;
     const scene::Pigment pigment = read_pigment(context, block, base);
     top.pigment = pigment.is_plain() ? pigment : taken_back(context, pigment, space);
   } else if (block.word == word::kw_normal) {
-    const scene::NormalId base = is_own ? moved(context, top.normal, space, Move::with_object) : top.normal;
+    const scene::NormalId base = is_own ? moved(context, top.normal, space) : top.normal;
     top.normal = taken_back(context, read_normal(context, block, base), space);
   } else {
     top.finish = finish_id(context, read_finish(context, block, finish_of(context, top)));
@@ -72,9 +72,9 @@ void apply(Context& context, const Surface& material, Surface& surface, const Tr
 bool read_material_item(ElementStream& stream, Surface& surface) {
   Context& context = stream.context();
   if (const std::optional<Transform> transform = read_transform(stream)) {
-    if (surface.texture) surface.texture = moved(context, *surface.texture, *transform, Move::itself);
+    if (surface.texture) surface.texture = moved(context, *surface.texture, *transform);
     if (surface.interior_texture)
-      surface.interior_texture = moved(context, *surface.interior_texture, *transform, Move::itself);
+      surface.interior_texture = moved(context, *surface.interior_texture, *transform);
     return true;
   }
   const Element next = stream.peek();

@@ -94,7 +94,7 @@ class TextureReader {
                     "the pattern of a `texture` comes first, and there is something before it");
     }
     const std::optional<scene::Transform> transform = read_transform(stream_);
-    if (transform) texture_ = moved(context_, texture_, *transform, Move::itself);
+    if (transform) texture_ = moved(context_, texture_, *transform);
     return transform.has_value();
   }
 

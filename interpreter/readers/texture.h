@@ -16,8 +16,7 @@ namespace isl::interpreter {
                                      SourceSpan span);
 
 /// The texture with all that it is made of moved.
-[[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform,
-                                   Move how);
+[[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform);
 
 /// The texture with bumps whose height transforms do not scale.
 [[nodiscard]] scene::Texture without_bump_scale(Context& context, const scene::Texture& texture);

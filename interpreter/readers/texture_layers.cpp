@@ -61,15 +61,15 @@ Texture uv_mapped(Context& context, const Texture& texture) {
   });
 }
 
-Texture moved(Context& context, const Texture& texture, const scene::Transform& transform, Move how) {
+Texture moved(Context& context, const Texture& texture, const scene::Transform& transform) {
   if (texture.is_plain() || transform == scene::Transform()) return texture;
   return each_layer(context, texture, [&](Texture& layer) {
-    if (how == Move::with_object && layer.uv_mapping != 0) return;
-    layer.pigment = moved(context, layer.pigment, transform, how);
-    layer.normal = moved(context, layer.normal, transform, how);
+    if (layer.uv_mapping != 0) return;
+    layer.pigment = moved(context, layer.pigment, transform);
+    layer.normal = moved(context, layer.normal, transform);
     if (layer.pattern == scene::kNoTexturePattern) return;
     TexturePattern record = context.database.texture_patterns[index(layer.pattern)];
-    if (how == Move::with_object && record.pattern.uv_mapping) return;
+    if (record.pattern.uv_mapping) return;
     PatternDraft draft = draft_of(context, record.pattern);
     move(context, draft, transform);
     record.pattern = std::move(draft.pattern);
