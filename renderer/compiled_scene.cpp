@@ -66,6 +66,7 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   CompiledScene compiled;
   compiled.solids = database.solids;
   compiled.details = prepare_details(database);
+  compiled.coordinate_textures = scene::CoordinateTextures(database);
   Flattener flattener(database, compiled);
   for (const scene::Object& object : database.objects) flattener.add(object, {});
   flattener.finish();

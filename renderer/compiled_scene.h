@@ -5,6 +5,7 @@
 #include "renderer/csg/csg_tree.h"
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/grid.h"
+#include "renderer/scene/coordinate_textures.h"
 #include "renderer/scene/database.h"
 #include "renderer/solids/solid_details.h"
 
@@ -41,6 +42,7 @@ struct CompiledScene {
   std::vector<scene::Solid> solids;
   SolidDetails details;  ///< of those
   std::vector<CompiledBlob> blobs;
+  scene::CoordinateTextures coordinate_textures;
   std::vector<CsgTree> trees;
   std::vector<scene::Transform> texture_spaces;  ///< world_from_space, of groups that hand a pattern down
   std::vector<Instance> instances;

@@ -15,7 +15,18 @@ namespace isl::render {
 /// Weighted textures and the gradient of a blob at a point: what shading needs.
 struct BlobPoint {
   Vec3 gradient{0};  ///< of F, in the blob's space
-  std::vector<TextureShare> shares;  ///< |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own
+  /// |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own. Of each place the component is set.
+  std::vector<TextureShare> shares;
+};
+
+/// Which components of a blob may share their texture: not those that look it up in places of their own.
+struct ShareRule {
+  const scene::CoordinateTextures* coordinate_textures;
+  scene::TextureId other;  ///< what kNoTexture stands for
+
+  [[nodiscard]] bool may_share(scene::TextureId texture) const {
+    return !coordinate_textures->has(texture == scene::kNoTexture ? other : texture);
+  }
 };
 
 /// What a thread reuses from ray to ray.
@@ -31,7 +42,7 @@ struct TraceKernel {
                      TraceCounters&);
   void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
                      TraceCounters&);
-  void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, BlobPoint&);
+  void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
 };
 
 /// The kernel for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …). Null if the

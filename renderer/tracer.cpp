@@ -33,15 +33,17 @@ struct Tracer::Impl {
                 std::vector<TextureShare>& textures) const {
     if (kind == scene::Object::Kind::solid) {
       textures.push_back(other);
+      textures.back().surface = {kind, shape, 0, local};
       return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
     }
     BlobPoint& blob = thread_blob_point();
-    kernel->blob_point(scene.blobs[shape], hit.cell, local, blob);
+    kernel->blob_point(scene.blobs[shape], hit.cell, local, {&scene.coordinate_textures, other.texture}, blob);
     double total = 0;
     for (const TextureShare& share : blob.shares) total += share.weight;
     for (const TextureShare& share : blob.shares) {
       const bool is_own = share.texture != scene::kNoTexture;
-      textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place});
+      textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place,
+                          {kind, shape, share.surface.component, local}});
     }
     // Only where the published solver takes a place far from every field for the surface.
     if (textures.empty()) textures.push_back(other);

@@ -49,11 +49,21 @@ struct Hit {
   [[nodiscard]] RayStart start() const { return {instance, part, leaf}; }
 };
 
-/// A texture and its share of the material at a point; the shares of a point add up to one.
+/// Where on a shape a point is: what its coordinates (u, v) follow from.
+struct SurfacePlace {
+  scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
+  std::uint32_t shape = scene::kNone;                     ///< index into the database's solids or blobs
+  std::uint32_t component = 0;                            ///< of a blob: index into its components
+  Vec3 point{0};                                          ///< in the shape's space
+};
+
+/// A texture and its share of the material at a point; the shares of a point add up to one. The components of a blob that
+/// have a texture in common share it, unless it asks where on each component the point is.
 struct TextureShare {
   scene::TextureId texture;
   double weight;
   Vec3 place{0};  ///< the point, in the space that the texture lives in
+  SurfacePlace surface{};
 };
 
 struct SurfacePoint {

@@ -263,8 +263,9 @@ class BlobReader {
     Component component =
         read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
     read_strength(stream, component);
-    if (!stream.peek().is(ElementKind::end)) read_modifiers(stream, component);
-    add(component, block.span, branch);
+    scene::Turn turn;
+    if (!stream.peek().is(ElementKind::end)) turn = read_modifiers(stream, component);
+    add(component, block.span, branch, turn);
   }
 
   /// POV-Ray's components need a strength, the word is optional; ours may have one, with the word.
@@ -298,7 +299,8 @@ class BlobReader {
     add(component, keyword.span, kOwnSum);
   }
 
-  void read_modifiers(ElementStream& stream, Component& component) {
+  /// Returns the turn that was baked into the component.
+  scene::Turn read_modifiers(ElementStream& stream, Component& component) {
     std::optional<scene::Texture> texture;
     std::optional<scene::Transform> blob_from_component;
     while (!stream.peek().is(ElementKind::end)) {
@@ -310,20 +312,21 @@ class BlobReader {
       }
     }
     if (texture && blob_from_component) {
-      texture = moved(context_, *texture, *blob_from_component, Move::with_object);
+      texture = moved(context_, *texture, *blob_from_component);
     }
     if (texture) component.texture = texture_id(context_, *texture);
-    if (blob_from_component) move(context_, component, *blob_from_component);
+    return blob_from_component ? move(context_, component, *blob_from_component) : scene::Turn();
   }
 
-  void add(Component& component, SourceSpan span, std::uint32_t branch) {
+  void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn& turn = {}) {
     if (!kernel_.is_known) {
       kernel_.id = kernel_id(kernel_.kernel);
       kernel_.is_known = true;
     }
     component.kernel = kernel_.id;
-    context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes);
-    assembly_.add(component, context_.origin(span), branch);
+    const std::size_t turn_bytes = turn.is_none() ? 0 : sizeof(scene::Turn);
+    context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes + turn_bytes);
+    assembly_.add(component, context_.origin(span), branch, turn);
   }
 
   /// The surface of threshold zero is where the fields end: no surface at all.

@@ -19,11 +19,12 @@ double baked_factor(Skeleton skeleton, const scene::Transform& transform) {
   return can_be ? similarity_factor(transform.matrix) : 0;
 }
 
-void bake(scene::Component& component, const scene::Transform& transform, double factor) {
+scene::Turn bake(scene::Component& component, const scene::Transform& transform, double factor) {
   component.a = transform.point(component.a);
   component.b = component.skeleton == Skeleton::point ? scene::Vec3(0) : transform.point(component.b);
   component.radius_a *= factor;
   component.radius_b *= factor;
+  return scene::turn_of(transform.matrix);
 }
 
 scene::TransformId add_transform(Context& context, const scene::Transform& transform) {
@@ -33,18 +34,21 @@ scene::TransformId add_transform(Context& context, const scene::Transform& trans
 
 }  // namespace
 
-void move(Context& context, scene::Component& component, const scene::Transform& blob_from_component) {
+scene::Turn move(Context& context, scene::Component& component, const scene::Transform& blob_from_component) {
   if (const double factor = baked_factor(component.skeleton, blob_from_component); factor > 0) {
-    bake(component, blob_from_component, factor);
-  } else {
-    component.transform = add_transform(context, blob_from_component);
+    return bake(component, blob_from_component, factor);
   }
+  component.transform = add_transform(context, blob_from_component);
+  return {};
 }
 
-void BlobAssembly::add(const scene::Component& component, OriginId origin, std::uint32_t branch) {
+void BlobAssembly::add(const scene::Component& component, OriginId origin, std::uint32_t branch,
+                       const scene::Turn& turn) {
+  if (blob_.turns.empty() && !turn.is_none()) blob_.turns.resize(blob_.components.size());
   blob_.components.push_back(component);
   blob_.origins.push_back(origin);
   if (!blob_.branches.empty()) blob_.branch_of.push_back(branch);
+  if (!blob_.turns.empty() || !turn.is_none()) blob_.turns.push_back(turn);
 }
 
 std::uint32_t BlobAssembly::add_branch(std::optional<std::uint32_t> maximum) {
@@ -86,7 +90,7 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
   const bool is_moved = placement.blob_from_part.matrix != scene::Matrix();
   scene::TextureId texture = scene::kNoTexture;
   if (placement.texture) {
-    texture = texture_id(context_, moved(context_, *placement.texture, placement.blob_from_part, Move::with_object));
+    texture = texture_id(context_, moved(context_, *placement.texture, placement.blob_from_part));
   }
   std::unordered_map<std::uint32_t, scene::TextureId> moved_textures;
   std::unordered_map<std::uint32_t, scene::TransformId> moved_transforms;
@@ -99,12 +103,14 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
       const auto [place, is_new] = moved_textures.try_emplace(scene::index(component.texture));
       if (is_new) {
         const scene::Texture own = context_.database.texture(component.texture);
-        place->second = texture_id(context_, moved(context_, own, placement.blob_from_part, Move::with_object));
+        place->second = texture_id(context_, moved(context_, own, placement.blob_from_part));
       }
       component.texture = place->second;
     }
-    if (is_moved) move(component, placement.blob_from_part, moved_transforms);
-    add(component, part.blob_.origins[i], renumbered(part.blob_.branches.empty() ? kOwnSum : part.blob_.branch_of[i]));
+    scene::Turn turn = part.blob_.turns.empty() ? scene::Turn() : part.blob_.turns[i];
+    if (is_moved) turn = then(turn, move(component, placement.blob_from_part, moved_transforms));
+    add(component, part.blob_.origins[i], renumbered(part.blob_.branches.empty() ? kOwnSum : part.blob_.branch_of[i]),
+        turn);
   }
 
   if (part.threshold_) {
@@ -114,8 +120,8 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
   }
 }
 
-void BlobAssembly::move(scene::Component& component, const scene::Transform& blob_from_part,
-                        std::unordered_map<std::uint32_t, scene::TransformId>& moved) {
+scene::Turn BlobAssembly::move(scene::Component& component, const scene::Transform& blob_from_part,
+                               std::unordered_map<std::uint32_t, scene::TransformId>& moved) {
   if (component.transform == scene::kIdentity) {
     if (const double factor = baked_factor(component.skeleton, blob_from_part); factor > 0) {
       return bake(component, blob_from_part, factor);
@@ -128,6 +134,7 @@ void BlobAssembly::move(scene::Component& component, const scene::Transform& blo
     place->second = add_transform(context_, scene::then(own, blob_from_part));
   }
   component.transform = place->second;
+  return {};
 }
 
 void BlobAssembly::multiply_strengths(const ThresholdOfPart& part, double threshold) {

@@ -20,7 +20,7 @@ class BlobAssembly {
 
   [[nodiscard]] scene::Blob& blob() { return blob_; }
 
-  void add(const scene::Component& component, OriginId origin, std::uint32_t branch);
+  void add(const scene::Component& component, OriginId origin, std::uint32_t branch, const scene::Turn& turn = {});
   /// A branch of a new maximum of the blob's own sum, or (`maximum`: its first branch) of one that is there.
   std::uint32_t add_branch(std::optional<std::uint32_t> maximum);
 
@@ -50,8 +50,9 @@ class BlobAssembly {
     double threshold;
   };
   void multiply_strengths(const ThresholdOfPart& part, double threshold);
-  void move(scene::Component& component, const scene::Transform& blob_from_part,
-            std::unordered_map<std::uint32_t, scene::TransformId>& moved);
+  /// Returns the turn that was baked into the component.
+  scene::Turn move(scene::Component& component, const scene::Transform& blob_from_part,
+                   std::unordered_map<std::uint32_t, scene::TransformId>& moved);
 
   Context& context_;
   scene::Blob blob_;
@@ -60,7 +61,7 @@ class BlobAssembly {
 };
 
 /// Moves a component. A similarity keeps a point, segment or cone what it is; any other map, and of any other skeleton,
-/// stays beside it.
-void move(Context& context, scene::Component& component, const scene::Transform& blob_from_component);
+/// stays beside it. Returns the turn that was baked into the component.
+scene::Turn move(Context& context, scene::Component& component, const scene::Transform& blob_from_component);
 
 }  // namespace isl::interpreter

@@ -47,20 +47,32 @@ struct PointSums {
   Octet value, gx, gy, gz;
 };
 
-inline void add_share(std::vector<TextureShare>& shares, scene::TextureId texture, double weight) {
-  const auto share =
-      std::find_if(shares.begin(), shares.end(), [&](const TextureShare& s) { return s.texture == texture; });
-  if (share == shares.end()) {
-    shares.push_back({texture, weight});
-  } else {
-    share->weight += weight;
+/// The shares of a point, as they are added up.
+class ShareSums {
+ public:
+  ShareSums(const ShareRule& rule, std::vector<TextureShare>& shares) : rule_(rule), shares_(shares) {}
+
+  void clear() { shares_.clear(); }
+  void add(const ComponentTable& table, std::uint32_t item, double weight) {
+    const scene::TextureId texture = table.texture[item];
+    const auto has_texture = [&](const TextureShare& s) { return s.texture == texture; };
+    const auto share = rule_.may_share(texture) ? std::find_if(shares_.begin(), shares_.end(), has_texture) : shares_.end();
+    if (share != shares_.end()) {
+      share->weight += weight;
+    } else {
+      shares_.push_back({texture, weight});
+      shares_.back().surface.component = table.source[item];
+    }
   }
-}
+
+ private:
+  const ShareRule& rule_;
+  std::vector<TextureShare>& shares_;
+};
 
 /// Convolved curves, whose gradient is no function of the nearest point.
 inline void add_point_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
-                             std::uint32_t count, const Vec3& point, PointSums& sums,
-                             std::vector<TextureShare>& shares) {
+                             std::uint32_t count, const Vec3& point, PointSums& sums, ShareSums& shares) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
     alignas(64) double value[kOctet] = {}, gx[kOctet] = {}, gy[kOctet] = {}, gz[kOctet] = {};
     for (std::uint32_t j = 0; j < std::min<std::uint32_t>(kOctet, count - i); ++j) {
@@ -75,7 +87,7 @@ inline void add_point_curves(const ComponentTable& table, const FieldGroup& grou
       gx[j] = gradient.x;
       gy[j] = gradient.y;
       gz[j] = gradient.z;
-      add_share(shares, table.texture[item], std::abs(value[j]));
+      shares.add(table, item, std::abs(value[j]));
     }
     sums.value = sums.value + load(value);
     sums.gx = sums.gx + load(gx);
@@ -87,7 +99,7 @@ inline void add_point_curves(const ComponentTable& table, const FieldGroup& grou
 template <class Kernel>
 void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
                      const std::uint32_t* items, std::uint32_t count, const Vec3& point, PointSums& sums,
-                     std::vector<TextureShare>& shares) {
+                     ShareSums& shares) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
     const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
     PointLanes lanes;
@@ -106,14 +118,12 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
     alignas(64) double weights[kOctet];
     store(abs(value), weights);
     for (std::uint32_t j = 0; j < n; ++j) {
-      if (weights[j] == 0) continue;
-      add_share(shares, table.texture[items[i + j]], weights[j]);
+      if (weights[j] != 0) shares.add(table, items[i + j], weights[j]);
     }
   }
 }
 
-inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, const Vec3& point,
-                            std::vector<TextureShare>& shares) {
+inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, const Vec3& point, ShareSums& shares) {
   const ComponentTable& table = blob.components;
   const std::uint32_t* const items = blob.grid.items.data() + list.first;
   PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
@@ -135,17 +145,19 @@ inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, cons
 }
 
 /// Of a cell with several sums, those of the greatest one.
-inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, BlobPoint& result) {
+inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, const ShareRule& rule,
+                       BlobPoint& result) {
+  ShareSums shares(rule, result.shares);
   const Cell cell = blob.grid.cells[cell_index];
   const std::uint32_t count = blob.grid.list_count(cell);
   std::uint32_t greatest = 0;
   double greatest_value = -std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; count > 1 && i < count; ++i) {
-    const double value = sum(point_sums(blob, blob.grid.list(cell, i), point, result.shares).value);
+    const double value = sum(point_sums(blob, blob.grid.list(cell, i), point, shares).value);
     if (value > greatest_value) greatest = i, greatest_value = value;
   }
   const ItemList list = count > 0 ? blob.grid.list(cell, greatest) : ItemList{0, 0};
-  const PointSums sums = point_sums(blob, list, point, result.shares);
+  const PointSums sums = point_sums(blob, list, point, shares);
   result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
 }
 

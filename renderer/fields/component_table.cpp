@@ -1,6 +1,7 @@
 #include "renderer/fields/component_table.h"
 
 #include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/record_skeleton.h"
 
 #include "base/check.h"
 
@@ -8,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <tuple>
-#include <type_traits>
 
 namespace isl::render {
 namespace {
@@ -25,21 +25,6 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
     if (std::abs(rows[i].dot(rows[(i + 1) % 3])) > kSlack * square) return std::nullopt;
   }
   return std::sqrt(square);
-}
-
-bool has_ends(scene::Skeleton skeleton) {
-  return skeleton == scene::Skeleton::segment || skeleton == scene::Skeleton::cone;
-}
-
-/// A component without what does not matter to it; without length it is a point.
-scene::Component simplified(scene::Component c) {
-  if (has_ends(c.skeleton) && c.a == c.b) {
-    if (c.skeleton == scene::Skeleton::cone) c.radius_a = std::max(c.radius_a, c.radius_b);
-    c.skeleton = scene::Skeleton::point;
-  }
-  if (c.skeleton == scene::Skeleton::point) c.b = c.a;
-  if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
-  return c;
 }
 
 /// An integral along nothing.
@@ -122,13 +107,6 @@ Box image(const Box& box, const scene::Matrix& m) {
     extent[axis] = std::abs(m[0][axis]) * half.x + std::abs(m[1][axis]) * half.y + std::abs(m[2][axis]) * half.z;
   }
   return {centre - extent, centre + extent};
-}
-
-/// Calls `use` with the skeleton of a record, in its own space.
-template <class Use>
-auto with_skeleton_of(const scene::Blob& blob, const scene::Component& component, const Use& use) {
-  const scene::Component c = simplified(component);
-  return with_skeleton_type(c.skeleton, [&](auto type) { return use(typename decltype(type)::type(blob, c)); });
 }
 
 template <class Shape>

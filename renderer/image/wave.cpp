@@ -32,7 +32,7 @@ void WaveRenderer::shade_hit(std::uint32_t sample, const CameraSample& where, Wo
   const Hit& hit = workspace.hits[sample];
   SurfacePoint& surface = workspace.point;
   tracer_.surface_at(ray, hit, surface);
-  textures_.at(surface.textures, workspace.textures);
+  textures_.at(surface, workspace.textures);
   const ShadingPoint point{surface.position, turned_to_viewer(surface.normal, ray.direction), ray.direction,
                            workspace.textures};
   if (keeps_layers_ && where.is_centre) {

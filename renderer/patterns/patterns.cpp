@@ -29,8 +29,10 @@ constexpr bool uses_turbulence_itself(PatternKind kind) {
   return kind == PatternKind::marble || kind == PatternKind::wood;
 }
 
-Vec3 point_of(const Database& database, const Pattern& pattern, const Vec3& point) {
-  return warped(database, pattern, point,
+/// In the pattern's own space.
+Vec3 point_of(const Database& database, const Pattern& pattern, const Vec3& point, const Environment& environment) {
+  const bool is_on_surface = pattern.uv_mapping && environment.coordinates() != nullptr;
+  return warped(database, pattern, is_on_surface ? *environment.coordinates() : point,
                 uses_turbulence_itself(pattern.kind) ? PointTurbulence::no : PointTurbulence::yes);
 }
 
@@ -59,7 +61,7 @@ double spiral_turbulence(const Pattern& pattern, const Vec3& p, NoiseGenerator g
 
 double Patterns::pattern_value(const Pattern& pattern, const Vec3& point, Environment& environment) const noexcept {
   if (!environment.take_step()) return 0;
-  return in_wave(raw_value(pattern, point_of(database_, pattern, point), environment), pattern);
+  return in_wave(raw_value(pattern, point_of(database_, pattern, point, environment), environment), pattern);
 }
 
 double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& environment) const noexcept {
@@ -132,7 +134,7 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   const scene::PatternedPigment& record = database_.pigments[index(pigment.pattern)];
   if (record.pattern.kind == PatternKind::plain) return in_single(record.colour);
   if (!environment.take_step()) return {};
-  const Vec3 p = point_of(database_, record.pattern, point);
+  const Vec3 p = point_of(database_, record.pattern, point, environment);
   const scene::PigmentMap& map = database_.pigment_maps[index(record.map)];
   if (record.pattern.kind == PatternKind::average) return average(map, p, environment);
   const double value = in_wave(raw_value(record.pattern, p, environment), record.pattern);

@@ -1,7 +1,7 @@
 // The values of patterns and the colours of pigments at points. The language asks through functions
 // (renderer/values/pattern_source.h); textures ask here. One table of what each kind of pattern computes is in
-// patterns.cpp, one file for each family of formulas beside it. Knows no text, no rays and no surface: what depends on
-// the surface (slope, aoi) is 0, as in POV-Ray's functions.
+// patterns.cpp, one file for each family of formulas beside it. Knows no text, no rays and of the surface only its
+// coordinates (values::Environment): what depends on more of it (slope, aoi) is 0, as in POV-Ray's functions.
 #pragma once
 
 #include "renderer/scene/database.h"

@@ -118,6 +118,9 @@ class Writer {
     for (std::size_t i = 0; i < b.components.size(); ++i) {
       components.push_back(component(b, b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
       if (!b.branches.empty()) components.back()["branch"] = b.branch_of[i];
+      if (!b.turns.empty() && !b.turns[i].is_none()) {
+        for (const auto& row : b.turns[i].matrix.x) components.back()["turn"].push_back(vector({row[0], row[1], row[2]}));
+      }
     }
     Json json = {{"threshold", b.threshold}, {"components", std::move(components)}};
     if (b.is_skeleton) json["skeleton"] = true;

@@ -5,6 +5,7 @@
 #include "base/source_span.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
+#include "renderer/scene/turn.h"
 
 #include <cstdint>
 #include <string_view>
@@ -99,6 +100,9 @@ struct Blob {
   /// one it is in.
   GrowingArray<Branch> branches = {};
   GrowingArray<std::uint32_t> branch_of = {};
+  /// Empty where no component was turned. Else one a component: how, by what is baked into it; for its skeleton
+  /// coordinates alone, since its field does not know. Boxes, circles, triangles and planes are never turned so.
+  GrowingArray<Turn> turns = {};
   /// The skeleton model: the greatest of the fields instead of their sum, so that each component is the solid that it is
   /// alone. Branches and what carves are left aside.
   bool is_skeleton = false;

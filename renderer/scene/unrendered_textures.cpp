@@ -110,11 +110,6 @@ constexpr TextureFeature kTextureFeatures[] = {
     {"a transparent pigment",
      [](const Database& database, const Texture& texture) { return has(database, texture.pigment, lets_light_through); },
      make_opaque},
-    {"`uv_mapping`",
-     [](const Database& database, const Texture& texture) {
-       return texture.uv_mapping != 0 && is_patterned(database, texture.pigment);
-     },
-     [](const Database&, Texture& texture) { texture.uv_mapping = 0; }},
     {"`normal`", [](const Database&, const Texture& texture) { return texture.normal != kNoNormal; },
      [](const Database&, Texture& texture) { texture.normal = kNoNormal; }},
 };

@@ -37,11 +37,16 @@ class Environment {
     return true;
   }
   [[nodiscard]] bool is_spent() const noexcept { return steps_ == 0; }
+  /// (u, v, 0) of the surface that is looked at, for patterns with `uv_mapping`; null where there is none, and these take
+  /// the point itself. Whoever sets it keeps it.
+  [[nodiscard]] const scene::Vec3* coordinates() const noexcept { return coordinates_; }
+  void set_coordinates(const scene::Vec3* coordinates) noexcept { coordinates_ = coordinates; }
 
  private:
   NoiseGenerator noise_generator_;
   std::uint64_t steps_;
   const PatternSource* patterns_;
+  const scene::Vec3* coordinates_ = nullptr;
 };
 
 /// One operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored where it takes one.

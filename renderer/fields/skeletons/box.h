@@ -32,6 +32,9 @@ struct SolidBox {
     return {range.low / (radius * radius), range.high / (radius * radius)};
   }
 
+  /// As POV-Ray's box has them; round its edges those of the nearest point.
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const { return box_coordinates(low, high, p); }
+
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     double coordinate = 0;

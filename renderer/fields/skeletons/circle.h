@@ -28,6 +28,13 @@ struct Circle {
     return q_range_by_distance(nearest(box.center()).q(), radius, box);
   }
 
+  /// As POV-Ray's torus has them, which lies across y.
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
+    const Vec3 from_centre = p - centre;
+    const AcrossAxis across(axis);
+    return torus_coordinates({from_centre.dot(across.x), from_centre.dot(axis), from_centre.dot(across.z)}, ring_radius);
+  }
+
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = n.dot(centre) + ring_radius * n.cross(axis).length();

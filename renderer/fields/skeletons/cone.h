@@ -59,6 +59,14 @@ struct Cone {
     return {q(nearest_x, rho2_low), std::max(q(range.x_low, rho2_high), q(range.x_high, rho2_high))};
   }
 
+  /// From a to b, that of the nearest sphere; around from AcrossAxis' x.
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn& turn) const {
+    const Vec3 from_a = p - a;
+    const double x = from_a.dot(axis);
+    const AcrossAxis across(turn.back(axis));
+    return {nearest(x, (from_a - axis * x).length2()) / length, across.share_of_turn(turn.back(from_a))};
+  }
+
   [[nodiscard]] double thickest() const { return std::max(radius, radius_at(length)); }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double at_a = n.dot(a);

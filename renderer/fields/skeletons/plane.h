@@ -33,6 +33,12 @@ struct HalfSpace {
     return {x_low * x_low, x_high * x_high};
   }
 
+  /// Lengths along the plane, from its point nearest to the origin; of `plane { y, d }` (x, z).
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
+    const AcrossAxis across(normal);
+    return {p.dot(across.x), p.dot(across.z)};
+  }
+
   [[nodiscard]] double thickest() const { return radius; }
   /// Without end but against the normal itself.
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

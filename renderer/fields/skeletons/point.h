@@ -27,6 +27,10 @@ struct Point {
     return {range.low * inverse_radius2, range.high * inverse_radius2};
   }
 
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn& turn) const {
+    return sphere_coordinates(turn.back(p - centre));
+  }
+
   [[nodiscard]] double thickest() const { return 1 / std::sqrt(inverse_radius2); }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const Reach centre_only{n.dot(centre), thickest()};

@@ -31,6 +31,13 @@ struct Segment {
             inverse_radius2 * (beyond_high * beyond_high + range.rho_high * range.rho_high)};
   }
 
+  /// From a to b, constant on the caps; around from AcrossAxis' x.
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn& turn) const {
+    const Vec3 from_a = p - a;
+    const AcrossAxis across(turn.back(axis));
+    return {std::clamp(from_a.dot(axis) / length, 0.0, 1.0), across.share_of_turn(turn.back(from_a))};
+  }
+
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double at_a = n.dot(a);

@@ -7,12 +7,15 @@
 //   QRange q_over(box)                     an enclosure of q
 //   std::array<Reach, 2> reach(n)          how far it comes along n: its hull is that of these two spheres, seen along n
 //   double thickest()                      the largest radius
+//   Coordinates coordinates(p, turn)       (u, v): along the skeleton from 0 to 1, and around it; the skeleton was turned
+//                                          by `turn` after it had its coordinates (scene::Blob::turns)
 //   void along(origin, direction, emit)    q along a ray, in quadratic pieces, unless it has lanes of its own
 //
 // and a row in renderer/scene/skeletons.def.
 #pragma once
 
 #include "renderer/scene/fields.h"
+#include "renderer/surface_coordinates.h"
 
 #include <ImathBox.h>
 
@@ -24,7 +27,6 @@
 
 namespace isl::render {
 
-using scene::Vec3;
 using Box = Imath::Box3d;
 
 struct Foot {

@@ -49,6 +49,15 @@ struct FlatTriangle {
     return q_range_by_distance(nearest(box.center()).q(), radius, box);
   }
 
+  /// Of the nearest point A + u (B − A) + v (C − A).
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
+    const Vec3 foot = p - nearest(p).offset - corner[0];
+    const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0];
+    const double bb = ab.dot(ab), bc = ab.dot(ac), cc = ac.dot(ac), area2 = bb * cc - bc * bc;
+    const double b = foot.dot(ab), c = foot.dot(ac);
+    return {(cc * b - bc * c) / area2, (bb * c - bc * b) / area2};
+  }
+
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = std::max({n.dot(corner[0]), n.dot(corner[1]), n.dot(corner[2])});

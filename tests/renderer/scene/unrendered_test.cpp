@@ -82,7 +82,7 @@ Database everything() {
   database.fogs.resize(2);
   database.rainbows.resize(1);
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
-                       {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}, .uv_mapping = 1},
+                       {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
                        {.pattern = TexturePatternId{0}}};
   database.finishes = {{.emission = {1, 0, 0},
                         .diffuse_back = 1,
@@ -117,7 +117,7 @@ Database everything() {
 
 TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 29u);
+  EXPECT_EQ(names(database).size(), 28u);
   leave_out_unrendered(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
