@@ -146,17 +146,13 @@ class TextureReader {
     }
   }
 
-  /// `tiles { texture {} tile2 texture {} }` of POV-Ray 1: a checker.
+  /// `tiles { texture {} tile2 texture {} }` of POV-Ray 1: a checker that begins with the second one.
   void read_tiles(const Element& block) {
     ElementStream stream(context_, block);
-    scene::TextureMap list;
-    for (int i = 0; i < 2; ++i) {
-      if (i == 1) {
-        if (!stream.peek().is_word(word::kw_tile2)) fail_expected(stream, "`tile2`");
-        stream.drop();
-      }
-      list.push_back({static_cast<double>(i), read_list_texture(stream)});
-    }
+    const scene::TextureId first = read_list_texture(stream);
+    if (!stream.peek().is_word(word::kw_tile2)) fail_expected(stream, "`tile2`");
+    stream.drop();
+    scene::TextureMap list{{0, read_list_texture(stream)}, {1, first}};
     expect_end(stream);
     draft_.pattern.kind = PatternKind::checker;
     draft_.pattern.frequency = scene::default_frequency(PatternKind::checker);
