@@ -3,6 +3,7 @@
 #include "renderer/patterns/block_patterns.h"
 #include "renderer/patterns/cell_patterns.h"
 #include "renderer/patterns/fractal_patterns.h"
+#include "renderer/patterns/map_interval.h"
 #include "renderer/patterns/noise_patterns.h"
 #include "renderer/patterns/pigment_colour.h"
 #include "renderer/patterns/round_patterns.h"
@@ -60,8 +61,13 @@ double spiral_turbulence(const Pattern& pattern, const Vec3& p, NoiseGenerator g
 }  // namespace
 
 double Patterns::pattern_value(const Pattern& pattern, const Vec3& point, Environment& environment) const noexcept {
-  if (!environment.take_step()) return 0;
-  return in_wave(raw_value(pattern, point_of(database_, pattern, point, environment), environment), pattern);
+  return look_up(pattern, point, environment).value;
+}
+
+PatternPlace Patterns::look_up(const Pattern& pattern, const Vec3& point, Environment& environment) const noexcept {
+  if (!environment.take_step()) return {point, 0};
+  const Vec3 p = point_of(database_, pattern, point, environment);
+  return {p, in_wave(raw_value(pattern, p, environment), pattern)};
 }
 
 double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& environment) const noexcept {
@@ -138,7 +144,7 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   const scene::PigmentMap& map = database_.pigment_maps[index(record.map)];
   if (record.pattern.kind == PatternKind::average) return average(map, p, environment);
   const double value = in_wave(raw_value(record.pattern, p, environment), record.pattern);
-  const MapInterval interval = find_in(map, value);
+  const auto interval = find_in(map, value);
   const Colour second = pigment_colour(interval.second->pigment, p, environment);
   if (interval.first == interval.second) return second;
   return blend(pigment_colour(interval.first->pigment, p, environment), second, interval.fraction);

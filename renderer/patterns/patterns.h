@@ -18,6 +18,12 @@ class PatternSurroundings {
   [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point) const = 0;
 };
 
+/// A pattern's value at a point, and that point in the pattern's own space, where what it chooses is looked up.
+struct PatternPlace {
+  scene::Vec3 point;
+  double value;
+};
+
 /// Of one database, which may grow between calls. Immutable; threads share one, each with its own environment.
 /// Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
 class Patterns final : public values::PatternSource {
@@ -32,6 +38,8 @@ class Patterns final : public values::PatternSource {
   /// rarely a little beyond; the item's number from 0 on for patterns that choose from a list. NaN in, anything out.
   [[nodiscard]] double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
                                      values::Environment& environment) const noexcept override;
+  [[nodiscard]] PatternPlace look_up(const scene::Pattern& pattern, const scene::Vec3& point,
+                                     values::Environment& environment) const noexcept;
   /// In single precision, as POV-Ray's colours are.
   [[nodiscard]] scene::Colour pigment_colour(const scene::Pigment& pigment, const scene::Vec3& point,
                                              values::Environment& environment) const noexcept override;

@@ -2,22 +2,10 @@
 
 #include "renderer/values/single_precision.h"
 
-#include <algorithm>
-
 namespace isl::render {
 
 using scene::Colour;
 using values::to_single;
-
-MapInterval find_in(const scene::PigmentMap& map, double value) noexcept {
-  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
-  const auto second =
-      std::find_if(map.begin(), map.end(), [value](const scene::PigmentEntry& entry) { return value <= entry.value; });
-  if (second == map.begin()) return {&map.front(), &map.front(), 0};
-  const auto first = second - 1;
-  const double low = to_single(first->value), high = to_single(second->value);
-  return {&*first, &*second, (value - low) / to_single(high - low)};
-}
 
 Colour in_single(const Colour& c) noexcept {
   return {to_single(c.red), to_single(c.green), to_single(c.blue), to_single(c.filter), to_single(c.transmit)};

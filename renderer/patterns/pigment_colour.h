@@ -1,18 +1,9 @@
-// Choosing from a map of pigments by a value, in single precision where POV-Ray's colours are.
+// Blending colours in single precision, where POV-Ray's are.
 #pragma once
 
-#include "renderer/scene/pigment.h"
+#include "renderer/scene/colour.h"
 
 namespace isl::render {
-
-/// The two entries around a value, and how far it is from the first to the second.
-struct MapInterval {
-  const scene::PigmentEntry* first;
-  const scene::PigmentEntry* second;  ///< may be the same
-  double fraction;
-};
-/// In a map that is not empty; NaN takes its last entry.
-[[nodiscard]] MapInterval find_in(const scene::PigmentMap& map, double value) noexcept;
 
 /// Every term rounded to a float.
 [[nodiscard]] scene::Colour in_single(const scene::Colour& colour) noexcept;

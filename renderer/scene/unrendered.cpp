@@ -3,7 +3,9 @@
 #include "renderer/scene/unrendered_features.h"
 #include "renderer/scene/unrendered_textures.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace isl::scene {
 namespace {
@@ -51,11 +53,35 @@ class Finder {
     }
   }
 
+  /// With its layers and what it is chosen from: each feature counts once, however many of these have it.
   void look_at(const Texture& texture, OriginId origin) {
+    const std::vector<Texture> parts = parts_of(texture);
     for (const TextureFeature& feature : texture_features()) {
-      if (feature.is_used(database_, texture)) add(feature.what, origin);
+      if (std::ranges::any_of(parts, [&](const Texture& part) { return feature.is_used(database_, part); }))
+        add(feature.what, origin);
     }
-    look(finish_features(), database_.finish(texture.finish), origin);
+    for (const Feature<Finish>& feature : finish_features()) {
+      const auto uses = [&](const Texture& part) { return feature.is_used(database_.finish(part.finish)); };
+      if (std::ranges::any_of(parts, uses)) add(feature.what, origin);
+    }
+  }
+
+  /// The texture and every record that it names, however far down, each once.
+  std::vector<Texture> parts_of(const Texture& texture) const {
+    std::vector<Texture> parts{texture};
+    std::unordered_set<std::uint32_t> seen;
+    const auto take = [&](TextureId id) {
+      if (id != kNoTexture && seen.insert(index(id)).second) parts.push_back(database_.textures[index(id)]);
+    };
+    for (std::size_t next = 0; next < parts.size(); ++next) {
+      const Texture part = parts[next];
+      take(part.below);
+      if (part.pattern == kNoTexturePattern) continue;
+      const TextureMapId map = database_.texture_patterns[index(part.pattern)].map;
+      if (map == kNoTextureMap) continue;
+      for (const TextureEntry& entry : database_.texture_maps[index(map)]) take(entry.texture);
+    }
+    return parts;
   }
 
   void look_at(const std::vector<Light>& lights) {

@@ -17,8 +17,7 @@ bool is_patterned(const Database& database, const Pigment& pigment) {
 /// What needs more than a point, or a file.
 constexpr PatternKind kNotDrawn[] = {
     PatternKind::aoi,           PatternKind::bump_map, PatternKind::density_file, PatternKind::facets, PatternKind::image_map,
-    PatternKind::image_pattern, PatternKind::material_map, PatternKind::object,   PatternKind::pavement, PatternKind::slope,
-    PatternKind::tiling};
+    PatternKind::image_pattern, PatternKind::material_map, PatternKind::pavement, PatternKind::slope, PatternKind::tiling};
 
 /// Whether any pigment that this one is made of, itself included, is as `is_such` says; each is looked at once.
 class PigmentWalk {
@@ -45,9 +44,9 @@ class PigmentWalk {
   std::unordered_set<std::uint32_t> seen_;
 };
 
-bool is_undrawable(const Pigment&, const PatternedPigment* record) {
-  return record && std::ranges::find(kNotDrawn, record->pattern.kind) != std::end(kNotDrawn);
-}
+bool is_undrawable(const Pattern& pattern) { return std::ranges::find(kNotDrawn, pattern.kind) != std::end(kNotDrawn); }
+
+bool is_undrawable(const Pigment&, const PatternedPigment* record) { return record && is_undrawable(record->pattern); }
 
 bool lets_light_through(const Pigment& pigment, const PatternedPigment* record) {
   if (!record) return is_transparent(pigment.colour);
@@ -86,30 +85,37 @@ void make_opaque(const Database& database, Texture& texture) {
   texture.pigment = {colour};
 }
 
-/// The first of the textures that the pattern chooses from; its own pattern and layers are left out in the next rows.
+/// Whether the texture is chosen by a pattern that cannot be drawn.
+bool is_chosen_unseen(const Database& database, const Texture& texture) {
+  if (texture.pattern == kNoTexturePattern) return false;
+  const Pattern& pattern = database.texture_patterns[index(texture.pattern)].pattern;
+  const auto* const inner = std::get_if<PigmentOperands>(&pattern.operands);
+  return is_undrawable(pattern) || (inner && has(database, {.pattern = inner->pigment}, is_undrawable));
+}
+
+/// The first of the textures that the pattern chooses from.
 void choose_first(const Database& database, Texture& texture) {
-  for (int depth = 0; texture.pattern != kNoTexturePattern; ++depth) {
-    constexpr int kDeepest = 100;  // maps of maps; nobody writes them deeper
+  while (is_chosen_unseen(database, texture)) {
     const TextureMapId map = database.texture_patterns[index(texture.pattern)].map;
-    const bool has_entry = depth < kDeepest && map != kNoTextureMap && !database.texture_maps[index(map)].empty();
-    const Texture first = has_entry ? database.texture(database.texture_maps[index(map)][0].texture) : Texture();
+    const Texture first = database.texture(database.texture_maps[index(map)][0].texture);
     texture = first;
   }
 }
 
+/// Of layers the lowest alone: what the others let through shows the next.
+bool lets_light_through_it(const Database& database, const Texture& texture) {
+  return texture.below == kNoTexture && texture.pattern == kNoTexturePattern &&
+         has(database, texture.pigment, lets_light_through);
+}
+
 constexpr TextureFeature kTextureFeatures[] = {
-    {"a texture chosen by a pattern",
-     [](const Database&, const Texture& texture) { return texture.pattern != kNoTexturePattern; }, choose_first},
-    {"a texture of layers", [](const Database&, const Texture& texture) { return texture.below != kNoTexture; },
-     [](const Database&, Texture& texture) { texture.below = kNoTexture; }},
-    {"a pigment by a file, an object, paving or the surface's slope",
+    {"a texture chosen by a file, paving or the surface's slope", is_chosen_unseen, choose_first},
+    {"a pigment by a file, paving or the surface's slope",
      [](const Database& database, const Texture& texture) { return has(database, texture.pigment, is_undrawable); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
-    {"a transparent pigment",
-     [](const Database& database, const Texture& texture) { return has(database, texture.pigment, lets_light_through); },
-     make_opaque},
+    {"a transparent pigment", lets_light_through_it, make_opaque},
     {"`normal`", [](const Database&, const Texture& texture) { return texture.normal != kNoNormal; },
      [](const Database&, Texture& texture) { texture.normal = kNoNormal; }},
 };

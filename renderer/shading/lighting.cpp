@@ -3,6 +3,8 @@
 //   - a light with N·L ≤ 0 gives nothing, highlights included;
 //   - R is the view mirrored in the surface, and H halfway between the ways to the light and to the eye;
 //   - highlights take the light's colour, not the pigment's, and scale with neither diffuse nor brilliance;
+//   - a layer shows 1 − filter − transmit of its colour (less than nothing, if these are more than 1) and all of its
+//     highlights, and lets through the factor transmit + filter × colour of all that is below;
 //   - a `shadowless` light is a fill light: no highlights;
 //   - a blob's blended material is the average of its textures' finished colours, not of their parameters. (POV-Ray
 //   leaves
@@ -41,13 +43,13 @@ double highlight(const Material& material, const HighlightAngles& angle) {
 
 Rgb plain_colour(const ShadingPoint& point) {
   Rgb colour(0);
-  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.weight;
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.let_through * lit.weight;
   return colour;
 }
 
 Rgb ambient_colour(const ShadingPoint& point) {
   Rgb colour(0);
-  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.material->ambient * lit.weight;
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.let_through * lit.material->ambient * lit.weight;
   return colour;
 }
 
@@ -61,12 +63,13 @@ LightArrival light_arrival(const ShadingPoint& point, const scene::Light& light,
   if (!(incidence > 0)) return arrival;
   for (const LitTexture& lit : point.textures) {
     const Material& material = *lit.material;
-    arrival.colour += lit.pigment * (material.diffuse * power(incidence, material.brilliance) * lit.weight);
+    arrival.colour +=
+        lit.pigment * lit.let_through * (material.diffuse * power(incidence, material.brilliance) * lit.weight);
   }
   if (highlights && !light.shadowless) {
     const HighlightAngles angle = highlight_angles(point, arrival.direction);
     for (const LitTexture& lit : point.textures) {
-      arrival.colour += Rgb(highlight(*lit.material, angle) * lit.weight);
+      arrival.colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
     }
   }
   arrival.colour *= rgb(light.colour);

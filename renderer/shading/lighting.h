@@ -32,6 +32,8 @@ struct LightArrival {
   [[nodiscard]] bool is_dark() const { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
 };
 
+// In these a share is the texture's weight times what the layers above it let through.
+
 /// Σ share × pigment: the point without light.
 [[nodiscard]] Rgb plain_colour(const ShadingPoint& point);
 

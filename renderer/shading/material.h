@@ -33,8 +33,9 @@ struct Material {
 /// A texture at a point, with its share of the material there.
 struct LitTexture {
   const Material* material;
-  Rgb pigment;  ///< the colour at the point: what quality 0 and 1 show, and the albedo layer
+  Rgb pigment;  ///< the colour at the point times how opaque it is; what quality 0 and 1 show, and the albedo layer
   double weight;
+  Rgb let_through{1};  ///< by the layers above: a factor for all that the texture shows, highlights included
 };
 
 [[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Finish& finish,

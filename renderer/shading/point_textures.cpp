@@ -1,12 +1,21 @@
 #include "renderer/shading/point_textures.h"
 
 #include "renderer/fields/skeleton_coordinates.h"
+#include "renderer/patterns/map_interval.h"
 #include "renderer/solids/solid_coordinates.h"
 
 #include <cstdint>
 #include <limits>
 
 namespace isl::render {
+namespace {
+
+/// Where a texture's patterns are looked up.
+const Vec3& place_of(const scene::Texture& texture, const Vec3& point, const values::Environment& environment) {
+  return texture.uv_mapping != 0 ? *environment.coordinates() : point;
+}
+
+}  // namespace
 
 Coordinates PointTextures::coordinates_of(const SurfacePlace& place, const Vec3& world) const {
   if (place.shape == scene::kNone) return {world.x, world.y};
@@ -18,20 +27,64 @@ Coordinates PointTextures::coordinates_of(const SurfacePlace& place, const Vec3&
 void PointTextures::at(const SurfacePoint& point, std::vector<LitTexture>& lit) const {
   lit.clear();
   for (const TextureShare& share : point.textures) {
-    const Material& material = materials_[share.texture];
-    Rgb pigment = material.pigment;
-    if (material.is_patterned) {
-      const scene::Texture& texture = database_.texture(share.texture);
-      values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
-      Vec3 coordinates;
-      if (coordinate_textures_.has(share.texture)) {
-        coordinates = coordinates_of(share.surface, point.position).point();
-        environment.set_coordinates(&coordinates);
-      }
-      const Vec3& place = texture.uv_mapping != 0 ? coordinates : share.place;
-      pigment = rgb(patterns_.pigment_colour(texture.pigment, place, environment));
+    values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
+    Vec3 coordinates;
+    if (coordinate_textures_.has(share.texture)) {
+      coordinates = coordinates_of(share.surface, point.position).point();
+      environment.set_coordinates(&coordinates);
     }
-    lit.push_back({&material, pigment, share.weight});
+    add(share.texture, share.weight, share.place, environment, lit);
+  }
+}
+
+void PointTextures::add(scene::TextureId id, double weight, const Vec3& point, values::Environment& environment,
+                        std::vector<LitTexture>& lit) const {
+  const scene::Texture& texture = database_.texture(id);
+  if (texture.pattern == scene::kNoTexturePattern) return add_layers(id, weight, point, environment, lit);
+  add_chosen(database_.texture_patterns[scene::index(texture.pattern)], weight, place_of(texture, point, environment),
+             environment, lit);
+}
+
+void PointTextures::add_chosen(const scene::TexturePattern& choice, double weight, const Vec3& point,
+                               values::Environment& environment, std::vector<LitTexture>& lit) const {
+  const scene::TextureMap& map = database_.texture_maps[scene::index(choice.map)];
+  const PatternPlace place = patterns_.look_up(choice.pattern, point, environment);
+  if (choice.pattern.kind == scene::PatternKind::average) {
+    double total = 0;
+    for (const scene::TextureEntry& entry : map) total += entry.value;
+    for (const scene::TextureEntry& entry : map)
+      add(entry.texture, weight * (entry.value / total), place.point, environment, lit);
+    return;
+  }
+  const auto interval = find_in(map, place.value);
+  if (interval.first != interval.second)
+    add(interval.first->texture, weight * (1 - interval.fraction), place.point, environment, lit);
+  const double second = interval.first == interval.second ? 1 : interval.fraction;
+  add(interval.second->texture, weight * second, place.point, environment, lit);
+}
+
+void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& point, values::Environment& environment,
+                               std::vector<LitTexture>& lit) const {
+  Rgb let_through(1);
+  for (scene::TextureId id = top;;) {
+    const scene::Texture& layer = database_.texture(id);
+    const Material& material = materials_[id];
+    if (layer.below == scene::kNoTexture && !material.is_patterned) {
+      lit.push_back({&material, material.pigment, weight, let_through});
+      return;
+    }
+    const scene::Colour colour =
+        material.is_patterned
+            ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, environment), environment)
+            : database_.colour(layer.pigment);
+    if (layer.below == scene::kNoTexture) {
+      lit.push_back({&material, rgb(colour), weight, let_through});
+      return;
+    }
+    lit.push_back({&material, rgb(colour) * (1 - colour.filter - colour.transmit), weight, let_through});
+    let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
+    if (let_through == Rgb(0)) return;
+    id = layer.below;
   }
 }
 

@@ -73,6 +73,11 @@ TEST_F(PovrayPictures, OfPatternsOnSurfacesAgreeButForOutlines) {
   EXPECT_LT(share_that_differs("uv_solids.isl"), 0.003);
 }
 
+TEST_F(PovrayPictures, OfTexturesMadeOfTexturesAgreeButForOutlines) {
+  if (!has_povray()) GTEST_SKIP() << "povray is not installed";
+  EXPECT_LT(share_that_differs("layers.isl"), 0.003);
+}
+
 TEST_F(PovrayPictures, OfCombinationsAgreeButForOutlines) {
   if (!has_povray()) GTEST_SKIP() << "povray is not installed";
   EXPECT_LT(share_that_differs("csg.isl"), 0.003);

@@ -97,7 +97,7 @@ Database everything() {
   database.pigments[0].map = PigmentMapId{0};
   database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}}};
   database.texture_patterns.resize(1);
-  database.texture_patterns[0].pattern.kind = PatternKind::checker;
+  database.texture_patterns[0].pattern.kind = PatternKind::slope;
   database.texture_patterns[0].map = TextureMapId{0};
   database.texture_maps = {{{0, TextureId{1}}}};
   database.solids.resize(1);
@@ -117,11 +117,36 @@ Database everything() {
 
 TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 28u);
+  EXPECT_EQ(names(database).size(), 27u);
   leave_out_unrendered(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
   EXPECT_EQ(database.textures[2].pigment.colour, (Colour{0.5, 0.5, 0})) << "the first of what the pattern chooses from";
+}
+
+TEST(Unrendered, OfLayersTheLowestAloneMustNotLetLightThrough) {
+  Database database;
+  database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {{.transmit = 1}}}};
+  database.default_texture = {.pigment = {{.filter = 1}}, .below = TextureId{0}};
+  EXPECT_THAT(names(database), ElementsAre());
+  database.default_texture.below = TextureId{1};
+  EXPECT_THAT(names(database), ElementsAre("a transparent pigment"));
+  leave_out_unrendered(database);
+  EXPECT_THAT(names(database), ElementsAre());
+  EXPECT_EQ(database.textures[1].pigment.colour.transmit, 0);
+  EXPECT_EQ(database.default_texture.pigment.colour.filter, 1);
+}
+
+TEST(Unrendered, WhatAPatternChoosesIsLookedInto) {
+  Database database;
+  database.finishes = {{.irid = 1}};
+  database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {{.transmit = 1}}, .finish = FinishId{0}}};
+  database.texture_patterns.resize(1);
+  database.texture_patterns[0].pattern.kind = PatternKind::checker;
+  database.texture_patterns[0].map = TextureMapId{0};
+  database.texture_maps = {{{0, TextureId{0}}, {1, TextureId{1}}}};
+  database.default_texture = {.pattern = TexturePatternId{0}};
+  EXPECT_THAT(names(database), ElementsAre("a transparent pigment", "`irid`"));
 }
 
 TEST(Unrendered, APatternThatNeedsOnlyThePointIsDrawn) {

@@ -1,0 +1,31 @@
+// Choosing from a map by a value: of colours, pigments, textures.
+#pragma once
+
+#include "renderer/values/single_precision.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace isl::render {
+
+/// The two entries around a value, and how far it is from the first to the second.
+template <class Entry>
+struct MapInterval {
+  const Entry* first;
+  const Entry* second;  ///< may be the same
+  double fraction;
+};
+
+/// In a map that is not empty, with its values in single precision as POV-Ray's are; NaN takes its last entry.
+template <class Entry>
+[[nodiscard]] MapInterval<Entry> find_in(const std::vector<Entry>& map, double value) noexcept {
+  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
+  const auto second =
+      std::find_if(map.begin(), map.end(), [value](const Entry& entry) { return value <= entry.value; });
+  if (second == map.begin()) return {&map.front(), &map.front(), 0};
+  const auto first = second - 1;
+  const double low = values::to_single(first->value), high = values::to_single(second->value);
+  return {&*first, &*second, (value - low) / values::to_single(high - low)};
+}
+
+}  // namespace isl::render
