@@ -263,9 +263,9 @@ class BlobReader {
     Component component =
         read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
     read_strength(stream, component);
-    scene::Turn turn;
-    if (!stream.peek().is(ElementKind::end)) turn = read_modifiers(stream, component);
-    add(component, block.span, branch, turn);
+    if (stream.peek().is(ElementKind::end)) return add(component, block.span, branch);
+    const scene::Turn turn = read_modifiers(stream, component);
+    add(component, block.span, branch, &turn);
   }
 
   /// POV-Ray's components need a strength, the word is optional; ours may have one, with the word.
@@ -318,13 +318,13 @@ class BlobReader {
     return blob_from_component ? move(context_, component, *blob_from_component) : scene::Turn();
   }
 
-  void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn& turn = {}) {
+  void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn* turn = nullptr) {
     if (!kernel_.is_known) {
       kernel_.id = kernel_id(kernel_.kernel);
       kernel_.is_known = true;
     }
     component.kernel = kernel_.id;
-    const std::size_t turn_bytes = turn.is_none() ? 0 : sizeof(scene::Turn);
+    const std::size_t turn_bytes = turn ? sizeof(scene::Turn) : 0;
     context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes + turn_bytes);
     assembly_.add(component, context_.origin(span), branch, turn);
   }

@@ -43,12 +43,13 @@ scene::Turn move(Context& context, scene::Component& component, const scene::Tra
 }
 
 void BlobAssembly::add(const scene::Component& component, OriginId origin, std::uint32_t branch,
-                       const scene::Turn& turn) {
-  if (blob_.turns.empty() && !turn.is_none()) blob_.turns.resize(blob_.components.size());
+                       const scene::Turn* turn) {
+  const bool is_turned = turn && !turn->is_none();
+  if (blob_.turns.empty() && is_turned) blob_.turns.resize(blob_.components.size());
   blob_.components.push_back(component);
   blob_.origins.push_back(origin);
   if (!blob_.branches.empty()) blob_.branch_of.push_back(branch);
-  if (!blob_.turns.empty() || !turn.is_none()) blob_.turns.push_back(turn);
+  if (is_turned || !blob_.turns.empty()) blob_.turns.push_back(turn ? *turn : scene::Turn());
 }
 
 std::uint32_t BlobAssembly::add_branch(std::optional<std::uint32_t> maximum) {
@@ -110,7 +111,7 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
     scene::Turn turn = part.blob_.turns.empty() ? scene::Turn() : part.blob_.turns[i];
     if (is_moved) turn = then(turn, move(component, placement.blob_from_part, moved_transforms));
     add(component, part.blob_.origins[i], renumbered(part.blob_.branches.empty() ? kOwnSum : part.blob_.branch_of[i]),
-        turn);
+        &turn);
   }
 
   if (part.threshold_) {

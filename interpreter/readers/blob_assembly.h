@@ -20,7 +20,8 @@ class BlobAssembly {
 
   [[nodiscard]] scene::Blob& blob() { return blob_; }
 
-  void add(const scene::Component& component, OriginId origin, std::uint32_t branch, const scene::Turn& turn = {});
+  /// `turn`: what was baked into the component, null where it was not moved.
+  void add(const scene::Component& component, OriginId origin, std::uint32_t branch, const scene::Turn* turn = nullptr);
   /// A branch of a new maximum of the blob's own sum, or (`maximum`: its first branch) of one that is there.
   std::uint32_t add_branch(std::optional<std::uint32_t> maximum);
 
