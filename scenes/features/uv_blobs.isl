@@ -15,7 +15,8 @@ global_settings { assumed_gamma 1 }
   }
 #end
 
-// Above every skeleton alone, below with a plain ball that takes the pattern's place where it is nearer.
+// Above every skeleton alone, below with a ball whose pattern takes over where it is nearer; out of the box it is carved, and what
+// carves colours the hollow.
 #macro Skeleton(I, C)
   #switch (I)
     #case (0) sphere { 0, 0.75 Checks(16, 8, C) rotate <-20, 0, 25> } #break
@@ -31,7 +32,7 @@ global_settings { assumed_gamma 1 }
   <0.72, 0.22, 0.20>, <0.80, 0.45, 0.14>, <0.62, 0.52, 0.10>, <0.20, 0.48, 0.26>, <0.14, 0.38, 0.60>, <0.40, 0.26, 0.56>
 }
 #declare Balls = array[6] {
-  <0.6, -0.55, -0.3>, <0.3, -0.2, -0.3>, <0.35, -0.3, -0.2>, <0.6, -0.5, -0.4>, <0.5, -0.45, -0.2>, <0.35, -0.45, -0.35>
+  <0.6, -0.55, -0.3>, <0.3, -0.2, -0.3>, <0.35, -0.3, -0.2>, <-0.15, -0.1, -0.8>, <0.5, -0.45, -0.2>, <0.35, -0.45, -0.35>
 }
 
 #for (I, 0, 5)
@@ -39,7 +40,7 @@ global_settings { assumed_gamma 1 }
     blob {
       kernel Kernel hardness Hardness
       Skeleton(I, Colours[I])
-      #if (Row = 1) sphere { Balls[I], 0.36 Checks(12, 6, <0.25, 0.25, 0.28>) } #end
+      #if (Row = 1) sphere { Balls[I], 0.36 strength (I = 3 ? -6 : 1) Checks(12, 6, <0.25, 0.25, 0.28>) } #end
       translate <2.5 * (I - 2.5), 1.3 - 2.7 * Row, 0>
     }
   #end
