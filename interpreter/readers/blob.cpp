@@ -319,11 +319,17 @@ class BlobReader {
   }
 
   void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn* turn = nullptr) {
-    if (!kernel_.is_known) {
-      kernel_.id = kernel_id(kernel_.kernel);
-      kernel_.is_known = true;
+    if (component.skeleton == scene::Skeleton::sheet) {
+      Kernel over_sheet = kernel_.kernel;
+      over_sheet.mode = scene::FieldMode::sheet;
+      component.kernel = kernel_id(over_sheet);
+    } else {
+      if (!kernel_.is_known) {
+        kernel_.id = kernel_id(kernel_.kernel);
+        kernel_.is_known = true;
+      }
+      component.kernel = kernel_.id;
     }
-    component.kernel = kernel_.id;
     const std::size_t turn_bytes = turn ? sizeof(scene::Turn) : 0;
     context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes + turn_bytes);
     assembly_.add(component, context_.origin(span), branch, turn);

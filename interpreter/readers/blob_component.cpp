@@ -109,7 +109,7 @@ constexpr Row kRows[] = {
     {word::kw_sphere, false, false, read_sphere}, {word::kw_cylinder, false, true, read_cylinder},
     {word::kw_cone, true, false, read_cone},      {word::kw_box, true, false, read_box},
     {word::kw_torus, true, true, read_torus},     {word::kw_triangle, true, false, read_triangle},
-    {word::kw_plane, true, false, read_plane},
+    {word::kw_plane, true, true, read_plane},
 };
 
 constexpr auto kWords = [] {
@@ -120,8 +120,8 @@ constexpr auto kWords = [] {
 
 /// Only what has a closed form is convolved.
 void check_convolution(Context& context, const Element& block, const Row& row, const scene::Kernel& kernel) {
-  constexpr const char* kHint = "a `cylinder` or a `torus` can be convolved, with the kernel \"quartic\" or \"cauchy\"; "
-                                "`convolution off` ends it";
+  constexpr const char* kHint = "a `cylinder`, a `torus` or a `plane` can be convolved, with the kernel \"quartic\" or "
+                                "\"cauchy\"; `convolution off` ends it";
   if (!row.has_convolution)
     context.fail(block.word_span, fmt::format("a `{}` has no convolution", context.text(block.word)), kHint);
   if (kernel.shape != scene::KernelShape::quartic && kernel.shape != scene::KernelShape::cauchy) {
@@ -150,6 +150,8 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   if (is_convolved) check_convolution(context, block, row, *kernel);
   Component component;
   row.read(stream, component, blob);
+  // Of a half-space there is no convolution: the plane itself is the skeleton.
+  if (is_convolved && component.skeleton == Skeleton::plane) component.skeleton = Skeleton::sheet;
   // However short a segment, it has a convolution: its length is what counts.
   const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
   if (has_ends && !is_convolved) check_apart(stream, component.a, component.b);

@@ -33,7 +33,7 @@ bool is_void(const scene::Database& database, const scene::Component& c) {
   return mode == scene::FieldMode::convolution && has_ends(c.skeleton) && c.a == c.b;
 }
 
-/// A component in blob space (similarities of points and limbs, and every map of a half-space, baked in), before sorting.
+/// A component in blob space (similarities of points and limbs, and every map of what has no end, baked in), before sorting.
 struct Prepared {
   scene::Component component;
   Vec3 third_corner;  ///< of a triangle: its number depends on the order in which a scene names them
@@ -56,7 +56,7 @@ Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::
   if (c.skeleton == scene::Skeleton::triangle) p.third_corner = blob.corners[c.corner];
   if (!p.is_mapped()) return p;
   const scene::Transform& transform = database.transforms[scene::index(c.transform)];
-  if (c.skeleton == scene::Skeleton::plane) {
+  if (scene::is_endless(c.skeleton)) {
     const Vec3 normal = transform.normal(c.b);
     const double length = normal.length();
     c.a = transform.point(c.a);

@@ -118,7 +118,7 @@ class FieldClassifier {
   std::vector<double> reach_;
 };
 
-/// Half-spaces reach everywhere: what they are beyond the box of all else is a cell of its own.
+/// Half-spaces and sheets reach everywhere: what they are beyond the box of all else is a cell of its own.
 void add_beyond(const FieldClassifier& classifier, std::vector<std::uint32_t> endless_items, Grid& grid) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Box everywhere{Vec3(-kFar), Vec3(kFar)};
@@ -138,14 +138,14 @@ void add_beyond(const FieldClassifier& classifier, std::vector<std::uint32_t> en
 Grid build_blob_grid(const ComponentTable& table, const BlobGridOptions& options) {
   std::vector<std::uint32_t> endless_items;
   for (const FieldGroup& group : table.groups) {
-    if (group.skeleton != scene::Skeleton::plane) continue;
+    if (!scene::is_endless(group.skeleton)) continue;
     for (std::uint32_t i = group.begin; i < group.end; ++i) endless_items.push_back(i);
   }
   Box bounds;
   for (const FieldGroup& group : table.groups) {
-    if (group.skeleton == scene::Skeleton::plane) continue;
+    if (scene::is_endless(group.skeleton)) continue;
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
-      // Where only negative fields reach there is no surface, unless they carve a half-space.
+      // Where only negative fields reach there is no surface, unless they carve what has no end.
       if (table.amplitude[i] > 0 || !endless_items.empty()) bounds.extendBy(support_bounds(table, group, i));
     }
   }

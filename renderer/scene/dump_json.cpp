@@ -21,6 +21,7 @@ Json kernel(const Kernel& k) {
   Json json = {{"shape", name(kKernelWords, k.shape)}, {"radius", name(kRadiusMeanings, k.meaning)}};
   if (k.meaning == RadiusMeaning::surface) json["hardness"] = k.hardness;
   if (k.mode == FieldMode::convolution) json["mode"] = "convolution";
+  if (k.mode == FieldMode::sheet) json["mode"] = "sheet";
   return json;
 }
 

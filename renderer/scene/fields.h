@@ -31,10 +31,11 @@ inline constexpr std::string_view kKernelWords[] = {
 /// radius).
 enum class RadiusMeaning : std::uint8_t { surface, support };
 
-/// What a kernel is a function of. `distance`: the distance to the skeleton. `convolution`: it is integrated along the skeleton
-/// (a segment or a circle; quartic or cauchy), so that parts of a skeleton add up to the whole; a straight skeleton without
-/// end has φ(1) = 1 and φ′(1) = −hardness.
-enum class FieldMode : std::uint8_t { distance, convolution };
+/// What a kernel is a function of. `distance`: the distance to the skeleton. The other two are of the shapes quartic and cauchy
+/// with the surface's radius. `convolution`: it is integrated along the skeleton (a segment or a circle), so that parts of a
+/// skeleton add up to the whole; a straight skeleton without end has φ(1) = 1 and φ′(1) = −hardness. `sheet`: it is
+/// integrated over a plane without end, with φ(1) = 1 and φ′(1) = −hardness; what comes of it is a function of the distance again.
+enum class FieldMode : std::uint8_t { distance, convolution, sheet };
 
 struct Kernel {
   KernelShape shape = KernelShape::quartic;
@@ -48,7 +49,7 @@ struct Kernel {
 /// union of the spheres whose centre and radius run linearly from one end to the other). box: between the corners a
 /// and b, radius_a. triangle: a, b and Blob::corners[corner], radius_a. circle: about the centre a and the unit axis b,
 /// of radius radius_b, with radius_a about it. plane: the half-space behind the plane through a across the unit vector b,
-/// with radius_a before it.
+/// with radius_a before it. sheet: that plane itself, with radius_a on both sides.
 enum class Skeleton : std::uint8_t {
 #define ISL_SKELETON(word, Type) word,
 #include "renderer/scene/skeletons.def"
@@ -61,6 +62,11 @@ inline constexpr std::string_view kSkeletonWords[] = {
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
 };
+
+/// Whether it reaches everywhere, in two directions at least.
+[[nodiscard]] constexpr bool is_endless(Skeleton skeleton) {
+  return skeleton == Skeleton::plane || skeleton == Skeleton::sheet;
+}
 
 /// One field of a blob: f = strength · φ(squared distance / radius²), in the blob's space after `transform`.
 struct Component {

@@ -1,7 +1,7 @@
 // The certified search for a blob's surface along a ray: the grid's cells in order, each solved by itself (hermite-inl.h).
 // The ray carries which side of the surface it is on; a crossing is a change of that side, whether a cell's solver found it or
-// two neighbours disagree by a rounding about a root on their common border. Where the blob has half-spaces, the ray is also
-// searched before and behind the grid.
+// two neighbours disagree by a rounding about a root on their common border. Where the blob has half-spaces or sheets, the ray is
+// also searched before and behind the grid.
 #if defined(ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CELL_SEARCH_INL_H_
@@ -74,27 +74,25 @@ class CellSearch {
     return !hit_.is_miss();
   }
 
-  /// The same where half-spaces are alone. Between the planes where they begin and end the field is smooth, and behind the
-  /// last of them it is constant: one stretch more, of any length, shows what it is there.
+  /// The same where half-spaces and sheets are alone. Between the planes where they begin and end the field is smooth, and
+  /// behind the last of them it is constant: one stretch more, of any length, shows what it is there.
   bool beyond_grid(double begin, double end) {
     if (!(begin < end)) return false;
     const Grid& grid = blob_.grid;
     const Cell& cell = grid.cells[grid.beyond];
     double extent = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t item : grid.endless_items) extent = std::min(extent, half_space(item).radius);
+    for_each_endless([&](const auto& shape, double) { extent = std::min(extent, shape.radius); });
     take_up(begin, extent);
     const double length = end - begin;
     double t = 0;
     while (t < length) {
       double next = std::numeric_limits<double>::infinity();
-      for (const std::uint32_t item : grid.endless_items) {
-        const HalfSpace shape = half_space(item);
+      for_each_endless([&](const auto& shape, double reach) {
         const double x = (origin_ - shape.at).dot(shape.normal), dx = direction_.dot(shape.normal);
-        const double reach = shape.radius * ComponentTable::support_root(blob_.components.group_of(item));
-        for (const double border : {0.0, reach}) {
-          if (const double at = (border - x) / dx; at > t) next = std::min(next, at);
+        for (const double border : shape.kBorders) {
+          if (const double at = (border * reach - x) / dx; at > t) next = std::min(next, at);
         }
-      }
+      });
       const bool is_constant = std::isinf(next);
       if (visit(grid.beyond, cell, t, std::min(length, is_constant ? t + std::max(1.0, t) : next))) return true;
       if (is_constant) return false;
@@ -102,8 +100,14 @@ class CellSearch {
     }
     return false;
   }
-  [[nodiscard]] HalfSpace half_space(std::uint32_t item) const {
-    return blob_.components.shape<HalfSpace>(blob_.components.group_of(item), item);
+  /// Calls use(shape, how far its field reaches before its plane).
+  template <class Use>
+  void for_each_endless(const Use& use) const {
+    const ComponentTable& table = blob_.components;
+    for (const std::uint32_t item : blob_.grid.endless_items) {
+      const FieldGroup& group = table.group_of(item);
+      table.with_endless(group, item, [&](const auto& shape) { use(shape, shape.radius * ComponentTable::support_root(group)); });
+    }
   }
 
   /// The ray changes sides at t, on the border of `cell` or in it.

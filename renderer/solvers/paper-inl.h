@@ -40,14 +40,14 @@ class PaperSearch {
     if (grid.cell_size > 0) span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
     const bool meets_grid = span.enter < span.leave;
     if (!meets_grid && grid.beyond == scene::kNone) return {};
-    // With half-spaces the whole ray counts, without them what lies in the grid.
+    // With half-spaces or sheets the whole ray counts, without them what lies in the grid.
     const double base = grid.beyond == scene::kNone ? span.enter : 0;
     const Vec3 origin = ray.origin + ray.direction * base;
     double reach = meets_grid ? span.leave - base : 0;
     m_.begin_ray(blob_.components.size());
     for (const std::uint32_t item : grid.endless_items) reach = std::max(reach, end_of_change(item, origin, ray.direction));
     reach = std::min(reach, ray.t_max - base);
-    for (const std::uint32_t item : grid.endless_items) add_half_space(item, origin, ray.direction, reach);
+    for (const std::uint32_t item : grid.endless_items) add_endless(item, origin, ray.direction, reach);
     if (meets_grid) {
       walk(grid, ray.origin + ray.direction * span.enter, ray.direction, 0, span.leave - span.enter,
            [&](std::uint32_t index, const Cell& cell, double, double t1) HWY_ATTR {
@@ -149,32 +149,38 @@ class PaperSearch {
     }
   }
 
-  /// The plane x = 0 where a half-space begins, and the one where its field ends, along a ray.
-  struct HalfSpaceLine {
-    double x, dx, begins, ends;
+  /// Along a ray, the plane where a half-space or the far side of a sheet begins, and the one where its field ends. dx is 0 where
+  /// they are farther than any scene reaches.
+  struct EndlessLine {
+    double dx, begins, ends;
   };
-  [[nodiscard]] HalfSpaceLine half_space_line(std::uint32_t item, const Vec3& origin, const Vec3& direction) const {
+  [[nodiscard]] EndlessLine endless_line(std::uint32_t item, const Vec3& origin, const Vec3& direction) const {
     const FieldGroup& group = blob_.components.group_of(item);
-    const HalfSpace shape = blob_.components.shape<HalfSpace>(group, item);
-    const double x = (origin - shape.at).dot(shape.normal), dx = direction.dot(shape.normal);
-    return {x, dx, -x / dx, (shape.radius * ComponentTable::support_root(group) - x) / dx};
+    return blob_.components.with_endless(group, item, [&](const auto& shape) -> EndlessLine {
+      const double x = (origin - shape.at).dot(shape.normal), dx = direction.dot(shape.normal);
+      const double reach = shape.radius * ComponentTable::support_root(group);
+      const double begins = (shape.kBorders.front() * reach - x) / dx, ends = (shape.kBorders.back() * reach - x) / dx;
+      return {std::max(std::abs(begins), std::abs(ends)) < 1e150 ? dx : 0, begins, ends};
+    });
   }
-  /// Behind it the half-space's field is constant along the ray.
+  /// Behind it the field is constant along the ray.
   [[nodiscard]] double end_of_change(std::uint32_t item, const Vec3& origin, const Vec3& direction) const {
-    const HalfSpaceLine line = half_space_line(item, origin, direction);
+    const EndlessLine line = endless_line(item, origin, direction);
     return line.dx == 0 ? 0 : std::max(line.begins, line.ends);
   }
-  void add_half_space(std::uint32_t item, const Vec3& origin, const Vec3& direction, double reach) {
+  void add_endless(std::uint32_t item, const Vec3& origin, const Vec3& direction, double reach) {
     if (!m_.meet(item)) return;
     const ComponentTable& table = blob_.components;
     const FieldGroup& group = table.group_of(item);
-    const HalfSpaceLine h = half_space_line(item, origin, direction);
+    const EndlessLine h = endless_line(item, origin, direction);
     const Line line{table, group, item, origin, direction};
     const auto add_constant = [&](double from, double to, double v) {
       const double value = table.amplitude[item] * kernel_profile(group.kernel, v);
       if (from < to) m_.interpolants.push_back({from, value, 0, to, value, 0, branch_of(item)});
     };
     if (h.dx == 0) return add_constant(0, reach, line.at(0).v);
+    if (group.skeleton == scene::Skeleton::sheet)
+      return interpolate(line, std::min(h.begins, h.ends), std::max(h.begins, h.ends), 0, 0);
     const double peak = table.amplitude[item] * kernel_profile(group.kernel, 0);
     if (h.dx > 0) {
       add_constant(0, h.begins, 0);

@@ -21,6 +21,7 @@ SkeletonFormHandle form_of(const scene::Component& component, std::span<const sc
       return triangle_form(component, corners[component.corner]);
     case scene::Skeleton::circle: return circle_form(component);
     case scene::Skeleton::plane: return plane_form(component);
+    case scene::Skeleton::sheet: return sheet_form(component);
   }
   ISL_CHECK(false, "skeleton {}", static_cast<int>(component.skeleton));
 }

@@ -82,6 +82,7 @@ using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 [[nodiscard]] SkeletonFormHandle circle_form(const scene::Component& component);
 /// Half-space.
 [[nodiscard]] SkeletonFormHandle plane_form(const scene::Component& component);
+[[nodiscard]] SkeletonFormHandle sheet_form(const scene::Component& component);
 
 /// A lower bound of a convex function on [t0, t1], from enclosures of its values and slopes at the ends: where the
 /// tangents meet, or the end that is lowest.

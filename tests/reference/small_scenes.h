@@ -26,6 +26,17 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return {scene::KernelShape::cauchy, scene::RadiusMeaning::surface, hardness};
 }
 
+/// Integrated along segments and circles; a quartic or a cauchy.
+[[nodiscard]] constexpr scene::Kernel convolved(scene::Kernel kernel) {
+  kernel.mode = scene::FieldMode::convolution;
+  return kernel;
+}
+/// Integrated over sheets.
+[[nodiscard]] constexpr scene::Kernel over_sheets(scene::Kernel kernel) {
+  kernel.mode = scene::FieldMode::sheet;
+  return kernel;
+}
+
 [[nodiscard]] inline scene::Component point(const scene::Vec3& centre, double radius, double strength = 1) {
   scene::Component component;
   component.a = centre;
@@ -82,6 +93,14 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
+/// The plane through `at`, convolved: for kernels of the mode sheet. `normal` has unit length.
+[[nodiscard]] inline scene::Component sheet(const scene::Vec3& at, const scene::Vec3& normal, double radius,
+                                            double strength = 1) {
+  scene::Component component = half_space(at, normal, radius, strength);
+  component.skeleton = scene::Skeleton::sheet;
+  return component;
+}
+
 /// One blob in the world, untransformed, all components with the same kernel.
 [[nodiscard]] inline scene::Database one_blob(const scene::Kernel& kernel,
                                               const std::vector<scene::Component>& components, double threshold = 1) {
@@ -105,7 +124,7 @@ template <class Change>
   for (scene::Component& component : blob.components) {
     change(component.a);
     const bool is_direction =
-        component.skeleton == scene::Skeleton::circle || component.skeleton == scene::Skeleton::plane;
+        component.skeleton == scene::Skeleton::circle || scene::is_endless(component.skeleton);
     if (!is_direction) change(component.b);
   }
   return database;

@@ -1,5 +1,5 @@
-// The constants of a convolved curve's window and of a convolved plane's profile, solved once when a blob is compiled, so that
-// an infinite straight skeleton has value 1 and slope −h in q at distance r.
+// The constants of a convolved curve's window, solved once when a blob is compiled, so that an infinite straight skeleton has
+// value 1 and slope −h in q at distance r.
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"

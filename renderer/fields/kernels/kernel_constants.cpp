@@ -5,6 +5,19 @@
 #include "renderer/fields/kernels/kernels-inl.h"
 
 namespace isl::render {
+namespace {
+
+KernelConstants sheet_constants(const scene::Kernel& kernel) {
+  const bool is_quartic = kernel.shape == scene::KernelShape::quartic;
+  ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
+  KernelConstants constants = is_quartic ? HWY_NAMESPACE::QuarticSheet::constants(kernel.hardness)
+                                         : HWY_NAMESPACE::CauchySheet::constants(kernel.hardness);
+  constants.shape = kernel.shape;
+  constants.is_sheet = true;
+  return constants;
+}
+
+}  // namespace
 
 KernelConstants kernel_constants(const scene::Kernel& kernel) {
   if (kernel.mode == scene::FieldMode::convolution) return curve_constants(kernel);
@@ -14,6 +27,7 @@ KernelConstants kernel_constants(const scene::Kernel& kernel) {
     return constants;
   }
   ISL_CHECK(kernel.hardness > 0 && kernel.hardness <= 500, "{}", kernel.hardness);
+  if (kernel.mode == scene::FieldMode::sheet) return sheet_constants(kernel);
   switch (kernel.shape) {
 #define ISL_KERNEL(word, Type)                                   \
   case scene::KernelShape::word:                                 \

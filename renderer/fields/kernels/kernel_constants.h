@@ -13,17 +13,18 @@ namespace isl::render {
 struct KernelConstants {
   scene::KernelShape shape = scene::KernelShape::quartic;
   bool is_convolved = false;  ///< a window to integrate (convolutions/), which has no profile
+  bool is_sheet = false;      ///< the profile of a convolved plane (convolutions/sheet_*)
   double scale = 1;    ///< v = scale · q
   double support = 1;  ///< φ = 0 from here on, in v
   double amplitude = 1;
-  double a = 0;    ///< gaussian: v at the surface; cauchy: ε; else 0
+  double a = 0;    ///< gaussian: v at the surface; cauchy, its window and its sheet: ε; else 0
   double cut = 0;  ///< gaussian: e^{a − support}; else 0
 
   /// Where the support ends, in q.
   [[nodiscard]] double support_q() const { return support / scale; }
 };
 
-/// Precondition: hardness in (0, 500], and a convolution's shape quartic or cauchy (the interpreter has seen to it).
+/// Precondition: hardness in (0, 500], and the shape of a convolution or a sheet quartic or cauchy (the interpreter has seen to it).
 [[nodiscard]] KernelConstants kernel_constants(const scene::Kernel& kernel);
 
 /// φ(v), without the amplitude; 0 beyond the support.

@@ -6,6 +6,8 @@
 #define ISL_RENDERER_FIELDS_KERNELS_KERNELS_INL_H_
 #endif
 
+#include "renderer/fields/convolutions/sheet_cauchy-inl.h"
+#include "renderer/fields/convolutions/sheet_quartic-inl.h"
 #include "renderer/fields/kernels/cauchy-inl.h"
 #include "renderer/fields/kernels/gaussian-inl.h"
 #include "renderer/fields/kernels/metaball-inl.h"
@@ -19,6 +21,10 @@ namespace HWY_NAMESPACE {
 /// Calls `use` with the kernel of these constants.
 template <class Use>
 HWY_INLINE void with_each_kernel(const KernelConstants& constants, Use&& use) {
+  if (constants.is_sheet) {
+    if (constants.shape == scene::KernelShape::quartic) return use(QuarticSheet(constants));
+    return use(CauchySheet(constants));
+  }
   switch (constants.shape) {
 #define ISL_KERNEL(word, Type)   \
   case scene::KernelShape::word: \
@@ -76,6 +82,7 @@ class AnyKernel {
 /// which halves the time that the compiler takes and costs them a jump an octet.
 template <class Use>
 HWY_INLINE void with_kernel(const KernelConstants& constants, Use&& use) {
+  if (constants.is_sheet) return use(AnyKernel(constants));
   switch (constants.shape) {
     case scene::KernelShape::quartic: use(Quartic(constants)); break;
     case scene::KernelShape::gaussian: use(Gaussian(constants)); break;

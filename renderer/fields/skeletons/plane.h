@@ -39,6 +39,9 @@ struct HalfSpace {
     return {p.dot(across.x), p.dot(across.z)};
   }
 
+  /// Where its field begins and ends, in its reach before the plane.
+  static constexpr std::array<double, 2> kBorders = {0, 1};
+
   [[nodiscard]] double thickest() const { return radius; }
   /// Without end but against the normal itself.
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

@@ -8,6 +8,7 @@
 #include "renderer/fields/skeletons/plane.h"
 #include "renderer/fields/skeletons/point.h"
 #include "renderer/fields/skeletons/segment.h"
+#include "renderer/fields/skeletons/sheet.h"
 #include "renderer/fields/skeletons/triangle.h"
 
 #include <tuple>

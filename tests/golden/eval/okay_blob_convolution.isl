@@ -5,9 +5,12 @@ blob {
   cylinder { 0, 2 * y, 0.5 strength 2 scale <1, 2, 1> }
   kernel "cauchy"
   torus { 2, 0.5 }
+  plane { 2 * y, -3, 0.5 }          // a sheet, with a kernel of its own
+  torus { 2, 0.5 }
   cylinder { 0, 0, 0.5 }            // of no length: it adds nothing, and is no mistake
   convolution off
   torus { 2, 0.5 }
+  plane { y, -3, 0.5 }              // a half-space
   threshold 0.7
 }
 blob { convolution on kernel "quartic" cylinder { 0, z, 0.1 } }

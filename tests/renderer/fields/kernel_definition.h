@@ -8,6 +8,9 @@
 //   soft      p = 1 − (22/9)x + (17/9)x² − (4/9)x³, x = q/Q
 //   metaball  p = 1 − 3x for x ≤ 1/9, (3/2)(1 − √x)² from there
 //   cauchy    p = (1 + σ²q)⁻² less its tangent at Q, σ from φ(0) = eʰ
+// and of planes, convolved with the windows quartic and cauchy:
+//   quartic   p = (1 − q/Q)³
+//   cauchy    p = (1 + σ²q)⁻¹ less its parabola at Q, σ from φ(0) = eʰ
 #pragma once
 
 #include <array>
@@ -96,6 +99,38 @@ template <class Function>
     (std::log(p(0)[0] / p(1)[0]) < hardness ? low : high) = middle;
   }
   return {normalised(less_its_tangent(std::exp(low)))};
+}
+
+[[nodiscard]] inline KernelDefinition quartic_sheet_definition(long double, long double border) {
+  return {normalised([border](long double q) {
+    const long double y = 1 - q / border, b = border;
+    return Derivatives{y * y * y, -3 * y * y / b, 6 * y / (b * b), -6 / (b * b * b), 0};
+  })};
+}
+
+[[nodiscard]] inline KernelDefinition cauchy_sheet_definition(long double hardness, long double border) {
+  const auto less_its_parabola = [border](long double k) {
+    const auto plain = [k](long double q) {
+      const long double s = 1 / (1 + k * q), s2 = s * s;
+      return Derivatives{s, -k * s2, 2 * k * k * s2 * s, -6 * k * k * k * s2 * s2, 24 * k * k * k * k * s2 * s2 * s};
+    };
+    return [plain, border, at_border = plain(border)](long double q) {
+      Derivatives d = plain(q);
+      const long double x = q - border;
+      d[0] -= at_border[0] + x * (at_border[1] + x * at_border[2] / 2);
+      d[1] -= at_border[1] + x * at_border[2];
+      d[2] -= at_border[2];
+      return d;
+    };
+  };
+  // As above; σ² ends at 10⁴⁰, where a harder sheet changes within 10⁻²⁰ radii of its plane only.
+  long double low = -6, high = std::min(hardness + 10, std::log(1e40L));
+  for (int i = 0; i < 90; ++i) {
+    const long double middle = (low + high) / 2;
+    const auto p = less_its_parabola(std::exp(middle));
+    (std::log(p(0)[0] / p(1)[0]) < hardness ? low : high) = middle;
+  }
+  return {normalised(less_its_parabola(std::exp(low)))};
 }
 
 }  // namespace isl::render
