@@ -44,7 +44,20 @@ const std::vector<Shape>& skeletons() {
       {"triangle_needle", reference::triangle({-0.8, 0.1, 0.2}, {0.7, -0.3, 0.1}, 0.25), {0.7, -0.293, 0.107}},
       {"circle", reference::circle({0, 0, 0}, {0, 1, 0}, 0.9, 0.12)},
       {"circle_tilted", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 1.1, 0.15)},
-      {"plane", reference::half_space({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)}};
+      {"plane", reference::half_space({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)},
+      {"sheet", reference::sheet({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)}};
+  return list;
+}
+
+/// Of any size: a convolved circle has no crease on its axis.
+const std::vector<Shape>& curves() {
+  static const std::vector<Shape> list = {
+      {"segment", reference::segment({-0.5, 0, 0.1}, {0.6, 0.3, -0.2}, 0.4)},
+      {"segment_long", reference::segment({-1.5, -0.9, 0.3}, {1.6, 0.7, -0.2}, 0.1)},
+      {"segment_short", reference::segment({0.2, 0.2, 0}, {0.21, 0.19, 0.02}, 0.5)},
+      {"circle", reference::circle({0, 0, 0}, {0, 1, 0}, 0.9, 0.12)},
+      {"circle_narrow", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 0.3, 0.25)},
+      {"circle_small", reference::circle({0.1, 0, 0}, {1, 0, 0}, 0.02, 0.4)}};
   return list;
 }
 
@@ -72,6 +85,15 @@ const std::vector<Named<scene::Kernel>>& kernels() {
   return list;
 }
 
+/// Those that can be convolved.
+const std::vector<Named<scene::Kernel>>& windows() {
+  static const std::vector<Named<scene::Kernel>> list = {
+      {"quartic_1", reference::quartic(1)}, {"quartic_4", reference::quartic(4)},
+      {"quartic_100", reference::quartic(100)}, {"cauchy_1", reference::cauchy(1)},
+      {"cauchy_4", reference::cauchy(4)}, {"cauchy_60", reference::cauchy(60)}};
+  return list;
+}
+
 std::vector<Named<scene::Transform>> transforms() {
   RandomSource random(2024);
   scene::Transform mirrored;
@@ -94,7 +116,8 @@ double skeleton_reach(const FieldCase& field) {
   const scene::Component& c = field.component;
   switch (c.skeleton) {
     case scene::Skeleton::circle: return c.a.length() + c.radius_b;
-    case scene::Skeleton::plane: return c.a.length() + 1;
+    case scene::Skeleton::plane:
+    case scene::Skeleton::sheet: return c.a.length() + 1;
     case scene::Skeleton::triangle: return std::max({c.a.length(), c.b.length(), field.third_corner.length()});
     case scene::Skeleton::box: {
       const auto farther = [&](int i) { return std::max(std::abs(c.a[i]), std::abs(c.b[i])); };
@@ -113,24 +136,34 @@ double reach_of(const FieldCase& field) {
   return in_component * longest_stretch(field.transform) + shift.length();
 }
 
+/// A skeleton with a kernel in every space, by the name of both.
+void add_cases(const Shape& skeleton, const scene::Kernel& kernel, const std::string& name,
+               std::vector<FieldCase>& cases) {
+  static const std::vector<Named<scene::Transform>> maps = transforms();
+  for (const auto& map : maps) {
+    // What carves does so in any space: seen in the hardest of them only.
+    for (const double strength : {1.0, -2.5}) {
+      if (strength < 0 && &map != &maps.back()) continue;
+      FieldCase field{name + "_" + map.name + (strength < 0 ? "_carving" : ""), skeleton.component, kernel, map.value,
+                      skeleton.third_corner};
+      field.component.strength = strength;
+      field.reach = reach_of(field);
+      cases.push_back(field);
+    }
+  }
+}
+
 std::vector<FieldCase> all_cases() {
   std::vector<FieldCase> cases;
-  const std::vector<Named<scene::Transform>> maps = transforms();
   for (const auto& skeleton : skeletons()) {
-    for (const auto& kernel : kernels()) {
-      for (const auto& map : maps) {
-        // What carves does so in any space: seen in the hardest of them only.
-        for (const double strength : {1.0, -2.5}) {
-          if (strength < 0 && &map != &maps.back()) continue;
-          FieldCase field{
-              std::string(skeleton.name) + "_" + kernel.name + "_" + map.name + (strength < 0 ? "_carving" : ""),
-              skeleton.component, kernel.value, map.value, skeleton.third_corner};
-          field.component.strength = strength;
-          field.reach = reach_of(field);
-          cases.push_back(field);
-        }
-      }
-    }
+    for (const auto& kernel : kernels())
+      add_cases(skeleton, kernel.value, std::string(skeleton.name) + "_" + kernel.name, cases);
+  }
+  for (const auto& kernel : windows()) {
+    const auto named = [&](const Shape& shape) { return std::string("convolved_") + shape.name + "_" + kernel.name; };
+    for (const Shape& curve : curves()) add_cases(curve, reference::convolved(kernel.value), named(curve), cases);
+    const Shape& sheet = skeletons().back();
+    add_cases(sheet, reference::over_sheets(kernel.value), named(sheet), cases);
   }
   return cases;
 }
@@ -141,6 +174,8 @@ const std::vector<FieldCase>& field_cases() {
   static const std::vector<FieldCase> list = all_cases();
   return list;
 }
+
+bool is_function_of_distance(const FieldCase& field) { return field.kernel.mode != scene::FieldMode::convolution; }
 
 scene::Database blob_of(const FieldCase& field, double threshold) {
   scene::Database database;

@@ -1,4 +1,4 @@
-// The one list of fields that the conformance suite runs: skeleton × kernel and meaning × strength × transform. A new
+// The one list of fields that the conformance suite runs: skeleton × kernel, meaning and mode × strength × transform. A new
 // skeleton or kernel is one row of the tables in field_cases.cpp.
 #pragma once
 
@@ -19,6 +19,9 @@ struct FieldCase {
 };
 
 [[nodiscard]] const std::vector<FieldCase>& field_cases();
+
+/// Whether its level sets are at one distance from the skeleton: not if it is integrated along a curve.
+[[nodiscard]] bool is_function_of_distance(const FieldCase& field);
 
 /// A blob of that component alone.
 [[nodiscard]] scene::Database blob_of(const FieldCase& field, double threshold);

@@ -30,7 +30,7 @@ std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}
 
 /// The reference's field; made once a property, since a kernel's constants take some solving.
 ReferenceComponent truth_of(const FieldCase& field) {
-  return {field.component, reference::ReferenceKernel(field.kernel), field.transform, {&field.third_corner, 1}};
+  return {field.component, reference::KernelInUse(field.kernel), field.transform, {&field.third_corner, 1}};
 }
 
 double length_of(const reference::Vector<long double>& v) { return static_cast<double>(std::sqrt(squared_length(v))); }
@@ -114,7 +114,7 @@ std::string gradient_is_the_slope_of_the_value(const FieldUnderTest& tested, con
 }
 
 std::string surface_alone_is_at_the_radius(const FieldUnderTest& tested, const FieldCase& field) {
-  if (field.kernel.meaning != scene::RadiusMeaning::surface) return {};
+  if (field.kernel.meaning != scene::RadiusMeaning::surface || !is_function_of_distance(field)) return {};
   for (const SurfaceWitness& witness : surface_witnesses(field, kPoints)) {
     double low = 0.5, high = 1.5;  // of the radius; f falls from one to the other
     for (int step = 0; step < 60; ++step) {
@@ -133,7 +133,7 @@ std::string surface_alone_is_at_the_radius(const FieldUnderTest& tested, const F
 }
 
 std::string slope_at_the_radius_is_minus_hardness(const FieldUnderTest& tested, const FieldCase& field) {
-  if (field.kernel.meaning != scene::RadiusMeaning::surface) return {};
+  if (field.kernel.meaning != scene::RadiusMeaning::surface || !is_function_of_distance(field)) return {};
   for (const SurfaceWitness& witness : surface_witnesses(field, kPoints)) {
     const Vec3 p = field.transform.point(witness.centre + witness.direction * witness.radius);
     const double value = tested.value(p) / field.component.strength;

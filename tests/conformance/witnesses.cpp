@@ -115,12 +115,16 @@ std::optional<SurfaceWitness> on_circle(const FieldCase& field, const Draw& draw
   const scene::Component& c = field.component;
   const Vec3 radial = across(c.b, draw.random.direction());
   const double turn = draw.random.between(-3.2, 3.2);
+  // Inward, twice as far must still be nearer to this side of the circle than to the other.
+  if (c.radius_b + 2 * draw.level * c.radius_a * std::cos(turn) < 0) return std::nullopt;
   return SurfaceWitness{c.a + radial * c.radius_b, radial * std::cos(turn) + c.b * std::sin(turn), c.radius_a};
 }
 
 std::optional<SurfaceWitness> on_plane(const FieldCase& field, const Draw& draw) {
   const scene::Component& c = field.component;
-  return SurfaceWitness{c.a + across(c.b, draw.random.direction()) * draw.random.unit(), c.b, c.radius_a};
+  const bool is_behind = c.skeleton == scene::Skeleton::sheet && draw.random.below(2) == 0;
+  const Vec3 place = c.a + across(c.b, draw.random.direction()) * draw.random.unit();
+  return SurfaceWitness{place, is_behind ? -c.b : c.b, c.radius_a};
 }
 
 std::optional<SurfaceWitness> witness(const FieldCase& field, const Draw& draw) {
@@ -128,7 +132,8 @@ std::optional<SurfaceWitness> witness(const FieldCase& field, const Draw& draw) 
     case scene::Skeleton::box: return on_box(field, draw);
     case scene::Skeleton::triangle: return on_triangle(field, draw);
     case scene::Skeleton::circle: return on_circle(field, draw);
-    case scene::Skeleton::plane: return on_plane(field, draw);
+    case scene::Skeleton::plane:
+    case scene::Skeleton::sheet: return on_plane(field, draw);
     default: return on_limb(field, draw);
   }
 }

@@ -91,6 +91,7 @@ struct RandomBlobsCase {
   double hardest;
   bool maxima = false;
   bool half_space = false;
+  bool convolutions = false;
 };
 
 RandomBlobOptions options_of(const RandomBlobsCase& given, int components) {
@@ -98,6 +99,7 @@ RandomBlobOptions options_of(const RandomBlobsCase& given, int components) {
           .scale = given.scale,
           .maxima = given.maxima,
           .half_space = given.half_space,
+          .convolutions = given.convolutions,
           .hardest = given.hardest};
 }
 
@@ -165,6 +167,10 @@ INSTANTIATE_TEST_SUITE_P(HalfSpaces, RandomBlobs,
                          testing::Values(RandomBlobsCase{1, 8, false, true}, RandomBlobsCase{30, 8, false, true}));
 INSTANTIATE_TEST_SUITE_P(TreesWithHalfSpaces, RandomBlobs,
                          testing::Values(RandomBlobsCase{1, 8, true, true}, RandomBlobsCase{1e-3, 8, true, true}));
+
+INSTANTIATE_TEST_SUITE_P(Convolutions, RandomBlobs,
+                         testing::Values(RandomBlobsCase{1, 8, false, false, true}, RandomBlobsCase{1e-3, 40, false, true, true},
+                                         RandomBlobsCase{30, 300, true, true, true}));
 
 TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {
   RandomSource random(51);

@@ -11,6 +11,12 @@
 //   2λ + 2 ln(1 + (1 − c)/e) + ln(1 − 2(1 − c)/(3 + e)) = h.
 // As λ → 0 its left side tends to 2 ln(1 + h/2) < h, and at λ = h/2 it exceeds h, since (1 + e − s)²(1 + e + 2s) falls
 // with s; it rises between. λ rather than σ, which is 10⁵³ at h = 500: c and 1 − c then have all their digits.
+//
+// A plane convolved with k less its tangent: ∫k(q + u)du is 1/(1 + σ²q) up to a factor, and what it loses is the parabola that
+// touches it at Q. The difference has a triple root there:
+//   φ = ((1 + e − s)/e)³/s,   φ′ = −(1 − c)(1 + e − s)²(1 + e + 2s)/(e³s²).
+// φ′(1) = −h is (1 − c)(1 + 3/e) = h: e = 3(1 − c)/(h − 1 + c); and φ(0) = eʰ is λ + 3 ln(1 + (h − 1 + c)/3) = h. The left
+// side is 3 ln(1 + h/3) < h at λ = 0, more than h at λ = h, and rises by 1 − 3c/(2 + h + c) > 0.
 #include "tests/reference/kernel_forms.h"
 
 namespace isl::reference {
@@ -47,18 +53,24 @@ Interval excess_in_the_middle(const Interval& lambda, const Interval& h) {
          log_of_one_plus(-(Interval(2) * k.rest / (Interval(3) + k.e))) - h;
 }
 
-/// Halves until nothing lies between: the last place, seen from `from`, where the excess certainly has this sign.
-long double last_certain(long double from, long double to, int sign, const Interval& h) {
+/// Halves until nothing lies between: the last place, seen from `from`, where a function certainly has this sign.
+template <class Function>
+long double last_certain(const Function& f, long double from, long double to, int sign) {
   while (true) {
     const long double middle = from + (to - from) / 2;
     if (middle == from || middle == to) return from;
-    (excess_in_the_middle(middle, h).sign() == sign ? from : to) = middle;
+    (f(middle).sign() == sign ? from : to) = middle;
   }
 }
 
+/// Where a rising function passes zero between 0 and `most`.
+template <class Function>
+Interval zero_of(const Function& f, long double most) {
+  return {last_certain(f, 0, most, -1), last_certain(f, most, 0, 1)};
+}
+
 Interval solved_lambda(const Interval& h) {
-  const long double most = h.hi / 2;
-  return {last_certain(0, most, -1, h), last_certain(most, 0, 1, h)};
+  return zero_of([&](long double lambda) { return excess_in_the_middle(lambda, h); }, h.hi / 2);
 }
 
 class CauchyForm final : public KernelForm {
@@ -86,8 +98,44 @@ class CauchyForm final : public KernelForm {
   Constants k_;
 };
 
+class CauchySheetForm final : public KernelForm {
+ public:
+  explicit CauchySheetForm(const scene::Kernel& kernel) {
+    const Interval h(kernel.hardness);
+    const auto c_of = [](const Interval& lambda) { return rising([](long double x) { return std::exp(x); }, -lambda); };
+    const auto rest_of = [](const Interval& lambda) {
+      return -rising([](long double x) { return std::expm1(x); }, -lambda);
+    };
+    const Interval lambda = zero_of(
+        [&](long double at) {
+          return Interval(at) + Interval(3) * log_of_one_plus((h - rest_of(at)) / Interval(3)) - h;
+        },
+        h.hi);
+    c_ = c_of(lambda);
+    rest_ = rest_of(lambda);
+    e_ = Interval(3) * rest_ / (h - rest_);
+  }
+
+  [[nodiscard]] Interval support() const override { return Interval(1) + e_ / rest_; }
+  [[nodiscard]] Interval value(long double q) const override {
+    const Interval depth = Depth{e_, rest_}.at(q) / e_;
+    return square(depth) * depth / s_at(q);
+  }
+  [[nodiscard]] Interval slope(long double q) const override {
+    const Interval depth = Depth{e_, rest_}.at(q) / e_, s = s_at(q);
+    return -(rest_ * square(depth) * (Interval(1) + e_ + Interval(2) * s) / (e_ * square(s)));
+  }
+
+ private:
+  [[nodiscard]] Interval s_at(long double q) const { return c_ + rest_ * Interval(q); }
+
+  Interval c_, rest_;  ///< c and 1 − c
+  Interval e_;
+};
+
 }  // namespace
 
 KernelFormHandle cauchy_form(const scene::Kernel& kernel) { return std::make_shared<CauchyForm>(kernel); }
+KernelFormHandle cauchy_sheet_form(const scene::Kernel& kernel) { return std::make_shared<CauchySheetForm>(kernel); }
 
 }  // namespace isl::reference

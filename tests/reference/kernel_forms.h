@@ -28,6 +28,11 @@ using KernelFormHandle = std::shared_ptr<const KernelForm>;
 #include "renderer/scene/kernel_shapes.def"
 #undef ISL_KERNEL
 
+/// Of planes and of infinite lines that are convolved: the kernels of the modes sheet and convolution.
+[[nodiscard]] KernelFormHandle quartic_sheet_form(const scene::Kernel& kernel);
+[[nodiscard]] KernelFormHandle cauchy_sheet_form(const scene::Kernel& kernel);
+[[nodiscard]] KernelFormHandle line_form(const scene::Kernel& kernel);
+
 /// What a form's φ is a function of: it falls along a straight line through its value at q = 1, and has reached zero at
 /// Q. Counted from q = 1, since near there Q − q of a hard kernel would cancel.
 struct Depth {

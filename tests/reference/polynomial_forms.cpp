@@ -27,6 +27,23 @@ class QuarticForm final : public KernelForm {
   Depth depth_;  ///< √φ
 };
 
+/// A plane convolved with w = (1 − x)²: ∫w(x + u)du from 0 to 1 − x, so φ = (1 + (h/3)(1 − q))³, Q = 1 + 3/h.
+class QuarticSheetForm final : public KernelForm {
+ public:
+  explicit QuarticSheetForm(const scene::Kernel& kernel)
+      : support_(Interval(1) + Interval(3) / Interval(kernel.hardness)),
+        depth_{1, Interval(kernel.hardness) / Interval(3)} {}
+  [[nodiscard]] Interval support() const override { return support_; }
+  [[nodiscard]] Interval value(long double q) const override { return square(depth_.at(q)) * depth_.at(q); }
+  [[nodiscard]] Interval slope(long double q) const override {
+    return -(Interval(3) * depth_.rate * square(depth_.at(q)));
+  }
+
+ private:
+  Interval support_;
+  Depth depth_;  ///< the third root of φ
+};
+
 /// Wyvill's: w = 1 − (22/9)x + (17/9)x² − (4/9)x³ = y²(5 + 4y)/9 with y = 1 − x. Then −w′ = 2y(5 + 6y)/9, and the
 /// condition 2x(5 + 6y) = h·y(5 + 4y) is a quadratic,
 ///   (12 + 4h)x² − (22 + 13h)x + 9h = 0   or   (12 + 4h)y² + (5h − 2)y − 10 = 0,
@@ -116,6 +133,7 @@ class MetaballForm final : public KernelForm {
 
 }  // namespace
 
+KernelFormHandle quartic_sheet_form(const scene::Kernel& kernel) { return std::make_shared<QuarticSheetForm>(kernel); }
 KernelFormHandle quartic_form(const scene::Kernel& kernel) { return std::make_shared<QuarticForm>(kernel); }
 KernelFormHandle soft_form(const scene::Kernel& kernel) { return std::make_shared<SoftForm>(kernel); }
 KernelFormHandle metaball_form(const scene::Kernel& kernel) { return std::make_shared<MetaballForm>(kernel); }

@@ -31,6 +31,20 @@ std::vector<scene::Kernel> random_kernels(RandomSource& random, double hardest) 
   return kernels;
 }
 
+/// Those of the kernels that can be convolved, in a mode.
+std::vector<scene::KernelId> convolved_kernels(scene::Database& database, scene::FieldMode mode) {
+  std::vector<scene::KernelId> ids;
+  for (std::size_t i = 0, n = database.kernels.size(); i < n; ++i) {
+    scene::Kernel kernel = database.kernels[i];
+    const bool has_window = kernel.shape == scene::KernelShape::quartic || kernel.shape == scene::KernelShape::cauchy;
+    if (!has_window || kernel.meaning != scene::RadiusMeaning::surface) continue;
+    kernel.mode = mode;
+    ids.push_back(static_cast<scene::KernelId>(database.kernels.size()));
+    database.kernels.push_back(kernel);
+  }
+  return ids;
+}
+
 /// Makes a box, a triangle or a circle of a component whose b is its second end; one box and triangle in four is flat
 /// or a needle.
 void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scene::Component& c, scene::Blob& blob) {
@@ -120,6 +134,25 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
     plane.strength = random.between(0.5, 2);
     blob.components.push_back(plane);
     blob.origins.push_back({});
+  }
+  if (options.convolutions) {
+    const std::vector<scene::KernelId> windows = convolved_kernels(database, scene::FieldMode::convolution);
+    const std::vector<scene::KernelId> sheets = convolved_kernels(database, scene::FieldMode::sheet);
+    const auto one_of = [&](const std::vector<scene::KernelId>& ids) {
+      return ids[static_cast<std::size_t>(random.below(static_cast<int>(ids.size())))];
+    };
+    for (scene::Component& c : blob.components) {
+      if (c.skeleton == scene::Skeleton::plane) {
+        if (random.below(2) == 0) continue;
+        c.skeleton = scene::Skeleton::sheet;
+        c.kernel = one_of(sheets);
+      } else if (c.skeleton == scene::Skeleton::segment || c.skeleton == scene::Skeleton::circle) {
+        if (random.below(3) == 0) continue;
+        c.kernel = one_of(windows);
+        // Rings as wide as their support, and less.
+        if (c.skeleton == scene::Skeleton::circle) c.radius_b *= random.between(0.1, 1);
+      }
+    }
   }
   if (options.maxima) {
     // 0: the blob's own sum; 1, 2, 3 and 4, 5 rival; inside 2 do 6 and 7.

@@ -44,6 +44,7 @@ struct RandomBlobOptions {
   bool transforms = true;  ///< one in three has its own
   bool maxima = false;     ///< components lie in branches of two maxima, one of them with another inside
   bool half_space = false;  ///< one more component, whose plane passes within the scale
+  bool convolutions = false;  ///< of the segments and circles two in three are convolved, of the planes every other
   double hardest =
       8;  ///< hardness of the hardest kernels; of hardness h, gaussian and cauchy have some e^h in the middle
 };

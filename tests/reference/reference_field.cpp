@@ -27,25 +27,33 @@ Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matri
   return transformed_vector(p, m) + Vector<Interval>{Interval(m[3][0]), Interval(m[3][1]), Interval(m[3][2])};
 }
 
-ReferenceComponent::ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
+ReferenceComponent::ReferenceComponent(const scene::Component& component, const KernelInUse& kernel,
                                        const scene::Transform& transform, std::span<const scene::Vec3> corners)
     : skeleton_(component, corners),
-      kernel_(kernel),
+      kernel_(kernel.profile),
       component_from_blob_(transform.inverse),
       strength_(component.strength),
-      has_transform_(transform.inverse != scene::Matrix()) {}
+      has_transform_(transform.inverse != scene::Matrix()) {
+  if (kernel.record.mode == scene::FieldMode::convolution) convolution_.emplace(component, kernel.record);
+}
 
 FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
   Vector<Interval> local{p.x, p.y, p.z};
   if (has_transform_) local = transformed_point(local, component_from_blob_);
-  const RelativeDistance distance = skeleton_.at(local);
 
   FieldSample sample;
-  sample.value = (strength_ * kernel_.value(distance.q)).middle();
+  Vector<Interval> gradient;
+  if (convolution_) {
+    const ReferenceConvolution::Sample convolved = convolution_->at(local);
+    sample.value = (strength_ * convolved.value).middle();
+    gradient = convolved.gradient * strength_;
+  } else {
+    const RelativeDistance distance = skeleton_.at(local);
+    sample.value = (strength_ * kernel_.value(distance.q)).middle();
+    const Interval slope = strength_ * kernel_.slope(distance.q);
+    if (slope.sign() != 0) gradient = distance.gradient * slope;
+  }
   sample.sum_of_values = std::abs(sample.value);
-  const Interval slope = strength_ * kernel_.slope(distance.q);
-  if (slope.sign() == 0) return sample;
-  Vector<Interval> gradient = distance.gradient * slope;
   // A gradient goes back by the transpose of the map into the component's space.
   if (has_transform_) gradient = transformed_vector(gradient, component_from_blob_.transposed());
   sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
@@ -54,12 +62,35 @@ FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
 
 Interval ReferenceComponent::range(const Vector<Interval>& box) const {
   const Vector<Interval> local = has_transform_ ? transformed_point(box, component_from_blob_) : box;
-  return strength_ * kernel_.value(skeleton_.at(local).q);
+  return strength_ * (convolution_ ? convolution_->range(local) : kernel_.value(skeleton_.at(local).q));
+}
+
+FieldRange ReferenceComponent::field_of(const DistanceOnLine& distance) const {
+  return strengthened({kernel_.value(distance.q), kernel_.slope(distance.q) * distance.slope});
+}
+
+FieldRange ReferenceComponent::at(const Line& line, long double t) const {
+  return convolution_ ? strengthened(convolution_->at(line, t)) : field_of(skeleton_.at(line, t));
+}
+
+ReferenceComponent::Stretched ReferenceComponent::over(const Line& line, long double t0, long double t1) const {
+  if (convolution_) {
+    const FieldRange first = convolution_->at(line, t0), last = convolution_->at(line, t1);
+    return {strengthened(convolution_->over(line, t0, t1, first, last)), strengthened(first), strengthened(last)};
+  }
+  const DistanceOnLine first = skeleton_.at(line, t0), last = skeleton_.at(line, t1);
+  return {field_of(skeleton_.over({line, t0, t1, first, last})), field_of(first), field_of(last)};
+}
+
+long double ReferenceComponent::sensitivity_at(const Line& line, long double t) const {
+  if (convolution_) return strength_.magnitude() * convolution_->at(line.at(t)).sensitivity;
+  const Interval q = skeleton_.at(line, t).q;
+  return (strength_ * kernel_.slope(q) * q).magnitude();
 }
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob) : threshold_(blob.threshold) {
   ISL_CHECK(blob.threshold > 0, "threshold {}", blob.threshold);
-  const std::vector<ReferenceKernel> kernels(database.kernels.begin(), database.kernels.end());
+  const std::vector<KernelInUse> kernels(database.kernels.begin(), database.kernels.end());
   components_.reserve(blob.components.size());
   for (const scene::Component& component : blob.components) {
     components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component),

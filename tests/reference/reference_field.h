@@ -4,10 +4,12 @@
 
 #include "renderer/scene/database.h"
 #include "tests/reference/interval.h"
+#include "tests/reference/reference_convolution.h"
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/reference_skeleton.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,28 +26,49 @@ struct FieldSample {
 [[nodiscard]] Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matrix& m);
 [[nodiscard]] Vector<Interval> transformed_vector(const Vector<Interval>& v, const scene::Matrix& m);
 
+/// A kernel with its record.
+struct KernelInUse {
+  explicit KernelInUse(const scene::Kernel& of) : record(of), profile(of) {}
+
+  scene::Kernel record;
+  ReferenceKernel profile;
+};
+
 /// One component with all it refers to.
 class ReferenceComponent {
  public:
   /// `component`'s own references are not looked up: `kernel` and `transform` are what they refer to. `corners` are the
   /// blob's.
-  ReferenceComponent(const scene::Component& component, const ReferenceKernel& kernel,
-                     const scene::Transform& transform, std::span<const scene::Vec3> corners);
+  ReferenceComponent(const scene::Component& component, const KernelInUse& kernel, const scene::Transform& transform,
+                     std::span<const scene::Vec3> corners);
 
   /// f and ∇f at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;
   /// Encloses f over a box in the blob's space.
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
+  // On a line in the component's own space.
+  [[nodiscard]] FieldRange at(const Line& line, long double t) const;
+  struct Stretched {
+    FieldRange all, first, last;
+  };
+  /// Over a stretch, and at its ends.
+  [[nodiscard]] Stretched over(const Line& line, long double t0, long double t1) const;
+  /// How a relative error of q, or of all squared distances to a curve's points, shows at t.
+  [[nodiscard]] long double sensitivity_at(const Line& line, long double t) const;
+
   [[nodiscard]] const ReferenceSkeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] const ReferenceKernel& kernel() const { return kernel_; }
   [[nodiscard]] const scene::Matrix& component_from_blob() const { return component_from_blob_; }
   [[nodiscard]] bool has_transform() const { return has_transform_; }
-  [[nodiscard]] Interval strength() const { return strength_; }
 
  private:
+  [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
+  [[nodiscard]] FieldRange strengthened(const FieldRange& f) const { return {strength_ * f.value, strength_ * f.derivative}; }
+
   ReferenceSkeleton skeleton_;
   ReferenceKernel kernel_;
+  std::optional<ReferenceConvolution> convolution_;  ///< if the kernel is integrated along the skeleton
   scene::Matrix component_from_blob_;  ///< the inverse that the database keeps: it is what defines the field
   Interval strength_;
   bool has_transform_;

@@ -13,10 +13,17 @@ constexpr KernelFormHandle (*kForms[])(const scene::Kernel&) = {
 #undef ISL_KERNEL
 };
 
+KernelFormHandle form_of(const scene::Kernel& kernel) {
+  if (kernel.mode == scene::FieldMode::convolution) return line_form(kernel);
+  if (kernel.mode == scene::FieldMode::distance) return kForms[static_cast<std::size_t>(kernel.shape)](kernel);
+  const bool is_quartic = kernel.shape == scene::KernelShape::quartic;
+  ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
+  return is_quartic ? quartic_sheet_form(kernel) : cauchy_sheet_form(kernel);
+}
+
 }  // namespace
 
-ReferenceKernel::ReferenceKernel(const scene::Kernel& kernel)
-    : form_(kForms[static_cast<std::size_t>(kernel.shape)](kernel)), support_(form_->support()) {
+ReferenceKernel::ReferenceKernel(const scene::Kernel& kernel) : form_(form_of(kernel)), support_(form_->support()) {
   ISL_CHECK(kernel.meaning == scene::RadiusMeaning::surface || kernel.shape == scene::KernelShape::quartic,
             "only the quartic has a support radius");
 }

@@ -1,4 +1,4 @@
-// φ(q) of one kernel in long double, straight from its definition (q = squared distance over squared radius), and
+// φ(q) of one kernel (convolved: of a plane or an infinite line) in long double, straight from its definition (q = squared distance over squared radius), and
 // enclosures of φ and φ′ over ranges of q. Used by reference_field and reference_ray; knows nothing of skeletons or
 // space, and leaves each shape's formulas and constants to its form (kernel_forms.h).
 //

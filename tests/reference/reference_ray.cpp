@@ -62,11 +62,6 @@ FieldOnRay::Active FieldOnRay::active(const Active& from, long double t0, long d
   return kept;
 }
 
-FieldRange FieldOnRay::Part::field_of(const DistanceOnLine& distance) const {
-  return {component->strength() * component->kernel().value(distance.q),
-          component->strength() * component->kernel().slope(distance.q) * distance.slope};
-}
-
 /// Of the greatest of several sums, its value and, where any of them may be the greatest, its derivative.
 FieldRange FieldOnRay::total(std::vector<FieldRange>& sums) const {
   fold_maxima(*branches_, [&](std::uint32_t parent, std::span<const std::uint32_t> rivals) {
@@ -87,7 +82,7 @@ FieldRange FieldOnRay::total(std::vector<FieldRange>& sums) const {
 FieldRange FieldOnRay::at(const Active& active, long double t) const {
   std::vector<FieldRange> sums(branches_->size());
   for (const std::uint32_t i : active) {
-    const FieldRange part = parts_[i].field_of(parts_[i].distance_at(t));
+    const FieldRange part = parts_[i].component->at(parts_[i].line, t);
     FieldRange& sum = sums[parts_[i].branch];
     sum.value = sum.value + part.value;
     sum.derivative = sum.derivative + part.derivative;
@@ -99,13 +94,12 @@ FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1
   std::vector<FieldRange> sums(branches_->size()), firsts(sums), lasts(sums);
   for (const std::uint32_t i : active) {
     const Part& part = parts_[i];
-    const DistanceOnLine first = part.distance_at(t0), last = part.distance_at(t1);
-    const FieldRange range = part.field_of(part.component->skeleton().over({part.line, t0, t1, first, last}));
+    const ReferenceComponent::Stretched range = part.component->over(part.line, t0, t1);
     FieldRange& sum = sums[part.branch];
-    sum.value = sum.value + range.value;
-    sum.derivative = sum.derivative + range.derivative;
-    firsts[part.branch].value = firsts[part.branch].value + part.field_of(first).value;
-    lasts[part.branch].value = lasts[part.branch].value + part.field_of(last).value;
+    sum.value = sum.value + range.all.value;
+    sum.derivative = sum.derivative + range.all.derivative;
+    firsts[part.branch].value = firsts[part.branch].value + range.first.value;
+    lasts[part.branch].value = lasts[part.branch].value + range.last.value;
   }
   // A maximum has edges, but between any two of its values lie slopes of the sums that are the greatest there: the
   // mean-value form holds for it too.
@@ -119,13 +113,11 @@ FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1
 FieldOnRay::Magnitude FieldOnRay::magnitude_at(long double t) const {
   Magnitude magnitude;
   for (const Part& part : parts_) {
-    const DistanceOnLine distance = part.distance_at(t);
-    const FieldRange range = part.field_of(distance);
+    const FieldRange range = part.component->at(part.line, t);
     if (range.value.hi == 0 && range.value.lo == 0) continue;
-    const ReferenceComponent& component = *part.component;
     magnitude.values += range.value.magnitude();
     magnitude.derivatives += range.derivative.magnitude();
-    magnitude.sensitivities += (component.strength() * component.kernel().slope(distance.q) * distance.q).magnitude();
+    magnitude.sensitivities += part.component->sensitivity_at(part.line, t);
     ++magnitude.count;
   }
   return magnitude;

@@ -3,7 +3,7 @@
 //
 // The enclosure. At a single t everything is interval arithmetic on one number: a value with its rounding error. Over
 // [t0, t1] a component's q is enclosed from its values and slopes at both ends, as reference_skeleton knows how. φ and
-// φ′ are monotone, so their ranges are exact. The sum is then sharpened by the mean-value form F(t0) + F′([t0, t1])·(t
+// φ′ are monotone, so their ranges are exact. (A convolved curve has enclosures of its own.) The sum is then sharpened by the mean-value form F(t0) + F′([t0, t1])·(t
 // − t0) from either end, which makes the enclosure converge quadratically.
 #pragma once
 
@@ -18,12 +18,6 @@ namespace isl::reference {
 /// The half-line origin + t·direction, t in units of the direction's length, in the blob's space.
 struct FieldRay {
   Vector<Interval> origin, direction;
-};
-
-/// Enclosures over a stretch of the ray.
-struct FieldRange {
-  Interval value;       ///< F
-  Interval derivative;  ///< dF/dt
 };
 
 class FieldOnRay {
@@ -73,9 +67,6 @@ class FieldOnRay {
     std::uint32_t branch;
     Line line;
     Support support;
-
-    [[nodiscard]] DistanceOnLine distance_at(long double t) const { return component->skeleton().at(line, t); }
-    [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
   };
 
   [[nodiscard]] FieldRange total(std::vector<FieldRange>& sums) const;

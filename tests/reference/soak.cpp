@@ -4,7 +4,7 @@
 //   soak [FIRST_SEED [RAYS]]      (1, 1000000)
 //
 // A blob has 1 to 200 components of all skeletons and kernels, half of them carving or mapped where the seed says so, maxima, a
-// half-space now and then, hardness up to 300, and a scale from 10⁻³ to 10³. Of the rays half look for the first hit and half
+// half-space now and then (or a sheet), convolutions every other time, hardness up to 300, and a scale from 10⁻³ to 10³. Of the rays half look for the first hit and half
 // are shadow rays, from the surfaces that were found, at all angles down to grazing. Exit code 1 after a disagreement.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
@@ -37,6 +37,7 @@ RandomBlobOptions options_of(RandomSource& random) {
   options.maxima = random.below(3) == 0;
   options.half_space = random.below(6) == 0;
   options.hardest = std::pow(300, random.unit());
+  options.convolutions = random.below(2) == 0;
   return options;
 }
 
