@@ -70,8 +70,11 @@ class HermiteSolver {
   /// The first t in (a.t, b.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t, leaving to the side
   /// it is on, and that root is not looked for. `any`: a crossing is all that is asked, its place may be rough.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
-    // Right ends of what is still to be searched, the nearest on top. Each halving adds one, and 2⁶⁴ halvings of any interval
-    // reach below the spacing of doubles; what is too short to be halved is split at borders of pieces, from the first on.
+    // Right ends of what is still to be searched, the nearest on top. Each halving adds one; what is too short to be halved is
+    // split at borders of pieces, from the first on, which adds one more. Below 2⁻⁶⁰ of the whole lie places next to t = 0 only:
+    // a ray that grazes a plane's field takes 10⁹ radii to pass it.
+    const double share = 0x1p-60 * (last.t - a.t);
+    least_ = {std::max(shortest_.by_tolerance, share), std::max(shortest_.by_rounding, share)};
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;
@@ -129,7 +132,7 @@ class HermiteSolver {
     if (!is_exact && middle > a.t && middle < b.t) {
       split_ = middle;
       // A grazing ray may be back at once: where it starts the tolerance tells nothing.
-      if (h > (a_is_root ? shortest_.by_rounding : shortest_.by_tolerance)) return Verdict::unclear;
+      if (h > (a_is_root ? least_.by_rounding : least_.by_tolerance)) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
         split_ = *border;
         return Verdict::unclear;
@@ -215,6 +218,7 @@ class HermiteSolver {
   const RayLanes& fields_;
   double side_;
   Shortest shortest_;
+  Shortest least_ = shortest_;  ///< of the search that goes on
   double split_ = 0;  ///< where the interval judged unclear is to be parted
   TraceCounters& counters_;
 };
