@@ -94,6 +94,23 @@ TEST(SolidExtent, OfASuperellipsoidHoldsItsSurfaceAndTouchesIt) {
   }
 }
 
+TEST(BlobExtent, OfASheetEndsAtItsSurfacesAndNowhereElse) {
+  Database database;
+  database.kernels.push_back({scene::KernelShape::quartic, scene::RadiusMeaning::surface, 4, scene::FieldMode::sheet});
+  scene::Blob& blob = database.blobs.emplace_back();
+  blob.components = {{.a = {0, 2, 0}, .b = {0, 1, 0}, .radius_a = 0.5, .skeleton = scene::Skeleton::sheet}};
+  scene::Object object;
+  object.kind = scene::Object::Kind::blob;
+  object.shape = 0;
+  const Box box = Extents(database).of(object);
+  EXPECT_NEAR(box.min.y, 1.5, 1e-6);
+  EXPECT_NEAR(box.max.y, 2.5, 1e-6);
+  for (const int axis : {0, 2}) {
+    EXPECT_EQ(box.min[axis], -kFar);
+    EXPECT_EQ(box.max[axis], kFar);
+  }
+}
+
 class GroupExtent : public testing::Test {
  protected:
   std::uint32_t add(const Solid& solid) {

@@ -113,5 +113,19 @@ TEST(Inside, OfABlobIsWhereTheSumReachesTheThreshold) {
   EXPECT_FALSE(is_inside(database, kernels, blob, {0, 0.5, 0})) << "carved out";
 }
 
+TEST(Inside, OfASheetIsWithinItsRadiusOfThePlane) {
+  Database database;
+  database.kernels.push_back({scene::KernelShape::cauchy, scene::RadiusMeaning::surface, 4, scene::FieldMode::sheet});
+  const std::vector<KernelConstants> kernels{kernel_constants(database.kernels[0])};
+  scene::Blob blob{.threshold = 1, .components = {}, .origins = {}};
+  blob.components = {{.a = {0, 2, 0}, .b = {0, 1, 0}, .radius_a = 0.5, .skeleton = scene::Skeleton::sheet}};
+  for (const double x : {-1e6, 0.0, 3.0}) {
+    EXPECT_TRUE(is_inside(database, kernels, blob, {x, 1.5001, 7}));
+    EXPECT_TRUE(is_inside(database, kernels, blob, {x, 2.4999, 7}));
+    EXPECT_FALSE(is_inside(database, kernels, blob, {x, 1.4999, 7}));
+    EXPECT_FALSE(is_inside(database, kernels, blob, {x, 2.5001, 7}));
+  }
+}
+
 }  // namespace
 }  // namespace isl::render
