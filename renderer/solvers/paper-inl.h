@@ -12,18 +12,15 @@
 #endif
 
 #include "renderer/compiled_scene.h"
-#include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/solvers/blob_ray.h"
-#include "renderer/solvers/cubic.h"
 #include "renderer/solvers/paper_memory.h"
+#include "renderer/solvers/paper_sums.h"
+#include "renderer/solvers/paper_support.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -67,30 +64,6 @@ class PaperSearch {
   }
 
  private:
-  /// v and dv/dt of one component along the ray.
-  struct Argument {
-    double v, slope;
-  };
-  struct Line {
-    const ComponentTable& table;
-    const FieldGroup& group;
-    std::uint32_t item;
-    Vec3 origin, direction;
-
-    [[nodiscard]] Argument at(double t) const {
-      const Vec3 p = origin + direction * t;
-      const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
-      const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
-      return {half_gradient.dot(foot.offset), 2 * half_gradient.dot(direction)};
-    }
-    /// Of a convolved curve.
-    [[nodiscard]] CurveSample sample(double t) const {
-      const Vec3 p = origin + direction * t;
-      return table.with_skeleton(
-          group, item, [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
-    }
-  };
-
   [[nodiscard]] static KernelValue kernel_value(const KernelConstants& k, const Octet& v) {
     KernelValue result;
     with_kernel(k, [&](const auto& kernel) HWY_ATTR { result = kernel.value_and_slope(v); });
@@ -99,20 +72,13 @@ class PaperSearch {
 
   /// The interpolants of one component: its support on the ray is one interval, the sets v ≤ c being convex.
   void add_field(std::uint32_t item, const Vec3& origin, const Vec3& direction) {
-    const ComponentTable& table = blob_.components;
-    const FieldGroup& group = table.group_of(item);
-    Line line{table, group, item, origin, direction};
-    if (group.is_mapped) {
-      const scene::Transform& map = table.blob_from_component(group, item);
-      line.origin = map.inverse_point(origin);
-      line.direction = map.inverse_vector(direction);
-    }
+    const FieldLine line(blob_.components, item, origin, direction);
     double begin, end;
     if (support_on(line, begin, end)) interpolate(line, begin, end, 0, 0);
   }
 
   /// K interpolants of a field on a stretch at whose ends it is flat and has these values.
-  void interpolate(const Line& line, double begin, double end, double at_begin, double at_end) {
+  void interpolate(const FieldLine& line, double begin, double end, double at_begin, double at_end) {
     const FieldGroup& group = line.group;
     const double amplitude = line.table.amplitude[line.item];
     const int k = settings_.interpolants;
@@ -121,7 +87,7 @@ class PaperSearch {
     for (int first = 1; first <= k; first += static_cast<int>(kOctet)) {
       alignas(64) double v[kOctet], dv[kOctet], value[kOctet], slope[kOctet];
       for (int j = 0; j < static_cast<int>(kOctet); ++j) {
-        const Argument a = line.at(begin + h * std::min(first + j, k));
+        const KernelArgument a = line.at(begin + h * std::min(first + j, k));
         v[j] = std::min(a.v, group.kernel.support);
         dv[j] = a.slope;
       }
@@ -173,7 +139,7 @@ class PaperSearch {
     const ComponentTable& table = blob_.components;
     const FieldGroup& group = table.group_of(item);
     const EndlessLine h = endless_line(item, origin, direction);
-    const Line line{table, group, item, origin, direction};
+    const FieldLine line(table, item, origin, direction);
     const auto add_constant = [&](double from, double to, double v) {
       const double value = table.amplitude[item] * kernel_profile(group.kernel, v);
       if (from < to) m_.interpolants.push_back({from, value, 0, to, value, 0, branch_of(item)});
@@ -195,63 +161,6 @@ class PaperSearch {
     return blob_.components.branch.empty() ? 0 : blob_.components.branch[item];
   }
 
-  /// Where v < support: from its first to its last point on the line.
-  [[nodiscard]] static bool support_on(const Line& line, double& begin, double& end) {
-    const double support = line.group.kernel.support, dd = line.direction.length2();
-    if (line.group.skeleton == scene::Skeleton::point) {
-      const ComponentTable& table = line.table;
-      const Vec3 centre(table.x[line.item], table.y[line.item], table.z[line.item]);
-      const double scale = table.scale[line.item];
-      const QuadraticPiece v = sphere_piece(centre, scale, line.origin, line.direction, 0, 0);
-      if (!(v.q0 < support)) return false;
-      const double half = std::sqrt((support - v.q0) / v.kappa);
-      begin = v.middle - half;
-      end = v.middle + half;
-      return half > 0;
-    }
-    // The line beyond these two is out of reach.
-    const double root_q = ComponentTable::support_root(line.group), start = line.origin.dot(line.direction);
-    const auto farthest = [&](const Vec3& n) {
-      const std::array<Reach, 2> reach =
-          line.table.with_skeleton(line.group, line.item, [&](const auto& skeleton) { return skeleton.reach(n); });
-      const double spread = root_q * std::sqrt(dd);
-      return std::max(reach[0].coordinate + reach[0].radius * spread, reach[1].coordinate + reach[1].radius * spread);
-    };
-    const double low = (-farthest(-line.direction) - start) / dd, high = (farthest(line.direction) - start) / dd;
-    double first = 0, last = 0;  // points in the support
-    if (line.group.skeleton == scene::Skeleton::circle) {
-      // A line can leave a torus and come back; a stretch thinner than these steps goes unseen, as the mode allows.
-      constexpr int kSteps = 256;
-      bool is_met = false;
-      for (int i = 1; i < kSteps; ++i) {
-        const double t = low + (high - low) * i / kSteps;
-        if (!(line.at(t).v < support)) continue;
-        if (!is_met) first = t;
-        last = t;
-        is_met = true;
-      }
-      if (!is_met) return false;
-    } else {
-      double before = low, behind = high;
-      for (int i = 0; i < 60; ++i) {  // v is quasi-convex along the ray: its slope changes sign once
-        const double middle = 0.5 * (before + behind);
-        (line.at(middle).slope > 0 ? behind : before) = middle;
-      }
-      first = last = 0.5 * (before + behind);
-      if (!(line.at(first).v < support)) return false;
-    }
-    const auto border = [&](double inner, double outer) {
-      for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (inner + outer);
-        (line.at(middle).v < support ? inner : outer) = middle;
-      }
-      return inner;
-    };
-    begin = border(first, low);
-    end = border(last, high);
-    return end > begin;
-  }
-
   /// The sum of the interpolants between neighbouring ends, in order along the ray. The grid begins at t = `grid_begin`.
   [[nodiscard]] BlobHit sweep(const BlobRay& ray, double base, double reach, double grid_begin) {
     std::sort(m_.interpolants.begin(), m_.interpolants.end(),
@@ -264,6 +173,7 @@ class PaperSearch {
     m_.ends.push_back(0);
     std::sort(m_.ends.begin(), m_.ends.end());
     m_.active.clear();
+    PaperSums sums(blob_, m_);
     std::size_t next = 0;
     double side = 0;
     for (std::size_t i = 0; i + 1 < m_.ends.size(); ++i) {
@@ -272,13 +182,13 @@ class PaperSearch {
         m_.active.push_back(m_.interpolants[next++]);
       std::erase_if(m_.active, [&](const auto& piece) { return piece.t1 <= from; });
       if (to <= 0 || from >= reach || !(to > from)) continue;
-      add_up(from, to);
+      sums.add_up(from, to);
       double greatest = m_.sums[0].value0;
       for (const HermiteSum& sum : m_.sums) greatest = std::max(greatest, sum.value0);
       // A ray that leaves the surface is outside, whatever the interpolants say of its start.
       if (side == 0) side = greatest > 0 && !ray.starts_on_surface && base == 0 ? -1 : 1;
       if (side * greatest >= 0 && ray.starts_on_surface) continue;
-      const double u = side > 0 ? enters_at(to - from) : leaves_at(to - from);
+      const double u = side > 0 ? sums.enters_at(to - from) : sums.leaves_at(to - from);
       const double t = from + u * (to - from);
       if (u > 1 || t > reach || t <= 0) continue;
       const auto cell = std::find_if(m_.cells.begin(), m_.cells.end(), [&](const auto& c) { return t <= c.t1; });
@@ -290,70 +200,6 @@ class PaperSearch {
     BlobHit miss;
     miss.from_inside = side < 0;
     return miss;
-  }
-
-  /// Sums of what is active on a stretch: one, or where the blob has maxima one for each selection of branches, or of a
-  /// skeleton one for each field.
-  void add_up(double from, double to) {
-    const BranchTree& tree = blob_.components.tree;
-    const double threshold = blob_.components.threshold;
-    m_.sums.clear();
-    if (blob_.components.is_skeleton) {
-      for (const PaperMemory::Interpolant& piece : m_.active) {
-        const CubicPoint a = piece.at(from), b = piece.at(to);
-        m_.sums.push_back({a.value - threshold, a.slope, b.value - threshold, b.slope});
-      }
-      if (m_.sums.empty()) m_.sums.push_back({-threshold, 0, -threshold, 0});
-      return;
-    }
-    m_.branch_sums.assign(std::max(tree.size(), 1u), {});
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    std::vector<FieldRange> ranges(tree.size(), {0, 0});
-    for (const PaperMemory::Interpolant& piece : m_.active) {
-      const CubicPoint a = piece.at(from), b = piece.at(to);
-      m_.branch_sums[piece.branch] += {a.value, a.slope, b.value, b.slope};
-      if (tree.size() > 0) ranges[piece.branch] = {-kFar, kFar};
-    }
-    if (tree.size() == 0) {
-      m_.sums.push_back({-threshold, 0, -threshold, 0});
-      m_.sums.back() += m_.branch_sums[0];
-      return;
-    }
-    for (const std::vector<std::uint32_t>& selection : tree.selections(ranges)) {
-      m_.sums.push_back({-threshold, 0, -threshold, 0});
-      for (const std::uint32_t branch : selection) m_.sums.back() += m_.branch_sums[branch];
-    }
-  }
-
-  /// The first u in [0, 1] where one of the sums comes above the threshold; above 1 if none does. h: the stretch's length.
-  [[nodiscard]] double enters_at(double h) const {
-    double first = 2;
-    for (const HermiteSum& s : m_.sums) {
-      first = std::min(first, first_crossing_of_cubic(s.value0, s.value0 + h * s.slope0 / 3, s.value1 - h * s.slope1 / 3,
-                                                      s.value1));
-    }
-    return first;
-  }
-  /// The first u where the last of them comes below it.
-  [[nodiscard]] double leaves_at(double h) const {
-    double u = 0;
-    for (std::size_t changes = 0; changes <= 3 * m_.sums.size(); ++changes) {
-      const auto value_at = [&](const HermiteSum& s) {
-        return cubic_at(s.value0, s.value0 + h * s.slope0 / 3, s.value1 - h * s.slope1 / 3, s.value1, u);
-      };
-      const HermiteSum* followed = m_.sums.data();
-      for (const HermiteSum& s : m_.sums) {
-        if (value_at(s).value > value_at(*followed).value) followed = &s;
-      }
-      const CubicPoint start = value_at(*followed);
-      if (!(start.value > 0)) return u;
-      const double rest = 1 - u, third = rest / 3;
-      const double step = first_crossing_of_cubic(-start.value, -(start.value + third * start.slope),
-                                                  -(followed->value1 - third * h * followed->slope1), -followed->value1);
-      if (step > 1) return 2;
-      u += step * rest;
-    }
-    return u;
   }
 
   const CompiledBlob& blob_;
