@@ -143,7 +143,10 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   add(app, "--quality", "0..11", "POV-Ray's levels: up to 1 quick colours, from 4 shadows [9]", integer_from(0, 11),
       [&picture](std::int64_t v) { picture.quality = static_cast<int>(v); })
       ->group(group);
-  add(app, "--solver", "NAME", "hermite (certified), paper or paper:K (as published), exact [hermite]", parse_solver,
+  add(app, "--solver", "NAME",
+      fmt::format("hermite (certified), exact, paper or paper:K (as published), iso; of the last three, behind commas: {} [hermite]",
+                  solver_switches_text()),
+      parse_solver,
       [&picture](const SolverChoice& v) { picture.solver = v; })
       ->group(group);
   add(app, "--tolerance", "T", "Error of a surface point, in pixels (0.05px) or scene units (1e-4) [0.05px]",

@@ -14,8 +14,6 @@ namespace {
 
 /// Larger pictures are slips of the finger; the film alone would need some hundred gigabytes.
 constexpr int kMaxSide = 65536;
-/// More interpolants a field than this is slower than the certified solver and no more exact.
-constexpr int kMaxInterpolants = 64;
 
 /// The whole text as a number; no sign `+`, no blanks, no "inf" or "nan".
 template <class Number>
@@ -100,21 +98,6 @@ Parsed<std::array<int, 4>> parse_crop(std::string_view text) {
   return sides;
 }
 
-Parsed<SolverChoice> parse_solver(std::string_view text) {
-  using render::SolverName;
-  if (text == "hermite") return SolverChoice{SolverName::hermite, 2};
-  if (text == "exact") return SolverChoice{SolverName::exact, 2};
-  if (text == "paper") return SolverChoice{SolverName::paper, 2};
-  if (text.starts_with("paper:")) {
-    const auto count = number_of<int>(text.substr(6));
-    if (count && *count >= 1 && *count <= kMaxInterpolants) return SolverChoice{SolverName::paper, *count};
-    return Parsed<SolverChoice>::error(
-        fmt::format("expected paper:K with K interpolants from 1 to {}, found `{}`", kMaxInterpolants, text));
-  }
-  return Parsed<SolverChoice>::error(
-      fmt::format("unknown solver `{}`; there are hermite, paper, paper:K and exact", text));
-}
-
 Parsed<render::Tolerance> parse_tolerance(std::string_view text) {
   const bool in_pixels = text.ends_with("px");
   const auto value = number_of<double>(in_pixels ? text.substr(0, text.size() - 2) : text);
@@ -154,15 +137,6 @@ Parsed<std::size_t> parse_memory(std::string_view text) {
   if (value && *value > 0 && factor > 0 && *value * factor < 0x1p62) return static_cast<std::size_t>(*value * factor);
   return Parsed<std::size_t>::error(
       fmt::format("expected a share of the memory (75%) or bytes (4G, 512M), found `{}`", text));
-}
-
-std::string to_text(const SolverChoice& solver) {
-  switch (solver.name) {
-    case render::SolverName::hermite: return "hermite";
-    case render::SolverName::exact: return "exact";
-    case render::SolverName::paper: break;
-  }
-  return fmt::format("paper:{}", solver.interpolants);
 }
 
 std::string to_text(const render::Tolerance& tolerance) {

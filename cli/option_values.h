@@ -1,4 +1,4 @@
-// The values of options as the user writes them: `640x480`, `0.05px`, `paper:3`, `75%`. Text in, value or complaint
+// The values of options as the user writes them: `640x480`, `0.05px`, `75%`. Text in, value or complaint
 // out; knows nothing of which option asks, so that the same readers serve the command line and `global_settings`.
 #pragma once
 
@@ -37,11 +37,6 @@ struct PictureSize {
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-struct SolverChoice {
-  render::SolverName name = render::SolverName::hermite;
-  int interpolants = 2;  ///< of `paper:K`
-};
-
 /// A variable set before the scene's first line.
 using Define = std::pair<std::string, std::variant<double, std::string>>;
 
@@ -57,9 +52,6 @@ using Define = std::pair<std::string, std::variant<double, std::string>>;
 /// `X0,Y0,X1,Y1` in pixels from the top left corner: columns X0 … X1 − 1, rows Y0 … Y1 − 1.
 [[nodiscard]] Parsed<std::array<int, 4>> parse_crop(std::string_view text);
 
-/// `hermite`, `paper`, `paper:K` or `exact`.
-[[nodiscard]] Parsed<SolverChoice> parse_solver(std::string_view text);
-
 /// `0.05px` (pixels) or `1e-4` (scene units); positive and finite.
 [[nodiscard]] Parsed<render::Tolerance> parse_tolerance(std::string_view text);
 
@@ -70,7 +62,6 @@ using Define = std::pair<std::string, std::variant<double, std::string>>;
 [[nodiscard]] Parsed<std::size_t> parse_memory(std::string_view text);
 
 /// The way back, as the user would write it; shortest text that reads as the same number.
-[[nodiscard]] std::string to_text(const SolverChoice& solver);
 [[nodiscard]] std::string to_text(const render::Tolerance& tolerance);
 
 }  // namespace isl::cli

@@ -3,6 +3,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/option_values.h"
+#include "cli/solver_choice.h"
 #include "interpreter/evaluate.h"
 
 #include <array>

@@ -49,6 +49,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   const scene::Camera camera = database.camera.value_or(scene::Camera{});
   settings.tracer.solver = settings.solver.name;
   settings.tracer.interpolants = settings.solver.interpolants;
+  settings.tracer.paper = settings.solver.paper;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
   settings.tracer.skeleton = picture.skeleton;

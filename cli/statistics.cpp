@@ -37,6 +37,7 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
   document["solver"] = {{"name", to_text(settings.solver)},
                         {"tolerance", settings.tolerance_text},
                         {"field_evaluations", render.counters.field_evaluations},
+                        {"shading_evaluations", render.counters.shading_evaluations},
                         {"uncertified_steps", render.counters.uncertified_steps}};
   document["memory"] = {
       {"peak_bytes", peak_bytes()}, {"database_bytes", memory.database_bytes}, {"grid_bytes", memory.grid_bytes}};

@@ -8,6 +8,7 @@
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/scene/database.h"
 #include "renderer/solids/solid_details.h"
+#include "renderer/solvers/paper_tables.h"
 
 #include <limits>
 #include <vector>
@@ -17,6 +18,7 @@ namespace isl::render {
 struct CompiledBlob {
   ComponentTable components;
   Grid grid;
+  PaperTables paper;  ///< empty but for the published solver
 
   /// Of all that it has, in its own space; infinite where it has half-spaces, empty where it has no surface.
   [[nodiscard]] Box bounds() const {

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "renderer/fields/blob_point-inl.h"
+#include "renderer/solvers/paper_point-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,18 +17,20 @@ namespace HWY_NAMESPACE {
 
 void first_hits(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays, std::span<Hit> hits,
                 TraceMemory& memory, TraceCounters& counters) {
+  memory.paper.begin_batch(true);
   WorldTrace world(scene, settings, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
 }
 
 void occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
+  memory.paper.begin_batch(false);
   WorldTrace world(scene, settings, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
 }
 
 const TraceKernel* kernel() {
-  static const TraceKernel instance{hwy::TargetName(HWY_TARGET), first_hits, occlusions, blob_point};
+  static const TraceKernel instance{hwy::TargetName(HWY_TARGET), first_hits, occlusions, blob_point, paper_point};
   return &instance;
 }
 

@@ -17,6 +17,7 @@ struct BlobPoint {
   Vec3 gradient{0};  ///< of F, in the blob's space
   /// |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own. Of each place the component is set.
   std::vector<TextureShare> shares;
+  std::uint64_t evaluations = 0;  ///< of fields, for this point
 };
 
 /// Which components of a blob may share their texture: not those that look it up in places of their own.
@@ -43,6 +44,8 @@ struct TraceKernel {
   void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
                      TraceCounters&);
   void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
+  void (*paper_point)(const CompiledBlob&, std::uint32_t cell, const PaperMemory* records, bool eq10, const Vec3& point,
+                      const ShareRule&, BlobPoint&);
 };
 
 /// The kernel for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …). Null if the

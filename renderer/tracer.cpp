@@ -30,14 +30,21 @@ struct Tracer::Impl {
   /// The normal of a solid or blob at a point in its own space, of any length; adds its textures there, of which `other` is
   /// the one where it has none of its own.
   Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit, const Vec3& local,
-                std::vector<TextureShare>& textures) const {
+                std::vector<TextureShare>& textures, TraceCounters& counters) const {
     if (kind == scene::Object::Kind::solid) {
       textures.push_back(other);
       textures.back().surface = {kind, shape, 0, local};
       return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
     }
     BlobPoint& blob = thread_blob_point();
-    kernel->blob_point(scene.blobs[shape], hit.cell, local, {&scene.coordinate_textures, other.texture}, blob);
+    const ShareRule rule{&scene.coordinate_textures, other.texture};
+    if (is_published(settings.name)) {
+      const PaperMemory* const records = settings.paper.reuse ? &thread_memory().paper : nullptr;
+      kernel->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
+    } else {
+      kernel->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
+    }
+    counters.shading_evaluations += blob.evaluations;
     double total = 0;
     for (const TextureShare& share : blob.shares) total += share.weight;
     for (const TextureShare& share : blob.shares) {
@@ -74,8 +81,12 @@ TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& po
 }  // namespace
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
-  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle};
-  impl_->scene = compile(database, {.classify_cells = options.solver != SolverName::paper, .skeleton = options.skeleton});
+  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper};
+  impl_->scene = compile(database, {.classify_cells = !is_published(options.solver), .skeleton = options.skeleton});
+  if (is_published(options.solver)) {
+    const bool iso = options.solver == SolverName::iso;
+    for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
+  }
   impl_->kernel = trace_kernel(options.simd);
   ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
 }
@@ -95,7 +106,7 @@ void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occlu
   impl_->kernel->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
 }
 
-void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
+void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
   point.position = ray.origin + ray.direction * hit.t;
@@ -112,12 +123,12 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) con
       if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local)) texture = texture_of(tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
-    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures);
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures, counters);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
     const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
-    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, point.textures);
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, point.textures, counters);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

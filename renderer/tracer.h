@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/scene/database.h"
+#include "renderer/solvers/paper_switches.h"
 
 #include <cstdint>
 #include <limits>
@@ -39,7 +40,8 @@ struct Ray {
 struct Hit {
   double t = std::numeric_limits<double>::infinity();
   InstanceId instance = scene::kNone;
-  std::uint32_t cell = scene::kNone;  ///< of a blob: the cell whose list holds every component that matters at the hit
+  std::uint32_t cell = scene::kNone;  ///< of a blob: the cell whose list holds every component that matters at the hit;
+                                      ///< of `paper` and `iso` with reuse, a number known to the thread that found it
   std::uint8_t part = 0;              ///< of a solid: which of its surfaces
   bool from_inside = false;           ///< the ray came out of the solid rather than into it
   std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these
@@ -77,16 +79,21 @@ struct TraceCounters {
   std::uint64_t field_evaluations = 0;
   std::uint64_t uncertified_steps = 0;
   std::uint64_t cells = 0;
+  std::uint64_t shading_evaluations = 0;  ///< of fields at points found, for normals and textures
 
   TraceCounters& operator+=(const TraceCounters& other) {
     field_evaluations += other.field_evaluations;
     uncertified_steps += other.uncertified_steps;
     cells += other.cells;
+    shading_evaluations += other.shading_evaluations;
     return *this;
   }
 };
 
-enum class SolverName : std::uint8_t { hermite, paper, exact };
+enum class SolverName : std::uint8_t { hermite, paper, exact, iso };
+
+/// Whether it is the published solver or one of its kin, which has its switches.
+[[nodiscard]] inline bool is_published(SolverName name) { return name == SolverName::paper || name == SolverName::iso; }
 
 /// A length along the ray: in pixels of the ray's own footprint, or in scene units.
 struct Tolerance {
@@ -97,6 +104,7 @@ struct Tolerance {
 struct TracerOptions {
   SolverName solver = SolverName::hermite;
   int interpolants = 2;          ///< of `paper:K`
+  PaperSwitches paper;           ///< of `paper` and `iso`
   Tolerance tolerance;
   double pixel_angle = 1e-3;     ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool skeleton = false;         ///< every blob as its skeleton model (scene::Blob::is_skeleton)
@@ -110,14 +118,19 @@ class Tracer {
   ~Tracer();
   Tracer(Tracer&&) noexcept;
 
-  /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max.
+  /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
+  /// solver, the thread may ask for surfaces (surface_at) of the hits until it asks for hits again, and no other may.
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const;
 
   /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is none of a miss.
-  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
+  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;
+  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
+    TraceCounters unread;
+    surface_at(ray, hit, point, unread);
+  }
 
   /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
   [[nodiscard]] static bool has_simd_target(const std::string& name);

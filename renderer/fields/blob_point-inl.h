@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -123,20 +124,22 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
   }
 }
 
-inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, const Vec3& point, ShareSums& shares) {
+/// `items` ascend.
+inline PointSums point_sums(const CompiledBlob& blob, std::span<const std::uint32_t> items, const Vec3& point,
+                            ShareSums& shares) {
   const ComponentTable& table = blob.components;
-  const std::uint32_t* const items = blob.grid.items.data() + list.first;
   PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
   shares.clear();
-  for (std::uint32_t next = 0; next < list.count;) {
+  const auto count = static_cast<std::uint32_t>(items.size());
+  for (std::uint32_t next = 0; next < count;) {
     const FieldGroup& group = table.group_of(items[next]);
     std::uint32_t last = next;
-    while (last < list.count && items[last] < group.end) ++last;
+    while (last < count && items[last] < group.end) ++last;
     if (group.kernel.is_convolved) {
-      add_point_curves(table, group, items + next, last - next, point, sums, shares);
+      add_point_curves(table, group, items.data() + next, last - next, point, sums, shares);
     } else {
       with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-        add_point_group(kernel, table, group, items + next, last - next, point, sums, shares);
+        add_point_group(kernel, table, group, items.data() + next, last - next, point, sums, shares);
       });
     }
     next = last;
@@ -144,21 +147,41 @@ inline PointSums point_sums(const CompiledBlob& blob, const ItemList& list, cons
   return sums;
 }
 
-/// Of a cell with several sums, those of the greatest one.
-inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, const ShareRule& rule,
-                       BlobPoint& result) {
+[[nodiscard]] inline std::span<const std::uint32_t> items_of(const CompiledBlob& blob, const ItemList& list) {
+  return {blob.grid.items.data() + list.first, list.count};
+}
+
+/// Of a cell with several sums, the components of the greatest one.
+[[nodiscard]] inline std::span<const std::uint32_t> greatest_items(const CompiledBlob& blob, std::uint32_t cell_index,
+                                                                   const Vec3& point, const ShareRule& rule,
+                                                                   BlobPoint& result) {
   ShareSums shares(rule, result.shares);
   const Cell cell = blob.grid.cells[cell_index];
   const std::uint32_t count = blob.grid.list_count(cell);
   std::uint32_t greatest = 0;
   double greatest_value = -std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; count > 1 && i < count; ++i) {
-    const double value = sum(point_sums(blob, blob.grid.list(cell, i), point, shares).value);
+    const std::span<const std::uint32_t> items = items_of(blob, blob.grid.list(cell, i));
+    result.evaluations += items.size();
+    const double value = sum(point_sums(blob, items, point, shares).value);
     if (value > greatest_value) greatest = i, greatest_value = value;
   }
-  const ItemList list = count > 0 ? blob.grid.list(cell, greatest) : ItemList{0, 0};
-  const PointSums sums = point_sums(blob, list, point, shares);
+  if (count == 0) return {};
+  return items_of(blob, blob.grid.list(cell, greatest));
+}
+
+inline void set_blob_point(const CompiledBlob& blob, std::span<const std::uint32_t> items, const Vec3& point,
+                           const ShareRule& rule, BlobPoint& result) {
+  ShareSums shares(rule, result.shares);
+  const PointSums sums = point_sums(blob, items, point, shares);
   result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
+  result.evaluations += items.size();
+}
+
+inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, const ShareRule& rule,
+                       BlobPoint& result) {
+  result.evaluations = 0;
+  set_blob_point(blob, greatest_items(blob, cell_index, point, rule, result), point, rule, result);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -31,7 +31,7 @@ void WaveRenderer::shade_hit(std::uint32_t sample, const CameraSample& where, Wo
   const Ray& ray = workspace.rays[sample];
   const Hit& hit = workspace.hits[sample];
   SurfacePoint& surface = workspace.point;
-  tracer_.surface_at(ray, hit, surface);
+  tracer_.surface_at(ray, hit, surface, workspace.counters);
   textures_.at(surface, workspace.textures);
   const ShadingPoint point{surface.position, turned_to_viewer(surface.normal, ray.direction), ray.direction,
                            workspace.textures};

@@ -33,6 +33,7 @@ struct SolverSettings {
   int interpolants = 2;
   Tolerance tolerance;
   double pixel_angle = 0;
+  PaperSwitches paper;
 
   /// The tolerance along the ray, in scene units, at a distance from the eye. 0 for `exact`.
   [[nodiscard]] double at(double distance) const {

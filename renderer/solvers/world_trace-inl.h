@@ -135,7 +135,7 @@ class WorldTrace {
   }
 
   [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {
-    if (settings_.name == SolverName::paper) return PaperSearch(blob, settings_, memory_.paper, counters_).first_hit(ray);
+    if (is_published(settings_.name)) return PaperSearch(blob, settings_, memory_.paper, counters_).first_hit(ray);
     return CellSearch(blob, settings_, memory_.lanes, counters_).first_hit(ray);
   }
 

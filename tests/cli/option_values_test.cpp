@@ -1,9 +1,13 @@
 #include "cli/option_values.h"
+#include "cli/solver_choice.h"
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 
 namespace isl::cli {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(OptionValues, SizeIsTwoPositiveWholeNumbers) {
   EXPECT_EQ(parse_size("640x480").value(), (PictureSize{640, 480}));
@@ -27,9 +31,37 @@ TEST(OptionValues, SolverIsANameAndForThePaperACount) {
   EXPECT_EQ(parse_solver("paper").value().interpolants, 2);
   EXPECT_EQ(parse_solver("paper:5").value().name, SolverName::paper);
   EXPECT_EQ(parse_solver("paper:5").value().interpolants, 5);
-  for (const char* bad : {"", "Hermite", "paper:", "paper:0", "paper:1000", "paper:2x", "hermite:2"}) {
+  EXPECT_EQ(parse_solver("iso").value().name, SolverName::iso);
+  for (const char* bad :
+       {"", "Hermite", "paper:", "paper:0", "paper:1000", "paper:2x", "hermite:2", "exact:", "iso:2"}) {
     EXPECT_FALSE(parse_solver(bad).ok()) << bad;
   }
+}
+
+TEST(OptionValues, SwitchesOfThePublishedSolverStandBehindItsName) {
+  const auto switches_of = [](const char* text) { return parse_solver(text).value().paper; };
+  EXPECT_EQ(switches_of("paper"), render::PaperSwitches{});
+  EXPECT_EQ(switches_of("paper:2,plain"), render::kPlainPaper);
+  for (const render::PaperSwitch& s : render::kPaperSwitches) {
+    EXPECT_TRUE(switches_of(fmt::format("paper:4,plain,{}", s.on).c_str()).*s.is_on) << s.on;
+    EXPECT_FALSE(switches_of(fmt::format("iso,{}", s.off).c_str()).*s.is_on) << s.off;
+    EXPECT_TRUE(switches_of(fmt::format("paper,{},{}", s.off, s.on).c_str()).*s.is_on) << "the later one wins";
+  }
+  EXPECT_TRUE(switches_of("paper,eq10").reject);
+  EXPECT_FALSE(switches_of("paper,reject,plain").reject);
+}
+
+TEST(OptionValues, AMisspeltSolverOrSwitchIsToldWhatIsNear) {
+  const auto complaint = [](const char* text) { return parse_solver(text).message(); };
+  EXPECT_THAT(complaint("hermit"), HasSubstr("unknown solver `hermit`, did you mean `hermite`?"));
+  EXPECT_THAT(complaint("newton"), HasSubstr("unknown solver `newton`; there are hermite"));
+  EXPECT_THAT(complaint("paper,rejct"), HasSubstr("unknown switch `rejct` of the solver, did you mean `reject`?"));
+  EXPECT_THAT(complaint("paper,no-pool"), HasSubstr("did you mean `no-pools`?"));
+  EXPECT_THAT(complaint("iso,x"), HasSubstr("plain on-demand reject monotone reuse permanent|volatile pools eq10"));
+  for (const char* bad : {"paper,", "paper,,reject", "paper,reject,"}) {
+    EXPECT_THAT(complaint(bad), HasSubstr("unknown switch ``")) << bad;
+  }
+  EXPECT_THAT(complaint("hermite,plain"), HasSubstr("the solver hermite has no switches, found `,plain`"));
 }
 
 TEST(OptionValues, ToleranceIsInPixelsOrInSceneUnits) {
@@ -53,6 +85,12 @@ TEST(OptionValues, ToleranceAndSolverReadBackFromTheirText) {
   }
   EXPECT_EQ(to_text(parse_solver("paper").value()), "paper:2");
   EXPECT_EQ(to_text(parse_solver("exact").value()), "exact");
+  EXPECT_EQ(to_text(parse_solver("paper:3,plain,reject").value()), "paper:3,plain,reject");
+  EXPECT_EQ(to_text(parse_solver("iso,eq10,volatile,reject").value()), "iso,volatile,eq10");
+  for (const char* text : {"hermite", "exact", "iso", "iso,plain", "paper:7,no-pools", "paper:2,plain,pools,eq10"}) {
+    const SolverChoice choice = parse_solver(text).value();
+    EXPECT_EQ(parse_solver(to_text(choice)).value(), choice) << text;
+  }
 }
 
 TEST(OptionValues, DefineIsANumberWhereItReadsAsOne) {

@@ -47,4 +47,14 @@ double kernel_profile(const KernelConstants& constants, double v) {
   return value;
 }
 
+double kernel_slope(const KernelConstants& constants, double v) {
+  if (!(v < constants.support)) return 0;
+  using HWY_NAMESPACE::kOctet;
+  alignas(64) double slope[kOctet] = {};
+  HWY_NAMESPACE::with_each_kernel(constants, [&](const auto& kernel) {
+    HWY_NAMESPACE::store(kernel.value_and_slope(HWY_NAMESPACE::Octet(v)).slope, slope);
+  });
+  return slope[0];
+}
+
 }  // namespace isl::render

@@ -30,6 +30,9 @@ struct KernelConstants {
 /// φ(v), without the amplitude; 0 beyond the support.
 [[nodiscard]] double kernel_profile(const KernelConstants& constants, double v);
 
+/// φ′(v), likewise.
+[[nodiscard]] double kernel_slope(const KernelConstants& constants, double v);
+
 /// The kernel at q: amplitude · φ(scale · q).
 [[nodiscard]] inline double kernel_value(const KernelConstants& constants, double q) {
   return constants.amplitude * kernel_profile(constants, constants.scale * q);
