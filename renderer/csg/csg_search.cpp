@@ -137,6 +137,7 @@ class CsgSearch {
     part.direction = ray.direction;
     part.starts_on_surface = starts_on_surface;
     part.path_length = ray_.path_length + t;
+    part.may_go_in = true;
     BlobHit hit = blobs_.first_hit(blobs_.context, leaf.shape, part);
     hit.t += t;
     return hit;
@@ -185,6 +186,8 @@ class CsgSearch {
   void follow_blob(const CsgEvent& event) {
     const BlobHit hit = next_of_blob(event.leaf, event.t, true);
     if (hit.is_miss() || !(hit.t < ray_.t_max)) return;
+    // The published solver can come back within the rounding of where it starts, and would for ever.
+    if (!(hit.t > event.t)) return;
     memory_.events.push_back({hit.t, event.leaf, hit.cell, 0});
     std::push_heap(memory_.events.begin(), memory_.events.end(), is_later);
   }

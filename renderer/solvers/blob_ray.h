@@ -17,6 +17,7 @@ struct BlobRay {
   bool starts_on_surface = false;  ///< the root at t = 0 is known
   bool any = false;                ///< whether there is a crossing is all that is asked
   double path_length = 0;          ///< before t = 0, in world units
+  bool may_go_in = false;          ///< a ray that starts on the surface: as part of a combination its inside matters
 };
 
 struct BlobHit {

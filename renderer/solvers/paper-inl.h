@@ -55,7 +55,7 @@ class PaperSearch {
     for (const std::uint32_t item : grid.endless_items) reach = std::max(reach, fields_.end_of_change(item));
     reach = std::min(reach, ray.t_max - base);
     for (const std::uint32_t item : grid.endless_items) fields_.meet_endless(item, reach);
-    PaperSweep sweep(blob_, switches_, {base, reach, ray.starts_on_surface}, fields_, m_);
+    PaperSweep sweep(blob_, switches_, {base, reach, ray.starts_on_surface, ray.may_go_in}, fields_, m_);
     const double grid_begin = meets_grid ? span.enter - base : reach;
     std::optional<double> crossing;
     if (meets_grid) {

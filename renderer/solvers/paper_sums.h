@@ -97,6 +97,17 @@ class PaperSums {
     return {u, followed};
   }
 
+  /// Where a ray that starts on the surface comes back to it, being on this side of it (+1 outside) meanwhile. The
+  /// known root is divided out (hermite-inl.h), the whole cubic shifted by what it misses the root by: on a stretch as
+  /// short as the rounding of the start that is as much as it changes. Where the blob has maxima, another sum may be
+  /// the greatest by then: not told.
+  [[nodiscard]] Crossing comes_back_at(double h, double side) const {
+    const HermiteSum& s = m_.sums.front();
+    const double c2 = side * (s.value1 - s.value0), c1 = 1.5 * (c2 - side * h * s.slope1 / 3), c0 = side * h * s.slope0;
+    if (m_.sums.size() > 1 || !(c0 < 0)) return {};
+    return {first_crossing_of_cubic(c0, (c0 + 2 * c1) / 3, (2 * c1 + c2) / 3, c2), 0};
+  }
+
   /// Whether a field is part of a sum.
   [[nodiscard]] bool has(std::size_t sum, std::size_t active) const {
     if (blob_.components.is_skeleton) return sum == active;

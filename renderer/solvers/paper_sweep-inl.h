@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 /// Of the ray that is swept: t counts from `base` on it.
 struct PaperStretch {
   double base, reach;  ///< the ray ends at t = reach
-  bool starts_on_surface;
+  bool starts_on_surface, may_go_in;
 };
 
 class PaperSweep {
@@ -114,14 +114,24 @@ class PaperSweep {
     }
     for (const std::uint32_t index : m_.active) fields_.interpolate(m_.fields[index]);
     sums_.add_up(from, to);
-    double greatest = m_.sums[0].value0;
-    for (const HermiteSum& sum : m_.sums) greatest = std::max(greatest, sum.value0);
-    // A ray that leaves the surface is outside, whatever the interpolants say of its start.
-    if (side_ == 0) side_ = greatest > 0 && !stretch_.starts_on_surface && stretch_.base == 0 ? -1 : 1;
-    if (side_ * greatest >= 0 && stretch_.starts_on_surface) return std::nullopt;
+    const HermiteSum& greatest = *std::max_element(
+        m_.sums.begin(), m_.sums.end(), [](const HermiteSum& a, const HermiteSum& b) { return a.value0 < b.value0; });
+    const bool is_start = stretch_.starts_on_surface && side_ == 0;
+    if (side_ == 0) {
+      // A ray that leaves the surface is outside, whatever the interpolants say of its start, unless it may go in.
+      const bool goes_in =
+          is_start ? stretch_.may_go_in && greatest.slope0 > 0 : greatest.value0 > 0 && stretch_.base == 0;
+      side_ = goes_in ? -1 : 1;
+    }
     const double h = to - from;
-    const PaperSums::Crossing crossing =
-        side_ > 0 ? sums_.enters_at(h, switches_.monotone) : sums_.leaves_at(h, switches_.monotone);
+    PaperSums::Crossing crossing;
+    if (is_start && stretch_.may_go_in) {
+      crossing = sums_.comes_back_at(h, side_);
+    } else if (stretch_.starts_on_surface && side_ * greatest.value0 >= 0) {
+      return std::nullopt;
+    } else {
+      crossing = side_ > 0 ? sums_.enters_at(h, switches_.monotone) : sums_.leaves_at(h, switches_.monotone);
+    }
     const double t = from + crossing.u * h;
     if (crossing.u > 1 || t > stretch_.reach || t <= 0) return std::nullopt;
     crossing_sum_ = crossing.sum;
