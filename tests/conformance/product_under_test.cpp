@@ -37,8 +37,9 @@ FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
   field.along_ray = along;
   field.value = [along](const Vec3& p) { return along(p, Vec3(0.36, 0.48, 0.8), 0).value; };
   field.gradient = [blob](const Vec3& p) {
+    const scene::CoordinateTextures none;
     render::BlobPoint point;
-    lanes::blob_point(*blob, 0, p, point);
+    lanes::blob_point(*blob, 0, p, {&none, scene::kNoTexture}, point);
     return point.gradient;
   };
   field.range_over_box = [blob](const Vec3& low, const Vec3& high) -> ValueRange {
