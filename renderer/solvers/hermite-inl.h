@@ -87,7 +87,8 @@ class HermiteSolver {
           --top;
           break;
         case Verdict::at_start: return a.t;
-        case Verdict::one: return any ? b.t : polish(a, b);
+        case Verdict::one: return any ? b.t : polish(a, b, root_of_rising(a, b));
+        case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
         case Verdict::unclear: ends[++top] = node(split_); break;
       }
@@ -98,7 +99,7 @@ class HermiteSolver {
  private:
   /// Of the quotient by a known root: the band of c₁ and that of F″, over E.
   static constexpr double kMiddleBand = 14, kBendBand = 43;
-  enum class Verdict { none, at_start, one, in_cubic, unclear };
+  enum class Verdict { none, at_start, one, back, in_cubic, unclear };
   static constexpr int kMostHalvings = 64;
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
@@ -117,7 +118,7 @@ class HermiteSolver {
         return Verdict::none;
       }
       const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);
-      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) return Verdict::in_cubic;
+      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) return Verdict::back;
     } else {
       if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
       const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
@@ -184,8 +185,7 @@ class HermiteSolver {
 
   /// The root of an interval too short, or too close to rounding, to be certain of: the cubic's own, then two Newton steps.
   [[nodiscard]] double root_in_cubic(const Node& a, const Node& b, bool a_is_root) {
-    const Bernstein p = a_is_root ? quotient(a, b).raised() : cubic(a, b);
-    double t = a.t + (b.t - a.t) * std::min(1.0, first_crossing_of_cubic(p.b0, p.b1, p.b2, p.b3));
+    double t = first_in(a_is_root ? quotient(a, b).raised() : cubic(a, b), a, b);
     for (int i = 0; i < 2; ++i) {
       const Node n = node(t);
       const double next = t - n.value / n.slope;
@@ -195,10 +195,16 @@ class HermiteSolver {
     return t;
   }
 
-  /// a.value ≤ 0 < b.value. First guess from the cubic, then Newton on the true field inside the bracket.
-  [[nodiscard]] double polish(Node a, Node b) {
-    const double h = b.t - a.t;
-    double t = a.t + h * root_of_rising_cubic(a.value, a.value + h * a.slope * (1.0 / 3), b.value - h * b.slope * (1.0 / 3), b.value);
+  [[nodiscard]] static double first_in(const Bernstein& p, const Node& a, const Node& b) {
+    return a.t + (b.t - a.t) * std::min(1.0, first_crossing_of_cubic(p.b0, p.b1, p.b2, p.b3));
+  }
+  [[nodiscard]] static double root_of_rising(const Node& a, const Node& b) {
+    const Bernstein p = cubic(a, b);
+    return a.t + (b.t - a.t) * root_of_rising_cubic(p.b0, p.b1, p.b2, p.b3);
+  }
+
+  /// a.value ≤ 0 < b.value, with one root between, and t for a first guess: Newton on the true field inside the bracket.
+  [[nodiscard]] double polish(Node a, Node b, double t) {
     // Bisection alone would need 64 steps; Newton's, once they contract, three or four.
     for (int i = 0; i < kMostHalvings; ++i) {
       t = std::clamp(t, a.t, b.t);
