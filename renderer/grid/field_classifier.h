@@ -1,0 +1,123 @@
+// What a box of a blob's space is, from the ranges of the fields that reach it: certainly outside, certainly inside, or in
+// need of a solver. The classifier of grid/grid_builder.h for blobs.
+#pragma once
+
+#include "renderer/fields/component_table.h"
+#include "renderer/grid/grid_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+class FieldClassifier {
+ public:
+  FieldClassifier(const ComponentTable& table, bool classify) : table_(table), tree_(table.tree), classify_(classify) {
+    reach_.resize(table.size());
+    for (const FieldGroup& group : table.groups) {
+      for (std::uint32_t i = group.begin; i < group.end; ++i) reach_[i] = support_radius(table, group, i);
+    }
+  }
+
+  CellKind classify(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
+    kept.clear();
+    if (table_.is_skeleton) return classify_greatest(box, items, kept);
+    double low = 0, high = 0, magnitude = 0;
+    std::vector<double> lows(tree_.size()), highs(tree_.size());
+    for_each_range(box, items, [&](std::uint32_t item, const FieldRange& range) {
+      kept.push_back(item);
+      double& branch_low = tree_.size() == 0 ? low : lows[table_.branch[item]];
+      double& branch_high = tree_.size() == 0 ? high : highs[table_.branch[item]];
+      branch_low += range.low;
+      branch_high += range.high;
+      magnitude += std::max(-range.low, range.high);
+    });
+    if (kept.empty()) return CellKind::empty;
+    if (!classify_) return CellKind::leaf;
+    if (tree_.size() > 0) {
+      tree_.add_up(lows);
+      tree_.add_up(highs);
+      low = lows[0];
+      high = highs[0];
+    }
+    const double slack = magnitude * (kRangeSlack + 0x1p-52 * static_cast<double>(kept.size()));
+    if (high < table_.threshold - slack) return CellKind::empty;
+    if (low > table_.threshold + slack) return CellKind::inside;
+    return CellKind::leaf;
+  }
+
+  /// One list for each selection of branches that may be the greatest; of a skeleton one for each component.
+  void list(const Box& box, const std::vector<std::uint32_t>& kept, ListSink& lists) const {
+    if (table_.is_skeleton) {
+      for (const std::uint32_t item : kept) lists.add({&item, 1});
+      return;
+    }
+    if (tree_.size() == 0) return lists.add(kept);
+    std::vector<FieldRange> sums(tree_.size(), {0, 0});
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    for_each_range(box, kept, [&](std::uint32_t item, const FieldRange& range) {
+      FieldRange& sum = sums[table_.branch[item]];
+      sum = classify_ ? FieldRange{sum.low + range.low, sum.high + range.high} : FieldRange{-kFar, kFar};
+    });
+    std::vector<std::uint32_t> chosen;
+    for (const std::vector<std::uint32_t>& selection : tree_.selections(sums)) {
+      chosen.clear();
+      for (const std::uint32_t item : kept) {
+        if (std::ranges::find(selection, table_.branch[item]) != selection.end()) chosen.push_back(item);
+      }
+      if (!chosen.empty()) lists.add(chosen);
+    }
+  }
+
+  [[nodiscard]] Box item_bounds(std::uint32_t item) const { return support_bounds(table_, table_.group_of(item), item); }
+
+  /// Dividing pays while lists are longer than what one octet of lanes, or little more, evaluates at once; cells smaller than half
+  /// the smallest support that reaches them only add steps.
+  [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
+    if (kept.size() <= kShortList) return false;
+    double least = reach_[kept.front()];
+    for (const std::uint32_t item : kept) least = std::min(least, reach_[item]);
+    return size > 0.5 * least;
+  }
+
+ private:
+  /// Of a skeleton: what may have a surface here, or fills it.
+  CellKind classify_greatest(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
+    bool is_inside = false;
+    for_each_range(box, items, [&](std::uint32_t item, const FieldRange& range) {
+      const double slack = kRangeSlack * range.high;
+      if (classify_ && range.high < table_.threshold - slack) return;
+      kept.push_back(item);
+      is_inside = is_inside || range.low > table_.threshold + slack;
+    });
+    if (kept.empty()) return CellKind::empty;
+    return is_inside && classify_ ? CellKind::inside : CellKind::leaf;
+  }
+
+  /// Each range is exact but for its rounding, a few units in the last place of the component's own value even where the
+  /// exponential magnifies its argument (hardness ≤ 500: 2⁹ units); a sum adds one a component.
+  static constexpr double kRangeSlack = 0x1p-42;
+
+  /// Calls use(item, range) for the items, which ascend, whose support reaches the box.
+  template <class Use>
+  void for_each_range(const Box& box, std::span<const std::uint32_t> items, const Use& use) const {
+    auto group = table_.groups.begin();
+    for (const std::uint32_t item : items) {
+      while (item >= group->end) ++group;
+      const FieldRange range = field_range(table_, *group, item, box);
+      if (range.low != 0 || range.high != 0) use(item, range);
+    }
+  }
+
+  // Measured on the 7,381 flake, quartic and Gaussian: flat from 6 to 16, with the quartic gaining towards 12.
+  static constexpr std::size_t kShortList = 12;
+
+  const ComponentTable& table_;
+  const BranchTree& tree_;
+  bool classify_;
+  std::vector<double> reach_;
+};
+
+}  // namespace isl::render
