@@ -1,0 +1,158 @@
+#include "renderer/accuracy/comparison.h"
+
+#include "base/check.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace isl::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A turn repeats what takes less than this: three orders above the clock's steps and what waking a thread costs.
+constexpr double kShortestTurn = 0.02;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+class Contest {
+ public:
+  Contest(const scene::Database& database, const TracerOptions& reference, const std::vector<TracerOptions>& settings,
+          std::size_t base, const ComparisonOptions& options)
+      : options_(options),
+        reference_(database, reference),
+        base_(base),
+        pixel_angle_(reference.pixel_angle),
+        rays_(centre_rays(database.camera.value_or(scene::Camera{}), options.width, options.height)),
+        truth_(rays_.size()),
+        parts_(2 + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
+    for (const TracerOptions& setting : settings) tracers_.emplace_back(database, setting);
+    times_.resize(settings.size());
+    result_.settings.resize(settings.size());
+    measure_each(reference_, rays_, truth_, options_.stop, part());
+    result_.check = check_reference(database, reference, reference_, rays_, truth_, options.checked_rays);
+    ++part_;
+  }
+
+  Comparison run() {
+    for (std::size_t i = 0; i < tracers_.size() && !stopped(); ++i) examine(i);
+    const Clock::time_point begin = Clock::now();
+    for (int round = 0; round < options_.rounds && !stopped(); ++round) run_round(round, seconds_since(begin));
+    for (std::size_t i = 0; i < tracers_.size(); ++i) conclude(i);
+    if (options_.progress && !stopped()) options_.progress(1);
+    result_.complete = !stopped();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  /// Tells the progress of the next of the parts that the whole consists of.
+  [[nodiscard]] TellProgress part() {
+    const double done = static_cast<double>(part_++);
+    if (!options_.progress) return {};
+    return [this, done](double share) { options_.progress((done + share) / static_cast<double>(parts_)); };
+  }
+
+  /// What setting i finds, ray by ray.
+  void examine(std::size_t i) {
+    Measured& measured = result_.settings[i];
+    measured.rays.resize(rays_.size());
+    measure_each(tracers_[i], rays_, measured.rays, options_.stop, part());
+    measured.errors.reserve(rays_.size());
+    for (std::size_t r = 0; r < rays_.size(); ++r) {
+      measured.errors.push_back(error_of(rays_[r], measured.rays[r], truth_[r], pixel_angle_));
+    }
+    measured.summary = summarise_errors(measured.errors, options_.width);
+  }
+
+  void run_round(int round, double elapsed) {
+    times_of_round_.assign(tracers_.size(), 0);
+    for (std::size_t turn = 0; turn < tracers_.size() && !stopped(); ++turn) {
+      const std::size_t i = round % 2 == 0 ? turn : tracers_.size() - 1 - turn;
+      const TellProgress tell = part();
+      if (round > 0 && i != base_ && !has_time(i, elapsed)) continue;
+      BatchCost cost = cost_of(tracers_[i], rays_, options_.stop, tell);
+      double seconds = cost.processor_seconds;
+      int passes = 1;
+      for (; seconds < kShortestTurn && !stopped(); ++passes) {
+        cost = cost_of(tracers_[i], rays_, options_.stop);
+        seconds += cost.processor_seconds;
+      }
+      times_of_round_[i] = seconds / passes;
+      Measured& measured = result_.settings[i];
+      const double per_ray = 1 / static_cast<double>(rays_.size());
+      measured.evaluations_per_ray = static_cast<double>(cost.counters.field_evaluations) * per_ray;
+      measured.solver_steps_per_ray = static_cast<double>(cost.counters.cells) * per_ray;
+      measured.uncertified_steps = cost.counters.uncertified_steps;
+    }
+    if (stopped()) return;
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+      if (times_of_round_[i] > 0)
+        times_[i].push_back({times_of_round_[i], times_of_round_[i] / times_of_round_[base_]});
+    }
+  }
+
+  /// Whether another turn of setting i fits into its share of the time.
+  [[nodiscard]] bool has_time(std::size_t i, double elapsed) const {
+    double used = 0;
+    for (const Turn& turn : times_[i]) used += turn.seconds;
+    const double another = used + used / static_cast<double>(times_[i].size());
+    return elapsed < options_.seconds && another < options_.seconds / static_cast<double>(tracers_.size());
+  }
+
+  void conclude(std::size_t i) {
+    std::vector<double> seconds, ratios;
+    for (const Turn& turn : times_[i]) {
+      seconds.push_back(turn.seconds);
+      ratios.push_back(turn.ratio);
+    }
+    Measured& measured = result_.settings[i];
+    measured.rounds = static_cast<int>(times_[i].size());
+    measured.relative_time = median(ratios);
+    for (double& ratio : ratios) ratio = std::abs(ratio - measured.relative_time);
+    measured.time_spread = median(std::move(ratios));
+    measured.processor_seconds = median(std::move(seconds));
+  }
+
+  struct Turn {
+    double seconds, ratio;
+  };
+
+  const ComparisonOptions& options_;
+  Tracer reference_;
+  std::vector<Tracer> tracers_;
+  std::size_t base_;
+  double pixel_angle_;
+  std::vector<Ray> rays_;
+  std::vector<RayMeasure> truth_;
+  std::size_t parts_, part_ = 0;
+  std::vector<double> times_of_round_;  ///< 0: no turn
+  std::vector<std::vector<Turn>> times_;
+  Comparison result_;
+};
+
+}  // namespace
+
+Comparison compare(const scene::Database& database, const TracerOptions& reference,
+                   const std::vector<TracerOptions>& settings, std::size_t base, const ComparisonOptions& options) {
+  ISL_CHECK(base < settings.size(), "{} of {}", base, settings.size());
+  ISL_CHECK(options.rounds >= 1, "{} rounds", options.rounds);
+  const Clock::time_point begin = Clock::now();
+  Comparison comparison;
+  with_threads(options.threads > 0 ? options.threads : default_thread_count(),
+               [&] { comparison = Contest(database, reference, settings, base, options).run(); });
+  comparison.seconds = seconds_since(begin);
+  return comparison;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,45 @@
+// What single rays cost and find: the same rays as a picture's, traced one by one, so that work and time can be told
+// for each. Knows nothing of references or pictures.
+#pragma once
+
+#include "renderer/scene/camera.h"
+#include "renderer/tracer.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+struct RayMeasure {
+  double t = 0;  ///< along the ray, scene units; infinite for a miss
+  std::uint32_t field_evaluations = 0;
+  std::uint32_t solver_steps = 0;  ///< cells of the grid whose fields were solved
+  float seconds = 0;               ///< by the wall clock, some 30 ns of its own included
+
+  [[nodiscard]] bool is_miss() const { return t == std::numeric_limits<double>::infinity(); }
+};
+
+/// Told the share done (0 to 1) now and then, from any thread but one call at a time.
+using TellProgress = std::function<void(double)>;
+
+/// Rays through the middles of the pixels of a picture, row by row.
+[[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height);
+
+/// measures[i] of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is true the rest stays
+/// as it is.
+void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
+                  const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
+
+struct BatchCost {
+  double processor_seconds = 0;  ///< of all threads together: what others do on the machine hardly counts
+  TraceCounters counters;
+};
+
+/// What finding the first hits of all rays costs in waves, as rendering traces them.
+[[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays,
+                                const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
+
+}  // namespace isl::render

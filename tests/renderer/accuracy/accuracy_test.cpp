@@ -1,0 +1,149 @@
+// What is told of errors, and what proves a reference: neither may praise what is wrong.
+#include "renderer/accuracy/comparison.h"
+#include "renderer/image/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace isl::render {
+namespace {
+
+constexpr double kMiss = std::numeric_limits<double>::infinity();
+
+/// Two balls that melt into one another, seen from the front.
+scene::Database two_balls() {
+  scene::Database database;
+  database.camera = scene::Camera{};
+  database.camera->location = {0, 0, -6};
+  database.kernels.push_back(
+      {.shape = scene::KernelShape::gaussian, .meaning = scene::RadiusMeaning::surface, .hardness = 3});
+  database.transforms.emplace_back();
+  scene::Blob blob;
+  for (const double x : {-0.9, 0.9}) {
+    scene::Component component;
+    component.a = {x, 0, 0};
+    component.radius_a = 1;
+    component.kernel = scene::KernelId{0};
+    blob.components.push_back(component);
+  }
+  database.blobs.push_back(blob);
+  database.objects.push_back({.kind = scene::Object::Kind::blob, .shape = 0});
+  return database;
+}
+
+TracerOptions options_of(SolverName solver, const scene::Database& database) {
+  TracerOptions options;
+  options.solver = solver;
+  options.pixel_angle = pixel_angle(*database.camera, 40, 30);
+  return options;
+}
+
+ReferenceCheck check_of(SolverName solver) {
+  const scene::Database database = two_balls();
+  const TracerOptions options = options_of(solver, database);
+  const Tracer tracer(database, options);
+  const std::vector<Ray> rays = centre_rays(*database.camera, 40, 30);
+  std::vector<RayMeasure> found(rays.size());
+  measure_each(tracer, rays, found);
+  return check_reference(database, options, tracer, rays, found, 400);
+}
+
+TEST(RayErrors, AreLengthsOverTheFootprint) {
+  const RayError error = error_of(Ray{}, {.t = 10.5}, {.t = 10}, 0.01);
+  EXPECT_EQ(error.outcome, RayOutcome::hit);
+  EXPECT_DOUBLE_EQ(error.units, 0.5);
+  EXPECT_DOUBLE_EQ(error.pixels, 5);
+}
+
+TEST(RayErrors, TellWhatIsMissedFromWhatIsInvented) {
+  EXPECT_EQ(error_of(Ray{}, {.t = kMiss}, {.t = 1}, 1).outcome, RayOutcome::missed);
+  EXPECT_EQ(error_of(Ray{}, {.t = 1}, {.t = kMiss}, 1).outcome, RayOutcome::false_surface);
+  EXPECT_EQ(error_of(Ray{}, {.t = kMiss}, {.t = kMiss}, 1).outcome, RayOutcome::background);
+}
+
+TEST(ErrorSummaries, TakeQuantilesOverTheHitsAlone) {
+  std::vector<RayError> errors(200);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const double off = static_cast<double>(i + 1) / 50;
+    errors[i] = {RayOutcome::hit, 2 * off, off};
+  }
+  const ErrorSummary summary = summarise_errors(errors, 20);
+  EXPECT_EQ(summary.hits, 100u);
+  EXPECT_DOUBLE_EQ(summary.median_pixels, 1);
+  EXPECT_DOUBLE_EQ(summary.p99_pixels, 1.98);
+  EXPECT_DOUBLE_EQ(summary.worst_pixels, 2);
+  EXPECT_DOUBLE_EQ(summary.worst_units, 4);
+  EXPECT_EQ(summary.beyond_pixel, 50u);
+}
+
+TEST(ErrorSummaries, CallAHoleWhatIsMissedAmidASurface) {
+  std::vector<RayError> errors(25, {RayOutcome::hit, 0, 0});  // 5×5
+  errors[12].outcome = RayOutcome::missed;                    // in the middle
+  errors[4].outcome = RayOutcome::missed;                     // at the border
+  EXPECT_EQ(summarise_errors(errors, 5).missed, 2u);
+  EXPECT_EQ(summarise_errors(errors, 5).holes, 1u);
+  errors[6].outcome = RayOutcome::background;
+  EXPECT_EQ(summarise_errors(errors, 5).holes, 0u) << "the silhouette is no hole";
+}
+
+TEST(ReferenceChecks, ProveTheExactSolver) {
+  const ReferenceCheck check = check_of(SolverName::exact);
+  EXPECT_GT(check.rays, 500u);
+  EXPECT_EQ(check.refuted, 0u);
+  EXPECT_EQ(check.unchecked, 0u);
+  EXPECT_GE(static_cast<double>(check.proven), 0.99 * static_cast<double>(check.rays));
+  EXPECT_GT(check.worst_pixels, 0);
+  EXPECT_LT(check.worst_pixels, 1e-6);
+}
+
+TEST(ReferenceChecks, DoNotProveThePublishedOne) {
+  const ReferenceCheck check = check_of(SolverName::paper);
+  EXPECT_GT(check.refuted, 0u);
+  EXPECT_TRUE(check.undecided > 0 || check.worst_pixels > 1e-6);
+}
+
+TEST(Comparisons, MeasureEverySettingAgainstTheReference) {
+  const scene::Database database = two_balls();
+  const TracerOptions exact = options_of(SolverName::exact, database);
+  ComparisonOptions options;
+  options.width = 40;
+  options.height = 30;
+  options.rounds = 3;
+  double last = 0;
+  options.progress = [&last](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+  };
+  const Comparison comparison =
+      compare(database, exact,
+              {options_of(SolverName::paper, database), options_of(SolverName::hermite, database), exact}, 1, options);
+  ASSERT_TRUE(comparison.complete);
+  EXPECT_EQ(last, 1);
+  ASSERT_EQ(comparison.settings.size(), 3u);
+  const auto& [paper, hermite, same] = std::tie(comparison.settings[0], comparison.settings[1], comparison.settings[2]);
+  EXPECT_GT(paper.summary.worst_pixels, 0.01);
+  EXPECT_LT(hermite.summary.worst_pixels, 0.05) << "what the tolerance promises";
+  EXPECT_EQ(same.summary.worst_pixels, 0);
+  EXPECT_EQ(hermite.relative_time, 1);
+  EXPECT_GT(paper.relative_time, 0);
+  EXPECT_GT(hermite.evaluations_per_ray, 1);
+  EXPECT_GT(hermite.solver_steps_per_ray, 0);
+  for (const Measured& measured : comparison.settings) {
+    EXPECT_EQ(measured.rays.size(), 1200u);
+    EXPECT_GT(measured.summary.hits, 50u);
+  }
+}
+
+TEST(Comparisons, EndWhenStopped) {
+  const scene::Database database = two_balls();
+  const TracerOptions exact = options_of(SolverName::exact, database);
+  const std::atomic<bool> stop = true;
+  ComparisonOptions options;
+  options.stop = &stop;
+  EXPECT_FALSE(compare(database, exact, {exact}, 0, options).complete);
+}
+
+}  // namespace
+}  // namespace isl::render
