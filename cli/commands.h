@@ -12,6 +12,9 @@ namespace isl::cli {
 /// Reads and evaluates; tells the problems, what the scene holds, its bounding box and a camera that sees it.
 [[nodiscard]] ExitCode run(const CheckCommand& command);
 
+/// Measures what the scene's camera rays cost and how far off they are with one setting after the other.
+[[nodiscard]] ExitCode run(const AccuracyCommand& command);
+
 /// Prints one stage of the way from text to picture.
 [[nodiscard]] ExitCode run(const DumpCommand& command);
 

@@ -166,6 +166,17 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   app.add_flag("-q,--quiet", picture.quiet, "No progress bar and no closing line")->group(group);
 }
 
+void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy) {
+  app.add_option("-o,--output", accuracy.output, "Write NAME.json and NAME.csv [<scene name>.accuracy]")
+      ->type_name("NAME");
+  app.add_flag("--skeleton", accuracy.skeleton, "Show each component of a blob as the solid that it is alone");
+  add(app, "--repeats", "N", "Rounds of timing, at most: what is slow is timed less often [5]", integer_from(1, 1000),
+      [&accuracy](std::int64_t v) { accuracy.repeats = static_cast<int>(v); });
+  add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&accuracy](std::int64_t v) {
+    accuracy.threads = static_cast<int>(v);
+  });
+}
+
 }  // namespace
 
 void declare_options(CLI::App& app, RawOptions& raw) {
@@ -176,15 +187,18 @@ void declare_options(CLI::App& app, RawOptions& raw) {
   CLI::App* const render = app.add_subcommand("render", "Render a scene to image files");
   CLI::App* const check = app.add_subcommand("check", "Read and evaluate a scene; tell its problems and what it holds");
   CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
-  for (CLI::App* const command : {render, check, dump}) {
+  CLI::App* const accuracy =
+      app.add_subcommand("accuracy", "Measure what accuracy costs: error and time of one solver setting after the other");
+  for (CLI::App* const command : {render, check, dump, accuracy}) {
     command->allow_extras();  // so that our own messages name them
     add_scene_options(*command, raw.scene, raw.defines, raw.format);
     SceneOptions& scene = raw.scene;
-    add(*command, "-s,--size", "WxH", "Size of the picture in pixels [800x600]", parse_size,
+    add(*command, "-s,--size", "WxH", fmt::format("Size of the picture in pixels [{}]", command == accuracy ? "400x300" : "800x600"), parse_size,
         [&scene](const PictureSize& v) { scene.size = v; })
         ->group("The picture");
   }
   add_picture_options(*render, raw.picture);
+  add_accuracy_options(*accuracy, raw.accuracy);
   dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
 }
 

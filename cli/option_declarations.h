@@ -21,12 +21,13 @@ struct BadValue {
 struct RawOptions {
   SceneOptions scene;
   PictureOptions picture;
+  AccuracyCommand accuracy;  ///< but for `scene`
   std::vector<std::string> defines;
   std::string format = "text";
   std::string stage;
 };
 
-/// Adds the commands render, check and dump to `app`; each fills `raw`, which must outlive the parse.
+/// Adds the commands render, check, dump and accuracy to `app`; each fills `raw`, which must outlive the parse.
 void declare_options(CLI::App& app, RawOptions& raw);
 
 }  // namespace isl::cli

@@ -17,7 +17,10 @@
 namespace isl::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> kCommands{"render", "check", "dump"};
+constexpr std::array<std::string_view, 4> kCommands{"render", "check", "dump", "accuracy"};
+
+/// Enough rays for the errors of a picture; a larger one only takes longer.
+constexpr PictureSize kAccuracySize{400, 300};
 
 Finished bad_command_line(std::string_view message, std::string_view hint = {}) {
   std::string text = fmt::format("isl: error: {}\n", message);
@@ -162,6 +165,11 @@ Command parse_command_line(std::span<const std::string> arguments) {
   if (command.get_name() == "render") {
     if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);
     return RenderCommand{std::move(scene), std::move(raw.picture)};
+  }
+  if (command.get_name() == "accuracy") {
+    if (command.count("--size") == 0) scene.size = kAccuracySize;
+    raw.accuracy.scene = std::move(scene);
+    return std::move(raw.accuracy);
   }
   const std::optional<DumpStage> stage = stage_named(raw.stage);
   if (!stage) {

@@ -68,13 +68,21 @@ struct DumpCommand {
   DumpStage stage = DumpStage::ast;
 };
 
+struct AccuracyCommand {
+  SceneOptions scene;
+  std::filesystem::path output;  ///< its files' name without extension; "": `<scene name>.accuracy`
+  int threads = 0;               ///< 0: all cores
+  int repeats = 5;               ///< rounds of timing
+  bool skeleton = false;         ///< blobs as their skeleton models
+};
+
 /// Nothing is left to do but to print: help, the version, or what is wrong with the arguments.
 struct Finished {
   ExitCode code = ExitCode::done;
   std::string text;  ///< for standard output when `code` is done, else for standard error
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, Finished>;
+using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, AccuracyCommand, Finished>;
 
 /// `arguments` are those after the program's name.
 [[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);
