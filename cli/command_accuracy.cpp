@@ -1,12 +1,16 @@
 // `isl accuracy`: the scene's camera rays with one setting after the other, and what each costs and gets wrong.
+#include "cli/accuracy_page.h"
+#include "cli/accuracy_pictures.h"
 #include "cli/accuracy_report.h"
 #include "cli/commands.h"
 #include "cli/drawable.h"
 #include "cli/interrupt.h"
 #include "cli/output_files.h"
 #include "cli/progress.h"
+#include "cli/render_settings.h"
 #include "cli/report.h"
 #include "renderer/accuracy/comparison.h"
+#include "renderer/render.h"
 
 #include <fmt/format.h>
 
@@ -22,12 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportFiles {
-  fs::path json, csv;
+  fs::path page, json, csv;
 };
 
 ReportFiles report_files(const AccuracyCommand& command, const Session& session) {
   const std::string name = command.output.empty() ? session.name() + ".accuracy" : command.output.string();
-  return {name + ".json", name + ".csv"};
+  return {name + ".html", name + ".json", name + ".csv"};
 }
 
 /// What makes the same report, as one would write it in the folder where this one was asked for.
@@ -64,12 +68,23 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
                          static_cast<std::size_t>(base - rungs.begin()), options);
 }
 
+/// As `isl render` makes it where nothing else is said.
+render::Image picture_of(const AccuracyCommand& command, const scene::Database& database) {
+  RenderCommand render;
+  render.scene = command.scene;
+  render.picture.threads = command.threads;
+  render.picture.skeleton = command.skeleton;
+  const RenderSettings settings = render_settings(render, database);
+  const render::Tracer tracer(database, settings.tracer);
+  return render::render(database, tracer, settings.render).image;
+}
+
 }  // namespace
 
 ExitCode run(const AccuracyCommand& command) {
   Session session(command.scene);
   const ReportFiles files = report_files(command, session);
-  for (const fs::path& file : {files.json, files.csv}) {
+  for (const fs::path& file : {files.page, files.json, files.csv}) {
     if (const OutputProblem problem = check_place(file); !problem.none()) {
       print_error(problem.message);
       return problem.code;
@@ -90,7 +105,13 @@ ExitCode run(const AccuracyCommand& command) {
 
   nlohmann::ordered_json document = table_json(report);
   const std::string json_text = document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  const std::pair<fs::path, std::string> texts[] = {{files.json, json_text}, {files.csv, table_csv(report)}};
+  const AccuracyPictures pictures = accuracy_pictures(report, picture_of(command, drawable.database()));
+  if (!pictures.problem.empty()) {
+    print_error(fmt::format("cannot write {}: {}", files.page.string(), pictures.problem));
+    return ExitCode::file_error;
+  }
+  const std::pair<fs::path, std::string> texts[] = {
+      {files.page, accuracy_page(report, pictures)}, {files.json, json_text}, {files.csv, table_csv(report)}};
   for (const auto& [file, text] : texts) {
     if (const OutputProblem problem = write_text(file, text); !problem.none()) {
       print_error(problem.message);
@@ -99,7 +120,7 @@ ExitCode run(const AccuracyCommand& command) {
   }
   if (command.scene.format == OutputFormat::json) {
     document["diagnostics"] = problems_as_json(session);
-    document["outputs"] = {files.json.string(), files.csv.string()};
+    document["outputs"] = {files.page.string(), files.json.string(), files.csv.string()};
     print_document(document);
   } else {
     fmt::print("{}", table_text(report));

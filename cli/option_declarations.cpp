@@ -167,7 +167,7 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
 }
 
 void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy) {
-  app.add_option("-o,--output", accuracy.output, "Write NAME.json and NAME.csv [<scene name>.accuracy]")
+  app.add_option("-o,--output", accuracy.output, "Write NAME.html, NAME.json and NAME.csv [<scene name>.accuracy]")
       ->type_name("NAME");
   app.add_flag("--skeleton", accuracy.skeleton, "Show each component of a blob as the solid that it is alone");
   add(app, "--repeats", "N", "Rounds of timing, at most: what is slow is timed less often [5]", integer_from(1, 1000),

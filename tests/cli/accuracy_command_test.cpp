@@ -73,9 +73,25 @@ TEST_F(AccuracyCommand, WritesTheSameNumbersAsJsonAndCsv) {
   EXPECT_THAT(document.at("command").get<std::string>(), HasSubstr("isl accuracy blob.isl -s 48x36 --repeats 2"));
 }
 
+TEST_F(AccuracyCommand, WritesAPageThatNeedsNothingElse) {
+  ASSERT_EQ(measure({"-o", "numbers"}).exit_code, 0);
+  const std::string page = read("numbers.html");
+  const json settings = json::parse(read("numbers.json")).at("settings");
+  const auto count = [&page](std::string_view text) {
+    std::size_t found = 0;
+    for (std::size_t at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<g class=\"point\""), settings.size()) << "a point in the chart for each";
+  EXPECT_EQ(count("<tr data-rung="), settings.size());
+  EXPECT_EQ(count("data:image/png;base64,iVBOR"), 2 * settings.size() + 1);
+  EXPECT_EQ(count("http"), 0u);
+  EXPECT_THAT(page, HasSubstr("isl accuracy blob.isl -s 48x36"));
+}
+
 TEST_F(AccuracyCommand, NamesItsFilesAfterTheScene) {
   ASSERT_EQ(measure({}).exit_code, 0);
-  EXPECT_THAT(files(), ElementsAre("blob.accuracy.csv", "blob.accuracy.json", "blob.isl"));
+  EXPECT_THAT(files(), ElementsAre("blob.accuracy.csv", "blob.accuracy.html", "blob.accuracy.json", "blob.isl"));
 }
 
 TEST_F(AccuracyCommand, ChecksThePlacesFirst) {
