@@ -32,9 +32,15 @@ struct Aovs {
   bool albedo = false;
   bool primitive = false;
   bool samples = false;
+  bool cost = false;
+  bool error = false;
+  bool solver_steps = false;
+  bool missed = false;
 
-  /// Whether any describes the surface seen (`samples` does not).
+  /// Whether any describes the surface seen.
   [[nodiscard]] bool any_of_surface() const { return depth || position || normal || albedo || primitive; }
+  /// Whether any is measured by tracing the centre rays again (renderer/accuracy/measured_layers.h).
+  [[nodiscard]] bool any_measured() const { return cost || error || solver_steps || missed; }
 };
 
 /// Layers, row by row over the picture's window; empty where not asked for. Those of the surface are of the pixel's
@@ -46,6 +52,11 @@ struct Layers {
   std::vector<float> albedo;             ///< 3: the pigment, linear; 0 for a miss
   std::vector<std::uint32_t> primitive;  ///< 1: the tracer's instance; 0xFFFFFFFF for a miss
   std::vector<std::uint32_t> samples;    ///< 1: camera rays that the pixel got
+  // Of the centre ray alone, without the shading and shadows behind it:
+  std::vector<float> cost;                  ///< 2: field evaluations; seconds, which no two runs have the same
+  std::vector<float> error;                 ///< 2: off along the ray, in pixels, in scene units; infinite where missed ≠ 0
+  std::vector<std::uint32_t> solver_steps;  ///< 1: cells of the grid whose fields were solved
+  std::vector<std::uint32_t> missed;        ///< 1: 1 a surface is there and none was found, 2 the other way round, else 0
 };
 
 struct Image {

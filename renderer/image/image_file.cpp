@@ -80,6 +80,12 @@ void add_triple(PlaneSet& planes, const char* layer, const char* suffixes, const
   }
 }
 
+void add_pair(PlaneSet& planes, const char* first, const char* second, const std::vector<float>& values) {
+  if (values.empty()) return;
+  planes.add(first, ISL_FLOAT, [&](std::size_t pixel) { return values[2 * pixel]; });
+  planes.add(second, ISL_FLOAT, [&](std::size_t pixel) { return values[2 * pixel + 1]; });
+}
+
 void add_layers(PlaneSet& planes, const Layers& layers) {
   if (!layers.depth.empty()) planes.add("depth.Z", ISL_FLOAT, [&](std::size_t pixel) { return layers.depth[pixel]; });
   add_triple(planes, "position", "XYZ", layers.position);
@@ -90,6 +96,14 @@ void add_layers(PlaneSet& planes, const Layers& layers) {
   }
   if (!layers.samples.empty()) {
     planes.add("samples.count", ISL_UINT32, [&](std::size_t pixel) { return layers.samples[pixel]; });
+  }
+  add_pair(planes, "cost.evaluations", "cost.seconds", layers.cost);
+  add_pair(planes, "error.pixels", "error.units", layers.error);
+  if (!layers.solver_steps.empty()) {
+    planes.add("solver_steps.count", ISL_UINT32, [&](std::size_t pixel) { return layers.solver_steps[pixel]; });
+  }
+  if (!layers.missed.empty()) {
+    planes.add("missed.kind", ISL_UINT32, [&](std::size_t pixel) { return layers.missed[pixel]; });
   }
 }
 

@@ -1,0 +1,18 @@
+// A few words and numbers drawn into a picture: what a legend needs, without a library of fonts.
+#pragma once
+
+#include "renderer/image/image.h"
+#include "renderer/shading/material.h"
+
+#include <string_view>
+
+namespace isl::render {
+
+/// Of a letter before it is enlarged: five columns and one between letters, seven rows.
+inline constexpr int kLetterWidth = 6, kLetterHeight = 7;
+
+/// Draws from the top left corner (x, y) of the image's window, every dot `scale` pixels wide. What lies outside is cut
+/// off; characters other than digits, `. - ` and the small letters of words for layers are spaces.
+void draw_text(Image& image, int x, int y, std::string_view text, int scale, const Rgb& colour);
+
+}  // namespace isl::render
