@@ -1,0 +1,17 @@
+// The layers that tell what a picture's rays cost and how far off they are. Not made while rendering, which so pays
+// nothing for them: the pixels' centre rays are traced again, each by itself.
+#pragma once
+
+#include "renderer/accuracy/ray_measures.h"
+#include "renderer/image/image.h"
+
+namespace isl::render {
+
+/// Fills those of the layers cost, error, solver_steps and missed of `image` that `aovs` asks for, over its window.
+/// `tracer` is of `database` and with `options`; errors are against the exact solver. False if stopped: the layers are
+/// there, but say nothing.
+bool measure_layers(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,
+                    const Aovs& aovs, int threads, const std::atomic<bool>* stop, const TellProgress& tell,
+                    Image& image);
+
+}  // namespace isl::render
