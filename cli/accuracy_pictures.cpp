@@ -2,6 +2,7 @@
 
 #include "cli/base64.h"
 #include "renderer/image/image_file.h"
+#include "renderer/image/layer_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@ namespace isl::cli {
 namespace {
 
 using render::RayOutcome;
-
-/// Below a ten-thousandth of a pixel nothing can come of an error; beyond a hundred pixels it is another surface.
-constexpr render::ColourScale kErrorScale{1e-4, 1e2, true};
 
 /// Steps of the map in pictures: more than an eye tells apart, few enough for the file to stay small.
 constexpr double kColours = 96;
@@ -28,17 +26,17 @@ render::Rgb error_colour(const render::RayError& error) {
     case RayOutcome::false_surface: return render::kFalseColour;
     case RayOutcome::hit: break;
   }
-  return colour_of(kErrorScale, error.pixels);
+  return colour_of(render::kErrorScale, error.pixels);
 }
 
-/// From one evaluation to the next power of two above what any ray of any setting takes.
+/// Up to what any ray of any setting takes.
 render::ColourScale cost_scale(const AccuracyReport& report) {
-  double most = 2;
+  double most = 0;
   for (const render::Measured& measured : report.comparison.settings) {
     for (const render::RayMeasure& ray : measured.rays)
       most = std::max(most, static_cast<double>(ray.field_evaluations));
   }
-  return {1, std::exp2(std::ceil(std::log2(most))), true};
+  return render::count_scale(most);
 }
 
 template <class ColourOf>
@@ -58,7 +56,7 @@ render::Image painted(const PictureSize& size, const ColourOf& colour_of_pixel) 
 }  // namespace
 
 AccuracyPictures accuracy_pictures(const AccuracyReport& report, const render::Image& scene) {
-  AccuracyPictures pictures{{kErrorScale, cost_scale(report)}, {}, {}, {}, {}};
+  AccuracyPictures pictures{{render::kErrorScale, cost_scale(report)}, {}, {}, {}, {}};
   const auto address_of = [&pictures](const render::Image& image) {
     const render::EncodedFile file = render::encode_image(image, "png", {});
     if (!file.error.empty()) pictures.problem = file.error;

@@ -10,6 +10,8 @@
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
 #include "cli/version.h"
+#include "renderer/accuracy/measured_layers.h"
+#include "renderer/image/layer_picture.h"
 #include "renderer/render.h"
 #include "renderer/tracer.h"
 
@@ -33,7 +35,9 @@ ExitCode tell(const OutputProblem& problem) {
 
 /// Before the scene is read: a slip in a name should not cost an hour of rendering.
 OutputProblem check_places(const RenderCommand& command, const std::vector<fs::path>& files) {
-  OutputProblem problem = check_outputs(files);
+  std::vector<fs::path> all = files;
+  for (const LayerFile& layer : layer_files(files, command.picture.layers)) all.push_back(layer.file);
+  OutputProblem problem = check_outputs(all);
   if (problem.none() && !command.picture.statistics.empty()) problem = check_place(command.picture.statistics);
   return problem;
 }
@@ -75,9 +79,18 @@ Picture make_picture(const RenderCommand& command, RenderSettings settings, cons
 
   const bool shows_bar = isatty(STDERR_FILENO) != 0 && !command.picture.quiet;
   ProgressBar bar(shows_bar ? stderr : nullptr);
-  settings.render.progress = [&bar](double done) { bar.update(done); };
+  // Rendering shades and samples pixels several times; measuring only finds first hits, one or two a pixel.
+  const bool measures = settings.render.aovs.any_measured();
+  const double render_share = measures ? 0.7 : 1;
+  settings.render.progress = [&](double done) { bar.update(render_share * done); };
   settings.render.stop = &interrupt_flag();
   picture.result = render::render(database, tracer, settings.render);
+  if (measures) {
+    const bool complete = render::measure_layers(
+        database, settings.tracer, tracer, settings.render.aovs, settings.render.threads, settings.render.stop,
+        [&](double done) { bar.update(render_share + (1 - render_share) * done); }, picture.result.image);
+    picture.result.complete = picture.result.complete && complete;
+  }
   return picture;
 }
 
@@ -128,7 +141,13 @@ ExitCode run(const RenderCommand& command) {
     for (fs::path& file : files) file = partial_name(file);
   }
   const Stopwatch writing;
-  const OutputProblem problem = write_outputs(files, picture.result.image, file_options(command, settings, session));
+  const render::ImageFileOptions options = file_options(command, settings, session);
+  OutputProblem problem = write_outputs(files, picture.result.image, options);
+  for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
+    if (!problem.none()) break;
+    problem = write_outputs({layer.file}, render::layer_picture(picture.result.image, layer.layer), options);
+    files.push_back(layer.file);
+  }
   if (!problem.none()) return tell(problem);
 
   const PhaseTimes times{.parse = session.parse_seconds(),

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::max();
 
-/// Layers of an EXR in canonical order.
-constexpr std::array<std::string_view, 6> kLayers{"depth", "position", "normal", "albedo", "primitive", "samples"};
+/// Layers in canonical order.
+constexpr std::array<std::string_view, 10> kLayers{"depth",   "position", "normal", "albedo",       "primitive",
+                                                   "samples", "cost",     "error",  "solver_steps", "missed"};
 
 constexpr std::string_view kFooter =
     "Exit codes: 0 done, 1 the scene has errors, 2 the command line has, 3 a file could not be read or written,\n"
@@ -126,7 +127,8 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
       ->group(group);
   app.add_flag("--alpha", picture.alpha, "The background is transparent")->group(group);
   app.add_flag("--skeleton", picture.skeleton, "Show each component of a blob as the solid that it is alone")->group(group);
-  add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}", fmt::join(kLayers, " ")),
+  add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}; the last four also as NAME.LAYER.png beside NAME.png",
+                  fmt::join(kLayers, " ")),
       parse_layers, [&picture](const std::vector<std::string>& v) { picture.layers = v; })
       ->group(group);
   add(app, "--crop", "X0,Y0,X1,Y1", "Render these pixels only, X1 and Y1 not included", parse_crop,

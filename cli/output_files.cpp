@@ -1,6 +1,7 @@
 #include "cli/output_files.h"
 
 #include "renderer/image/atomic_file.h"
+#include "renderer/image/layer_picture.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,18 @@ OutputProblem check_outputs(const std::vector<fs::path>& files) {
 }
 
 OutputProblem check_place(const fs::path& file) { return file_problem(render::why_not_writable(file.string())); }
+
+std::vector<LayerFile> layer_files(const std::vector<fs::path>& files, const std::vector<std::string>& layers) {
+  std::vector<LayerFile> result;
+  for (const fs::path& file : files) {
+    if (render::image_format_of(file.string()) == "exr") continue;
+    for (const std::string& layer : layers) {
+      if (!render::is_pictured_layer(layer)) continue;
+      result.push_back({file.parent_path() / (file.stem().string() + "." + layer + file.extension().string()), layer});
+    }
+  }
+  return result;
+}
 
 fs::path partial_name(const fs::path& file) {
   return file.parent_path() / (file.stem().string() + ".partial" + file.extension().string());

@@ -28,6 +28,16 @@ struct OutputProblem {
 /// Whether a file can be written there; for what is no picture.
 [[nodiscard]] OutputProblem check_place(const std::filesystem::path& file);
 
+/// A layer's own picture, beside the picture.
+struct LayerFile {
+  std::filesystem::path file;
+  std::string layer;
+};
+
+/// `NAME.LAYER.EXT` for every NAME.EXT that holds no layers itself, and every layer that has a picture.
+[[nodiscard]] std::vector<LayerFile> layer_files(const std::vector<std::filesystem::path>& files,
+                                                 const std::vector<std::string>& layers);
+
 /// `NAME.partial.EXT` for `NAME.EXT`: where an interrupted picture goes.
 [[nodiscard]] std::filesystem::path partial_name(const std::filesystem::path& file);
 

@@ -19,7 +19,11 @@ render::Aovs aovs_of(const std::vector<std::string>& layers) {
           .normal = has("normal"),
           .albedo = has("albedo"),
           .primitive = has("primitive"),
-          .samples = has("samples")};
+          .samples = has("samples"),
+          .cost = has("cost"),
+          .error = has("error"),
+          .solver_steps = has("solver_steps"),
+          .missed = has("missed")};
 }
 
 std::string value_text(const std::variant<double, std::string>& value) {

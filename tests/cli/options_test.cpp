@@ -93,6 +93,8 @@ TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({"render", "a.isl", "--crop", "0,0,801,10"}), HasSubstr("800x600"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depht", "-o", "a.exr"}), HasSubstr("unknown layer `depht`"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depth"}), HasSubstr(".exr"));
+  EXPECT_THAT(refusal({"render", "a.isl", "--aov", "cost,depth"}), HasSubstr(".exr"));
+  EXPECT_EQ(render({"a.isl", "--aov", "missed,cost"}).picture.layers, (std::vector<std::string>{"cost", "missed"}));
   EXPECT_THAT(refusal({"render", "a.isl", "--solver", "exact", "--tolerance", "1px"}), HasSubstr("--tolerance"));
   EXPECT_THAT(refusal({"render", "a.isl", "-D", "Levels"}), HasSubstr("expected NAME=VALUE"));
   EXPECT_THAT(refusal({"check", "a.isl", "--format", "xml"}), HasSubstr("`xml`"));

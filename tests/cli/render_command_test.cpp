@@ -44,6 +44,30 @@ TEST_F(RenderCommand, WritesSeveralFiles) {
   EXPECT_TRUE(read("c.ppm").starts_with("P6"));
 }
 
+TEST_F(RenderCommand, ShowsCostsAndErrorsInPicturesOfTheirOwn) {
+  const ProcessResult result = render({"-o", "a.png", "-o", "b.exr", "--aov", "missed,cost,error", "--format", "json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files(), ElementsAre("a.cost.png", "a.error.png", "a.missed.png", "a.png", "b.exr", "ball.isl"));
+  for (const char* name : {"a.cost.png", "a.error.png", "a.missed.png"}) EXPECT_TRUE(read(name).starts_with(kPngStart));
+  for (const char* channel : {"cost.evaluations", "cost.seconds", "error.pixels", "error.units", "missed.kind"})
+    EXPECT_THAT(read("b.exr"), HasSubstr(channel));
+  EXPECT_EQ(json::parse(result.out).at("outputs").size(), 5u);
+}
+
+TEST_F(RenderCommand, MeasuringLayersLeavesThePictureAsItIs) {
+  ASSERT_EQ(render({"-o", "plain.ppm"}).exit_code, 0);
+  ASSERT_EQ(render({"-o", "measured.ppm", "--aov", "cost,error,solver_steps,missed"}).exit_code, 0);
+  EXPECT_TRUE(read("plain.ppm") == read("measured.ppm"));
+  EXPECT_TRUE(exists("measured.solver_steps.ppm"));
+}
+
+TEST_F(RenderCommand, ChecksThePlacesOfLayersToo) {
+  fs::create_directory(folder() / "a.cost.png");
+  EXPECT_EQ(render({"-o", "a.png", "--aov", "cost"}).exit_code, 3);
+  EXPECT_EQ(render({"-o", "b.png", "-o", "b.error.png", "--aov", "error"}).exit_code, 2);
+  EXPECT_FALSE(exists("b.png"));
+}
+
 TEST_F(RenderCommand, GivesTheSameBytesWhateverTheThreads) {
   ASSERT_EQ(render({"-o", "one.png", "-o", "one.exr", "-t", "1"}).exit_code, 0);
   ASSERT_EQ(render({"-o", "two.png", "-o", "two.exr", "-t", "2"}).exit_code, 0);
