@@ -23,6 +23,7 @@ constexpr std::array kRows{
     Row{"paper:4", "", "paper"},
     Row{"paper:8", "", "paper"},
     Row{"paper:16", "", "paper"},
+    Row{"iso", "", "iso"},
     Row{"hermite", "1px", "hermite"},
     Row{"hermite", "0.1px", "hermite"},
     Row{"hermite", "0.05px", "hermite"},
