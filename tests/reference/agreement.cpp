@@ -201,7 +201,7 @@ long double rounding_band(const FieldOnRay& field, long double origin_size, long
   const long double terms = static_cast<long double>(at.count) + 16;
   return 4 * 0x1p-52L *
          (terms * (at.values + std::abs(field.threshold())) + 4 * at.sensitivities +
-          4 * (origin_size + std::abs(t)) * at.derivatives);
+          4 * (origin_size + std::abs(t)) * at.gradients);
 }
 
 std::string Agreement::text() const {

@@ -76,7 +76,7 @@ TEST(ReferenceField, RayRangesHoldEverySampleAndConvergeQuadratically) {
       coarse = range.value.width() - sampled.width();
       ++checked;
     }
-    const long double size = on_ray.magnitude_at(t0).values + on_ray.magnitude_at(t0).derivatives + 1;
+    const long double size = on_ray.magnitude_at(t0).values + on_ray.magnitude_at(t0).gradients + 1;
     // 1e-4 wide: an enclosure of first order would be off by about 1e-4 of the derivative's size. Cones' kinks and thin
     // components leave a factor in front of the square.
     ASSERT_LT(coarse, 1e-5L * size);

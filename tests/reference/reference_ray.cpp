@@ -12,7 +12,7 @@ Vector<long double> middle(const Vector<Interval>& v) { return {v.x.middle(), v.
 }  // namespace
 
 FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray)
-    : branches_(&field.branches()), threshold_(field.threshold()) {
+    : branches_(&field.branches()), ray_(ray), threshold_(field.threshold()) {
   for (std::size_t i = 0; i < field.components().size(); ++i) {
     const ReferenceComponent& component = field.components()[i];
     Line local{ray.origin, ray.direction};
@@ -111,12 +111,17 @@ FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1
 }
 
 FieldOnRay::Magnitude FieldOnRay::magnitude_at(long double t) const {
+  const auto middle = [](const Vector<Interval>& v) {
+    return Vector<long double>{v.x.middle(), v.y.middle(), v.z.middle()};
+  };
+  const Vector<long double> direction = middle(ray_.direction), place = middle(ray_.origin) + direction * t;
+  const long double speed = std::sqrt(squared_length(direction));
   Magnitude magnitude;
   for (const Part& part : parts_) {
     const FieldRange range = part.component->at(part.line, t);
     if (range.value.hi == 0 && range.value.lo == 0) continue;
     magnitude.values += range.value.magnitude();
-    magnitude.derivatives += range.derivative.magnitude();
+    magnitude.gradients += std::sqrt(squared_length(part.component->sample(place).gradient)) * speed;
     magnitude.sensitivities += part.component->sensitivity_at(part.line, t);
     ++magnitude.count;
   }

@@ -51,7 +51,8 @@ class FieldOnRay {
   /// The sizes at t from which a computation in double precision gets its rounding error.
   struct Magnitude {
     long double values = 0;         ///< Σ|fᵢ|
-    long double derivatives = 0;    ///< Σ|dfᵢ/dt|
+    long double gradients = 0;      ///< Σ|∇fᵢ||D|: how a change of place shows, in any direction. A product with a normal rounds
+                                    ///< by the lengths in it, however small it comes out.
     long double sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: how a relative error of q shows
     std::size_t count = 0;          ///< components that are not zero
   };
@@ -73,6 +74,7 @@ class FieldOnRay {
   [[nodiscard]] static std::optional<Support> support_on(const ReferenceComponent& component, const Line& line);
 
   const std::vector<scene::Branch>* branches_;
+  FieldRay ray_;
   std::vector<Part> parts_;
   Interval threshold_;
   long double begin_ = 0, end_ = -1;
