@@ -98,7 +98,7 @@ Image counts(const Image& image, const char* title, const std::vector<Value>& va
   double most = 0;
   for (std::size_t i = 0; i < values.size(); i += stride) most = std::max(most, static_cast<double>(values[i]));
   const ColourScale scale = count_scale(most);
-  return painted(image, {title, true, scale, 2, {{"none", kInk}}}, [&](std::size_t pixel) {
+  return painted(image, {title, true, scale, 2, {}}, [&](std::size_t pixel) {
     const double count = static_cast<double>(values[stride * pixel]);
     return count == 0 ? kBackgroundColour : false_colour(scale.share_of(count));
   });

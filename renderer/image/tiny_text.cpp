@@ -1,5 +1,8 @@
 #include "renderer/image/tiny_text.h"
 
+#include "base/check.h"
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -26,7 +29,9 @@ constexpr Letter kLetters[] = {
     {'9', {0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100}},
     {'.', {0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100}},
     {'-', {0b00000, 0b00000, 0b00000, 0b01110, 0b00000, 0b00000, 0b00000}},
+    {'+', {0b00000, 0b00100, 0b00100, 0b11111, 0b00100, 0b00100, 0b00000}},
     {'a', {0b00000, 0b00000, 0b01110, 0b00001, 0b01111, 0b10001, 0b01111}},
+    {'c', {0b00000, 0b00000, 0b01110, 0b10000, 0b10000, 0b10001, 0b01110}},
     {'d', {0b00001, 0b00001, 0b01101, 0b10011, 0b10001, 0b10001, 0b01111}},
     {'e', {0b00000, 0b00000, 0b01110, 0b10001, 0b11111, 0b10000, 0b01110}},
     {'f', {0b00110, 0b01001, 0b01000, 0b11100, 0b01000, 0b01000, 0b01000}},
@@ -59,6 +64,7 @@ void draw_dot(Image& image, int x0, int y0, int scale, const Rgb& colour) {
 
 void draw_text(Image& image, int x, int y, std::string_view text, int scale, const Rgb& colour) {
   for (const char c : text) {
+    ISL_DCHECK(c == ' ' || std::ranges::any_of(kLetters, [c](const Letter& letter) { return letter.name == c; }));
     for (const Letter& letter : kLetters) {
       if (letter.name != c) continue;
       for (int row = 0; row < kLetterHeight; ++row) {

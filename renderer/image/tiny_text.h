@@ -12,7 +12,7 @@ namespace isl::render {
 inline constexpr int kLetterWidth = 6, kLetterHeight = 7;
 
 /// Draws from the top left corner (x, y) of the image's window, every dot `scale` pixels wide. What lies outside is cut
-/// off; characters other than digits, `. - ` and the small letters of words for layers are spaces.
+/// off. Precondition: only spaces, digits, `. - +` and those small letters that legends use.
 void draw_text(Image& image, int x, int y, std::string_view text, int scale, const Rgb& colour);
 
 }  // namespace isl::render
