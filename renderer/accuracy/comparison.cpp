@@ -41,6 +41,9 @@ class Contest {
     measure_each(reference_, rays_, truth_, options_.stop, part());
     result_.check = check_reference(database, reference, reference_, rays_, truth_, options.checked_rays);
     ++part_;
+    if (!options.shadows) return;
+    shadow_rays_ = shadow_rays(database, reference_, rays_, options.stop);
+    shadow_truth_ = occlusions_of(reference_, shadow_rays_, options.stop);
   }
 
   Comparison run() {
@@ -73,6 +76,18 @@ class Contest {
       measured.errors.push_back(error_of(rays_[r], measured.rays[r], truth_[r], pixel_angle_));
     }
     measured.summary = summarise_errors(measured.errors, options_.width);
+    if (!options_.shadows) return;
+    measured.shadows = summarise_shadows(occlusions_of(tracers_[i], shadow_rays_, options_.stop), shadow_truth_);
+  }
+
+  /// Camera rays, and where asked for their shadow rays.
+  [[nodiscard]] BatchCost cost_of_all(std::size_t i, const TellProgress& tell) const {
+    BatchCost cost = cost_of(tracers_[i], rays_, options_.stop, tell);
+    if (shadow_rays_.empty()) return cost;
+    const BatchCost shadows = shadow_cost_of(tracers_[i], shadow_rays_, options_.stop);
+    cost.processor_seconds += shadows.processor_seconds;
+    cost.counters += shadows.counters;
+    return cost;
   }
 
   void run_round(int round, double elapsed) {
@@ -81,16 +96,16 @@ class Contest {
       const std::size_t i = round % 2 == 0 ? turn : tracers_.size() - 1 - turn;
       const TellProgress tell = part();
       if (round > 0 && i != base_ && !has_time(i, elapsed)) continue;
-      BatchCost cost = cost_of(tracers_[i], rays_, options_.stop, tell);
+      BatchCost cost = cost_of_all(i, tell);
       double seconds = cost.processor_seconds;
       int passes = 1;
       for (; seconds < kShortestTurn && !stopped(); ++passes) {
-        cost = cost_of(tracers_[i], rays_, options_.stop);
+        cost = cost_of_all(i, {});
         seconds += cost.processor_seconds;
       }
       times_of_round_[i] = seconds / passes;
       Measured& measured = result_.settings[i];
-      const double per_ray = 1 / static_cast<double>(rays_.size());
+      const double per_ray = 1 / static_cast<double>(rays_.size() + shadow_rays_.size());
       measured.evaluations_per_ray = static_cast<double>(cost.counters.field_evaluations) * per_ray;
       measured.solver_steps_per_ray = static_cast<double>(cost.counters.cells) * per_ray;
       measured.uncertified_steps = cost.counters.uncertified_steps;
@@ -135,6 +150,8 @@ class Contest {
   double pixel_angle_;
   std::vector<Ray> rays_;
   std::vector<RayMeasure> truth_;
+  std::vector<Ray> shadow_rays_;
+  std::vector<std::uint8_t> shadow_truth_;
   std::size_t parts_, part_ = 0;
   std::vector<double> times_of_round_;  ///< 0: no turn
   std::vector<std::vector<Turn>> times_;

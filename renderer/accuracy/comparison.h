@@ -7,8 +7,9 @@
 
 #include "renderer/accuracy/ray_errors.h"
 #include "renderer/accuracy/reference_check.h"
+#include "renderer/accuracy/shadow_rays.h"
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace isl::render {
@@ -20,6 +21,7 @@ struct ComparisonOptions {
   /// Wall-clock seconds for the rounds: what takes more than its share of them takes part in fewer, but in one at
   /// least.
   double seconds = 60;
+  bool shadows = false;            ///< the shadow rays too, of what the reference meets
   std::size_t checked_rays = 256;  ///< sample of check_reference
   TellProgress progress;
   const std::atomic<bool>* stop = nullptr;
@@ -30,7 +32,8 @@ struct Measured {
   std::vector<RayMeasure> rays;  ///< row by row
   std::vector<RayError> errors;
   ErrorSummary summary;
-  double evaluations_per_ray = 0;  ///< of fields, over all rays
+  std::optional<ShadowSummary> shadows;  ///< where asked for
+  double evaluations_per_ray = 0;        ///< of fields, over all rays, shadow rays included
   double solver_steps_per_ray = 0;
   std::uint64_t uncertified_steps = 0;
   int rounds = 0;                ///< that it took part in

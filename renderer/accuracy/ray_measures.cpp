@@ -1,33 +1,15 @@
 #include "renderer/accuracy/ray_measures.h"
 
 #include "base/check.h"
-#include "base/parallel.h"
+#include "renderer/accuracy/ray_blocks.h"
 #include "renderer/image/camera.h"
-#include "renderer/image/progress.h"
 
-#include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 
 namespace isl::render {
 namespace {
-
-/// Rays of a task: as many as a wave has (renderer/render.cpp), so that batches cost what they cost there.
-constexpr std::size_t kBlock = 1024;
-
-/// Calls work(first, count) for blocks of `total` rays on all threads, until `stop`.
-template <class Work>
-void in_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell, const Work& work) {
-  const std::size_t blocks = (total + kBlock - 1) / kBlock;
-  Progress progress(tell);
-  progress.begin_stage(1, blocks);
-  parallel_for(blocks, [&](std::size_t block) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
-    const std::size_t first = block * kBlock;
-    work(first, std::min(kBlock, total - first));
-    progress.step();
-  });
-}
 
 /// Of this thread alone, so that being interrupted costs nothing.
 double thread_seconds() {
@@ -70,25 +52,42 @@ void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<Ray
   });
 }
 
-BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop,
-                  const TellProgress& tell) {
-  struct Share {
-    BatchCost cost;
-    std::vector<Hit> hits = std::vector<Hit>(kBlock);
-  };
-  PerThread<Share> shares;
-  in_blocks(rays.size(), stop, tell, [&](std::size_t first, std::size_t count) {
-    Share& share = shares.local();
+namespace {
+
+/// `trace` is handed the thread's share of the cost, the first ray and their number.
+template <class Trace>
+BatchCost cost_of_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell,
+                         const Trace& trace) {
+  PerThread<BatchCost> shares;
+  in_blocks(total, stop, tell, [&](std::size_t first, std::size_t count) {
+    BatchCost& share = shares.local();
     const double begin = thread_seconds();
-    tracer.first_hits(rays.subspan(first, count), std::span(share.hits).first(count), share.cost.counters);
-    share.cost.processor_seconds += thread_seconds() - begin;
+    trace(share, first, count);
+    share.processor_seconds += thread_seconds() - begin;
   });
   BatchCost cost;
-  shares.for_each([&](const Share& share) {
-    cost.processor_seconds += share.cost.processor_seconds;
-    cost.counters += share.cost.counters;
+  shares.for_each([&](const BatchCost& share) {
+    cost.processor_seconds += share.processor_seconds;
+    cost.counters += share.counters;
   });
   return cost;
+}
+
+}  // namespace
+
+BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop,
+                  const TellProgress& tell) {
+  return cost_of_blocks(rays.size(), stop, tell, [&](BatchCost& share, std::size_t first, std::size_t count) {
+    std::array<Hit, kBlock> hits;
+    tracer.first_hits(rays.subspan(first, count), std::span(hits).first(count), share.counters);
+  });
+}
+
+BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop) {
+  return cost_of_blocks(rays.size(), stop, {}, [&](BatchCost& share, std::size_t first, std::size_t count) {
+    std::array<std::uint8_t, kBlock> occluded;
+    tracer.occlusions(rays.subspan(first, count), std::span(occluded).first(count), share.counters);
+  });
 }
 
 }  // namespace isl::render

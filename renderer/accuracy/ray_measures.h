@@ -42,4 +42,8 @@ struct BatchCost {
 [[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays,
                                 const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
 
+/// The same of whether shadow rays are occluded.
+[[nodiscard]] BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays,
+                                       const std::atomic<bool>* stop = nullptr);
+
 }  // namespace isl::render

@@ -175,6 +175,27 @@ TEST(MeasuredLayers, AreThoseOfTheWindow) {
   }
 }
 
+TEST(ShadowRays, LeadFromWhatIsSeenToTheLightsBeforeIt) {
+  scene::Database database = two_balls();
+  database.lights.push_back({.location = {0, 9, -9}});
+  database.lights.push_back({.location = {0, 0, 9}});
+  database.lights.push_back({.location = {0, 9, -9}, .shadowless = true});
+  const Tracer tracer(database, options_of(SolverName::exact, database));
+  const std::vector<Ray> seen = {CameraRays(*database.camera, 40, 30).through(13, 15)};  // the middle of the left ball
+  const std::vector<Ray> shadows = shadow_rays(database, tracer, seen);
+  ASSERT_EQ(shadows.size(), 1u) << "one light is behind the surface, one throws none";
+  EXPECT_FALSE(shadows[0].start.instance == scene::kNone);
+  EXPECT_NEAR((shadows[0].origin + shadows[0].direction * shadows[0].t_max - Vec3(0, 9, -9)).length(), 0, 1e-12);
+}
+
+TEST(ShadowSummaries, TellLeaksFromFalseShadows) {
+  const std::vector<std::uint8_t> found{0, 1, 0, 1, 0}, truth{0, 1, 1, 0, 1};
+  const ShadowSummary summary = summarise_shadows(found, truth);
+  EXPECT_EQ(summary.rays, 5u);
+  EXPECT_EQ(summary.leaks, 2u);
+  EXPECT_EQ(summary.false_shadows, 1u);
+}
+
 TEST(Comparisons, EndWhenStopped) {
   const scene::Database database = two_balls();
   const TracerOptions exact = options_of(SolverName::exact, database);

@@ -1,0 +1,30 @@
+// Rays handed out to threads in blocks as large as the waves that rendering traces.
+#pragma once
+
+#include "base/parallel.h"
+#include "renderer/accuracy/ray_measures.h"
+#include "renderer/image/progress.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace isl::render {
+
+/// Rays of a task: as many as a wave has (renderer/render.cpp), so that batches cost what they cost there.
+inline constexpr std::size_t kBlock = 1024;
+
+/// Calls work(first, count) for blocks of `total` rays on all threads, until `stop`.
+template <class Work>
+void in_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell, const Work& work) {
+  const std::size_t blocks = (total + kBlock - 1) / kBlock;
+  Progress progress(tell);
+  progress.begin_stage(1, blocks);
+  parallel_for(blocks, [&](std::size_t block) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+    const std::size_t first = block * kBlock;
+    work(first, std::min(kBlock, total - first));
+    progress.step();
+  });
+}
+
+}  // namespace isl::render
