@@ -93,10 +93,11 @@ std::string table_rows(const AccuracyReport& report) {
     const render::ErrorSummary& s = m.summary;
     rows += fmt::format(
         "<tr data-rung=\"{}\"><td>{}{}{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        "<td>{}</td><td>{}</td><td>{}</td>{}</tr>\n",
         i, html_text(report.rungs[i].name()), report.rungs[i].is_default ? " (default)" : "", front[i] ? " ◯" : "",
         m.relative_time, m.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
-        length_text(s.worst_pixels), s.beyond_pixel, s.missed, s.false_surfaces, s.holes);
+        length_text(s.worst_pixels), s.beyond_pixel, s.missed, s.false_surfaces, s.holes,
+        m.shadows ? fmt::format("<td>{}</td><td>{}</td>", m.shadows->leaks, m.shadows->false_shadows) : "");
   }
   return rows;
 }
@@ -174,10 +175,11 @@ std::string accuracy_page(const AccuracyReport& report, const AccuracyPictures& 
       "<h2>All settings</h2>\n<table><thead><tr><th>setting</th><th>time</th><th>fields/ray</th><th>median "
       "px</th><th>99 % "
       "px</th><th>worst px</th><th>&gt; 1 "
-      "px</th><th>missed</th><th>false</th><th>holes</th></tr></thead><tbody>\n{}</tbody>"
+      "px</th><th>missed</th><th>false</th><th>holes</th>{}</tr></thead><tbody>\n{}</tbody>"
       "</table>\n<p class=\"soft\">Time is processor time relative to the default, the median of interleaved rounds. "
       "Errors are "
       "lengths along the ray, in pixels of its footprint.</p>\n",
+      report.comparison.settings.front().shadows ? "<th>light leaks</th><th>false shadows</th>" : "",
       table_rows(report));
   page += fmt::format("<h2>Made by</h2>\n<pre>{}</pre>\n", html_text(report.command));
   page +=

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <optional>
+#include <numeric>
 
 namespace isl::cli {
 namespace {
@@ -27,51 +28,71 @@ bool is_quicker(const render::Measured& a, const render::Measured& b) {
   return a.relative_time + std::max(a.time_spread + b.time_spread, kSameTime * b.relative_time) < b.relative_time;
 }
 
-/// Of two that are as quick and as exact: which one is to be named.
-bool stands_for(const AccuracyReport& report, std::size_t a, std::size_t b) {
-  return report.rungs[a].is_default || (a < b && !report.rungs[b].is_default);
+/// Those of `rungs` that are as quick as the quickest of them. Being as quick is told from the quickest alone: it is
+/// not transitive.
+std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
+  const std::vector<render::Measured>& settings = report.comparison.settings;
+  const std::size_t first =
+      *std::ranges::min_element(rungs, {}, [&](std::size_t i) { return settings[i].relative_time; });
+  std::vector<std::size_t> result;
+  for (const std::size_t i : rungs) {
+    if (!is_quicker(settings[first], settings[i])) result.push_back(i);
+  }
+  return result;
 }
 
-/// Whether a leaves no reason to choose b.
-bool beats(const AccuracyReport& report, std::size_t a, std::size_t b) {
-  const render::Measured& left = report.comparison.settings[a];
-  const render::Measured& right = report.comparison.settings[b];
-  const double left_error = worst_of(report, a), right_error = worst_of(report, b);
-  if (a == b || left_error > right_error || is_quicker(right, left)) return false;
-  return left_error < right_error || is_quicker(left, right) || stands_for(report, a, b);
+/// The default if it is among them, else the first.
+std::size_t spokesman(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
+  const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].is_default; });
+  return found == rungs.end() ? rungs.front() : *found;
+}
+
+/// The rungs among `rungs` for which `wanted(i)` holds.
+template <class Wanted>
+std::vector<std::size_t> chosen(const std::vector<std::size_t>& rungs, const Wanted& wanted) {
+  std::vector<std::size_t> result;
+  std::ranges::copy_if(rungs, std::back_inserter(result), wanted);
+  return result;
+}
+
+std::vector<std::size_t> all_rungs(const AccuracyReport& report) {
+  std::vector<std::size_t> all(report.rungs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 std::string count_text(std::uint64_t count) { return count == 0 ? "-" : fmt::format("{}", count); }
 
 std::string length_text(double pixels) { return pixels == 0 ? "0" : fmt::format("{:.2g}", pixels); }
 
+std::string shadow_text(const render::Measured& measured) {
+  if (!measured.shadows) return {};
+  return fmt::format(" {:>7} {:>7}", count_text(measured.shadows->leaks), count_text(measured.shadows->false_shadows));
+}
+
 }  // namespace
 
 std::vector<bool> pareto_front(const AccuracyReport& report) {
-  const std::size_t count = report.rungs.size();
-  std::vector<bool> front(count, true);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t other = 0; other < count; ++other) {
-      if (beats(report, other, i)) front[i] = false;
-    }
+  std::vector<bool> front(report.rungs.size());
+  // From quick to slow: the most exact of the quickest, then what is more exact than that.
+  for (std::vector<std::size_t> left = all_rungs(report); !left.empty();) {
+    const std::vector<std::size_t> group = quickest(report, left);
+    double least = kNever;
+    for (const std::size_t i : group) least = std::min(least, worst_of(report, i));
+    front[spokesman(report, chosen(group, [&](std::size_t i) { return worst_of(report, i) == least; }))] = true;
+    left = chosen(left, [&](std::size_t i) { return worst_of(report, i) < least; });
   }
   return front;
 }
 
 std::string advice(const AccuracyReport& report) {
-  const std::vector<render::Measured>& settings = report.comparison.settings;
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < report.rungs.size(); ++i) {
-    if (worst_of(report, i) > kAdvisedPixels) continue;
-    if (!best || is_quicker(settings[i], settings[*best]) ||
-        (!is_quicker(settings[*best], settings[i]) && stands_for(report, i, *best))) {
-      best = i;
-    }
-  }
-  if (!best) return fmt::format("No setting keeps every ray within {} of a pixel.", kAdvisedPixels);
-  const double worst = worst_of(report, *best);
+  const std::vector<std::size_t> good =
+      chosen(all_rungs(report), [&](std::size_t i) { return worst_of(report, i) <= kAdvisedPixels; });
+  if (good.empty()) return fmt::format("No setting keeps every ray within {} of a pixel.", kAdvisedPixels);
+  const std::size_t best = spokesman(report, quickest(report, good));
+  const double worst = worst_of(report, best);
   return fmt::format("For this view, {}{} is the cheapest setting whose worst error is under a tenth of a pixel ({}).",
-                     report.rungs[*best].options(), report.rungs[*best].is_default ? " (the default)" : "",
+                     report.rungs[best].options(), report.rungs[best].is_default ? " (the default)" : "",
                      worst == 0 ? "none was found" : fmt::format("it is at most {} px", length_text(worst)));
 }
 
@@ -91,18 +112,25 @@ std::string table_text(const AccuracyReport& report) {
   std::string text =
       fmt::format("{:<18} {:>6} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}\n", "", "time", "fields/ray",
                   "median px", "99 % px", "worst px", "> 1 px", "missed", "false", "holes");
+  const bool has_shadows = report.comparison.settings.front().shadows.has_value();
+  if (has_shadows) text.insert(text.size() - 1, fmt::format(" {:>7} {:>7}", "leaks", "false s"));
   for (std::size_t i = 0; i < report.rungs.size(); ++i) {
     const render::Measured& measured = report.comparison.settings[i];
     const render::ErrorSummary& s = measured.summary;
-    text += fmt::format("{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}\n",
-                        report.rungs[i].name(), measured.relative_time, measured.evaluations_per_ray,
-                        length_text(s.median_pixels), length_text(s.p99_pixels), length_text(s.worst_pixels),
-                        count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
-                        count_text(s.holes), front[i] ? " *" : "", report.rungs[i].is_default ? " default" : "");
+    text += fmt::format(
+        "{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n", report.rungs[i].name(),
+        measured.relative_time, measured.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
+        length_text(s.worst_pixels), count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
+        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].is_default ? " default" : "");
   }
   text += fmt::format(
       "{}x{} camera rays; time relative to the default, median of rounds; * nothing is quicker and more exact\n",
       report.size.width, report.size.height);
+  if (has_shadows) {
+    text +=
+        fmt::format("{} shadow rays, in the times; leaks: light where there is shadow, false s: the other way round\n",
+                    report.comparison.settings.front().shadows->rays);
+  }
   return text + check_sentence(report.comparison.check) + "\n" + advice(report) + "\n";
 }
 
@@ -112,15 +140,16 @@ std::string table_csv(const AccuracyReport& report) {
       "setting,options,relative_time,time_spread,processor_seconds,rounds,field_evaluations_per_ray,solver_steps_per_"
       "ray,"
       "uncertified_steps,error_median_px,error_p99_px,error_worst_px,error_worst_units,beyond_pixel,missed,"
-      "false_surfaces,holes,pareto\n";
+      "false_surfaces,holes,shadow_rays,leaks,false_shadows,pareto\n";
   for (std::size_t i = 0; i < report.rungs.size(); ++i) {
     const render::Measured& m = report.comparison.settings[i];
     const render::ErrorSummary& s = m.summary;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].name(),
+    const render::ShadowSummary shadows = m.shadows.value_or(render::ShadowSummary{});
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].name(),
                         report.rungs[i].options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
                         m.evaluations_per_ray, m.solver_steps_per_ray, m.uncertified_steps, s.median_pixels,
                         s.p99_pixels, s.worst_pixels, s.worst_units, s.beyond_pixel, s.missed, s.false_surfaces,
-                        s.holes, front[i] ? 1 : 0);
+                        s.holes, shadows.rays, shadows.leaks, shadows.false_shadows, front[i] ? 1 : 0);
   }
   return text;
 }
@@ -153,6 +182,10 @@ nlohmann::ordered_json table_json(const AccuracyReport& report) {
                         {"false_surfaces", s.false_surfaces},
                         {"holes", s.holes},
                         {"pareto", static_cast<bool>(front[i])}});
+    if (m.shadows) {
+      settings.back()["shadows"] = {
+          {"rays", m.shadows->rays}, {"leaks", m.shadows->leaks}, {"false_shadows", m.shadows->false_shadows}};
+    }
   }
   const render::ReferenceCheck& check = report.comparison.check;
   return {{"scene", report.scene},

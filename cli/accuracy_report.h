@@ -22,10 +22,10 @@ struct AccuracyReport {
 /// The worst error that the advice allows: a tenth of a pixel is less than what antialiasing can show.
 inline constexpr double kAdvisedPixels = 0.1;
 
-/// Rungs of the Pareto front: no other is both at least as quick and at least as exact, and better in one of the two.
-/// Errors are the worst; a setting with missed or false surfaces is less exact than all without. Times within each
-/// other's spread, or two hundredths, are equal, as are errors below what the reference is proven to; of equals the
-/// default or else the first stands for all.
+/// Rungs of the Pareto front, at least one: no other is both at least as quick and at least as exact, and better in one
+/// of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without. Times
+/// within each other's spread or two hundredths are equal, as are errors below what the reference is proven to; of
+/// equals the default or else the first stands for all.
 [[nodiscard]] std::vector<bool> pareto_front(const AccuracyReport& report);
 
 /// One sentence: the cheapest setting whose worst error is within kAdvisedPixels and that misses and invents nothing;

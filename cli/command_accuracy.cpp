@@ -38,6 +38,7 @@ ReportFiles report_files(const AccuracyCommand& command, const Session& session)
 std::string command_text(const AccuracyCommand& command) {
   std::string text = fmt::format("isl accuracy {} -s {}x{} --repeats {}", command.scene.scene.string(),
                                  command.scene.size.width, command.scene.size.height, command.repeats);
+  if (command.shadows) text += " --shadows";
   if (command.skeleton) text += " --skeleton";
   if (command.scene.lenient) text += " --lenient";
   if (command.scene.clock != 0) text += fmt::format(" --clock {}", command.scene.clock);
@@ -62,6 +63,7 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
   options.height = command.scene.size.height;
   options.threads = command.threads;
   options.rounds = command.repeats;
+  options.shadows = command.shadows;
   options.progress = [&bar](double done) { bar.update(done); };
   options.stop = &interrupt_flag();
   return render::compare(database, reference_rung(command, database).tracer, settings,

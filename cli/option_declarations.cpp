@@ -172,6 +172,7 @@ void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy) {
   app.add_option("-o,--output", accuracy.output, "Write NAME.html, NAME.json and NAME.csv [<scene name>.accuracy]")
       ->type_name("NAME");
   app.add_flag("--skeleton", accuracy.skeleton, "Show each component of a blob as the solid that it is alone");
+  app.add_flag("--shadows", accuracy.shadows, "Trace and compare shadow rays too");
   add(app, "--repeats", "N", "Rounds of timing, at most: what is slow is timed less often [5]", integer_from(1, 1000),
       [&accuracy](std::int64_t v) { accuracy.repeats = static_cast<int>(v); });
   add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&accuracy](std::int64_t v) {

@@ -74,6 +74,7 @@ struct AccuracyCommand {
   int threads = 0;               ///< 0: all cores
   int repeats = 5;               ///< rounds of timing
   bool skeleton = false;         ///< blobs as their skeleton models
+  bool shadows = false;          ///< the shadow rays of what is seen too
 };
 
 /// Nothing is left to do but to print: help, the version, or what is wrong with the arguments.

@@ -89,6 +89,18 @@ TEST_F(AccuracyCommand, WritesAPageThatNeedsNothingElse) {
   EXPECT_THAT(page, HasSubstr("isl accuracy blob.isl -s 48x36"));
 }
 
+TEST_F(AccuracyCommand, ComparesShadowsWhereAsked) {
+  const ProcessResult result = measure({"-o", "numbers", "--shadows"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("shadow rays"));
+  for (const json& setting : json::parse(read("numbers.json")).at("settings")) {
+    EXPECT_GT(setting.at("shadows").at("rays"), 100);
+    EXPECT_TRUE(setting.at("family") != "exact" || setting.at("shadows").at("leaks") == 0);
+  }
+  EXPECT_THAT(read("numbers.html"), HasSubstr("false shadows"));
+  EXPECT_THAT(read("numbers.json"), HasSubstr("--shadows"));
+}
+
 TEST_F(AccuracyCommand, NamesItsFilesAfterTheScene) {
   ASSERT_EQ(measure({}).exit_code, 0);
   EXPECT_THAT(files(), ElementsAre("blob.accuracy.csv", "blob.accuracy.html", "blob.accuracy.json", "blob.isl"));
