@@ -8,6 +8,9 @@
 #include <hwy/highway.h>
 
 #include "renderer/fields/blob_point-inl.h"
+#include "renderer/solvers/cell_search-inl.h"
+#include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/paper-inl.h"
 #include "renderer/solvers/paper_point-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
@@ -15,22 +18,31 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+/// The product's solver, or the published one.
+struct ProductSearch {
+  [[nodiscard]] static BlobHit first_hit(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
+                                         TraceCounters& counters, const BlobRay& ray) {
+    if (is_published(settings.name)) return PaperSearch(blob, settings, memory.paper, counters).first_hit(ray);
+    return CellSearch<HermiteSolver>(blob, settings, memory.lanes, counters).first_hit(ray);
+  }
+};
+
 void first_hits(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays, std::span<Hit> hits,
                 TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(true);
-  WorldTrace world(scene, settings, memory, counters);
+  WorldTrace<ProductSearch> world(scene, settings, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
 }
 
 void occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
-  WorldTrace world(scene, settings, memory, counters);
+  WorldTrace<ProductSearch> world(scene, settings, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
 }
 
 const TraceKernel* kernel() {
-  static const TraceKernel instance{hwy::TargetName(HWY_TARGET), first_hits, occlusions, blob_point, paper_point};
+  static const TraceKernel instance{hwy::TargetName(HWY_TARGET), {first_hits, occlusions}, blob_point, paper_point};
   return &instance;
 }
 
@@ -39,37 +51,13 @@ const TraceKernel* kernel() {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "renderer/vector_targets.h"
+
 namespace isl::render {
-namespace {
-
-struct Target {
-  std::int64_t bit;
-  const TraceKernel* (*kernel)();
-};
-
-/// Widest first; the last is the baseline, which every machine has.
-constexpr Target kTargets[] = {
-#if HWY_TARGETS & HWY_AVX3
-    {HWY_AVX3, &N_AVX3::kernel},
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    {HWY_AVX2, &N_AVX2::kernel},
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    {HWY_SSE4, &N_SSE4::kernel},
-#endif
-    {HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(kernel)},
-};
-
-}  // namespace
 
 const TraceKernel* trace_kernel(const std::string& name) {
-  const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
-  for (const Target& target : kTargets) {
-    if ((supported & target.bit) == 0) continue;
-    if (name.empty() || name == hwy::TargetName(target.bit)) return target.kernel();
-  }
-  return nullptr;
+  static constexpr VectorTarget<TraceKernel> kTargets[] = {ISL_VECTOR_TARGETS(kernel)};
+  return kernel_of<TraceKernel>(kTargets, name);
 }
 
 }  // namespace isl::render

@@ -37,12 +37,17 @@ struct TraceMemory {
   CsgMemory csg;
 };
 
-struct TraceKernel {
-  const char* target;
+/// What rays are traced by.
+struct TraceLoops {
   void (*first_hits)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<Hit>, TraceMemory&,
                      TraceCounters&);
   void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
                      TraceCounters&);
+};
+
+struct TraceKernel {
+  const char* target;
+  TraceLoops loops;  ///< of the product's solver and the published one
   void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
   void (*paper_point)(const CompiledBlob&, std::uint32_t cell, const PaperMemory* records, bool eq10, const Vec3& point,
                       const ShareRule&, BlobPoint&);

@@ -98,12 +98,12 @@ bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name
 
 void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
-  impl_->kernel->first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
+  impl_->kernel->loops.first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
   ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
-  impl_->kernel->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
+  impl_->kernel->loops.occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
 }
 
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {

@@ -1,4 +1,5 @@
-// The certified search for a blob's surface along a ray: the grid's cells in order, each solved by itself (hermite-inl.h).
+// The search for a blob's surface along a ray: the grid's cells in order, each solved by itself. `Solver` finds the first root in a
+// cell: the product's (hermite-inl.h) or a rival (rival_solver-inl.h), so that solvers differ in nothing else.
 // The ray carries which side of the surface it is on; a crossing is a change of that side, whether a cell's solver found it or
 // two neighbours disagree by a rounding about a root on their common border. Where the blob has half-spaces or sheets, the ray is
 // also searched before and behind the grid.
@@ -24,6 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+template <class Solver>
 class CellSearch {
  public:
   CellSearch(const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& memory, TraceCounters& counters)
@@ -60,8 +62,10 @@ class CellSearch {
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
     // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob.
-    shortest_.by_rounding = 0x1p-40 * extent / direction_.length();
-    shortest_.by_tolerance = std::max(shortest_.by_rounding, 1e-3 * settings_.at(ray_->path_length + base));
+    Shortest shortest;
+    shortest.by_rounding = 0x1p-40 * extent / direction_.length();
+    shortest.by_tolerance = std::max(shortest.by_rounding, 1e-3 * settings_.at(ray_->path_length + base));
+    lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 
   /// Whether the ray crosses the surface in the grid's box.
@@ -141,8 +145,9 @@ class CellSearch {
     reached_ = t1;
     if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
     is_node_valid_ = false;
-    const MaximumQuery query{origin_, direction_, t0, t1, shortest_, starts_here, ray_->any};
-    const std::optional<double> t = MaximumSolver(blob_, cell, query, fields_, counters_).first_crossing(side_);
+    const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
+    const std::optional<double> t =
+        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
     return t && cross(*t, index);
   }
 
@@ -154,7 +159,7 @@ class CellSearch {
       side_ = Side::outside;
       return false;
     }
-    HermiteSolver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, shortest_, counters_);
+    Solver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, lengths_, counters_);
     Node a = is_node_valid_ ? node_ : solver.node(t0);
     if (side_ == Side::unknown) {
       side_ = (starts_here ? leaves_inwards(fields_, a) : a.value > a.noise) ? Side::inside : Side::outside;
@@ -180,7 +185,7 @@ class CellSearch {
   const BlobRay* ray_ = nullptr;
   Vec3 origin_, direction_;
   double base_ = 0;
-  Shortest shortest_{};
+  typename Solver::Lengths lengths_{};
   bool starts_on_surface_ = false;
   Side side_ = Side::unknown;
   double reached_ = 0;  ///< how far the ray has been followed

@@ -29,8 +29,8 @@
 #endif
 
 #include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/cubic.h"
-#include "renderer/tracer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +54,12 @@ struct Shortest {
 
 class HermiteSolver {
  public:
+  using Lengths = Shortest;
+  /// What the driver hands to every solver; `distance`: of t = 0 from the eye.
+  [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {
+    return shortest;
+  }
+
   /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals that are `shortest` are decided by the signs at
   /// their ends and counted as uncertified.
   HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)

@@ -1,5 +1,5 @@
-// The certified search through a cell where the field is the greatest of several sums (CellKind::choice): each sum is
-// solved as if it were alone (hermite-inl.h), so that the edges of the maximum are never met.
+// The search through a cell where the field is the greatest of several sums (CellKind::choice): each sum is solved as if it
+// were alone, by the solver that finds roots in other cells, so that the edges of the maximum are never met.
 //
 // From outside, the ray crosses where the first of the sums does. From inside, it follows one sum that is above the
 // threshold to where that one leaves, then goes on with another that is still above there; where none is, it crosses.
@@ -36,16 +36,16 @@ enum class Side { unknown, outside, inside };
 struct MaximumQuery {
   Vec3 origin, direction;
   double t0, t1;
-  Shortest shortest;
   bool starts_here;  ///< on the surface, at t0
   bool any;
 };
 
+template <class Solver>
 class MaximumSolver {
  public:
-  MaximumSolver(const CompiledBlob& blob, const Cell& cell, const MaximumQuery& query, RayLanes& fields,
-                TraceCounters& counters)
-      : blob_(blob), cell_(cell), query_(query), fields_(fields), counters_(counters) {}
+  MaximumSolver(const CompiledBlob& blob, const Cell& cell, const MaximumQuery& query,
+                const typename Solver::Lengths& lengths, RayLanes& fields, TraceCounters& counters)
+      : blob_(blob), cell_(cell), query_(query), lengths_(lengths), fields_(fields), counters_(counters) {}
 
   /// Where the ray changes sides in (t0, t1], or at t0 if it is not on the side it is said to be on. Makes an unknown side
   /// known.
@@ -77,7 +77,7 @@ class MaximumSolver {
   /// Leaves the sum's fields laid out.
   [[nodiscard]] Node node_of(std::uint32_t i, double t) {
     lay_out(i);
-    return HermiteSolver(fields_, 1, query_.shortest, counters_).node(t);
+    return Solver(fields_, 1, lengths_, counters_).node(t);
   }
   [[nodiscard]] Greatest greatest_at(double t) {
     Greatest greatest;
@@ -99,7 +99,7 @@ class MaximumSolver {
       const bool is_start = is_on_surface(i);
       lay_out(i);
       if (fields_.upper_bound() < 0 && !is_start) continue;
-      HermiteSolver solver(fields_, 1, query_.shortest, counters_);
+      Solver solver(fields_, 1, lengths_, counters_);
       Node from = solver.node(query_.t0);
       if (is_start) from.value = 0;
       const Node to = solver.node(nearest.value_or(query_.t1));
@@ -120,7 +120,7 @@ class MaximumSolver {
     bool is_start = query_.starts_here;
     while (true) {
       lay_out(followed);
-      HermiteSolver solver(fields_, -1, query_.shortest, counters_);
+      Solver solver(fields_, -1, lengths_, counters_);
       Node from = solver.node(t);
       if (is_start) from.value = 0;
       const std::optional<double> left = solver.first_root(from, solver.node(query_.t1), is_start, false);
@@ -141,6 +141,7 @@ class MaximumSolver {
   const CompiledBlob& blob_;
   const Cell& cell_;
   const MaximumQuery& query_;
+  const typename Solver::Lengths& lengths_;
   RayLanes& fields_;
   TraceCounters& counters_;
   Greatest greatest_at_start_;

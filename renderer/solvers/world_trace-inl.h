@@ -8,8 +8,9 @@
 #endif
 
 #include "renderer/solids/solid.h"
-#include "renderer/solvers/cell_search-inl.h"
-#include "renderer/solvers/paper-inl.h"
+#include "renderer/grid/grid_walk-inl.h"
+#include "renderer/solvers/blob_ray.h"
+#include "renderer/trace_kernel.h"
 
 #include <array>
 #include <cmath>
@@ -18,6 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+/// `Search` has BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&).
+template <class Search>
 class WorldTrace {
  public:
   WorldTrace(const CompiledScene& scene, const SolverSettings& settings, TraceMemory& memory, TraceCounters& counters)
@@ -135,8 +138,7 @@ class WorldTrace {
   }
 
   [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {
-    if (is_published(settings_.name)) return PaperSearch(blob, settings_, memory_.paper, counters_).first_hit(ray);
-    return CellSearch(blob, settings_, memory_.lanes, counters_).first_hit(ray);
+    return Search::first_hit(blob, settings_, memory_, counters_, ray);
   }
 
   const CompiledScene& scene_;
