@@ -146,8 +146,7 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
       [&picture](std::int64_t v) { picture.quality = static_cast<int>(v); })
       ->group(group);
   add(app, "--solver", "NAME",
-      fmt::format("hermite (certified), exact, paper or paper:K (as published), iso; of the last three, behind commas: {} [hermite]",
-                  solver_switches_text()),
+      fmt::format("{}; of paper and iso, behind commas: {} [hermite]", solvers_text(), solver_switches_text()),
       parse_solver,
       [&picture](const SolverChoice& v) { picture.solver = v; })
       ->group(group);

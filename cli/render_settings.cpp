@@ -54,6 +54,8 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.solver = settings.solver.name;
   settings.tracer.interpolants = settings.solver.interpolants;
   settings.tracer.paper = settings.solver.paper;
+  settings.tracer.step = settings.solver.step;
+  settings.tracer.relaxation = settings.solver.relaxation;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
   settings.tracer.skeleton = picture.skeleton;

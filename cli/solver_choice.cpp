@@ -16,14 +16,19 @@ using render::PaperSwitch;
 using render::PaperSwitches;
 using render::SolverName;
 
+/// What may stand behind a solver's colon.
+enum class Argument { none, interpolants, step, relaxation };
+
 struct NamedSolver {
   std::string_view word;
   SolverName name;
+  Argument argument = Argument::none;
 };
 constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
-                                    {"paper", SolverName::paper},
+                                    {"exact", SolverName::exact},
+                                    {"paper", SolverName::paper, Argument::interpolants},
                                     {"iso", SolverName::iso},
-                                    {"exact", SolverName::exact}};
+                                    {"interval", SolverName::interval}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.
@@ -37,8 +42,8 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 Parsed<SolverChoice> unknown_solver(std::string_view text, std::string_view word) {
   std::vector<std::string_view> words;
   for (const NamedSolver& solver : kSolvers) words.push_back(solver.word);
-  return Parsed<SolverChoice>::error(fmt::format(
-      "unknown solver `{}`{} there are hermite, paper, paper:K, iso and exact", text, did_you_mean(word, words)));
+  return Parsed<SolverChoice>::error(
+      fmt::format("unknown solver `{}`{} there are {}", text, did_you_mean(word, words), solvers_text()));
 }
 
 Parsed<SolverChoice> unknown_switch(std::string_view word) {
@@ -79,26 +84,60 @@ std::vector<std::string_view> words_between(const PaperSwitches& from, const Pap
   return words;
 }
 
+std::string_view word_of(Argument argument) {
+  switch (argument) {
+    case Argument::none: return "";
+    case Argument::interpolants: return "K";
+    case Argument::step: return "STEP";
+    case Argument::relaxation: return "OMEGA";
+  }
+  return "";
+}
+
+/// What is wrong with the text behind the colon; "" if nothing is, and then the choice has it.
+std::string read_argument(Argument argument, std::string_view text, SolverChoice& choice) {
+  switch (argument) {
+    case Argument::none: break;
+    case Argument::interpolants: {
+      const auto k = parse_integer(text, 1, kMaxInterpolants);
+      if (!k.ok()) return fmt::format("paper:K with K interpolants from 1 to {}", kMaxInterpolants);
+      choice.interpolants = static_cast<int>(k.value());
+      break;
+    }
+    case Argument::step: {
+      const auto step = parse_tolerance(text);
+      if (!step.ok()) return "a STEP above zero in pixels (0.5px) or scene units (1e-3)";
+      choice.step = step.value();
+      break;
+    }
+    case Argument::relaxation: {
+      const auto omega = parse_number(text, 1, 2);
+      if (!omega.ok() || omega.value() == 2) return "sphere:OMEGA with OMEGA at least 1 and below 2";
+      choice.relaxation = omega.value();
+      break;
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 Parsed<SolverChoice> parse_solver(std::string_view text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   std::string_view switches = text.substr(std::min(comma + 1, text.size()));
-  std::string_view count = text.substr(0, comma);
-  const bool has_count = count.find(':') != std::string_view::npos;
-  const std::string_view word = take_until(count, ':');
+  std::string_view argument = text.substr(0, comma);
+  const bool has_argument = argument.find(':') != std::string_view::npos;
+  const std::string_view word = take_until(argument, ':');
   const auto solver =
       std::find_if(std::begin(kSolvers), std::end(kSolvers), [&](const auto& s) { return s.word == word; });
-  if (solver == std::end(kSolvers) || (has_count && solver->name != SolverName::paper))
+  if (solver == std::end(kSolvers) || (has_argument && solver->argument == Argument::none)) {
     return unknown_solver(text, word);
-  SolverChoice choice{solver->name, 2, {}};
-  if (has_count) {
-    const auto k = parse_integer(count, 1, kMaxInterpolants);
-    if (!k.ok()) {
-      return Parsed<SolverChoice>::error(
-          fmt::format("expected paper:K with K interpolants from 1 to {}, found `{}`", kMaxInterpolants, text));
-    }
-    choice.interpolants = static_cast<int>(k.value());
+  }
+  SolverChoice choice;
+  choice.name = solver->name;
+  if (has_argument) {
+    const std::string expected = read_argument(solver->argument, argument, choice);
+    if (!expected.empty()) return Parsed<SolverChoice>::error(fmt::format("expected {}, found `{}`", expected, text));
   }
   if (comma == text.size()) return choice;
   if (!render::is_published(choice.name)) {
@@ -117,13 +156,24 @@ std::string to_text(const SolverChoice& solver) {
   const auto named =
       std::find_if(std::begin(kSolvers), std::end(kSolvers), [&](const auto& s) { return s.name == solver.name; });
   std::string text(named->word);
-  if (solver.name == SolverName::paper) text += fmt::format(":{}", solver.interpolants);
+  if (named->argument == Argument::interpolants) text += fmt::format(":{}", solver.interpolants);
+  if (named->argument == Argument::step) text += fmt::format(":{}", to_text(solver.step));
+  if (named->argument == Argument::relaxation && solver.relaxation != 1) text += fmt::format(":{}", solver.relaxation);
   if (!render::is_published(solver.name)) return text;
   const std::vector<std::string_view> from_default = words_between({}, solver.paper);
   std::vector<std::string_view> from_plain = words_between(render::kPlainPaper, solver.paper);
   from_plain.insert(from_plain.begin(), kPlain);
   for (const std::string_view word : from_plain.size() < from_default.size() ? from_plain : from_default) {
     text += fmt::format(",{}", word);
+  }
+  return text;
+}
+
+std::string solvers_text() {
+  std::string text;
+  for (const NamedSolver& solver : kSolvers) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", solver.word);
+    if (solver.argument != Argument::none) text += fmt::format("[:{}]", word_of(solver.argument));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include "renderer/compiled_scene.h"
 #include "renderer/csg/cutaway.h"
 #include "renderer/grid/grid_json.h"
+#include "renderer/rival_kernel.h"
 #include "renderer/solids/solid.h"
 #include "renderer/trace_kernel.h"
 
@@ -26,6 +27,7 @@ struct Tracer::Impl {
   CompiledScene scene;
   SolverSettings settings;
   const TraceKernel* kernel = nullptr;
+  const TraceLoops* loops = nullptr;  ///< the kernel's, or a rival's
 
   /// The normal of a solid or blob at a point in its own space, of any length; adds its textures there, of which `other` is
   /// the one where it has none of its own.
@@ -81,7 +83,8 @@ TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& po
 }  // namespace
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
-  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper};
+  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper,
+                      options.step, options.relaxation};
   impl_->scene = compile(database, {.classify_cells = !is_published(options.solver), .skeleton = options.skeleton});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
@@ -89,6 +92,7 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
   }
   impl_->kernel = trace_kernel(options.simd);
   ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
+  impl_->loops = is_rival(options.solver) ? rival_kernel(options.simd) : &impl_->kernel->loops;
 }
 
 Tracer::~Tracer() = default;
@@ -98,12 +102,12 @@ bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name
 
 void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
-  impl_->kernel->loops.first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
+  impl_->loops->first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
   ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
-  impl_->kernel->loops.occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
+  impl_->loops->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
 }
 
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {

@@ -90,15 +90,20 @@ struct TraceCounters {
   }
 };
 
-enum class SolverName : std::uint8_t { hermite, paper, exact, iso };
+enum class SolverName : std::uint8_t { hermite, paper, exact, iso, interval };
 
 /// Whether it is the published solver or one of its kin, which has its switches.
 [[nodiscard]] inline bool is_published(SolverName name) { return name == SolverName::paper || name == SolverName::iso; }
+
+/// Whether it is another way of finding a root in a cell, for comparison (solvers/rival_solver-inl.h).
+[[nodiscard]] inline bool is_rival(SolverName name) { return name >= SolverName::interval; }
 
 /// A length along the ray: in pixels of the ray's own footprint, or in scene units.
 struct Tolerance {
   double value = 0.05;
   bool in_pixels = true;
+
+  friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
 struct TracerOptions {
@@ -106,6 +111,8 @@ struct TracerOptions {
   int interpolants = 2;          ///< of `paper:K`
   PaperSwitches paper;           ///< of `paper` and `iso`
   Tolerance tolerance;
+  Tolerance step{1, true};       ///< of those that march
+  double relaxation = 1;         ///< of sphere tracing, in [1, 2)
   double pixel_angle = 1e-3;     ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool skeleton = false;         ///< every blob as its skeleton model (scene::Blob::is_skeleton)
   std::string simd;              ///< "" for the best the machine has, or a Highway target name ("AVX2")

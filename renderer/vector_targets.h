@@ -1,5 +1,5 @@
-// The vector widths that a file compiled by Highway's foreach_target has been compiled for, as a table to choose from at run time.
-// Included by such a file once, in its HWY_ONCE part.
+// The vector widths that a file compiled by Highway's foreach_target has been compiled for, as a table to choose from
+// at run time. Included by such a file once, in its HWY_ONCE part.
 #pragma once
 
 #include <hwy/highway.h>
@@ -18,8 +18,8 @@ struct VectorTarget {
   const Kernel* (*make)();
 };
 
-/// That of the widest vectors that this machine has, or of the target named ("AVX3", "AVX2", "SSE4", …). Null if the machine or
-/// the program lacks it. `targets`: widest first.
+/// That of the widest vectors that this machine has, or of the target named ("AVX3", "AVX2", "SSE4", …). Null if the
+/// machine or the program lacks it. `targets`: widest first.
 template <class Kernel>
 [[nodiscard]] const Kernel* kernel_of(std::span<const VectorTarget<Kernel>> targets, const std::string& name) {
   const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;

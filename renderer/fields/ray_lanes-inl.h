@@ -10,6 +10,7 @@
 #include "renderer/fields/branches.h"
 #include "renderer/fields/lane_range-inl.h"
 #include "renderer/fields/lane_setup-inl.h"
+#include "renderer/fields/lane_slope-inl.h"
 
 #include <cmath>
 #include <cstdint>
@@ -116,6 +117,12 @@ class RayLanes {
     return {f.low - relative_noise_ * f.low_terms - threshold_ - threshold_noise_,
             f.high + relative_noise_ * f.high_terms - threshold_ + threshold_noise_};
   }
+  /// F′ likewise (lane_slope-inl.h), and F″ (lane_bend-inl.h), rounding apart.
+  [[nodiscard]] FieldRange slope_range(double t0, double t1) const {
+    const SumRange f = LaneSlope(m_, t0, t1).sum_range();
+    return {f.low - relative_noise_ * f.low_terms, f.high + relative_noise_ * f.high_terms};
+  }
+  [[nodiscard]] FieldRange bend_range(double t0, double t1) const { return LaneBend(m_, t0, t1).range(); }
 
  private:
   // ---- Evaluation ---------------------------------------------------------------------------------------------------

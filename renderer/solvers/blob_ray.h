@@ -35,11 +35,20 @@ struct SolverSettings {
   Tolerance tolerance;
   double pixel_angle = 0;
   PaperSwitches paper;
+  Tolerance step{1, true};
+  double relaxation = 1;
 
   /// The tolerance along the ray, in scene units, at a distance from the eye. 0 for `exact`.
   [[nodiscard]] double at(double distance) const {
     if (name == SolverName::exact) return 0;
-    return tolerance.in_pixels ? tolerance.value * pixel_angle * distance : tolerance.value;
+    return along_ray(tolerance, distance);
+  }
+  /// The same of `step`.
+  [[nodiscard]] double step_at(double distance) const { return along_ray(step, distance); }
+
+ private:
+  [[nodiscard]] double along_ray(const Tolerance& length, double distance) const {
+    return length.in_pixels ? length.value * pixel_angle * distance : length.value;
   }
 };
 

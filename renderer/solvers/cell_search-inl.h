@@ -179,7 +179,7 @@ class CellSearch {
 
   const CompiledBlob& blob_;
   const SolverSettings& settings_;
-  RayLanes fields_;
+  typename Solver::Fields fields_;
   TraceCounters& counters_;
 
   const BlobRay* ray_ = nullptr;

@@ -54,6 +54,7 @@ struct Shortest {
 
 class HermiteSolver {
  public:
+  using Fields = RayLanes;
   using Lengths = Shortest;
   /// What the driver hands to every solver; `distance`: of t = 0 from the eye.
   [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {

@@ -44,7 +44,7 @@ template <class Solver>
 class MaximumSolver {
  public:
   MaximumSolver(const CompiledBlob& blob, const Cell& cell, const MaximumQuery& query,
-                const typename Solver::Lengths& lengths, RayLanes& fields, TraceCounters& counters)
+                const typename Solver::Lengths& lengths, typename Solver::Fields& fields, TraceCounters& counters)
       : blob_(blob), cell_(cell), query_(query), lengths_(lengths), fields_(fields), counters_(counters) {}
 
   /// Where the ray changes sides in (t0, t1], or at t0 if it is not on the side it is said to be on. Makes an unknown side
@@ -142,7 +142,7 @@ class MaximumSolver {
   const Cell& cell_;
   const MaximumQuery& query_;
   const typename Solver::Lengths& lengths_;
-  RayLanes& fields_;
+  typename Solver::Fields& fields_;
   TraceCounters& counters_;
   Greatest greatest_at_start_;
 };

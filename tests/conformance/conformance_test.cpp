@@ -90,6 +90,21 @@ FieldUnderTest ranging_over_the_first_half(FieldUnderTest field) {
   };
   return field;
 }
+FieldUnderTest sloping_as_in_the_middle(FieldUnderTest field) {
+  field.slope_range_along_ray = [range = field.slope_range_along_ray](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    const double middle = 0.5 * (t0 + t1);
+    return range(origin, direction, middle, middle);
+  };
+  return field;
+}
+FieldUnderTest sure_to_be_straight(FieldUnderTest field) {
+  field.bend_range_along_ray = [](const Vec3&, const Vec3&, double, double) { return ValueRange{0, 0}; };
+  return field;
+}
+FieldUnderTest sloping_in_every_way(FieldUnderTest field) {
+  field.slope_range_along_ray = [](const Vec3&, const Vec3&, double, double) { return ValueRange{-1e300, 1e300}; };
+  return field;
+}
 FieldUnderTest sure_of_its_values(FieldUnderTest field) {
   field.remainder = [bound = field.remainder](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     return RemainderBounds{0, bound(origin, direction, t0, t1).derivative};
@@ -115,6 +130,9 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
                                            {"BoxRangeHoldsEverySample", bounded_from_its_corners},
                                            {"BoxRangeShrinksWithTheBox", bounded_by_everything},
                                            {"RangeAlongARayHoldsEverySample", ranging_over_the_first_half},
+                                           {"SlopeAndBendAlongARayHoldEverySample", sloping_as_in_the_middle},
+                                           {"SlopeAndBendAlongARayHoldEverySample", sure_to_be_straight},
+                                           {"SlopeRangeShrinksWithTheStretch", sloping_in_every_way},
                                            {"RemainderBoundsTheCubicsError", sure_of_its_values},
                                            {"RemainderBoundsTheCubicsError", sure_of_its_slopes}};
   for (const Property& property : properties()) {

@@ -38,6 +38,10 @@ struct FieldUnderTest {
   std::function<ValueRange(const Vec3& low, const Vec3& high)> range_over_box;
   /// Encloses f over a stretch of a ray.
   std::function<ValueRange(const Vec3& origin, const Vec3& direction, double t0, double t1)> range_along_ray;
+  /// Encloses df/dt over a stretch of a ray.
+  std::function<ValueRange(const Vec3& origin, const Vec3& direction, double t0, double t1)> slope_range_along_ray;
+  /// Encloses (f′(t) − f′(s))/(t − s) for all s < t on a stretch of a ray.
+  std::function<ValueRange(const Vec3& origin, const Vec3& direction, double t0, double t1)> bend_range_along_ray;
   std::function<RemainderBounds(const Vec3& origin, const Vec3& direction, double t0, double t1)> remainder;
 };
 

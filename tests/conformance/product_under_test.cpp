@@ -54,6 +54,20 @@ FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
     const render::FieldRange range = fields.range(t0, t1);
     return {range.low, range.high};
   };
+  field.slope_range_along_ray = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
+    render::LaneMemory memory;
+    lanes::RayLanes fields(memory);
+    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
+    const render::FieldRange range = fields.slope_range(t0, t1);
+    return {range.low, range.high};
+  };
+  field.bend_range_along_ray = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
+    render::LaneMemory memory;
+    lanes::RayLanes fields(memory);
+    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
+    const render::FieldRange range = fields.bend_range(t0, t1);
+    return {range.low, range.high};
+  };
   field.remainder = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> RemainderBounds {
     render::LaneMemory memory;
     lanes::RayLanes fields(memory);

@@ -295,6 +295,57 @@ std::string range_along_a_ray_holds_every_sample(const FieldUnderTest& tested, c
   return {};
 }
 
+/// Of f′ and of its change, at samples from one end of the stretch to the other.
+std::string slope_and_bend_along_a_ray_hold_every_sample(const FieldUnderTest& tested, const FieldCase& field) {
+  RandomSource random(110);
+  const ReferenceComponent judge = truth_of(field);
+  for (int i = 0; i < kPoints; ++i) {
+    const ProbeRay ray = probe_ray(random, field);
+    const double length = ray.direction.length(), h = field.reach * std::pow(10, random.between(-3, 0)) / length;
+    const double t0 = ray.t - h * random.unit(), t1 = t0 + h;
+    const ValueRange slopes = tested.slope_range_along_ray(ray.origin, ray.direction, t0, t1);
+    const ValueRange bends = tested.bend_range_along_ray(ray.origin, ray.direction, t0, t1);
+    const double sensitivity = 1 + 4 * field.reach / feature_size(field);
+    double last = 0;
+    for (int k = 0; k <= 40; ++k) {
+      const long double t = t0 + (static_cast<long double>(t1) - t0) * k / 40;
+      const FieldSample truth = judge.sample(exactly(ray.origin) + exactly(ray.direction) * t);
+      const double slope = static_cast<double>(dot(truth.gradient, exactly(ray.direction)));
+      const double size = (length_of(truth.gradient) + 0.01 * unit_of(field) / feature_size(field)) * length;
+      const double slack = kRounding * sensitivity * size;
+      if (!(slopes.low - slack <= slope && slope <= slopes.high + slack)) {
+        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: f′ = {:.17g} is outside [{:.17g}, {:.17g}]", text(ray.origin),
+                           text(ray.direction), t0, t1, slope, slopes.low, slopes.high);
+      }
+      const double change = slope - last, step = h / 40;
+      if (k > 0 && !(step * bends.low * (bends.low < 0 ? 1 + 1e-9 : 1 - 1e-9) - slack <= change &&
+                     change <= step * bends.high * (bends.high > 0 ? 1 + 1e-9 : 1 - 1e-9) + slack)) {
+        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: f′ changes by {:.17g} at sample {}, outside {:.17g} times "
+                           "[{:.17g}, {:.17g}]",
+                           text(ray.origin), text(ray.direction), t0, t1, change, k, step, bends.low, bends.high);
+      }
+      last = slope;
+    }
+  }
+  return {};
+}
+
+/// Where a stretch is short the enclosure is as narrow as the change of f′ on it, so that solvers which halve it end.
+std::string slope_range_shrinks_with_the_stretch(const FieldUnderTest& tested, const FieldCase& field) {
+  RandomSource random(111);
+  for (int i = 0; i < kPoints; ++i) {
+    const ProbeRay ray = probe_ray(random, field);
+    const double length = ray.direction.length(), h = feature_size(field) * 1e-6 / length;
+    const ValueRange slopes = tested.slope_range_along_ray(ray.origin, ray.direction, ray.t - h, ray.t + h);
+    const Vec3 p = ray.origin + ray.direction * ray.t;
+    const double size = (std::abs(tested.value(p)) + unit_of(field)) / feature_size(field) * length;
+    if (!(slopes.high - slopes.low <= 1e-3 * size)) {
+      return fmt::format("at {} towards {}: [{}, {}]", text(p), text(ray.direction), slopes.low, slopes.high);
+    }
+  }
+  return {};
+}
+
 std::string remainder_bounds_the_cubics_error(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(108);
   const ReferenceComponent judge = truth_of(field);
@@ -351,6 +402,8 @@ const std::vector<Property>& properties() {
       {"BoxRangeHoldsEverySample", box_range_holds_every_sample},
       {"BoxRangeShrinksWithTheBox", box_range_shrinks_with_the_box},
       {"RangeAlongARayHoldsEverySample", range_along_a_ray_holds_every_sample},
+      {"SlopeAndBendAlongARayHoldEverySample", slope_and_bend_along_a_ray_hold_every_sample},
+      {"SlopeRangeShrinksWithTheStretch", slope_range_shrinks_with_the_stretch},
       {"RemainderBoundsTheCubicsError", remainder_bounds_the_cubics_error}};
   return list;
 }

@@ -3,6 +3,7 @@
 #include "tests/reference/reference_ray.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace isl::conformance {
@@ -58,6 +59,16 @@ FieldUnderTest reference_field_under_test(const FieldCase& tested_case) {
     const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
     const Interval range = ray.over(ray.all(), t0, t1).value + Interval(field->threshold());
     return ValueRange{rounded(range.lo), rounded(range.hi)};
+  };
+  tested.slope_range_along_ray = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
+    const Interval range = ray.over(ray.all(), t0, t1).derivative;
+    return ValueRange{rounded(range.lo), rounded(range.hi)};
+  };
+  // The reference knows no second derivatives.
+  tested.bend_range_along_ray = [](const Vec3&, const Vec3&, double, double) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return ValueRange{-kInfinity, kInfinity};
   };
   tested.remainder = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     return remainder_from_slopes(FieldOnRay(*field, {interval_of(origin), interval_of(direction)}), t0, t1);

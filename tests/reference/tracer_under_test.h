@@ -70,6 +70,7 @@ class TracerUnderTest {
   [[nodiscard]] const AgreementOptions& comparison() const { return comparison_; }
   /// Of all rays so far.
   [[nodiscard]] std::uint64_t uncertified_steps() const { return counters_.uncertified_steps; }
+  [[nodiscard]] std::uint64_t field_evaluations() const { return counters_.field_evaluations; }
 
  private:
   render::Tracer tracer_;

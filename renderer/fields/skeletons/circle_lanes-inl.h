@@ -29,6 +29,11 @@ struct CircleBounds {
   [[nodiscard]] HWY_INLINE SecondAndFourth compose(const Kernel& kernel) const {
     return render::HWY_NAMESPACE::compose(kernel, v);
   }
+  /// |f′| on the interval is no greater.
+  template <class Kernel>
+  [[nodiscard]] HWY_INLINE Octet steepest(const Kernel& kernel) const {
+    return kernel.slopes(v.least).first * v.first;
+  }
 };
 
 struct CircleLanes {

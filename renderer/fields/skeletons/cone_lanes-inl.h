@@ -38,6 +38,12 @@ struct ConeBounds {
             max(select(may_a, a.high, lowest), max(select(may_b, b.high, lowest), select(may_body, c.high, lowest))),
             max(keep(may_a, a.fourth), max(keep(may_b, b.fourth), keep(may_body, c.fourth)))};
   }
+  /// |f′| on the interval is no greater.
+  template <class Kernel>
+  [[nodiscard]] HWY_INLINE Octet steepest(const Kernel& kernel) const {
+    const auto of = [&](const JetBounds& v) HWY_ATTR { return kernel.slopes(v.least).first * v.first; };
+    return max(keep(may_a, of(at_a)), max(keep(may_b, of(at_b)), keep(may_body, of(body))));
+  }
 };
 
 struct ConeLanes {

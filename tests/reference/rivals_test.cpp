@@ -1,0 +1,140 @@
+// The rival solvers: the certified ones miss nothing that the reference sees, the others miss what their papers say they
+// miss, and no ray goes on for ever.
+#include "tests/reference/agreement.h"
+#include "tests/reference/random_scenes.h"
+#include "tests/reference/small_scenes.h"
+#include "tests/reference/tracer_under_test.h"
+#include "tests/support/sphereflake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace isl::reference {
+namespace {
+
+struct Rival {
+  const char* name;
+  render::SolverName solver;
+};
+
+constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}};
+constexpr Rival kAll[] = {{"interval", render::SolverName::interval}};
+
+std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
+
+render::TracerOptions options_of(const Rival& rival, render::Tolerance tolerance, render::Tolerance step = {1, true}) {
+  render::TracerOptions options = with(rival.solver, tolerance);
+  options.step = step;
+  return options;
+}
+
+std::vector<render::Ray> random_rays(RandomSource& random, int count, double distance, double target) {
+  std::vector<render::Ray> rays;
+  for (int i = 0; i < count; ++i) rays.push_back(camera_ray(random_line(random, distance, target)));
+  return rays;
+}
+
+class CertifiedRivals : public testing::TestWithParam<Rival> {};
+
+struct RandomBlobsCase {
+  const char* name;
+  RandomBlobOptions options;
+};
+constexpr RandomBlobsCase kCases[] = {{"smooth", {.scale = 1, .hardest = 8}},
+                                      {"small", {.scale = 1e-3, .hardest = 8}},
+                                      {"hard", {.scale = 1, .hardest = 40}},
+                                      {"trees", {.scale = 1, .maxima = true, .hardest = 8}},
+                                      {"half-spaces", {.scale = 1, .half_space = true, .hardest = 8}},
+                                      {"convolved", {.scale = 1, .convolutions = true, .hardest = 8}}};
+
+TEST_P(CertifiedRivals, MissNothingOnRandomBlobs) {
+  for (const RandomBlobsCase& given : kCases) {
+    RandomSource random(71);
+    std::size_t hits = 0, excused = 0, rays_in_all = 0;
+    for (const int components : {1, 2, 3, 5, 9, 17, 40, 100}) {
+      RandomBlobOptions blob = given.options;
+      blob.components = components;
+      const scene::Database database = random_blob(random, blob);
+      const ReferenceScene scene(database);
+      const TracerUnderTest tracer(database, options_of(GetParam(), {1e-6 * blob.scale, false}));
+      std::vector<render::Ray> rays = random_rays(random, 60, 3 * blob.scale, 0.7 * blob.scale);
+      for (int i = 0; i < 20; ++i) rays.push_back(camera_ray({random.in_ball(0.7 * blob.scale), random.direction()}));
+      const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
+      EXPECT_EQ(agreement.disagreements(), 0U) << given.name << ' ' << components << ": " << agreement.text();
+      const std::vector<render::Ray> shadows = shadow_rays(tracer, rays, blob.scale, random);
+      const Agreement shaded = compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison());
+      EXPECT_EQ(shaded.disagreements(), 0U) << given.name << ' ' << components << ": " << shaded.text();
+      hits += agreement.hits;
+      excused += agreement.lost_in_rounding + agreement.too_thin + shaded.lost_in_rounding + shaded.too_thin;
+      rays_in_all += rays.size() + shadows.size();
+    }
+    EXPECT_GT(hits, rays_in_all / 20) << given.name;
+    EXPECT_LT(excused, rays_in_all / 50) << given.name;
+  }
+}
+
+TEST_P(CertifiedRivals, MissNothingOnTheSphereflake) {
+  const scene::Database database = test::sphereflake(3, gaussian(4));
+  const ReferenceScene scene(database);
+  const TracerUnderTest tracer(database, options_of(GetParam(), {0.05, true}));
+  RandomSource random(72);
+  const std::vector<render::Ray> rays = random_rays(random, 1000, 3, 0.9);
+  const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
+  std::cout << GetParam().name << ": " << agreement.text() << '\n';
+  EXPECT_EQ(agreement.disagreements(), 0U) << agreement.text();
+  EXPECT_GT(agreement.hits, 300U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rivals, CertifiedRivals, testing::ValuesIn(kCertified), name_of);
+
+class Rivals : public testing::TestWithParam<Rival> {};
+
+TEST_P(Rivals, FindASphereToTheirTolerance) {
+  for (const double radius : {1e-3, 1.0, 1e3}) {
+    const scene::Database database = one_blob(gaussian(4), {point({0, 0, 0}, radius)});
+    const double tolerance = 1e-5 * radius;
+    const TracerUnderTest tracer(database, options_of(GetParam(), {tolerance, false}, {1e-2 * radius, false}));
+    RandomSource random(73);
+    for (int i = 0; i < 100; ++i) {
+      // To within nine tenths of the radius: near the rim one step may pass.
+      const LineOfSight line = random_line(random, 3 * radius, 0.9 * radius);
+      const double middle = -line.origin.dot(line.direction);
+      const double across2 = (line.origin + line.direction * middle).length2();
+      if (across2 > 0.81 * radius * radius) continue;
+      const double expected = middle - std::sqrt(radius * radius - across2);
+      const render::Hit hit = tracer.hit(camera_ray(line));
+      ASSERT_FALSE(hit.is_miss()) << radius;
+      EXPECT_LE(std::abs(hit.t - expected), tolerance * (1 + 1e-9)) << radius;
+      EXPECT_FALSE(hit.from_inside);
+    }
+  }
+}
+
+TEST_P(Rivals, EndWithEveryRay) {
+  // Along whole lines from hit to hit, from inside as well as out, through all that a blob can be; and rays that lie in a
+  // face, where F is the threshold all along.
+  RandomSource random(74);
+  for (const RandomBlobsCase& given : kCases) {
+    RandomBlobOptions blob = given.options;
+    blob.components = 12;
+    const scene::Database database = random_blob(random, blob);
+    const TracerUnderTest tracer(database, options_of(GetParam(), {0.05, true}));
+    for (int i = 0; i < 20; ++i) {
+      const LineOfSight line = random_line(random, 3 * blob.scale, 0.7 * blob.scale);
+      EXPECT_LT(tracer.walk(line.origin, line.direction, 2000).size(), 2000U) << given.name;
+    }
+  }
+  const scene::Database flat = one_blob(quartic(3), {box({-1, -1, -1}, {1, 1, 1}, 0.5)});
+  const TracerUnderTest tracer(flat, options_of(GetParam(), {1e-6, false}, {1e-3, false}));
+  for (const double lift : {0.0, 1e-15, -1e-15, 1e-9, -1e-9}) {
+    const render::Hit hit = tracer.hit(camera_ray({{0.1, 1.5 + lift, -5}, {0, 0, 1}}));
+    EXPECT_TRUE(hit.is_miss() || (hit.t > 3 && hit.t < 7)) << lift;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(kAll), name_of);
+
+}  // namespace
+}  // namespace isl::reference
