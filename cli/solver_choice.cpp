@@ -28,7 +28,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"exact", SolverName::exact},
                                     {"paper", SolverName::paper, Argument::interpolants},
                                     {"iso", SolverName::iso},
-                                    {"interval", SolverName::interval}};
+                                    {"interval", SolverName::interval},
+                                    {"lg", SolverName::lg}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/interval-inl.h"
+#include "renderer/solvers/lg-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,6 +29,7 @@ struct RivalSearch {
                                          TraceCounters& counters, const BlobRay& ray) {
     switch (settings.name) {
       case SolverName::interval: return search<IntervalSolver>(blob, settings, memory, counters, ray);
+      case SolverName::lg: return search<LgSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

@@ -19,8 +19,8 @@ struct Rival {
   render::SolverName solver;
 };
 
-constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}};
-constexpr Rival kAll[] = {{"interval", render::SolverName::interval}};
+constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
+constexpr Rival kAll[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
