@@ -29,7 +29,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"paper", SolverName::paper, Argument::interpolants},
                                     {"iso", SolverName::iso},
                                     {"interval", SolverName::interval},
-                                    {"lg", SolverName::lg}};
+                                    {"lg", SolverName::lg},
+                                    {"march", SolverName::march, Argument::step}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

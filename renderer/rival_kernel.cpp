@@ -11,6 +11,7 @@
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/interval-inl.h"
 #include "renderer/solvers/lg-inl.h"
+#include "renderer/solvers/march-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +31,7 @@ struct RivalSearch {
     switch (settings.name) {
       case SolverName::interval: return search<IntervalSolver>(blob, settings, memory, counters, ray);
       case SolverName::lg: return search<LgSolver>(blob, settings, memory, counters, ray);
+      case SolverName::march: return search<MarchSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

@@ -1,5 +1,5 @@
-// The rival solvers: the certified ones miss nothing that the reference sees, the others miss what their papers say they
-// miss, and no ray goes on for ever.
+// The rival solvers: the certified ones miss nothing that the reference sees,
+// the others miss what their papers say they miss, and no ray goes on for ever.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
@@ -20,7 +20,8 @@ struct Rival {
 };
 
 constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
-constexpr Rival kAll[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
+constexpr Rival kAll[] = {
+    {"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}, {"march", render::SolverName::march}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
@@ -113,8 +114,9 @@ TEST_P(Rivals, FindASphereToTheirTolerance) {
 }
 
 TEST_P(Rivals, EndWithEveryRay) {
-  // Along whole lines from hit to hit, from inside as well as out, through all that a blob can be; and rays that lie in a
-  // face, where F is the threshold all along.
+  // Along whole lines from hit to hit, from inside as well as out, through all
+  // that a blob can be; and rays that lie in a face, where F is the threshold
+  // all along.
   RandomSource random(74);
   for (const RandomBlobsCase& given : kCases) {
     RandomBlobOptions blob = given.options;
@@ -132,6 +134,51 @@ TEST_P(Rivals, EndWithEveryRay) {
     const render::Hit hit = tracer.hit(camera_ray({{0.1, 1.5 + lift, -5}, {0, 0, 1}}));
     EXPECT_TRUE(hit.is_miss() || (hit.t > 3 && hit.t < 7)) << lift;
   }
+}
+
+/// Thin limbs on a ball: what steps and tolerances may pass over.
+scene::Database bristles() {
+  RandomSource random(75);
+  std::vector<scene::Component> components = {point({0, 0, 0}, 0.4)};
+  for (int i = 0; i < 40; ++i) components.push_back(segment({0, 0, 0}, random.direction(), 0.004));
+  return one_blob(quartic(4), components);
+}
+
+struct Misses {
+  std::size_t coarse, fine, hits;
+};
+/// Of the reference's hits, with two lengths of step or tolerance. Whatever
+/// else differs is no miss.
+Misses misses_of(const render::TracerOptions& coarse, const render::TracerOptions& fine) {
+  const scene::Database database = bristles();
+  const ReferenceScene scene(database);
+  RandomSource random(76);
+  const std::vector<render::Ray> rays = random_rays(random, 2000, 3, 1);
+  const Truth truth = truth_of(scene, rays);
+  const auto missed = [&](const render::TracerOptions& options, std::size_t& hits) {
+    const TracerUnderTest tracer(database, options);
+    // What is found behind something missed counts too.
+    const Agreement agreement =
+        compare_first_hits(scene, truth, tracer.trace(), rays, {.tolerance = {0.05, false}, .pixel_angle = 1e-3});
+    hits = agreement.hits;
+    return agreement.missed + agreement.misplaced;
+  };
+  Misses misses{};
+  misses.coarse = missed(coarse, misses.hits);
+  misses.fine = missed(fine, misses.hits);
+  return misses;
+}
+
+void expect_fewer_misses(const char* name, const Misses& misses) {
+  std::cout << name << " misses " << misses.coarse << " and " << misses.fine << " of " << misses.hits << '\n';
+  EXPECT_GT(misses.coarse, misses.hits / 50) << name;
+  EXPECT_LT(misses.fine, misses.coarse / 4) << name;
+}
+
+TEST(March, MissesWhatIsThinnerThanAStep) {
+  const Rival march{"march", render::SolverName::march};
+  expect_fewer_misses("march", misses_of(options_of(march, {1e-5, false}, {0.05, false}),
+                                         options_of(march, {1e-5, false}, {0.002, false})));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(kAll), name_of);
