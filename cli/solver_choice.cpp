@@ -30,7 +30,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"iso", SolverName::iso},
                                     {"interval", SolverName::interval},
                                     {"lg", SolverName::lg},
-                                    {"march", SolverName::march, Argument::step}};
+                                    {"march", SolverName::march, Argument::step},
+                                    {"climb", SolverName::climb, Argument::step}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "renderer/solvers/cell_search-inl.h"
+#include "renderer/solvers/climb-inl.h"
 #include "renderer/solvers/interval-inl.h"
 #include "renderer/solvers/lg-inl.h"
 #include "renderer/solvers/march-inl.h"
@@ -32,6 +33,7 @@ struct RivalSearch {
       case SolverName::interval: return search<IntervalSolver>(blob, settings, memory, counters, ray);
       case SolverName::lg: return search<LgSolver>(blob, settings, memory, counters, ray);
       case SolverName::march: return search<MarchSolver>(blob, settings, memory, counters, ray);
+      case SolverName::climb: return search<ClimbSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

@@ -20,8 +20,10 @@ struct Rival {
 };
 
 constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
-constexpr Rival kAll[] = {
-    {"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}, {"march", render::SolverName::march}};
+constexpr Rival kAll[] = {{"interval", render::SolverName::interval},
+                          {"lg", render::SolverName::lg},
+                          {"march", render::SolverName::march},
+                          {"climb", render::SolverName::climb}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
@@ -179,6 +181,15 @@ TEST(March, MissesWhatIsThinnerThanAStep) {
   const Rival march{"march", render::SolverName::march};
   expect_fewer_misses("march", misses_of(options_of(march, {1e-5, false}, {0.05, false}),
                                          options_of(march, {1e-5, false}, {0.002, false})));
+}
+
+TEST(Climb, MissesHillsThatShareAStep) {
+  const Rival climb{"climb", render::SolverName::climb};
+  const Misses misses =
+      misses_of(options_of(climb, {1e-5, false}, {0.2, false}), options_of(climb, {1e-5, false}, {0.01, false}));
+  std::cout << "climb misses " << misses.coarse << " and " << misses.fine << " of " << misses.hits << '\n';
+  EXPECT_GT(misses.coarse, 0U);
+  EXPECT_LT(misses.fine, misses.coarse);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(kAll), name_of);
