@@ -31,7 +31,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"interval", SolverName::interval},
                                     {"lg", SolverName::lg},
                                     {"march", SolverName::march, Argument::step},
-                                    {"climb", SolverName::climb, Argument::step}};
+                                    {"climb", SolverName::climb, Argument::step},
+                                    {"sphere", SolverName::sphere, Argument::relaxation}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

@@ -13,6 +13,7 @@
 #include "renderer/solvers/interval-inl.h"
 #include "renderer/solvers/lg-inl.h"
 #include "renderer/solvers/march-inl.h"
+#include "renderer/solvers/sphere-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,6 +35,7 @@ struct RivalSearch {
       case SolverName::lg: return search<LgSolver>(blob, settings, memory, counters, ray);
       case SolverName::march: return search<MarchSolver>(blob, settings, memory, counters, ray);
       case SolverName::climb: return search<ClimbSolver>(blob, settings, memory, counters, ray);
+      case SolverName::sphere: return search<SphereSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

@@ -23,7 +23,8 @@ constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg
 constexpr Rival kAll[] = {{"interval", render::SolverName::interval},
                           {"lg", render::SolverName::lg},
                           {"march", render::SolverName::march},
-                          {"climb", render::SolverName::climb}};
+                          {"climb", render::SolverName::climb},
+                          {"sphere", render::SolverName::sphere}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
@@ -190,6 +191,28 @@ TEST(Climb, MissesHillsThatShareAStep) {
   std::cout << "climb misses " << misses.coarse << " and " << misses.fine << " of " << misses.hits << '\n';
   EXPECT_GT(misses.coarse, 0U);
   EXPECT_LT(misses.fine, misses.coarse);
+}
+
+TEST(Sphere, MissesWhatIsThinnerThanTheTolerance) {
+  const Rival sphere{"sphere", render::SolverName::sphere};
+  expect_fewer_misses("sphere", misses_of(options_of(sphere, {0.02, false}), options_of(sphere, {1e-4, false})));
+}
+
+TEST(Sphere, OverRelaxedTakesFewerStepsToTheSameSurface) {
+  const scene::Database database = test::sphereflake(3, gaussian(4));
+  RandomSource random(77);
+  const std::vector<render::Ray> rays = random_rays(random, 1000, 3, 0.9);
+  render::TracerOptions options = with(render::SolverName::sphere, {1e-5, false});
+  const TracerUnderTest plain(database, options);
+  options.relaxation = 1.6;
+  const TracerUnderTest relaxed(database, options);
+  const std::vector<render::Hit> one = plain.hits(rays), other = relaxed.hits(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(one[i].is_miss(), other[i].is_miss()) << i;
+    if (one[i].is_miss()) continue;
+    EXPECT_NEAR(one[i].t, other[i].t, 2e-5) << i;
+  }
+  EXPECT_LT(relaxed.field_evaluations(), plain.field_evaluations() * 9 / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(kAll), name_of);
