@@ -32,7 +32,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"lg", SolverName::lg},
                                     {"march", SolverName::march, Argument::step},
                                     {"climb", SolverName::climb, Argument::step},
-                                    {"sphere", SolverName::sphere, Argument::relaxation}};
+                                    {"sphere", SolverName::sphere, Argument::relaxation},
+                                    {"segment", SolverName::segment}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

@@ -13,6 +13,7 @@
 #include "renderer/solvers/interval-inl.h"
 #include "renderer/solvers/lg-inl.h"
 #include "renderer/solvers/march-inl.h"
+#include "renderer/solvers/segment-inl.h"
 #include "renderer/solvers/sphere-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
 
@@ -36,6 +37,7 @@ struct RivalSearch {
       case SolverName::march: return search<MarchSolver>(blob, settings, memory, counters, ray);
       case SolverName::climb: return search<ClimbSolver>(blob, settings, memory, counters, ray);
       case SolverName::sphere: return search<SphereSolver>(blob, settings, memory, counters, ray);
+      case SolverName::segment: return search<SegmentSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

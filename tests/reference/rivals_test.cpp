@@ -20,11 +20,9 @@ struct Rival {
 };
 
 constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
-constexpr Rival kAll[] = {{"interval", render::SolverName::interval},
-                          {"lg", render::SolverName::lg},
-                          {"march", render::SolverName::march},
-                          {"climb", render::SolverName::climb},
-                          {"sphere", render::SolverName::sphere}};
+constexpr Rival kAll[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg},
+                          {"march", render::SolverName::march},       {"climb", render::SolverName::climb},
+                          {"sphere", render::SolverName::sphere},     {"segment", render::SolverName::segment}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
@@ -213,6 +211,22 @@ TEST(Sphere, OverRelaxedTakesFewerStepsToTheSameSurface) {
     EXPECT_NEAR(one[i].t, other[i].t, 2e-5) << i;
   }
   EXPECT_LT(relaxed.field_evaluations(), plain.field_evaluations() * 9 / 10);
+}
+
+TEST(Segment, TakesFewerStepsThanSphereTracing) {
+  const scene::Database database = test::sphereflake(3, gaussian(4));
+  RandomSource random(78);
+  const std::vector<render::Ray> rays = random_rays(random, 1000, 3, 0.9);
+  const TracerUnderTest sphere(database, with(render::SolverName::sphere, {1e-5, false}));
+  const TracerUnderTest segment(database, with(render::SolverName::segment, {1e-5, false}));
+  const std::vector<render::Hit> one = sphere.hits(rays), other = segment.hits(rays);
+  // Either may pass over what is thinner than the tolerance.
+  int differ = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    differ += one[i].is_miss() != other[i].is_miss() || std::abs(one[i].t - other[i].t) > 2e-5 ? 1 : 0;
+  }
+  EXPECT_LT(differ, 5);
+  EXPECT_LT(segment.field_evaluations(), sphere.field_evaluations());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rivals, testing::ValuesIn(kAll), name_of);
