@@ -33,7 +33,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"march", SolverName::march, Argument::step},
                                     {"climb", SolverName::climb, Argument::step},
                                     {"sphere", SolverName::sphere, Argument::relaxation},
-                                    {"segment", SolverName::segment}};
+                                    {"segment", SolverName::segment},
+                                    {"inclusion", SolverName::inclusion}};
 
 constexpr std::string_view kPlain = "plain";
 /// More interpolants a field than this is slower than the certified solver and no more exact.

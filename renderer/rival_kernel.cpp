@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/climb-inl.h"
+#include "renderer/solvers/inclusion-inl.h"
 #include "renderer/solvers/interval-inl.h"
 #include "renderer/solvers/lg-inl.h"
 #include "renderer/solvers/march-inl.h"
@@ -38,6 +39,7 @@ struct RivalSearch {
       case SolverName::climb: return search<ClimbSolver>(blob, settings, memory, counters, ray);
       case SolverName::sphere: return search<SphereSolver>(blob, settings, memory, counters, ray);
       case SolverName::segment: return search<SegmentSolver>(blob, settings, memory, counters, ray);
+      case SolverName::inclusion: return search<InclusionSolver>(blob, settings, memory, counters, ray);
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));

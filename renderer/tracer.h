@@ -90,7 +90,7 @@ struct TraceCounters {
   }
 };
 
-enum class SolverName : std::uint8_t { hermite, paper, exact, iso, interval, lg, march, climb, sphere, segment };
+enum class SolverName : std::uint8_t { hermite, paper, exact, iso, interval, lg, march, climb, sphere, segment, inclusion };
 
 /// Whether it is the published solver or one of its kin, which has its switches.
 [[nodiscard]] inline bool is_published(SolverName name) { return name == SolverName::paper || name == SolverName::iso; }

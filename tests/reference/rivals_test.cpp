@@ -19,10 +19,13 @@ struct Rival {
   render::SolverName solver;
 };
 
-constexpr Rival kCertified[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg}};
-constexpr Rival kAll[] = {{"interval", render::SolverName::interval}, {"lg", render::SolverName::lg},
-                          {"march", render::SolverName::march},       {"climb", render::SolverName::climb},
-                          {"sphere", render::SolverName::sphere},     {"segment", render::SolverName::segment}};
+constexpr Rival kCertified[] = {{"interval", render::SolverName::interval},
+                                {"lg", render::SolverName::lg},
+                                {"inclusion", render::SolverName::inclusion}};
+constexpr Rival kAll[] = {{"interval", render::SolverName::interval},  {"lg", render::SolverName::lg},
+                          {"march", render::SolverName::march},        {"climb", render::SolverName::climb},
+                          {"sphere", render::SolverName::sphere},      {"segment", render::SolverName::segment},
+                          {"inclusion", render::SolverName::inclusion}};
 
 std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.param.name; }
 
