@@ -1,5 +1,5 @@
-// The rival solvers' inner loops, compiled and chosen as the product's are (trace_kernel.cpp), which they leave as it is: the
-// world, the grids and the cells' driver are the same code, and only what finds a root in a cell is a rival's.
+// The rival solvers' inner loops, compiled and chosen as the product's are (trace_kernel.cpp), which they leave as it
+// is: the world, the grids and the cells' driver are the same code, and only what finds a root in a cell is a rival's.
 #include "renderer/rival_kernel.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -51,6 +51,25 @@ TEST(OptionValues, SwitchesOfThePublishedSolverStandBehindItsName) {
   EXPECT_FALSE(switches_of("paper,reject,plain").reject);
 }
 
+TEST(OptionValues, RivalsHaveTheirNumberBehindAColon) {
+  const SolverChoice march = parse_solver("march:0.5px").value();
+  EXPECT_EQ(march.name, render::SolverName::march);
+  EXPECT_EQ(march.step, (render::Tolerance{0.5, true}));
+  EXPECT_EQ(parse_solver("climb:1e-3").value().step, (render::Tolerance{1e-3, false}));
+  EXPECT_EQ(parse_solver("march").value().step, (render::Tolerance{1, true}));
+  EXPECT_EQ(parse_solver("sphere:1.6").value().relaxation, 1.6);
+  EXPECT_EQ(parse_solver("sphere").value().relaxation, 1);
+  for (const char* text : {"lg", "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
+    EXPECT_EQ(to_text(parse_solver(text).value()), text);
+  }
+  for (const char* bad : {"march:", "march:0", "march:-1px", "climb:px", "sphere:2", "sphere:0.9", "sphere:x", "lg:1",
+                          "interval:", "segment:1.5", "inclusion,plain"}) {
+    EXPECT_FALSE(parse_solver(bad).ok()) << bad;
+  }
+  EXPECT_THAT(parse_solver("march:0").message(), HasSubstr("expected a STEP above zero"));
+  EXPECT_THAT(parse_solver("sphere:3").message(), HasSubstr("OMEGA at least 1 and below 2, found `sphere:3`"));
+}
+
 TEST(OptionValues, AMisspeltSolverOrSwitchIsToldWhatIsNear) {
   const auto complaint = [](const char* text) { return parse_solver(text).message(); };
   EXPECT_THAT(complaint("hermit"), HasSubstr("unknown solver `hermit`, did you mean `hermite`?"));
