@@ -93,7 +93,8 @@ TEST_F(AccuracyCommand, ComparesShadowsWhereAsked) {
   const ProcessResult result = measure({"-o", "numbers", "--shadows"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("shadow rays"));
-  for (const json& setting : json::parse(read("numbers.json")).at("settings")) {
+  const json settings = json::parse(read("numbers.json")).at("settings");
+  for (const json& setting : settings) {
     EXPECT_GT(setting.at("shadows").at("rays"), 100);
     EXPECT_TRUE(setting.at("family") != "exact" || setting.at("shadows").at("leaks") == 0);
   }
