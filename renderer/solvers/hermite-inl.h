@@ -81,7 +81,7 @@ class HermiteSolver {
     // split at borders of pieces, from the first on, which adds one more. Below 2⁻⁶⁰ of the whole lie places next to t = 0 only:
     // a ray that grazes a plane's field takes 10⁹ radii to pass it.
     const double share = 0x1p-60 * (last.t - a.t);
-    least_ = {std::max(shortest_.by_tolerance, share), std::max(shortest_.by_rounding, share)};
+    least_ = {.by_rounding = std::max(shortest_.by_rounding, share), .by_tolerance = std::max(shortest_.by_tolerance, share)};
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;

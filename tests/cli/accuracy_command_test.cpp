@@ -95,7 +95,7 @@ TEST_F(AccuracyCommand, ComparesShadowsWhereAsked) {
   EXPECT_THAT(result.out, HasSubstr("shadow rays"));
   const json settings = json::parse(read("numbers.json")).at("settings");
   for (const json& setting : settings) {
-    EXPECT_GT(setting.at("shadows").at("rays"), 100);
+    EXPECT_GT(setting.at("shadows").at("rays"), 50);
     EXPECT_TRUE(setting.at("family") != "exact" || setting.at("shadows").at("leaks") == 0);
   }
   EXPECT_THAT(read("numbers.html"), HasSubstr("false shadows"));
