@@ -61,26 +61,17 @@ const std::vector<Shape>& curves() {
   return list;
 }
 
+/// Every kernel soft, as usual and hard, and the places of some where their formulas change.
 const std::vector<Named<scene::Kernel>>& kernels() {
   static const std::vector<Named<scene::Kernel>> list = {
+#define ISL_KERNEL(word, Type) \
+  {#word "_1", reference::word(1)}, {#word "_4", reference::word(4)}, {#word "_60", reference::word(60)},
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
       {"povray", reference::kPovRay},
-      {"quartic_1", reference::quartic(1)},
-      {"quartic_4", reference::quartic(4)},
       {"quartic_100", reference::quartic(100)},
-      {"gaussian_1", reference::gaussian(1)},
-      {"gaussian_4", reference::gaussian(4)},
-      {"gaussian_60", reference::gaussian(60)},
       {"gaussian_500", reference::gaussian(500)},
-      {"soft_1", reference::soft(1)},
-      {"soft_4", reference::soft(4)},
-      {"soft_60", reference::soft(60)},
       {"metaball_a_fifth", reference::metaball(0.2)},  // its surface lies in the core: the junction is outside
-      {"metaball_1", reference::metaball(1)},
-      {"metaball_4", reference::metaball(4)},
-      {"metaball_60", reference::metaball(60)},
-      {"cauchy_1", reference::cauchy(1)},
-      {"cauchy_4", reference::cauchy(4)},
-      {"cauchy_60", reference::cauchy(60)},
       {"cauchy_500", reference::cauchy(500)}};
   return list;
 }

@@ -26,7 +26,7 @@ void expect_walk(const scene::Database& database, const Vec3& origin, const Vec3
 }
 
 TEST(HardCases, A01_GrazingRayFindsTwoRootsOrMisses) {
-  for (const scene::Kernel& kernel : {gaussian(4), quartic(4), soft(4), metaball(4), cauchy(4)}) {
+  for (const scene::Kernel& kernel : every_kernel(4)) {
     const scene::Database ball = one_blob(kernel, {point({0, 0, 0}, 1)});
     for (const double epsilon : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       SCOPED_TRACE(epsilon);

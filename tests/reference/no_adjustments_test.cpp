@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace isl::reference {
 namespace {
@@ -27,9 +28,10 @@ struct SweptScene {
 SweptScene swept_scene(std::uint64_t seed) {
   RandomSource random(seed);
   const double scale = decades(random, 1e-6, 1e6), radius = scale * decades(random, 0.003, 0.5);
-  const int kernel = random.below(6);
+  constexpr int kShapes = std::size(scene::kKernelWords);
+  const int kernel = random.below(kShapes + 1);
   const scene::Kernel used =
-      kernel == 5 ? kPovRay
+      kernel == kShapes ? kPovRay
                   : scene::Kernel{static_cast<scene::KernelShape>(kernel), scene::RadiusMeaning::surface,
                                   decades(random, 0.25, 100)};
   const double strength = decades(random, 0.1, 10), threshold = strength * decades(random, 0.02, 2);

@@ -33,7 +33,7 @@ void expect_roots(const RayRoots& found, const std::vector<long double>& expecte
 }
 
 TEST(ReferenceTracer, A01_GrazingRayFindsTwoRootsOrMisses) {
-  for (const scene::Kernel& kernel : {gaussian(4), quartic(4), soft(4), metaball(4), cauchy(4)}) {
+  for (const scene::Kernel& kernel : every_kernel(4)) {
     const scene::Database ball = one_blob(kernel, {point({0, 0, 0}, 1)});
     for (const double epsilon : {1e-2, 1e-4, 1e-8, 1e-12, 1e-14, 1e-15}) {
       const double d = 1 - epsilon;

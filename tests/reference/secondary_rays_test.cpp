@@ -1,6 +1,6 @@
-// A million rays that start on a surface, at all angles down to 10⁻¹² off the tangent plane: those that leave a convex surface
-// never meet it again, those that enter it come out (hard cases F54 and F55), and what lies 10⁻⁶ of the radius away is found
-// (F56).
+// A million rays that start on a surface, at all angles down to 10⁻¹² off the tangent plane: those that leave a convex
+// surface never meet it again, those that enter it come out (hard cases F54 and F55), and what lies 10⁻⁶ of the radius
+// away is found (F56).
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
@@ -26,7 +26,11 @@ const ConvexShape kShapes[] = {{"point", point({0, 0, 0}, 1)},
                                {"box", box({-0.5, -0.4, -0.3}, {0.5, 0.4, 0.3}, 0.3)},
                                {"triangle", triangle({-0.6, -0.3, 0}, {0.6, -0.3, 0.1}, 0.4), {{0, 0.6, 0}}}};
 
-const scene::Kernel kKernels[] = {gaussian(4), quartic(4), soft(4), metaball(4), cauchy(4), kPovRay};
+std::vector<scene::Kernel> kernels() {
+  std::vector<scene::Kernel> all = every_kernel(4);
+  all.push_back(kPovRay);
+  return all;
+}
 
 scene::Database alone(const ConvexShape& shape, const scene::Kernel& kernel) {
   scene::Database database = one_blob(kernel, {shape.component}, kernel == kPovRay ? 0.5 : 1);
@@ -65,8 +69,9 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
   constexpr int kDirections = 40, kEyes = 650;
   RandomSource random(71);
   std::size_t rays_in_all = 0;
+  const std::vector<scene::Kernel> all_kernels = kernels();
   for (const ConvexShape& shape : kShapes) {
-    for (const scene::Kernel& kernel : kKernels) {
+    for (const scene::Kernel& kernel : all_kernels) {
       const TracerUnderTest tracer(alone(shape, kernel));
       std::vector<render::Ray> leaving, entering;
       for (const Start& start : starts_on(tracer, random, kEyes, 0.2)) {
@@ -83,10 +88,11 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
       std::vector<std::uint8_t> occluded(leaving.size());
       tracer.occlude()(leaving, occluded);
       for (const std::uint8_t is : occluded) met_itself += is;
-      const std::string which = std::string(shape.name) + ", kernel " + std::to_string(&kernel - kKernels);
+      const std::string which = std::string(shape.name) + ", kernel " + std::to_string(&kernel - all_kernels.data());
       EXPECT_EQ(met_itself, 0U) << which << ": of " << 2 * leaving.size();
       EXPECT_EQ(lost, 0U) << which << ": of " << entering.size();
-      // A ray that keeps within the rounding of a surface with straight lines, 10⁻¹¹ off one of them, cannot be told from one in it.
+      // A ray that keeps within the rounding of a surface with straight lines, 10⁻¹¹ off one of them, cannot be told
+      // from one in it.
       const bool has_lines = shape.component.skeleton != scene::Skeleton::point;
       EXPECT_LE(tracer.uncertified_steps(), has_lines ? leaving.size() / 500 : 0) << which;
       rays_in_all += 2 * leaving.size() + entering.size();
@@ -97,15 +103,14 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
 
 TEST(SecondaryRays, FindAnOccluderAMillionthOfTheRadiusAway) {
   RandomSource random(72);
-  for (const scene::Kernel& kernel : {gaussian(4), quartic(4), soft(4), metaball(4), cauchy(4)}) {
+  for (const scene::Kernel& kernel : every_kernel(4)) {
     const TracerUnderTest bare(one_blob(kernel, {point({0, 0, 0}, 1)}));
     for (const Start& start : starts_on(bare, random, 200, 0.9)) {
-      // A ball of 10⁻⁷ in the same blob. The large one's field, just below the threshold, swells it to its support, which is less
-      // than three radii of hardness 4.
+      // A ball of 10⁻⁷ in the same blob. The large one's field, just below the threshold, swells it to its support,
+      // which is less than three radii of hardness 4.
       const TracerUnderTest tracer(
           one_blob(kernel, {point({0, 0, 0}, 1), point(start.position + start.normal * 1e-6, 1e-7)}));
-      const render::Hit hit =
-          tracer.hit({start.position, start.normal, kInfinity, start.path_length, {0, 0}});
+      const render::Hit hit = tracer.hit({start.position, start.normal, kInfinity, start.path_length, {0, 0}});
       ASSERT_FALSE(hit.is_miss());
       EXPECT_GT(hit.t, 1e-6 - 3e-7);
       EXPECT_LT(hit.t, 1e-6 - 1e-7);

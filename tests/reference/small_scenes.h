@@ -10,20 +10,21 @@ namespace isl::reference {
 
 inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4};
 
-[[nodiscard]] constexpr scene::Kernel quartic(double hardness) {
-  return {scene::KernelShape::quartic, scene::RadiusMeaning::surface, hardness};
-}
-[[nodiscard]] constexpr scene::Kernel gaussian(double hardness) {
-  return {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, hardness};
-}
-[[nodiscard]] constexpr scene::Kernel soft(double hardness) {
-  return {scene::KernelShape::soft, scene::RadiusMeaning::surface, hardness};
-}
-[[nodiscard]] constexpr scene::Kernel metaball(double hardness) {
-  return {scene::KernelShape::metaball, scene::RadiusMeaning::surface, hardness};
-}
-[[nodiscard]] constexpr scene::Kernel cauchy(double hardness) {
-  return {scene::KernelShape::cauchy, scene::RadiusMeaning::surface, hardness};
+/// A function for each kernel, called by its word: gaussian(4).
+#define ISL_KERNEL(word, Type)                                                  \
+  [[nodiscard]] constexpr scene::Kernel word(double hardness) {                 \
+    return {scene::KernelShape::word, scene::RadiusMeaning::surface, hardness}; \
+  }
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
+
+/// Each of them.
+[[nodiscard]] inline std::vector<scene::Kernel> every_kernel(double hardness) {
+  return {
+#define ISL_KERNEL(word, Type) word(hardness),
+#include "renderer/scene/kernel_shapes.def"
+#undef ISL_KERNEL
+  };
 }
 
 /// Integrated along segments and circles; a quartic or a cauchy.
@@ -123,8 +124,7 @@ template <class Change>
   for (scene::Vec3& corner : blob.corners) change(corner);
   for (scene::Component& component : blob.components) {
     change(component.a);
-    const bool is_direction =
-        component.skeleton == scene::Skeleton::circle || scene::is_endless(component.skeleton);
+    const bool is_direction = component.skeleton == scene::Skeleton::circle || scene::is_endless(component.skeleton);
     if (!is_direction) change(component.b);
   }
   return database;
