@@ -14,7 +14,7 @@ namespace {
 constexpr double kWidth = 640, kHeight = 440, kLeft = 64, kRight = 16, kTop = 14, kBottom = 46;
 
 constexpr std::array kFamilyColours{"#d5622c", "#2563c4", "#16181d", "#2a8c55", "#9440b0",
-                                    "#b58a00", "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e"};
+                                    "#b58a00", "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e", "#5b8f1d"};
 
 /// A logarithmic axis, from a value at one place to another value at another.
 struct Axis {
@@ -110,7 +110,7 @@ std::string front_line(const AccuracyReport& report, const Plot& plot, const std
 std::vector<std::string> families_of(const AccuracyReport& report) {
   std::vector<std::string> families;
   for (const Rung& rung : report.rungs) {
-    if (std::ranges::find(families, rung.family) == families.end()) families.push_back(rung.family);
+    if (std::ranges::find(families, rung.setting.family()) == families.end()) families.push_back(rung.setting.family());
   }
   return families;
 }
@@ -122,7 +122,7 @@ std::string point(const AccuracyReport& report, const Plot& plot, std::size_t i,
   const double median = plot.error.place(std::max(measured.summary.median_pixels, plot.floor));
   const bool is_whole = measured.summary.missed + measured.summary.false_surfaces == 0;
   std::string svg = fmt::format("<g class=\"point\" data-rung=\"{}\" tabindex=\"0\" style=\"--ink:{}\">", i, colour);
-  svg += fmt::format("<title>{}</title>", html_text(report.rungs[i].name()));
+  svg += fmt::format("<title>{}</title>", html_text(report.rungs[i].setting.name()));
   svg += fmt::format("<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>", x, worst, median);
   if (on_front) svg += fmt::format("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"9\"/>", x, worst);
   svg += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/></g>\n", is_whole ? "disc" : "hollow",
@@ -155,7 +155,7 @@ std::string chart_svg(const AccuracyReport& report) {
       kWidth, kHeight);
   svg += axes(plot) + front_line(report, plot, front);
   for (std::size_t i = 0; i < report.rungs.size(); ++i) {
-    const auto family = std::ranges::find(families, report.rungs[i].family) - families.begin();
+    const auto family = std::ranges::find(families, report.rungs[i].setting.family()) - families.begin();
     const char* colour = kFamilyColours[static_cast<std::size_t>(family) % kFamilyColours.size()];
     svg += point(report, plot, i, colour, front[i]);
   }

@@ -2,73 +2,74 @@
 
 #include "cli/render_settings.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace isl::cli {
 namespace {
 
-struct Row {
-  const char* solver;
-  const char* tolerance;
-  const char* family;
-};
-
 // clang-format off
 /// From the coarsest to the finest, one method after the other.
-constexpr std::array kRows{
-    Row{"paper:2", "", "paper"},
-    Row{"paper:3", "", "paper"},
-    Row{"paper:4", "", "paper"},
-    Row{"paper:8", "", "paper"},
-    Row{"paper:16", "", "paper"},
-    Row{"iso", "", "iso"},
-    Row{"hermite", "1px", "hermite"},
-    Row{"hermite", "0.1px", "hermite"},
-    Row{"hermite", "0.05px", "hermite"},
-    Row{"hermite", "0.001px", "hermite"},
-    Row{"hermite", "1e-6px", "hermite"},
-    Row{"hermite", "1e-9px", "hermite"},
-    Row{"hermite", "1e-12px", "hermite"},
-    Row{"exact", "", "exact"},
+constexpr std::array<std::string_view, 27> kRows{
+    "paper:2",
+    "paper:3",
+    "paper:4",
+    "paper:8",
+    "paper:16",
+    "iso",
+    "march:1px",
+    "march:0.2px",
+    "march:0.05px",
+    "climb:1px",
+    "climb:0.2px",
+    "climb:0.05px",
+    "sphere",
+    "sphere:1.5",
+    "sphere 1e-6px",
+    "segment",
+    "segment 1e-6px",
+    "lg",
+    "interval",
+    "inclusion",
+    "hermite 1px",
+    "hermite 0.05px",
+    "hermite 0.001px",
+    "hermite 1e-6px",
+    "hermite 1e-9px",
+    "hermite 1e-12px",
+    "exact",
 };
 // clang-format on
 
-bool is_default(const PictureOptions& picture) {
-  const SolverChoice solver;
-  const render::Tolerance tolerance;
-  return to_text(*picture.solver) == to_text(solver) && picture.tolerance &&
-         to_text(*picture.tolerance) == to_text(tolerance);
-}
-
 /// By the readers of the options themselves, so that a row means what a user gets who writes the same.
-Rung rung_of(const Row& row, const AccuracyCommand& command, const scene::Database& database) {
+Rung rung_of(const SolverSetting& setting, const AccuracyCommand& command, const scene::Database& database) {
   RenderCommand render;
   render.scene = command.scene;
   render.picture.skeleton = command.skeleton;
-  render.picture.solver = parse_solver(row.solver).value();
-  if (*row.tolerance != '\0') render.picture.tolerance = parse_tolerance(row.tolerance).value();
-  return {row.solver, row.tolerance, row.family, is_default(render.picture), render_settings(render, database).tracer};
+  render.picture.solver = setting.solver;
+  render.picture.tolerance = setting.tolerance;
+  return {setting, render_settings(render, database).tracer};
+}
+
+std::vector<SolverSetting> whole_ladder() {
+  std::vector<SolverSetting> settings;
+  for (const std::string_view row : kRows) settings.push_back(parse_setting(row).value());
+  return settings;
 }
 
 }  // namespace
 
-std::string Rung::options() const {
-  return tolerance.empty() ? fmt::format("--solver {}", solver)
-                           : fmt::format("--solver {} --tolerance {}", solver, tolerance);
-}
-
-std::string Rung::name() const { return tolerance.empty() ? solver : fmt::format("{} {}", solver, tolerance); }
-
 std::vector<Rung> ladder(const AccuracyCommand& command, const scene::Database& database) {
+  std::vector<SolverSetting> settings = command.settings.empty() ? whole_ladder() : command.settings;
+  if (std::ranges::none_of(settings, &SolverSetting::is_default)) settings.insert(settings.begin(), SolverSetting{});
   std::vector<Rung> rungs;
-  for (const Row& row : kRows) rungs.push_back(rung_of(row, command, database));
+  for (const SolverSetting& setting : settings) rungs.push_back(rung_of(setting, command, database));
   return rungs;
 }
 
 Rung reference_rung(const AccuracyCommand& command, const scene::Database& database) {
-  return rung_of({"exact", "", "exact"}, command, database);
+  return rung_of(parse_setting("exact").value(), command, database);
 }
 
 }  // namespace isl::cli

@@ -43,7 +43,7 @@ std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vecto
 
 /// The default if it is among them, else the first.
 std::size_t spokesman(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
-  const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].is_default; });
+  const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].setting.is_default(); });
   return found == rungs.end() ? rungs.front() : *found;
 }
 
@@ -92,7 +92,7 @@ std::string advice(const AccuracyReport& report) {
   const std::size_t best = spokesman(report, quickest(report, good));
   const double worst = worst_of(report, best);
   return fmt::format("For this view, {}{} is the cheapest setting whose worst error is under a tenth of a pixel ({}).",
-                     report.rungs[best].options(), report.rungs[best].is_default ? " (the default)" : "",
+                     report.rungs[best].setting.options(), report.rungs[best].setting.is_default() ? " (the default)" : "",
                      worst == 0 ? "none was found" : fmt::format("it is at most {} px", length_text(worst)));
 }
 
@@ -118,10 +118,10 @@ std::string table_text(const AccuracyReport& report) {
     const render::Measured& measured = report.comparison.settings[i];
     const render::ErrorSummary& s = measured.summary;
     text += fmt::format(
-        "{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n", report.rungs[i].name(),
+        "{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n", report.rungs[i].setting.name(),
         measured.relative_time, measured.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
         length_text(s.worst_pixels), count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
-        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].is_default ? " default" : "");
+        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].setting.is_default() ? " default" : "");
   }
   text += fmt::format(
       "{}x{} camera rays; time relative to the default, median of rounds; * nothing is quicker and more exact\n",
@@ -145,8 +145,8 @@ std::string table_csv(const AccuracyReport& report) {
     const render::Measured& m = report.comparison.settings[i];
     const render::ErrorSummary& s = m.summary;
     const render::ShadowSummary shadows = m.shadows.value_or(render::ShadowSummary{});
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].name(),
-                        report.rungs[i].options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].setting.name(),
+                        report.rungs[i].setting.options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
                         m.evaluations_per_ray, m.solver_steps_per_ray, m.uncertified_steps, s.median_pixels,
                         s.p99_pixels, s.worst_pixels, s.worst_units, s.beyond_pixel, s.missed, s.false_surfaces,
                         s.holes, shadows.rays, shadows.leaks, shadows.false_shadows, front[i] ? 1 : 0);
@@ -161,10 +161,10 @@ nlohmann::ordered_json table_json(const AccuracyReport& report) {
     const Rung& rung = report.rungs[i];
     const render::Measured& m = report.comparison.settings[i];
     const render::ErrorSummary& s = m.summary;
-    settings.push_back({{"setting", rung.name()},
-                        {"options", rung.options()},
-                        {"family", rung.family},
-                        {"default", rung.is_default},
+    settings.push_back({{"setting", rung.setting.name()},
+                        {"options", rung.setting.options()},
+                        {"family", rung.setting.family()},
+                        {"default", rung.setting.is_default()},
                         {"relative_time", m.relative_time},
                         {"time_spread", m.time_spread},
                         {"processor_seconds", m.processor_seconds},

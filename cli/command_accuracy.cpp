@@ -38,6 +38,7 @@ ReportFiles report_files(const AccuracyCommand& command, const Session& session)
 std::string command_text(const AccuracyCommand& command) {
   std::string text = fmt::format("isl accuracy {} -s {}x{} --repeats {}", command.scene.scene.string(),
                                  command.scene.size.width, command.scene.size.height, command.repeats);
+  for (const SolverSetting& setting : command.settings) text += fmt::format(" --setting \"{}\"", setting.name());
   if (command.shadows) text += " --shadows";
   if (command.skeleton) text += " --skeleton";
   if (command.scene.lenient) text += " --lenient";
@@ -56,7 +57,7 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
                            const scene::Database& database) {
   std::vector<render::TracerOptions> settings;
   for (const Rung& rung : rungs) settings.push_back(rung.tracer);
-  const auto base = std::ranges::find_if(rungs, [](const Rung& rung) { return rung.is_default; });
+  const auto base = std::ranges::find_if(rungs, [](const Rung& rung) { return rung.setting.is_default(); });
   ProgressBar bar(isatty(STDERR_FILENO) != 0 ? stderr : nullptr);
   render::ComparisonOptions options;
   options.width = command.scene.size.width;

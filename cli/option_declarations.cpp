@@ -167,11 +167,15 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   app.add_flag("-q,--quiet", picture.quiet, "No progress bar and no closing line")->group(group);
 }
 
-void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy) {
+void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy, std::vector<std::string>& settings) {
   app.add_option("-o,--output", accuracy.output, "Write NAME.html, NAME.json and NAME.csv [<scene name>.accuracy]")
       ->type_name("NAME");
   app.add_flag("--skeleton", accuracy.skeleton, "Show each component of a blob as the solid that it is alone");
   app.add_flag("--shadows", accuracy.shadows, "Trace and compare shadow rays too");
+  add_list(app, "--setting", "\"SOLVER [T]\"",
+           "A setting to compare beside the default, such as `march:0.2px` or `hermite 0.1px`; again for\n"
+           "more [a ladder of all methods]",
+           settings);
   add(app, "--repeats", "N", "Rounds of timing, at most: what is slow is timed less often [5]", integer_from(1, 1000),
       [&accuracy](std::int64_t v) { accuracy.repeats = static_cast<int>(v); });
   add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&accuracy](std::int64_t v) {
@@ -200,7 +204,7 @@ void declare_options(CLI::App& app, RawOptions& raw) {
         ->group("The picture");
   }
   add_picture_options(*render, raw.picture);
-  add_accuracy_options(*accuracy, raw.accuracy);
+  add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
   dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
 }
 

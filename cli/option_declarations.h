@@ -22,6 +22,7 @@ struct RawOptions {
   SceneOptions scene;
   PictureOptions picture;
   AccuracyCommand accuracy;  ///< but for `scene`
+  std::vector<std::string> settings;  ///< of `accuracy`
   std::vector<std::string> defines;
   std::string format = "text";
   std::string stage;

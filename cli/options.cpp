@@ -171,6 +171,11 @@ Command parse_command_line(std::span<const std::string> arguments) {
   }
   if (command.get_name() == "accuracy") {
     if (command.count("--size") == 0) scene.size = kAccuracySize;
+    for (const std::string& text : raw.settings) {
+      const auto setting = parse_setting(text);
+      if (!setting.ok()) return bad_command_line("--setting: " + setting.message());
+      raw.accuracy.settings.push_back(setting.value());
+    }
     raw.accuracy.scene = std::move(scene);
     return std::move(raw.accuracy);
   }

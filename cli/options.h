@@ -3,7 +3,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/option_values.h"
-#include "cli/solver_choice.h"
+#include "cli/solver_setting.h"
 #include "interpreter/evaluate.h"
 
 #include <array>
@@ -72,6 +72,7 @@ struct AccuracyCommand {
   SceneOptions scene;
   std::filesystem::path output;  ///< its files' name without extension; "": `<scene name>.accuracy`
   int threads = 0;               ///< 0: all cores
+  std::vector<SolverSetting> settings;  ///< to compare; none: the ladder of accuracy_ladder.h
   int repeats = 5;               ///< rounds of timing
   bool skeleton = false;         ///< blobs as their skeleton models
   bool shadows = false;          ///< the shadow rays of what is seen too

@@ -37,8 +37,8 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"inclusion", SolverName::inclusion}};
 
 constexpr std::string_view kPlain = "plain";
-/// More interpolants a field than this is slower than the certified solver and no more exact.
-constexpr int kMaxInterpolants = 64;
+/// More interpolants a field than this err by less than rounding does.
+constexpr int kMaxInterpolants = 128;
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   const auto similar = grammar::closest(word, candidates);

@@ -10,16 +10,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 struct Made {
-  const char* name;
+  const char* setting;
   double time, worst;
   std::uint64_t missed = 0;
 };
 
-/// The second is the default.
 AccuracyReport report_of(const std::vector<Made>& made) {
   AccuracyReport report;
   for (const Made& one : made) {
-    report.rungs.push_back({one.name, "", "family", report.rungs.size() == 1, {}});
+    report.rungs.push_back({parse_setting(one.setting).value(), {}});
     render::Measured& measured = report.comparison.settings.emplace_back();
     measured.relative_time = one.time;
     measured.summary.worst_pixels = one.worst;
@@ -30,33 +29,45 @@ AccuracyReport report_of(const std::vector<Made>& made) {
 
 TEST(ParetoFronts, HoldWhatNothingBeats) {
   const AccuracyReport report =
-      report_of({{"quick", 0.5, 3}, {"default", 1, 0.05}, {"slow", 2, 1}, {"best", 4, 0.001}});
+      report_of({{"paper:2", 0.5, 3}, {"hermite", 1, 0.05}, {"lg", 2, 1}, {"exact", 4, 0.001}});
   EXPECT_THAT(pareto_front(report), ElementsAre(true, true, false, true));
 }
 
 TEST(ParetoFronts, LeaveOutWhatMissesMore) {
-  EXPECT_THAT(pareto_front(report_of({{"slower", 1.5, 0, 3}, {"default", 1, 5}})), ElementsAre(false, true));
+  EXPECT_THAT(pareto_front(report_of({{"lg", 1.5, 0, 3}, {"hermite", 1, 5}})), ElementsAre(false, true));
 }
 
 TEST(ParetoFronts, LetTheDefaultStandForItsEquals) {
-  EXPECT_THAT(pareto_front(report_of({{"a", 0.999, 0}, {"default", 1, 0}, {"b", 1.001, 0}})),
+  EXPECT_THAT(pareto_front(report_of({{"march", 0.999, 0}, {"hermite", 1, 0}, {"climb", 1.001, 0}})),
               ElementsAre(false, true, false));
 }
 
 TEST(ParetoFronts, AreNeverEmpty) {
   // Each is as quick as the next, and the first is quicker than the last.
-  const AccuracyReport report = report_of({{"a", 0.985, 0}, {"default", 1, 0}, {"b", 0.97, 0}, {"c", 0.955, 0}});
+  const AccuracyReport report = report_of({{"march", 0.985, 0}, {"hermite", 1, 0}, {"climb", 0.97, 0}, {"sphere", 0.955, 0}});
   const std::vector<bool> front = pareto_front(report);
   EXPECT_EQ(std::count(front.begin(), front.end(), true), 1);
 }
 
 TEST(Advice, NamesTheCheapestThatIsGoodEnough) {
-  EXPECT_THAT(advice(report_of({{"quick", 0.5, 0.09}, {"default", 1, 0.001}})),
-              HasSubstr("--solver quick is the cheapest"));
-  EXPECT_THAT(advice(report_of({{"quick", 0.5, 0.11}, {"default", 1, 0.001}})),
-              HasSubstr("--solver default (the default)"));
-  EXPECT_THAT(advice(report_of({{"quick", 0.5, 0, 1}, {"default", 1, 0}})), HasSubstr("--solver default"));
-  EXPECT_THAT(advice(report_of({{"quick", 0.5, 7}, {"default", 1, 7}})), HasSubstr("No setting"));
+  EXPECT_THAT(advice(report_of({{"paper:2", 0.5, 0.09}, {"hermite", 1, 0.001}})),
+              HasSubstr("--solver paper:2 is the cheapest"));
+  EXPECT_THAT(advice(report_of({{"paper:2", 0.5, 0.11}, {"hermite", 1, 0.001}})),
+              HasSubstr("--solver hermite (the default)"));
+  EXPECT_THAT(advice(report_of({{"paper:2", 0.5, 0, 1}, {"hermite", 1, 0}})), HasSubstr("--solver hermite"));
+  EXPECT_THAT(advice(report_of({{"paper:2", 0.5, 7}, {"hermite", 1, 7}})), HasSubstr("No setting"));
+}
+
+TEST(SolverSettings, AreNamedAsTheyAreRead) {
+  for (const char* name : {"hermite 0.1px", "march:0.2px", "paper:2,plain", "sphere:1.5 1e-06px", "exact"}) {
+    EXPECT_EQ(parse_setting(name).value().name(), name);
+  }
+  EXPECT_EQ(parse_setting("hermite 0.1px").value().options(), "--solver hermite --tolerance 0.1px");
+  EXPECT_EQ(parse_setting("paper:2,plain").value().family(), "paper");
+  EXPECT_TRUE(parse_setting("hermite 0.05px").value().is_default());
+  EXPECT_FALSE(parse_setting("hermite 0.04px").value().is_default());
+  EXPECT_THAT(parse_setting("hermit").message(), HasSubstr("did you mean `hermite`"));
+  EXPECT_FALSE(parse_setting("hermite little").ok());
 }
 
 TEST(CheckSentences, SayLoudlyWhatIsRefuted) {
