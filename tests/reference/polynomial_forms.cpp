@@ -27,10 +27,10 @@ class QuarticForm final : public KernelForm {
   Depth depth_;  ///< √φ
 };
 
-/// A plane convolved with w = (1 − x)²: ∫w(x + u)du from 0 to 1 − x, so φ = (1 + (h/3)(1 − q))³, Q = 1 + 3/h.
-class QuarticSheetForm final : public KernelForm {
+/// w = (1 − x)³, also that of a plane convolved with (1 − x)²: φ = (1 + (h/3)(1 − q))³, Q = 1 + 3/h.
+class CubicForm final : public KernelForm {
  public:
-  explicit QuarticSheetForm(const scene::Kernel& kernel)
+  explicit CubicForm(const scene::Kernel& kernel)
       : support_(Interval(1) + Interval(3) / Interval(kernel.hardness)),
         depth_{1, Interval(kernel.hardness) / Interval(3)} {}
   [[nodiscard]] Interval support() const override { return support_; }
@@ -133,7 +133,7 @@ class MetaballForm final : public KernelForm {
 
 }  // namespace
 
-KernelFormHandle quartic_sheet_form(const scene::Kernel& kernel) { return std::make_shared<QuarticSheetForm>(kernel); }
+KernelFormHandle cubic_form(const scene::Kernel& kernel) { return std::make_shared<CubicForm>(kernel); }
 KernelFormHandle quartic_form(const scene::Kernel& kernel) { return std::make_shared<QuarticForm>(kernel); }
 KernelFormHandle soft_form(const scene::Kernel& kernel) { return std::make_shared<SoftForm>(kernel); }
 KernelFormHandle metaball_form(const scene::Kernel& kernel) { return std::make_shared<MetaballForm>(kernel); }

@@ -18,7 +18,7 @@ KernelFormHandle form_of(const scene::Kernel& kernel) {
   if (kernel.mode == scene::FieldMode::distance) return kForms[static_cast<std::size_t>(kernel.shape)](kernel);
   const bool is_quartic = kernel.shape == scene::KernelShape::quartic;
   ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
-  return is_quartic ? quartic_sheet_form(kernel) : cauchy_sheet_form(kernel);
+  return is_quartic ? cubic_form(kernel) : cauchy_sheet_form(kernel);
 }
 
 }  // namespace

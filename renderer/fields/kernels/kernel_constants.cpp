@@ -10,7 +10,7 @@ namespace {
 KernelConstants sheet_constants(const scene::Kernel& kernel) {
   const bool is_quartic = kernel.shape == scene::KernelShape::quartic;
   ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
-  KernelConstants constants = is_quartic ? HWY_NAMESPACE::QuarticSheet::constants(kernel.hardness)
+  KernelConstants constants = is_quartic ? HWY_NAMESPACE::Cubic::constants(kernel.hardness)
                                          : HWY_NAMESPACE::CauchySheet::constants(kernel.hardness);
   constants.shape = kernel.shape;
   constants.is_sheet = true;

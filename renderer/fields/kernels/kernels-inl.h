@@ -7,8 +7,8 @@
 #endif
 
 #include "renderer/fields/convolutions/sheet_cauchy-inl.h"
-#include "renderer/fields/convolutions/sheet_quartic-inl.h"
 #include "renderer/fields/kernels/cauchy-inl.h"
+#include "renderer/fields/kernels/cubic-inl.h"
 #include "renderer/fields/kernels/gaussian-inl.h"
 #include "renderer/fields/kernels/metaball-inl.h"
 #include "renderer/fields/kernels/quartic-inl.h"
@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 template <class Use>
 HWY_INLINE void with_each_kernel(const KernelConstants& constants, Use&& use) {
   if (constants.is_sheet) {
-    if (constants.shape == scene::KernelShape::quartic) return use(QuarticSheet(constants));
+    if (constants.shape == scene::KernelShape::quartic) return use(Cubic(constants));
     return use(CauchySheet(constants));
   }
   switch (constants.shape) {

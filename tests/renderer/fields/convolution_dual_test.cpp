@@ -5,7 +5,7 @@
 #include "renderer/fields/convolutions/segment_cauchy-inl.h"
 #include "renderer/fields/convolutions/segment_quartic-inl.h"
 #include "renderer/fields/convolutions/sheet_cauchy-inl.h"
-#include "renderer/fields/convolutions/sheet_quartic-inl.h"
+#include "renderer/fields/kernels/cubic-inl.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
 
@@ -133,7 +133,7 @@ void expect_slopes(const KernelConstants& constants) {
 
 TEST(ConvolutionDual, SlopesOfSheetsAreThoseOfTheirValues) {
   for (const double hardness : {0.5, 4.0, 20.0}) {
-    expect_slopes<lanes::QuarticSheet>(kernel_constants(reference::over_sheets(reference::quartic(hardness))));
+    expect_slopes<lanes::Cubic>(kernel_constants(reference::over_sheets(reference::quartic(hardness))));
     expect_slopes<lanes::CauchySheet>(kernel_constants(reference::over_sheets(reference::cauchy(hardness))));
   }
 }

@@ -24,7 +24,7 @@ double first_lane(const lanes::Octet& x) {
 
 KernelDefinition definition_of(const scene::Kernel& kernel, double border) {
   if (kernel.mode == scene::FieldMode::sheet) {
-    return kernel.shape == scene::KernelShape::quartic ? quartic_sheet_definition(kernel.hardness, border)
+    return kernel.shape == scene::KernelShape::quartic ? cubic_definition(kernel.hardness, border)
                                                        : cauchy_sheet_definition(kernel.hardness, border);
   }
   switch (kernel.shape) {

@@ -9,7 +9,7 @@
 //   metaball  p = 1 − 3x for x ≤ 1/9, (3/2)(1 − √x)² from there
 //   cauchy    p = (1 + σ²q)⁻² less its tangent at Q, σ from φ(0) = eʰ
 // and of planes, convolved with the windows quartic and cauchy:
-//   quartic   p = (1 − q/Q)³
+//   quartic   p = (1 − q/Q)³, the cubic
 //   cauchy    p = (1 + σ²q)⁻¹ less its parabola at Q, σ from φ(0) = eʰ
 #pragma once
 
@@ -101,7 +101,7 @@ template <class Function>
   return {normalised(less_its_tangent(std::exp(low)))};
 }
 
-[[nodiscard]] inline KernelDefinition quartic_sheet_definition(long double, long double border) {
+[[nodiscard]] inline KernelDefinition cubic_definition(long double, long double border) {
   return {normalised([border](long double q) {
     const long double y = 1 - q / border, b = border;
     return Derivatives{y * y * y, -3 * y * y / b, 6 * y / (b * b), -6 / (b * b * b), 0};

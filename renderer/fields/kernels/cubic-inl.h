@@ -1,17 +1,18 @@
-// A plane convolved with the quartic window (1 − y)², y = the squared distance over the squared support. About the foot of a
-// point the plane's rings of squared radius u have the area π du, so
-//   ∫ (1 − v − u)² π du over 0 < u < 1 − v  =  (π/3)(1 − v)³:
-// φ(v) = (1 − v)³, v < 1, of the point's squared distance to the plane. Amplitude and sign apart.
+// The cubic kernel: φ(v) = (1 − v)³, v < 1, whose curvature vanishes at its border. Amplitude and sign apart.
+//
+// It is also what a plane has that is convolved with the quartic window (1 − y)², y = the squared distance over the squared
+// support: about the foot of a point the plane's rings of squared radius u have the area π du, and
+//   ∫ (1 − v − u)² π du over 0 < u < 1 − v  =  (π/3)(1 − v)³.
 //
 // Along a ray on which v = v₀ + κτ²: with u = κτ² and w = 1 − v₀
 //   f″ = 6κ(w − u)(5u − w), which rises to 4.8κw² at u = 0.6w and falls after;   f⁗ = 72κ²(w − 5u), monotone.
 //
 // Constants: v = q/Q with Q = 1 + 3/h and amplitude (1 + h/3)³: the slope at q = 1 is −3 amplitude (1 − 1/Q)²/Q = −h.
-#if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SHEET_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SHEET_QUARTIC_INL_H_
-#undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SHEET_QUARTIC_INL_H_
+#if defined(ISL_RENDERER_FIELDS_KERNELS_CUBIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_KERNELS_CUBIC_INL_H_
+#undef ISL_RENDERER_FIELDS_KERNELS_CUBIC_INL_H_
 #else
-#define ISL_RENDERER_FIELDS_CONVOLUTIONS_SHEET_QUARTIC_INL_H_
+#define ISL_RENDERER_FIELDS_KERNELS_CUBIC_INL_H_
 #endif
 
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
@@ -20,8 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-struct QuarticSheet {
-  HWY_INLINE explicit QuarticSheet(const KernelConstants&) {}
+struct Cubic {
+  HWY_INLINE explicit Cubic(const KernelConstants&) {}
 
   [[nodiscard]] static KernelConstants constants(double h) {
     KernelConstants constants;
