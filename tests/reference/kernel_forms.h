@@ -29,7 +29,6 @@ using KernelFormHandle = std::shared_ptr<const KernelForm>;
 #undef ISL_KERNEL
 
 /// Of planes and of infinite lines that are convolved: the kernels of the modes sheet and convolution.
-[[nodiscard]] KernelFormHandle cubic_form(const scene::Kernel& kernel);
 [[nodiscard]] KernelFormHandle cauchy_sheet_form(const scene::Kernel& kernel);
 [[nodiscard]] KernelFormHandle line_form(const scene::Kernel& kernel);
 

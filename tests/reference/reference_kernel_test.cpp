@@ -98,7 +98,7 @@ TEST_P(SurfaceKernel, EnclosuresHoldDenseSamples) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hardness, SurfaceKernel,
-                         testing::Values(quartic(0.5), quartic(4), quartic(500), gaussian(0.5), gaussian(4),
+                         testing::Values(quartic(0.5), quartic(4), quartic(500), cubic(0.5), cubic(4), cubic(500), gaussian(0.5), gaussian(4),
                                          gaussian(60), gaussian(500), soft(0.1), soft(0.4), soft(4), soft(60),
                                          soft(500), metaball(0.2), metaball(0.5), metaball(1), metaball(4),
                                          metaball(60), metaball(500), cauchy(0.1), cauchy(1), cauchy(4), cauchy(60),
@@ -133,6 +133,12 @@ void expect_is_scaled(const scene::Kernel& named, const std::function<long doubl
   for (const long double q : samples(kernel, 100)) {
     const long double expected = w(q / border) / w(x);
     EXPECT_CLOSE(kernel.value(q), expected, 1e-18L / w(x) * (1 + expected)) << "q = " << q;
+  }
+}
+
+TEST(ReferenceKernel, CubicIsAThirdPower) {
+  for (const double hardness : {0.1, 1.0, 4.0, 60.0, 500.0}) {
+    expect_is_scaled(cubic(hardness), [](long double x) { return (1 - x) * (1 - x) * (1 - x); });
   }
 }
 

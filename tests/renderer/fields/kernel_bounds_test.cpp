@@ -201,6 +201,7 @@ std::vector<scene::Kernel> kernels() {
   };
   using enum scene::KernelShape;
   const Row rows[] = {{quartic, {4}},
+                      {cubic, {0.5, 4, 500}},
                       {gaussian, {0.01, 0.5, 4, 60, 300, 500}},
                       {soft, {0.5, 4, 60, 500}},
                       {metaball, {0.2, 0.5, 1, 4, 60, 500}},

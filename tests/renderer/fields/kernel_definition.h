@@ -4,12 +4,13 @@
 //
 // φ(q) = p(q)/p(1), q the squared distance over the squared radius, h the hardness, for 0 ≤ q < Q:
 //   quartic   p = (1 − q/Q)²
+//   cubic     p = (1 − q/Q)³
 //   gaussian  p = e^{−a(q−1)} less its tangent at Q, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), δ = 10⁻³
 //   soft      p = 1 − (22/9)x + (17/9)x² − (4/9)x³, x = q/Q
 //   metaball  p = 1 − 3x for x ≤ 1/9, (3/2)(1 − √x)² from there
 //   cauchy    p = (1 + σ²q)⁻² less its tangent at Q, σ from φ(0) = eʰ
 // and of planes, convolved with the windows quartic and cauchy:
-//   quartic   p = (1 − q/Q)³, the cubic
+//   quartic   p = (1 − q/Q)³
 //   cauchy    p = (1 + σ²q)⁻¹ less its parabola at Q, σ from φ(0) = eʰ
 #pragma once
 
