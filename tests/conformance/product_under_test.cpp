@@ -1,8 +1,8 @@
 // The renderer's own fields (renderer/fields) behind the suite's face: a blob of one component and threshold 0, so that
 // F = f. Compiled for the baseline target; that all vector widths give the same bits is renderer_tests' to show.
 #include "renderer/fields/blob_point-inl.h"
-#include "renderer/fields/ray_lanes-inl.h"
 #include "tests/conformance/field_under_test.h"
+#include "tests/support/ray_fields.h"
 
 #include <array>
 #include <memory>
@@ -26,11 +26,18 @@ render::CompiledBlob single(const FieldCase& field) {
 
 FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
   const auto blob = std::make_shared<const render::CompiledBlob>(single(tested_case));
-  const auto along = [blob](const Vec3& origin, const Vec3& direction, double t) -> ValueAndDerivative {
-    render::LaneMemory memory;
-    lanes::RayLanes fields(memory);
-    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t, t);
-    const lanes::FieldAt f = fields.at(t);
+  const auto on = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    return test::RayFields(blob->components, origin, direction, t0, t1);
+  };
+  using Bound = render::FieldRange (test::RayFields::*)(double, double) const;
+  const auto bounded = [on](Bound bound) {
+    return [on, bound](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
+      const render::FieldRange range = (on(origin, direction, t0, t1).*bound)(t0, t1);
+      return {range.low, range.high};
+    };
+  };
+  const auto along = [on](const Vec3& origin, const Vec3& direction, double t) -> ValueAndDerivative {
+    const test::RayValue f = on(origin, direction, t, t).at(t);
     return {f.value, f.slope};
   };
   FieldUnderTest field;
@@ -47,32 +54,11 @@ FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
         render::field_range(blob->components, blob->components.groups.front(), 0, render::Box(low, high));
     return {range.low, range.high};
   };
-  field.range_along_ray = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
-    render::LaneMemory memory;
-    lanes::RayLanes fields(memory);
-    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
-    const render::FieldRange range = fields.range(t0, t1);
-    return {range.low, range.high};
-  };
-  field.slope_range_along_ray = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
-    render::LaneMemory memory;
-    lanes::RayLanes fields(memory);
-    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
-    const render::FieldRange range = fields.slope_range(t0, t1);
-    return {range.low, range.high};
-  };
-  field.bend_range_along_ray = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> ValueRange {
-    render::LaneMemory memory;
-    lanes::RayLanes fields(memory);
-    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
-    const render::FieldRange range = fields.bend_range(t0, t1);
-    return {range.low, range.high};
-  };
-  field.remainder = [blob](const Vec3& origin, const Vec3& direction, double t0, double t1) -> RemainderBounds {
-    render::LaneMemory memory;
-    lanes::RayLanes fields(memory);
-    fields.set_up(blob->components, blob->grid.items.data(), 1, origin, direction, t0, t1);
-    const lanes::Remainder bound = fields.remainder(t0, t1);
+  field.range_along_ray = bounded(&test::RayFields::range);
+  field.slope_range_along_ray = bounded(&test::RayFields::slope_range);
+  field.bend_range_along_ray = bounded(&test::RayFields::bend_range);
+  field.remainder = [on](const Vec3& origin, const Vec3& direction, double t0, double t1) -> RemainderBounds {
+    const test::RayRemainder bound = on(origin, direction, t0, t1).remainder(t0, t1);
     return {bound.value, bound.slope};
   };
   return field;

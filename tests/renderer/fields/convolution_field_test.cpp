@@ -1,8 +1,9 @@
 // Convolved curves at points, over boxes and along rays: one field, whoever asks.
 #include "renderer/fields/component_table.h"
-#include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/fields/convolutions/curve_field.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
+#include "tests/support/ray_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@
 namespace isl::render {
 namespace {
 
-namespace lanes = HWY_NAMESPACE;
 using reference::RandomSource;
 
 scene::Database convolution(scene::KernelShape shape, double hardness, const std::vector<scene::Component>& components) {
@@ -51,12 +51,8 @@ TEST(ConvolvedField, PointsAndRaysSeeTheSame) {
   for (int i = 0; i < 2000; ++i) {
     const Curve curve{random_curve(random, i)};
     const Vec3 p = random.in_ball(1.5), direction = random.direction() * random.between(0.1, 10);
-    const std::uint32_t items[8] = {};
-    LaneMemory memory;
-    lanes::RayLanes rays(memory);
-    rays.set_up(curve.table, items, 1, p - direction * 0.25, direction, 0.25, 0.25);
-    const lanes::FieldAt f = rays.at(0.25);
-    const double value = curve.value(p), noise = 64 * rays.noise(0.25, f) + 1e-14;
+    const test::RayValue f = test::RayFields(curve.table, p - direction * 0.25, direction, 0.25, 0.25).at(0.25);
+    const double value = curve.value(p), noise = 64 * f.noise + 1e-14;
     inside += value != 0 ? 1 : 0;
     EXPECT_NEAR(f.value + curve.table.threshold, value, noise) << i;
     // The slope, from values on both sides.
@@ -126,10 +122,7 @@ TEST(ConvolvedField, BoundsOfARayHoldAndShrinkByEightAHalving) {
   for (int i = 0; i < 2000; ++i) {
     const Curve curve{random_curve(random, i)};
     const Vec3 origin = random.in_ball(1), direction = random.direction();
-    const std::uint32_t items[8] = {};
-    LaneMemory memory;
-    lanes::RayLanes rays(memory);
-    rays.set_up(curve.table, items, 1, origin, direction, 0, 0.5);
+    const test::RayFields rays(curve.table, origin, direction, 0, 0.5);
     const double radius = support_radius(curve.table, curve.table.groups.front(), 0);
     for (int half = 0; half < 2; ++half) {
       const double h = 0.02 * radius / (1 + half);

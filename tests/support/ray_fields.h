@@ -1,0 +1,45 @@
+// The inner loops' view of one component along a ray (renderer/fields/ray_lanes-inl.h), compiled once for all tests that
+// look at it: it takes the compiler as long as a hundred other files of tests do. Compiled for the baseline target; that
+// all vector widths give the same bits is tests/renderer/solvers/simd_targets_test.cpp's to show.
+#pragma once
+
+#include "renderer/fields/branches.h"
+#include "renderer/fields/component_table.h"
+
+#include <memory>
+
+namespace isl::test {
+
+/// F − T and dF/dt at a place of the ray.
+struct RayValue {
+  double value, slope;
+  double steepness;  ///< Σ|fᵢ′|
+  double noise;      ///< bound of the rounding in `value`
+};
+
+/// How far a cubic Hermite interpolant may be from F, and its derivative from F′.
+struct RayRemainder {
+  double value, slope;
+};
+
+/// The table's first component along origin + t·direction for t in [t0, t1], where all that is asked has to lie.
+class RayFields {
+ public:
+  RayFields(const render::ComponentTable& table, const scene::Vec3& origin, const scene::Vec3& direction, double t0,
+            double t1);
+  ~RayFields();
+
+  [[nodiscard]] RayValue at(double t) const;
+  /// Enclosures of F − T, F′ and F″ on [a, b].
+  [[nodiscard]] render::FieldRange range(double a, double b) const;
+  [[nodiscard]] render::FieldRange slope_range(double a, double b) const;
+  [[nodiscard]] render::FieldRange bend_range(double a, double b) const;
+  /// Of the interpolant with nodes a and b.
+  [[nodiscard]] RayRemainder remainder(double a, double b) const;
+
+ private:
+  struct Lanes;
+  std::unique_ptr<const Lanes> lanes_;
+};
+
+}  // namespace isl::test
