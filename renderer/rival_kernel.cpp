@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include "renderer/fallback_target.h"
+
 #include "base/check.h"
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/climb-inl.h"
