@@ -53,6 +53,14 @@ struct Database {
   Texture default_texture;
   Settings settings;
 
+  // As the compiler would make them, but once (database.cpp) and not in each of the files that hold a database.
+  Database();
+  Database(const Database&);
+  Database(Database&&) noexcept;
+  Database& operator=(const Database&);
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
   [[nodiscard]] const Texture& texture(TextureId id) const {
     return id == kNoTexture ? default_texture : textures[index(id)];
   }
