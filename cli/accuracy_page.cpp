@@ -5,6 +5,7 @@
 #include "renderer/image/transfer.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <string_view>

@@ -1,6 +1,7 @@
 #include "cli/accuracy_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iterator>

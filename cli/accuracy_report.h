@@ -4,7 +4,7 @@
 #include "cli/accuracy_ladder.h"
 #include "renderer/accuracy/comparison.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

@@ -13,6 +13,7 @@
 #include "renderer/render.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 

@@ -6,6 +6,7 @@
 #include "cli/scene_summary.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 

@@ -8,6 +8,7 @@
 #include "renderer/tracer.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>

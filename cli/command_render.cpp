@@ -16,6 +16,7 @@
 #include "renderer/tracer.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 

@@ -3,6 +3,7 @@
 #include "cli/printable_text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>

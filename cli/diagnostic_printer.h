@@ -4,7 +4,7 @@
 #include "base/diagnostic.h"
 #include "grammar/source_map.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdio>
 #include <string>

@@ -3,6 +3,7 @@
 #include "cli/diagnostic_printer.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 
 #include "cli/session.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdio>
 #include <string_view>

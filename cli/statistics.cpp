@@ -1,5 +1,7 @@
 #include "cli/statistics.h"
 
+#include <nlohmann/json.hpp>
+
 #include <sys/resource.h>
 
 namespace isl::cli {

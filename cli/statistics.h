@@ -5,7 +5,7 @@
 #include "cli/scene_summary.h"
 #include "renderer/render.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 

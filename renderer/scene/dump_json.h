@@ -5,7 +5,7 @@
 
 #include "renderer/scene/database.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <functional>
 #include <string>

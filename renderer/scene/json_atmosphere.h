@@ -3,7 +3,7 @@
 
 #include "renderer/scene/atmosphere.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace isl::scene {
 

@@ -3,7 +3,7 @@
 
 #include "renderer/scene/function.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <vector>
 

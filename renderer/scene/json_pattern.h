@@ -4,7 +4,7 @@
 #include "renderer/scene/image.h"
 #include "renderer/scene/pattern.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace isl::scene {
 

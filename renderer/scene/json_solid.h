@@ -3,7 +3,7 @@
 
 #include "renderer/scene/database.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace isl::scene {
 

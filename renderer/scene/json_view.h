@@ -4,7 +4,7 @@
 #include "renderer/scene/camera.h"
 #include "renderer/scene/light.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace isl::scene {
 

@@ -5,6 +5,7 @@
 #include "tests/golden/stages.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace isl::test {
 namespace {
