@@ -13,60 +13,12 @@
 
 #include "renderer/fields/branches.h"
 #include "renderer/fields/convolutions/curve_remainder-inl.h"
-#include "renderer/fields/kernels/kernels-inl.h"
-#include "renderer/fields/lane_columns-inl.h"
-
-#include <limits>
+#include "renderer/fields/lane_sums-inl.h"
+#include "renderer/fields/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
-
-struct OctetRange {
-  Octet low, high;
-};
-
-/// Where kernels overflow (a hardness of hundreds, inside) products of bounds say nothing: anything, then.
-[[nodiscard]] HWY_INLINE OctetRange sound(const OctetRange& r) {
-  const Octet infinite(std::numeric_limits<double>::infinity());
-  const OctetMask is_range = r.low <= r.high;
-  return {select(is_range, r.low, Octet(0.0) - infinite), select(is_range, r.high, infinite)};
-}
-[[nodiscard]] HWY_INLINE OctetRange with_zero(const OctetMask& keeps, const OctetRange& range) {
-  const Octet zero(0.0);
-  const OctetRange r = sound(range);
-  return {select(keeps, r.low, min(r.low, zero)), select(keeps, r.high, max(r.high, zero))};
-}
-/// The range times a number of either sign; {0, 0} where not `counts`.
-[[nodiscard]] HWY_INLINE OctetRange scaled(const OctetMask& counts, const Octet& amplitude, const OctetRange& range) {
-  const OctetRange r = sound(range);
-  const Octet one = amplitude * r.low, other = amplitude * r.high;
-  return {keep(counts, min(one, other)), keep(counts, max(one, other))};
-}
-
-/// The part of an interval that lies on a piece, seen from the piece's middle.
-struct OnPiece {
-  Octet a, b;       ///< ends
-  OctetMask whole;  ///< it is all of the interval
-  OctetMask any;    ///< it is not empty
-
-  HWY_INLINE OnPiece(const LaneMemory& memory, const LaneRun& run, std::uint32_t i, const Octet& middle, double t0,
-                     double t1) {
-    Octet from(t0), to(t1);
-    whole = from <= to;
-    if (run.has_pieces) {
-      const Octet begin = load_border(memory, i, LaneMemory::kBegin), end = load_border(memory, i, LaneMemory::kEnd);
-      whole = (begin <= from) & (to <= end);
-      from = max(from, begin);
-      to = min(to, end);
-    }
-    any = from <= to;
-    a = from - middle;
-    b = to - middle;
-  }
-  [[nodiscard]] HWY_INLINE Octet near() const { return max(Octet(0.0), max(a, Octet(0.0) - b)); }
-  [[nodiscard]] HWY_INLINE Octet far() const { return max(abs(a), abs(b)); }
-};
 
 class LaneBend {
  public:
@@ -74,20 +26,7 @@ class LaneBend {
 
   /// Of F″.
   [[nodiscard]] HWY_NOINLINE FieldRange range() {
-    for (const LaneRun& run : m_.runs) {
-      if (run.kernel->is_convolved) {
-        with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
-          add_curves(window, run.segments, load_segment);
-          add_curves(window, run.rings, load_ring);
-        });
-      } else {
-        with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR {
-          add_quadratics(kernel, run);
-          add_shapes(kernel, run, run.cones, load_cone);
-          add_shapes(kernel, run, run.circles, load_circle);
-        });
-      }
-    }
+    visit_lanes(m_, *this);
     return {sum(low_), sum(high_)};
   }
 
@@ -108,38 +47,32 @@ class LaneBend {
     return {keep(counts, f.low), keep(counts, f.high)};
   }
 
- private:
+  // What visit_lanes (lane_walk-inl.h) finds.
+
   template <class Kernel>
-  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run) {
-    for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
-      const QuadraticLanes lane = load_quadratic(m_, i);
-      const OnPiece piece(m_, run, i, lane.middle, t0_, t1_);
-      const Octet near = piece.near(), far = piece.far();
-      const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
-      const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
-      const SecondAndFourth f = kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room));
-      add(scaled((u_near < room) & piece.any & (lane.kappa > Octet(0.0)), lane.amplitude,
-                 with_zero(piece.whole & (u_far < room), {f.low, f.high})));
-    }
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
+    const QuadraticLanes lane = load_quadratic(m_, i);
+    const OnPiece piece(m_, run, i, lane.middle, t0_, t1_, 0);
+    const Octet near = piece.near(), far = piece.far();
+    const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
+    const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
+    const SecondAndFourth f = kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room));
+    add(scaled((u_near < room) & piece.any & (lane.kappa > Octet(0.0)), lane.amplitude,
+               with_zero(piece.whole & (u_far < room), {f.low, f.high})));
   }
 
-  template <class Kernel, class Load>
-  HWY_INLINE void add_shapes(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows, const Load& load_lanes) {
-    for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
-      const auto lanes = load_lanes(m_, i);
-      const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
-      add(scaled(v.least < kernel.support(), lanes.amplitude, of_shape(kernel, v)));
-    }
+  template <class Kernel, class Shape>
+  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
+    const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
+    add(scaled(v.least < kernel.support(), lanes.amplitude, of_shape(kernel, v)));
   }
 
-  template <class Window, class Load>
-  HWY_INLINE void add_curves(const Window& window, const LaneSpan& rows, const Load& load_lanes) {
-    for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
-      const auto lanes = load_lanes(m_, i);
-      add(scaled(Octet(0.0) <= Octet(0.0), lanes.amplitude, of_curve(window, lanes, t0_, t1_)));
-    }
+  template <class Window, class Curve>
+  HWY_INLINE void add_curve(const Window& window, const Curve& lanes) {
+    add(scaled(Octet(0.0) <= Octet(0.0), lanes.amplitude, of_curve(window, lanes, t0_, t1_)));
   }
 
+ private:
   HWY_INLINE void add(const OctetRange& r) {
     low_ = low_ + r.low;
     high_ = high_ + r.high;

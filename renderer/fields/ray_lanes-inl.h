@@ -11,6 +11,7 @@
 #include "renderer/fields/lane_range-inl.h"
 #include "renderer/fields/lane_setup-inl.h"
 #include "renderer/fields/lane_slope-inl.h"
+#include "renderer/fields/lane_walk-inl.h"
 
 #include <cmath>
 #include <cstdint>
@@ -160,17 +161,8 @@ class RayLanes {
     add_lanes_at(kernel, run, run.circles, load_circle, t, sums);
   }
 
-  /// Calls use(window, lanes) for every octet of convolved curves.
-  template <class Use>
-  HWY_INLINE void for_each_curve(const LaneRun& run, const Use& use) const {
-    with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
-      for (std::uint32_t i = run.segments.first; i < run.segments.last; i += kOctet) use(window, load_segment(m_, i));
-      for (std::uint32_t i = run.rings.first; i < run.rings.last; i += kOctet) use(window, load_ring(m_, i));
-    });
-  }
-
   HWY_NOINLINE void add_curves_at(const LaneRun& run, double t, FieldSums& sums) const {
-    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+    for_each_curve(m_, run, [&](const auto& window, const auto& lanes) HWY_ATTR {
       const CurvePoint p = lanes.at(window, Octet(t));
       sums.value = sums.value + p.value;
       sums.slope = sums.slope + p.slope;
@@ -183,7 +175,7 @@ class RayLanes {
   /// of the slopes (2⁻⁵²/η) and the next derivative's share (η²) are both below 2⁻³⁴ of it.
   [[nodiscard]] HWY_NOINLINE Octet curvature_of_curves(const LaneRun& run, double t) const {
     Octet total(0.0);
-    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+    for_each_curve(m_, run, [&](const auto& window, const auto& lanes) HWY_ATTR {
       const Octet step = Octet(0x1p-17) / lanes.speed();
       const Octet rise = lanes.at(window, Octet(t) + step).slope - lanes.at(window, Octet(t) - step).slope;
       total = total + Octet(0.5) * rise / step;
@@ -193,7 +185,7 @@ class RayLanes {
 
   HWY_NOINLINE void add_remainder_of_curves(const LaneRun& run, double t0, double t1, Octet& value,
                                             Octet& slope) const {
-    for_each_curve(run, [&](const auto& window, const auto& lanes) HWY_ATTR {
+    for_each_curve(m_, run, [&](const auto& window, const auto& lanes) HWY_ATTR {
       const CurveRemainder r = curve_remainder(window, lanes.stretch(t0, t1), t1 - t0);
       const Octet size = abs(lanes.amplitude);
       value = value + size * r.value;
