@@ -20,23 +20,14 @@ struct HalfSpace {
     return {normal * std::max((p - at).dot(normal), 0.0), 1 / (radius * radius)};
   }
 
-  /// Of a box that may reach to infinity, where a product of zero and infinity says nothing.
   [[nodiscard]] QRange q_over(const Box& box) const {
-    double x_low = -at.dot(normal), x_high = x_low;
-    for (int i = 0; i < 3; ++i) {
-      if (normal[i] == 0) continue;
-      x_low += normal[i] * (normal[i] > 0 ? box.min[i] : box.max[i]);
-      x_high += normal[i] * (normal[i] > 0 ? box.max[i] : box.min[i]);
-    }
-    x_low = std::max(x_low / radius, 0.0);
-    x_high = std::max(x_high / radius, 0.0);
-    return {x_low * x_low, x_high * x_high};
+    const PlaneRange x(box, at, normal);
+    const double near = std::max(x.low / radius, 0.0), far = std::max(x.high / radius, 0.0);
+    return {near * near, far * far};
   }
 
-  /// Lengths along the plane, from its point nearest to the origin; of `plane { y, d }` (x, z).
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
-    const AcrossAxis across(normal);
-    return {p.dot(across.x), p.dot(across.z)};
+    return plane_coordinates(normal, p);
   }
 
   /// Where its field begins and ends, in its reach before the plane.

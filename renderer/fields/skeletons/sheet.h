@@ -17,22 +17,14 @@ struct Sheet {
 
   [[nodiscard]] Foot nearest(const Vec3& p) const { return {normal * (p - at).dot(normal), 1 / (radius * radius)}; }
 
-  /// Of a box that may reach to infinity, where a product of zero and infinity says nothing.
   [[nodiscard]] QRange q_over(const Box& box) const {
-    double x_low = -at.dot(normal), x_high = x_low;
-    for (int i = 0; i < 3; ++i) {
-      if (normal[i] == 0) continue;
-      x_low += normal[i] * (normal[i] > 0 ? box.min[i] : box.max[i]);
-      x_high += normal[i] * (normal[i] > 0 ? box.max[i] : box.min[i]);
-    }
-    const double near = std::max({x_low, -x_high, 0.0}) / radius, far = std::max(x_high, -x_low) / radius;
+    const PlaneRange x(box, at, normal);
+    const double near = std::max({x.low, -x.high, 0.0}) / radius, far = std::max(x.high, -x.low) / radius;
     return {near * near, far * far};
   }
 
-  /// As of a half-space.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
-    const AcrossAxis across(normal);
-    return {p.dot(across.x), p.dot(across.z)};
+    return plane_coordinates(normal, p);
   }
 
   /// Where its field begins, is greatest and ends, in its reach before the plane. The middle matters to the hardest, which have

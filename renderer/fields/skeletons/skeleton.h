@@ -124,6 +124,26 @@ struct AxialRange {
   double x_low, x_high, rho_low, rho_high;
 };
 
+/// Where a box, which may reach to infinity, lies before and behind a plane: x = n·(p − a) in [low, high]. Components of n that are
+/// zero are left out, since their product with infinity says nothing.
+struct PlaneRange {
+  PlaneRange(const Box& box, const Vec3& at, const Vec3& normal) : low(-at.dot(normal)), high(low) {
+    for (int i = 0; i < 3; ++i) {
+      if (normal[i] == 0) continue;
+      low += normal[i] * (normal[i] > 0 ? box.min[i] : box.max[i]);
+      high += normal[i] * (normal[i] > 0 ? box.max[i] : box.min[i]);
+    }
+  }
+
+  double low, high;
+};
+
+/// Lengths along a plane, from its point nearest to the origin; of `plane { y, d }` (x, z).
+[[nodiscard]] inline Coordinates plane_coordinates(const Vec3& normal, const Vec3& p) {
+  const AcrossAxis across(normal);
+  return {p.dot(across.x), p.dot(across.z)};
+}
+
 /// From the value of q at a box's centre: its root over one radius changes by no more than the distance over that
 /// radius.
 [[nodiscard]] inline QRange q_range_by_distance(double q_at_centre, double radius, const Box& box) {
