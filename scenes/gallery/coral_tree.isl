@@ -3,6 +3,7 @@
 //   isl render scenes/gallery/coral_tree.isl                     the coral
 //   isl render scenes/gallery/coral_tree.isl -D Skeleton=1       its skeleton: the same macro in a `union`
 //   isl render scenes/gallery/coral_tree.isl -D Levels=6         more branches
+//   isl render scenes/gallery/coral_tree.isl -D Ground=0         nothing below it
 //
 // The branching is that of the tree in E. Haines' Standard Procedural Databases (1987); the needles on its tips are in the
 // manner of the coral in A. Sherstyuk, "Fast Ray Tracing of Implicit Surfaces" (1999): 31 branches and 512 needles.
@@ -12,6 +13,7 @@ global_settings { assumed_gamma 1 }
 #ifndef (Levels) #declare Levels = 4; #end
 #ifndef (Needles) #declare Needles = 32; #end
 #ifndef (Skeleton) #declare Skeleton = 0; #end
+#ifndef (Ground) #declare Ground = 1; #end
 
 // ---- Colours: from deep red at the foot to pale rose at the tips ------------------------------------------------------
 
@@ -83,10 +85,12 @@ global_settings { assumed_gamma 1 }
 
 // ---- Ground, light and view --------------------------------------------------------------------------------------------
 
-plane { y, 0
-  pigment { color srgb <0.95, 0.91, 0.85> }
-  finish { ambient 0.42 diffuse 0.55 }
-}
+#if (Ground)
+  plane { y, 0
+    pigment { color srgb <0.95, 0.91, 0.85> }
+    finish { ambient 0.42 diffuse 0.55 }
+  }
+#end
 
 light_source { <-5, 8, -6>, srgb <1.0, 0.96, 0.90> }
 light_source { <7, 5, -4>, srgb <0.80, 0.88, 1.0> * 0.35 shadowless }

@@ -5,6 +5,7 @@
 //   isl render scenes/paper/hermite_crab.isl -s 960x640 --skeleton
 #version 3.7;
 global_settings { assumed_gamma 1 }
+#ifndef (Ground) #declare Ground = 1; #end
 
 camera { location <1.2, 3.4, -7.6> look_at <0, -0.15, -0.35> angle 44 right 1.5*x up y }
 light_source { <6, 10, -7> rgb 0.95 }
@@ -120,5 +121,5 @@ blob {
   pigment { rgb Shell }
   finish { ambient 0.14 diffuse 0.72 phong 0.45 phong_size 50 }
 }
-plane { y, -0.95 pigment { rgb <0.80, 0.74, 0.62> } finish { ambient 0.15 diffuse 0.75 } }
+#if (Ground) plane { y, -0.95 pigment { rgb <0.80, 0.74, 0.62> } finish { ambient 0.15 diffuse 0.75 } } #end
 #debug concat(str(Elements, 0, 0), " elements, ", str(Bumps, 0, 0), " of them bumps\n")
