@@ -11,7 +11,7 @@ namespace {
 
 // clang-format off
 /// From the coarsest to the finest, one method after the other.
-constexpr std::array<std::string_view, 27> kRows{
+constexpr std::array<std::string_view, 28> kRows{
     "paper:2",
     "paper:3",
     "paper:4",
@@ -30,6 +30,7 @@ constexpr std::array<std::string_view, 27> kRows{
     "segment",
     "segment 1e-6px",
     "lg",
+    "lg:octree",
     "interval",
     "inclusion",
     "hermite 1px",

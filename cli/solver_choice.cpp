@@ -17,7 +17,7 @@ using render::PaperSwitches;
 using render::SolverName;
 
 /// What may stand behind a solver's colon.
-enum class Argument { none, interpolants, step, relaxation };
+enum class Argument { none, interpolants, step, relaxation, octree };
 
 struct NamedSolver {
   std::string_view word;
@@ -29,7 +29,7 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"paper", SolverName::paper, Argument::interpolants},
                                     {"iso", SolverName::iso},
                                     {"interval", SolverName::interval},
-                                    {"lg", SolverName::lg},
+                                    {"lg", SolverName::lg, Argument::octree},
                                     {"march", SolverName::march, Argument::step},
                                     {"climb", SolverName::climb, Argument::step},
                                     {"sphere", SolverName::sphere, Argument::relaxation},
@@ -37,6 +37,7 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
                                     {"inclusion", SolverName::inclusion}};
 
 constexpr std::string_view kPlain = "plain";
+constexpr std::string_view kOctree = "octree";
 /// More interpolants a field than this err by less than rounding does.
 constexpr int kMaxInterpolants = 128;
 
@@ -96,6 +97,7 @@ std::string_view word_of(Argument argument) {
     case Argument::interpolants: return "K";
     case Argument::step: return "STEP";
     case Argument::relaxation: return "OMEGA";
+    case Argument::octree: return kOctree;
   }
   return "";
 }
@@ -122,6 +124,10 @@ std::string read_argument(Argument argument, std::string_view text, SolverChoice
       choice.relaxation = omega.value();
       break;
     }
+    case Argument::octree:
+      if (text != kOctree) return "lg or lg:octree";
+      choice.octree = true;
+      break;
   }
   return "";
 }
@@ -164,6 +170,7 @@ std::string to_text(const SolverChoice& solver) {
   std::string text(named->word);
   if (named->argument == Argument::interpolants) text += fmt::format(":{}", solver.interpolants);
   if (named->argument == Argument::step) text += fmt::format(":{}", to_text(solver.step));
+  if (solver.octree) text += fmt::format(":{}", kOctree);
   if (named->argument == Argument::relaxation && solver.relaxation != 1) text += fmt::format(":{}", solver.relaxation);
   if (!render::is_published(solver.name)) return text;
   const std::vector<std::string_view> from_default = words_between({}, solver.paper);

@@ -16,6 +16,7 @@ struct SolverChoice {
   render::PaperSwitches paper;      ///< of `paper` and `iso`
   render::Tolerance step{1, true};  ///< of `march:STEP` and `climb:STEP`
   double relaxation = 1;            ///< of `sphere:OMEGA`
+  bool octree = false;              ///< of `lg:octree`
 
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
 };

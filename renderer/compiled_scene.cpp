@@ -85,7 +85,7 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   for (std::size_t i = 0; i < database.blobs.size(); ++i) {
     if (!is_used[i]) continue;
     compiled.blobs[i].components = compile_components(database, database.blobs[i], options.skeleton);
-    compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, {.classify = options.classify_cells});
+    compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells);
   }
   build_instance_grid(compiled);
   return compiled;

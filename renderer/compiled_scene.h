@@ -4,6 +4,7 @@
 
 #include "renderer/csg/csg_tree.h"
 #include "renderer/fields/component_table.h"
+#include "renderer/grid/blob_grid.h"
 #include "renderer/grid/grid.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/scene/database.h"
@@ -57,8 +58,7 @@ struct CompiledScene {
 };
 
 struct CompileOptions {
-  /// Off for the published solver (grid/blob_grid.h).
-  bool classify_cells = true;
+  CellRule cells = CellRule::ranges;
   bool skeleton = false;  ///< every blob as its skeleton model
 };
 

@@ -85,7 +85,10 @@ TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& po
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
   impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper,
                       options.step, options.relaxation};
-  impl_->scene = compile(database, {.classify_cells = !is_published(options.solver), .skeleton = options.skeleton});
+  const CellRule cells = is_published(options.solver) ? CellRule::none
+                         : options.octree             ? CellRule::lipschitz
+                                                      : CellRule::ranges;
+  impl_->scene = compile(database, {.cells = cells, .skeleton = options.skeleton});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
     for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);

@@ -37,7 +37,7 @@ double rounding_of(const Way& way) {
 class BlobWay {
  public:
   BlobWay(const CompiledBlob& blob, const Way& way)
-      : classifier_(blob.components, true), way_(way), slack_(rounding_of(way)) {
+      : classifier_(blob.components, CellRule::ranges), way_(way), slack_(rounding_of(way)) {
     all_.resize(blob.components.size());
     std::iota(all_.begin(), all_.end(), 0u);
   }

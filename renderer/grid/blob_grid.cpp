@@ -26,7 +26,7 @@ void add_beyond(const FieldClassifier& classifier, std::vector<std::uint32_t> en
 
 }  // namespace
 
-Grid build_blob_grid(const ComponentTable& table, const BlobGridOptions& options) {
+Grid build_blob_grid(const ComponentTable& table, CellRule rule) {
   std::vector<std::uint32_t> endless_items;
   for (const FieldGroup& group : table.groups) {
     if (!scene::is_endless(group.skeleton)) continue;
@@ -42,7 +42,7 @@ Grid build_blob_grid(const ComponentTable& table, const BlobGridOptions& options
   }
   std::vector<std::uint32_t> items(table.size());
   std::iota(items.begin(), items.end(), 0u);
-  FieldClassifier classifier(table, options.classify);
+  FieldClassifier classifier(table, rule);
   Grid grid = GridBuilder(classifier).build(bounds, items, !endless_items.empty());
   add_beyond(classifier, std::move(endless_items), grid);
   return grid;

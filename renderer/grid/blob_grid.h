@@ -7,12 +7,15 @@
 
 namespace isl::render {
 
-struct BlobGridOptions {
-  /// Off: every cell that a support reaches keeps its list. The published solver needs that: its error moves the surface into
-  /// cells where the true field has none.
-  bool classify = true;
+/// How cells are told apart.
+enum class CellRule : std::uint8_t {
+  ranges,     ///< by the ranges of their fields
+  lipschitz,  ///< by values in their middles and Lipschitz constants, divided down to the smallest support: the octree of `lg`, two
+              ///< of its levels a brick (Kalra and Barr 1989)
+  none,       ///< not at all: every cell that a support reaches keeps its list. The published solver needs that: its error moves
+              ///< the surface into cells where the true field has none.
 };
 
-[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, const BlobGridOptions& options);
+[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule);
 
 }  // namespace isl::render

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "renderer/fields/component_table.h"
+#include "renderer/fields/lipschitz.h"
+#include "renderer/grid/blob_grid.h"
 #include "renderer/grid/grid_builder.h"
 
 #include <algorithm>
@@ -14,7 +16,8 @@ namespace isl::render {
 
 class FieldClassifier {
  public:
-  FieldClassifier(const ComponentTable& table, bool classify) : table_(table), tree_(table.tree), classify_(classify) {
+  FieldClassifier(const ComponentTable& table, CellRule rule)
+      : table_(table), tree_(table.tree), rule_(rule), classify_(rule != CellRule::none) {
     reach_.resize(table.size());
     for (const FieldGroup& group : table.groups) {
       for (std::uint32_t i = group.begin; i < group.end; ++i) reach_[i] = support_radius(table, group, i);
@@ -74,9 +77,10 @@ class FieldClassifier {
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return support_bounds(table_, table_.group_of(item), item); }
 
   /// Dividing pays while lists are longer than what one octet of lanes, or little more, evaluates at once; cells smaller than half
-  /// the smallest support that reaches them only add steps.
+  /// the smallest support that reaches them only add steps. (An octree that culls by Lipschitz constants has nothing but its size
+  /// to go by.)
   [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
-    if (kept.size() <= kShortList) return false;
+    if (rule_ != CellRule::lipschitz && kept.size() <= kShortList) return false;
     double least = reach_[kept.front()];
     for (const std::uint32_t item : kept) least = std::min(least, reach_[item]);
     return size > 0.5 * least;
@@ -106,7 +110,8 @@ class FieldClassifier {
     auto group = table_.groups.begin();
     for (const std::uint32_t item : items) {
       while (item >= group->end) ++group;
-      const FieldRange range = field_range(table_, *group, item, box);
+      const FieldRange range = rule_ == CellRule::lipschitz ? lipschitz_range(table_, *group, item, box)
+                                                            : field_range(table_, *group, item, box);
       if (range.low != 0 || range.high != 0) use(item, range);
     }
   }
@@ -116,6 +121,7 @@ class FieldClassifier {
 
   const ComponentTable& table_;
   const BranchTree& tree_;
+  CellRule rule_;
   bool classify_;
   std::vector<double> reach_;
 };

@@ -59,7 +59,7 @@ TEST(OptionValues, RivalsHaveTheirNumberBehindAColon) {
   EXPECT_EQ(parse_solver("march").value().step, (render::Tolerance{1, true}));
   EXPECT_EQ(parse_solver("sphere:1.6").value().relaxation, 1.6);
   EXPECT_EQ(parse_solver("sphere").value().relaxation, 1);
-  for (const char* text : {"lg", "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
+  for (const char* text : {"lg", "lg:octree", "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
     EXPECT_EQ(to_text(parse_solver(text).value()), text);
   }
   for (const char* bad : {"march:", "march:0", "march:-1px", "climb:px", "sphere:2", "sphere:0.9", "sphere:x", "lg:1",

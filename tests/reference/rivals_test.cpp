@@ -17,10 +17,12 @@ namespace {
 struct Rival {
   const char* name;
   render::SolverName solver;
+  bool octree = false;
 };
 
 constexpr Rival kCertified[] = {{"interval", render::SolverName::interval},
                                 {"lg", render::SolverName::lg},
+                                {"lg_octree", render::SolverName::lg, true},
                                 {"inclusion", render::SolverName::inclusion}};
 constexpr Rival kAll[] = {{"interval", render::SolverName::interval},  {"lg", render::SolverName::lg},
                           {"march", render::SolverName::march},        {"climb", render::SolverName::climb},
@@ -32,6 +34,7 @@ std::string name_of(const testing::TestParamInfo<Rival>& given) { return given.p
 render::TracerOptions options_of(const Rival& rival, render::Tolerance tolerance, render::Tolerance step = {1, true}) {
   render::TracerOptions options = with(rival.solver, tolerance);
   options.step = step;
+  options.octree = rival.octree;
   return options;
 }
 

@@ -26,11 +26,11 @@ struct Flake {
   ComponentTable components;
   Grid grid;
 
-  explicit Flake(int levels) {
+  explicit Flake(int levels, CellRule rule = CellRule::ranges) {
     const scene::Database database =
         test::sphereflake(levels, {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
     components = compile_components(database, database.blobs[0]);
-    grid = build_blob_grid(components, {});
+    grid = build_blob_grid(components, rule);
   }
 };
 
@@ -74,9 +74,8 @@ TEST(Grid, StretchesAscendAndDoNotOverlap) {
   }
 }
 
-TEST(Grid, NothingLiesBetweenTheStretches) {
+void expect_nothing_between_the_stretches(const Flake& flake) {
   // At any point of a ray: above the threshold only within a stretch, and there the cell's own list tells the whole field.
-  const Flake flake(3);
   Rays rays;
   int inside = 0;
   for (int i = 0; i < 120; ++i) {
@@ -108,6 +107,12 @@ TEST(Grid, NothingLiesBetweenTheStretches) {
   EXPECT_GT(inside, 10);
 }
 
+TEST(Grid, NothingLiesBetweenTheStretches) { expect_nothing_between_the_stretches(Flake(3)); }
+
+TEST(Grid, NothingLiesBetweenThoseOfAnOctreeCulledByLipschitzConstants) {
+  expect_nothing_between_the_stretches(Flake(3, CellRule::lipschitz));
+}
+
 TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
   const Flake flake(1);
   const Grid& grid = flake.grid;
@@ -137,7 +142,7 @@ TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
 }
 
 TEST(Grid, EmptyBlobHasAnEmptyGrid) {
-  const Grid grid = build_blob_grid(ComponentTable{}, {});
+  const Grid grid = build_blob_grid(ComponentTable{}, CellRule::ranges);
   EXPECT_TRUE(grid.is_empty());
   EXPECT_TRUE(grid.bounds.isEmpty());
 }
@@ -153,7 +158,7 @@ TEST(Grid, TwoClustersFarApartCostNoMoreThanTwo) {
     }
   }
   const ComponentTable table = compile_components(database, blob);
-  EXPECT_LT(build_blob_grid(table, {}).bytes(), 4U << 20);
+  EXPECT_LT(build_blob_grid(table, CellRule::ranges).bytes(), 4U << 20);
 }
 
 }  // namespace
