@@ -15,20 +15,13 @@
 #include "renderer/fields/lane_sums-inl.h"
 #include "renderer/fields/lane_walk-inl.h"
 
-#include <algorithm>
-#include <cmath>
-
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
 class LaneRange {
  public:
-  LaneRange(const LaneMemory& memory, double t0, double t1)
-      : m_(memory),
-        drift_(0x1p-51 * std::max(std::abs(t0), std::abs(t1))),
-        t0_(t0 - drift_),
-        t1_(t1 + drift_) {}
+  LaneRange(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
 
   [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
     visit_lanes(m_, *this);
@@ -40,9 +33,9 @@ class LaneRange {
   template <class Kernel>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
     const QuadraticLanes lane = load_quadratic(m_, i);
-    const OnPiece piece(m_, run, i, lane.middle, t0_, t1_, drift_);
+    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
-    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(drift_);
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
     add(kernel, lane.amplitude, nearest * nearest + lane.kappa * near * near,
         farthest * farthest + lane.kappa * far * far, piece.whole, piece.any);
@@ -50,14 +43,14 @@ class LaneRange {
 
   template <class Kernel, class Shape>
   HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
-    const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
+    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
     const OctetMask all = v.least <= v.least;
     add(kernel, lanes.amplitude, v.least, v.greatest, all, all);
   }
 
   template <class Window, class Curve>
   HWY_INLINE void add_curve(const Window& window, const Curve& lanes) {
-    add_between(lanes.amplitude, Octet(0.0), lanes.most(window, t0_, t1_));
+    add_between(lanes.amplitude, Octet(0.0), lanes.most(window, on_.t0, on_.t1));
   }
 
  private:
@@ -76,7 +69,7 @@ class LaneRange {
   }
 
   const LaneMemory& m_;
-  double drift_, t0_, t1_;
+  WidenedInterval on_;
   RangeSums sums_;
 };
 

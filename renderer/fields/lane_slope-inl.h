@@ -17,20 +17,13 @@
 #include "renderer/fields/lane_sums-inl.h"
 #include "renderer/fields/lane_walk-inl.h"
 
-#include <algorithm>
-#include <cmath>
-
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
 class LaneSlope {
  public:
-  LaneSlope(const LaneMemory& memory, double t0, double t1)
-      : m_(memory),
-        drift_(0x1p-51 * std::max(std::abs(t0), std::abs(t1))),
-        t0_(t0 - drift_),
-        t1_(t1 + drift_) {}
+  LaneSlope(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
 
   /// Of F′.
   [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
@@ -43,9 +36,9 @@ class LaneSlope {
   template <class Kernel>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
     const QuadraticLanes lane = load_quadratic(m_, i);
-    const OnPiece piece(m_, run, i, lane.middle, t0_, t1_, drift_);
+    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
-    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(drift_);
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
     const Octet steep = slope_of(kernel, nearest * nearest + lane.kappa * near * near);
     const Octet flat = slope_of(kernel, farthest * farthest + lane.kappa * far * far);
@@ -58,7 +51,7 @@ class LaneSlope {
   template <class Kernel, class Shape>
   HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
     const LanePoint p = lanes.at(middle(), run.kernel->scale);
-    const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
+    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
     const Octet steepest = v.steepest(kernel);
     const OctetRange by_bend = about(slope_of(kernel, p.v) * p.slope, LaneBend::of_shape(kernel, v));
     sums_.add(scaled(v.least < kernel.support(), lanes.amplitude,
@@ -71,7 +64,7 @@ class LaneSlope {
     lanes.amplitude = Octet(1.0);
     const CurvePoint p = lanes.at(window, middle());
     const Octet noise = Octet(0x1p-48) * p.slope_terms;
-    const OctetRange r = about(p.slope, LaneBend::of_curve(window, lanes, t0_, t1_));
+    const OctetRange r = about(p.slope, LaneBend::of_curve(window, lanes, on_.t0, on_.t1));
     sums_.add(scaled(amplitude <= amplitude, amplitude, {r.low - noise, r.high + noise}));
   }
 
@@ -82,16 +75,16 @@ class LaneSlope {
     return keep(v < kernel.support(), kernel.value_and_slope(v).slope);
   }
 
-  [[nodiscard]] HWY_INLINE Octet middle() const { return Octet(t0_ + 0.5 * (t1_ - t0_)); }
+  [[nodiscard]] HWY_INLINE Octet middle() const { return Octet(on_.t0 + 0.5 * (on_.t1 - on_.t0)); }
 
   /// What f′ can be within half the interval's width of where it is this.
   [[nodiscard]] HWY_INLINE OctetRange about(const Octet& slope, const OctetRange& bend) const {
-    const Octet spread = Octet(0.5 * (t1_ - t0_)) * max(abs(bend.low), abs(bend.high));
+    const Octet spread = Octet(0.5 * (on_.t1 - on_.t0)) * max(abs(bend.low), abs(bend.high));
     return {slope - spread, slope + spread};
   }
 
   const LaneMemory& m_;
-  double drift_, t0_, t1_;
+  WidenedInterval on_;
   RangeSums sums_;
 };
 

@@ -9,12 +9,22 @@
 
 #include "renderer/fields/lane_columns-inl.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
+
+/// An interval of a ray, widened by as much as a computed point may be off along it: four half units of t.
+struct WidenedInterval {
+  double drift, t0, t1;
+
+  HWY_INLINE WidenedInterval(double from, double to)
+      : drift(0x1p-51 * std::max(std::abs(from), std::abs(to))), t0(from - drift), t1(to + drift) {}
+};
 
 struct OctetRange {
   Octet low, high;
