@@ -1,6 +1,7 @@
 #include "renderer/fields/convolutions/curve_constants.h"
 
 #include "base/check.h"
+#include "renderer/fields/bisection.h"
 
 #include <cmath>
 
@@ -26,12 +27,11 @@ struct CauchyLine {
   /// Where −yL′/L = h: it rises from 0 on the line towards the border. Found as ln(y/(1 − y)): a soft line of small ε has
   /// its surface far within it.
   [[nodiscard]] double surface(double h) const {
-    double low = -140, high = 40;
-    for (int step = 0; step < 64; ++step) {
-      const double middle = 0.5 * (low + high), y = place(middle);
-      (-y * slope(y) < h * value(y) ? low : high) = middle;
-    }
-    return place(low);
+    const auto is_within = [&](double u) {
+      const double y = place(u);
+      return -y * slope(y) < h * value(y);
+    };
+    return place(last_where(is_within, -140, 40));
   }
 
  private:
@@ -50,14 +50,12 @@ KernelConstants quartic(double h) {
 /// The ratio of the values falls from above eʰ to below it (the quartic's) as ε grows. Below ε = 10⁻⁴⁰, a hardness of about 150,
 /// nothing changes but the value within 10⁻²⁰ of the line, and the powers of ε would leave the range of numbers.
 KernelConstants cauchy(double h) {
-  double low = std::log(1e-40), high = std::log(1e6);
-  for (int step = 0; step < 64; ++step) {
-    const double middle = 0.5 * (low + high);
-    const CauchyLine line{std::exp(middle)};
-    (std::log(line.value(0) / line.value(line.surface(h))) > h ? low : high) = middle;
-  }
+  const auto is_too_small = [h](double log_epsilon) {
+    const CauchyLine line{std::exp(log_epsilon)};
+    return std::log(line.value(0) / line.value(line.surface(h))) > h;
+  };
   KernelConstants constants;
-  constants.a = std::exp(low);
+  constants.a = std::exp(last_where(is_too_small, std::log(1e-40), std::log(1e6)));
   const CauchyLine line{constants.a};
   constants.scale = line.surface(h);
   constants.amplitude = 1 / line.value(constants.scale);

@@ -22,6 +22,7 @@
 #define ISL_RENDERER_FIELDS_CONVOLUTIONS_SHEET_CAUCHY_INL_H_
 #endif
 
+#include "renderer/fields/bisection.h"
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,13 +41,10 @@ struct CauchySheet {
     const auto is_too_small = [&](double epsilon) {
       return 3 * std::log1p(1 / width(epsilon)) + std::log1p(1 / epsilon) > h;
     };
-    double low = std::log(1e-40), high = std::log(1e6);  // of ε − least, which is below 1/h for the softest
-    for (int step = 0; step < 64; ++step) {
-      const double middle = 0.5 * (low + high);
-      (is_too_small(least + std::exp(middle)) ? low : high) = middle;
-    }
+    const auto above_least = [&](double log_excess) { return least + std::exp(log_excess); };
     KernelConstants constants;
-    constants.a = least + std::exp(low);
+    constants.a = above_least(last_where([&](double x) { return is_too_small(above_least(x)); }, std::log(1e-40),
+                                         std::log(1e6)));  // ε − least is below 1/h for the softest
     constants.support = 1 + width(constants.a);
     constants.amplitude = 1 / CauchySheet(constants).value(1.0);
     return constants;

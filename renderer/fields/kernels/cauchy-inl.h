@@ -19,6 +19,7 @@
 #define ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
 #endif
 
+#include "renderer/fields/bisection.h"
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,13 +42,10 @@ struct Cauchy {
       const double a = 1 + epsilon, d = width(epsilon), b = a + d;
       return 2 * std::log((1 + d) / d) + std::log((b + 2 * epsilon) / (b + 2 * a)) + 2 * std::log(a / epsilon) > h;
     };
-    double low = -300, high = 300;  // of ln(ε − ε₀); ε = e^{−h/2} for the hardest, 500, and about 1/h for the softest
-    for (int step = 0; step < 64; ++step) {
-      const double middle = 0.5 * (low + high);
-      (is_too_small(least + std::exp(middle)) ? low : high) = middle;
-    }
+    const auto above_least = [&](double log_excess) { return least + std::exp(log_excess); };
     KernelConstants constants;
-    constants.a = least + std::exp(low);
+    // ε = e^{−h/2} for the hardest, 500, and about 1/h for the softest.
+    constants.a = above_least(last_where([&](double x) { return is_too_small(above_least(x)); }, -300, 300));
     constants.support = 1 + width(constants.a);
     constants.amplitude = 1 / Cauchy(constants).value(1.0);
     return constants;
