@@ -5,7 +5,7 @@
 global_settings { assumed_gamma 1 }
 
 #declare Kernels = array[6] { "quartic", "cubic", "gaussian", "soft", "metaball", "cauchy" }
-#declare Hardness = array[3] { 1, 4, 20 }
+#declare Hardness = array[3] { 1, 3, 12 }
 #declare Colours = array[6] {
   <0.78, 0.36, 0.30>, <0.86, 0.58, 0.28>, <0.83, 0.76, 0.38>, <0.40, 0.63, 0.45>, <0.30, 0.53, 0.70>, <0.52, 0.42, 0.66>
 }
@@ -14,16 +14,16 @@ global_settings { assumed_gamma 1 }
   #for (Row, 0, 2)
     blob {
       kernel Kernels[Column] hardness Hardness[Row]
-      sphere { <-0.55, 0, 0>, 0.5 }
-      sphere { <0.5, 0.25, 0>, 0.36 }
+      sphere { <-0.45, -0.1, 0>, 0.5 }
+      sphere { <0.36, 0.16, 0>, 0.36 }
       pigment { rgb Colours[Column] }
       finish { ambient 0.12 diffuse 0.75 phong 0.5 phong_size 60 }
-      translate <2.35 * (Column - 2.5), 1.75 * (1 - Row), 0>
+      translate <1.95 * (Column - 2.5), 1.75 * (1 - Row), 0>
     }
   #end
 #end
 
-plane { z, 2.2 pigment { rgb <0.93, 0.92, 0.89> } finish { ambient 0.2 diffuse 0.75 } }
-light_source { <-6, 9, -14> rgb 0.95 }
+background { rgb <0.93, 0.92, 0.89> }
+light_source { <-8, 12, -14> rgb 0.95 }
 light_source { <9, 2, -10> rgb 0.25 shadowless }
-camera { location <0, 0, -22> look_at 0 angle 38 right 1.875*x up y }
+camera { location <0, 0, -22> look_at 0 angle 31 right 1.875*x up y }
