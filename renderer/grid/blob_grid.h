@@ -10,7 +10,7 @@ namespace isl::render {
 /// How cells are told apart.
 enum class CellRule : std::uint8_t {
   ranges,     ///< by the ranges of their fields
-  lipschitz,  ///< by values in their middles and Lipschitz constants, divided down to the smallest support: the octree of `lg`, two
+  lipschitz,  ///< by values in their middles and Lipschitz constants, divided down to half the smallest support: the octree of `lg`, two
               ///< of its levels a brick (Kalra and Barr 1989)
   none,       ///< not at all: every cell that a support reaches keeps its list. The published solver needs that: its error moves
               ///< the surface into cells where the true field has none.

@@ -20,11 +20,14 @@ class FieldClassifier {
   FieldClassifier(const ComponentTable& table, CellRule rule)
       : table_(table), tree_(table.tree), rule_(rule), classify_(rule != CellRule::none) {
     reach_.resize(table.size());
+    fitting_.resize(table.size());
     is_limb_.resize(table.size());
     for (const FieldGroup& group : table.groups) {
       const bool is_limb = group.skeleton != scene::Skeleton::point || group.is_mapped;
       for (std::uint32_t i = group.begin; i < group.end; ++i) {
+        const Vec3 size = support_bounds(table, group, i).size();
         reach_[i] = support_radius(table, group, i);
+        fitting_[i] = std::max(reach_[i], std::max({size.x, size.y, size.z}) * (1.0 / kMostAlong));
         is_limb_[i] = is_limb;
       }
     }
@@ -85,18 +88,19 @@ class FieldClassifier {
 
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return support_bounds(table_, table_.group_of(item), item); }
 
-  /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add, and down to cells of about
-  /// the smallest support that reaches them, or half of it where lists are long. (An octree that culls by Lipschitz constants has
-  /// nothing but its size to go by.)
+  /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add: down to half the smallest
+  /// support that reaches it where lists are long, else to the size that fits one of the fields. (An octree that culls by
+  /// Lipschitz constants has nothing but its size to go by.)
   [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
-    double least = reach_[kept.front()], cost = 0;
+    double least = reach_[kept.front()], fitting = fitting_[kept.front()], cost = 0;
     for (const std::uint32_t item : kept) {
       least = std::min(least, reach_[item]);
+      fitting = std::min(fitting, fitting_[item]);
       cost += is_limb_[item] ? limb_cost_ : 1;
     }
-    const bool is_long = static_cast<double>(kept.size()) > kWorthASplit;
-    if (rule_ == CellRule::lipschitz) return size > 0.5 * least;
-    return cost > kWorthASplit && size > (is_long ? 0.5 : 1.0) * least;
+    if (rule_ == CellRule::lipschitz) return size > 0.5 * fitting;
+    if (static_cast<double>(kept.size()) > kWorthASplit) return size > 0.5 * least;
+    return cost > kWorthASplit && size > fitting;
   }
 
  private:
@@ -136,12 +140,15 @@ class FieldClassifier {
   // one field in them, take the coral 0.55, the urchin 0.6 and the crab 0.35 of the time that lists of 12 take. They need 5 to 60
   // kB a limb, so that above this many fields a limb's cost falls with the root of their number, to 1 at 169,000.
   static constexpr double kFewFields = 1000;
+  // A thread may be a million times as long as thick: no limb alone has more cells than this along it.
+  static constexpr double kMostAlong = 16;
 
   const ComponentTable& table_;
   const BranchTree& tree_;
   CellRule rule_;
   bool classify_;
   std::vector<double> reach_;
+  std::vector<double> fitting_;  ///< the size of cells that fit a component: its reach, or a share of its length
   std::vector<bool> is_limb_;  ///< anything but a point in the blob's own space
   double limb_cost_ = 1;       ///< of a limb, in points
 };

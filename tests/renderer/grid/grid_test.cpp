@@ -1,4 +1,5 @@
-// The grid's promises: its stretches of a ray join without gaps, a cell's list holds all that matters, and classes are true.
+// The grid's promises: its stretches of a ray join without gaps, a cell's list holds all that matters, and classes are
+// true.
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/grid_walk-inl.h"
@@ -75,7 +76,8 @@ TEST(Grid, StretchesAscendAndDoNotOverlap) {
 }
 
 void expect_nothing_between_the_stretches(const Flake& flake) {
-  // At any point of a ray: above the threshold only within a stretch, and there the cell's own list tells the whole field.
+  // At any point of a ray: above the threshold only within a stretch, and there the cell's own list tells the whole
+  // field.
   Rays rays;
   int inside = 0;
   for (int i = 0; i < 120; ++i) {
@@ -159,6 +161,20 @@ TEST(Grid, TwoClustersFarApartCostNoMoreThanTwo) {
   }
   const ComponentTable table = compile_components(database, blob);
   EXPECT_LT(build_blob_grid(table, CellRule::ranges).bytes(), 4U << 20);
+}
+
+TEST(Grid, AThreadAMillionTimesAsLongAsThickDoesNotFillMemory) {
+  scene::Database database;
+  database.kernels.push_back({scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
+  scene::Blob blob;
+  for (const Vec3& end : {Vec3(1, 0.3, 0.2), Vec3(-0.4, 1, 0.1)}) {
+    blob.components.push_back({.a = Vec3(0, 0, 0), .b = end, .radius_a = 1e-6, .skeleton = scene::Skeleton::segment});
+    blob.origins.push_back({});
+  }
+  const ComponentTable table = compile_components(database, blob);
+  for (const CellRule rule : {CellRule::ranges, CellRule::lipschitz}) {
+    EXPECT_LT(build_blob_grid(table, rule).bytes(), 4U << 20);
+  }
 }
 
 }  // namespace
