@@ -137,7 +137,7 @@ class FieldClassifier {
   // the quartic gaining towards 12.
   static constexpr double kWorthASplit = 12;
   // Limbs and mapped points are set up one by one, and their bounds over long stretches are wide: cells down to their size, with
-  // one field in them, take the coral 0.55, the urchin 0.6 and the crab 0.35 of the time that lists of 12 take. They need 5 to 60
+  // one field in them, take the coral 0.6, the urchin 0.7 and the crab 0.4 of the time that lists of 12 take. They need 5 to 40
   // kB a limb, so that above this many fields a limb's cost falls with the root of their number, to 1 at 169,000.
   static constexpr double kFewFields = 1000;
   // A thread may be a million times as long as thick: no limb alone has more cells than this along it.
