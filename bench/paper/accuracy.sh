@@ -16,7 +16,7 @@ awk -F, '
   function count(n) { return n > 0 ? n : "-" }
   function px(x) { return x == 0 ? "0" : x >= 100 ? sprintf("%.0f", x) : x < 0.001 ? sprintf("%.1e", x) : sprintf("%.2g", x) }
   function finish() {
-    if (name != "") printf "| `%s`%s | %.2f%s", name, first == last ? "" : ", " first " to " last, time, rest
+    if (name != "") printf "| `%s`%s | %.2f%s", name, first == last ? (first == "" ? "" : ", " first) : ", " first " to " last, time, rest
   }
   NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
   {
