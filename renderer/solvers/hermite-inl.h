@@ -56,6 +56,11 @@ class HermiteSolver {
  public:
   using Fields = RayLanes;
   using Lengths = Shortest;
+  /// h²|F″ − p″| on an interval is no greater than this times E.
+  static constexpr double kBendBand = 43;
+  /// Rounding moves F by no less than this share of the bound on it: of its n + 16 half units in the last place one or two are
+  /// there in the mean, and n is seldom above 100.
+  static constexpr double kRoundingOfNoise = 1.0 / 64;
   /// What the driver hands to every solver; `distance`: of t = 0 from the eye.
   [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {
     return shortest;
@@ -104,8 +109,8 @@ class HermiteSolver {
   }
 
  private:
-  /// Of the quotient by a known root: the band of c₁ and that of F″, over E.
-  static constexpr double kMiddleBand = 14, kBendBand = 43;
+  /// Of the quotient by a known root: the band of c₁, over E.
+  static constexpr double kMiddleBand = 14;
   enum class Verdict { none, at_start, one, back, in_cubic, unclear };
   static constexpr int kMostHalvings = 64;
 
@@ -125,19 +130,27 @@ class HermiteSolver {
         return Verdict::none;
       }
       const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);
-      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) return Verdict::back;
+      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) {
+        most_bend_ = most_bend(p, e, b.noise, h * slope_noise);
+        return Verdict::back;
+      }
     } else {
       if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
       const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
       const double fall = 3 * std::max({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
       const double band = h * (e.slope + slope_noise);
-      if (rise > band) return crossed ? Verdict::one : Verdict::none;
+      if (rise > band) {
+        most_bend_ = most_bend(p, e, noise, h * slope_noise);
+        return crossed ? Verdict::one : Verdict::none;
+      }
       if (fall < -band) return Verdict::none;
     }
     const double middle = a.t + 0.5 * h;
     // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
-    if (!is_exact && middle > a.t && middle < b.t) {
+    // Where the cubic is the field there is nothing to be gained but by it: a bulge above the rounding between ends below.
+    const bool bulges = !a_is_root && !crossed && std::max(p.b1, p.b2) > noise + h * slope_noise;
+    if ((!is_exact || bulges) && middle > a.t && middle < b.t) {
       split_ = middle;
       // A grazing ray may be back at once: where it starts the tolerance tells nothing.
       if (h > (a_is_root ? least_.by_rounding : least_.by_tolerance)) return Verdict::unclear;
@@ -178,6 +191,11 @@ class HermiteSolver {
     const double third = (b.t - a.t) * (1.0 / 3);
     return {a.value, a.value + third * a.slope, b.value - third * b.slope, b.value};
   }
+  /// h²|F″| on the interval of the cubic is no greater; `slope_noise` is per interval.
+  [[nodiscard]] static double most_bend(const Bernstein& p, const Remainder& e, double noise, double slope_noise) {
+    const double of_cubic = 6 * std::max(std::abs(p.b0 - 2 * p.b1 + p.b2), std::abs(p.b1 - 2 * p.b2 + p.b3));
+    return of_cubic + kBendBand * e.value + 12 * noise + 6 * slope_noise;
+  }
   struct Quotient {
     double c0, c1, c2;
 
@@ -210,8 +228,10 @@ class HermiteSolver {
     return a.t + (b.t - a.t) * root_of_rising_cubic(p.b0, p.b1, p.b2, p.b3);
   }
 
-  /// a.value ≤ 0 < b.value, with one root between, and t for a first guess: Newton on the true field inside the bracket.
+  /// a.value ≤ 0 < b.value, with one root between, and t for a first guess: Newton on the true field inside the bracket, until F
+  /// is within its rounding or will be: behind a step s of Newton's F is F″s²/2. Between a and b most_bend_ bounds F″.
   [[nodiscard]] double polish(Node a, Node b, double t) {
+    const double half_bend = 0.5 * most_bend_ / ((b.t - a.t) * (b.t - a.t));
     // Bisection alone would need 64 steps; Newton's, once they contract, three or four.
     for (int i = 0; i < kMostHalvings; ++i) {
       t = std::clamp(t, a.t, b.t);
@@ -221,6 +241,7 @@ class HermiteSolver {
       const bool newton = next > a.t && next < b.t;
       // Within the rounding of F one more step still gains a digit, and a second one none.
       if (std::abs(n.value) <= n.noise) return newton ? next : t;
+      if (newton && half_bend * (next - t) * (next - t) <= kRoundingOfNoise * n.noise) return next;
       if (!newton) next = a.t + 0.5 * (b.t - a.t);
       if (next == t || !(next > a.t && next < b.t)) return t;
       t = next;
@@ -233,6 +254,7 @@ class HermiteSolver {
   Shortest shortest_;
   Shortest least_ = shortest_;  ///< of the search that goes on
   double split_ = 0;  ///< where the interval judged unclear is to be parted
+  double most_bend_ = 0;  ///< of the interval judged to have one root: h²|F″| is no greater
   TraceCounters& counters_;
 };
 
