@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/fields/branches.h"
+#include "renderer/fields/field_lanes-inl.h"
 #include "renderer/fields/lane_range-inl.h"
 #include "renderer/fields/lane_setup-inl.h"
 #include "renderer/fields/lane_slope-inl.h"
@@ -62,7 +63,7 @@ class RayLanes {
   [[nodiscard]] double slope_noise(const FieldAt& f) const { return relative_noise_ * f.steepness; }
 
   [[nodiscard]] FieldAt at(double t) const {
-    FieldSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
+    FieldSums sums;
     for (const LaneRun& run : m_.runs) {
       if (run.kernel->is_convolved) {
         add_curves_at(run, t, sums);
@@ -87,15 +88,15 @@ class RayLanes {
   }
 
   [[nodiscard]] Remainder remainder(double t0, double t1) const {
-    Octet value(0.0), slope(0.0);
+    RemainderSums sums;
     for (const LaneRun& run : m_.runs) {
       if (run.kernel->is_convolved) {
-        add_remainder_of_curves(run, t0, t1, value, slope);
+        add_remainder_of_curves(run, t0, t1, sums);
         continue;
       }
-      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, value, slope); });
+      with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR { add_remainder(kernel, run, t0, t1, sums); });
     }
-    return {sum(value), sum(slope)};
+    return {sum(sums.value), sum(sums.slope)};
   }
 
   /// The first t between these two where a component's nearest feature changes: there F may bend as sharply as it likes.
@@ -134,28 +135,12 @@ class RayLanes {
     return mask & (t >= load_border(m_, i, LaneMemory::kBegin)) & (t < load_border(m_, i, LaneMemory::kEnd));
   }
 
-  struct FieldSums {
-    Octet value, slope, magnitude, steepness;
-
-    HWY_INLINE void add(const Octet& f, const Octet& d) {
-      value = value + f;
-      slope = slope + d;
-      magnitude = magnitude + abs(f);
-      steepness = steepness + abs(d);
-    }
-  };
-
   template <class Kernel>
   HWY_INLINE void add_at(const Kernel& kernel, const LaneRun& run, double t, FieldSums& sums) const {
     for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
-      const QuadraticLanes lane = load_quadratic(m_, i);
-      const Octet tau = Octet(t) - lane.middle;
-      const Octet kappa_tau = lane.kappa * tau;
-      const Octet v = lane.v0 + kappa_tau * tau;
-      const OctetMask active = on_piece(run, i, Octet(t), v < kernel.support());
-      const KernelValue phi = kernel.value_and_slope(v);
-      sums.add(keep(active, lane.amplitude * phi.value),
-               keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau))));
+      sums.add(field_at(kernel, load_quadratic(m_, i), Octet(t), [&](const OctetMask& within) HWY_ATTR {
+        return on_piece(run, i, Octet(t), within);
+      }));
     }
     add_lanes_at(kernel, run, run.cones, load_cone, t, sums);
     add_lanes_at(kernel, run, run.circles, load_circle, t, sums);
@@ -163,11 +148,7 @@ class RayLanes {
 
   HWY_NOINLINE void add_curves_at(const LaneRun& run, double t, FieldSums& sums) const {
     for_each_curve(m_, run, [&](const auto& window, const auto& lanes) HWY_ATTR {
-      const CurvePoint p = lanes.at(window, Octet(t));
-      sums.value = sums.value + p.value;
-      sums.slope = sums.slope + p.slope;
-      sums.magnitude = sums.magnitude + p.value_terms;
-      sums.steepness = sums.steepness + p.slope_terms;
+      sums.add(lanes.at(window, Octet(t)));
     });
   }
 
@@ -183,13 +164,9 @@ class RayLanes {
     return total;
   }
 
-  HWY_NOINLINE void add_remainder_of_curves(const LaneRun& run, double t0, double t1, Octet& value,
-                                            Octet& slope) const {
+  HWY_NOINLINE void add_remainder_of_curves(const LaneRun& run, double t0, double t1, RemainderSums& sums) const {
     for_each_curve(m_, run, [&](const auto& window, const auto& lanes) HWY_ATTR {
-      const CurveRemainder r = curve_remainder(window, lanes.stretch(t0, t1), t1 - t0);
-      const Octet size = abs(lanes.amplitude);
-      value = value + size * r.value;
-      slope = slope + size * r.slope;
+      sums.add_curves(window, lanes, Octet(t0), Octet(t1));
     });
   }
 
@@ -197,11 +174,7 @@ class RayLanes {
   HWY_INLINE void add_lanes_at(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows, const Load& load_lanes,
                                double t, FieldSums& sums) const {
     for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
-      const auto lanes = load_lanes(m_, i);
-      const LanePoint p = lanes.at(Octet(t), run.kernel->scale);
-      const OctetMask active = p.v < kernel.support();
-      const KernelValue phi = kernel.value_and_slope(p.v);
-      sums.add(keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope)));
+      sums.add(field_at(kernel, load_lanes(m_, i), Octet(t), run.kernel->scale));
     }
   }
 
@@ -238,26 +211,11 @@ class RayLanes {
 
   // ---- Bounds -------------------------------------------------------------------------------------------------------
 
-  /// E and E′ of a cubic Hermite interpolant of width h. In the smooth case h⁴M₄/384 and (√3/216)h³M₄; where f is only
-  /// C¹, (h²/32)·osc f″ and 0.126 h·osc f″, osc counting the 0 beyond a border. The lesser of both where both hold.
-  static HWY_INLINE void add_bounds(const SecondAndFourth& bounds, const OctetMask& smooth, const OctetMask& counts,
-                                    const Octet& amplitude, double h, Octet& value, Octet& slope) {
-    const Octet zero(0.0), size = abs(amplitude);
-    const Octet spread = select(smooth, bounds.high - bounds.low, max(bounds.high, zero) - min(bounds.low, zero));
-    const Octet fourth = select(smooth, bounds.fourth, Octet(kInfinity));
-    const Octet h2(h * h);
-    const Octet e = min(h2 * Octet(1.0 / 32) * spread, h2 * h2 * Octet(1.0 / 384) * fourth);
-    const Octet e1 = min(Octet(0.126 * h) * spread, Octet(0.00801876) * h2 * Octet(h) * fourth);  // √3/216
-    value = value + keep(counts, size * e);
-    slope = slope + keep(counts, size * e1);
-  }
-
   template <class Kernel>
-  HWY_INLINE void add_remainder(const Kernel& kernel, const LaneRun& run, double t0, double t1, Octet& value,
-                                Octet& slope) const {
-    const double h = t1 - t0;
+  HWY_INLINE void add_remainder(const Kernel& kernel, const LaneRun& run, double t0, double t1,
+                                RemainderSums& sums) const {
+    const Octet h(t1 - t0);
     for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
-      const QuadraticLanes lane = load_quadratic(m_, i);
       Octet from(t0), to(t1);
       OctetMask whole = from <= to;
       if (run.has_pieces) {
@@ -266,34 +224,19 @@ class RayLanes {
         from = max(from, begin);
         to = min(to, end);
       }
-      const Octet a = from - lane.middle, b = to - lane.middle;
-      const Octet near = max(Octet(0.0), max(a, Octet(0.0) - b));
-      const Octet far = max(abs(a), abs(b));
-      const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
-      const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
-      const OctetMask smooth = whole & (u_far < room) & kernel.is_smooth(lane.v0 + u_near, lane.v0 + u_far);
-      // Where v does not change (inside a box or a half-space) there is no error, whatever the kernel's slopes are there.
-      const OctetMask counts = (u_near < room) & (from <= to) & (lane.kappa > Octet(0.0));
-      add_bounds(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h,
-                 value, slope);
+      sums.add_quadratics(kernel, load_quadratic(m_, i), from, to, whole, h);
     }
-    add_lanes_remainder(kernel, run, run.cones, load_cone, t0, t1, value, slope);
-    add_lanes_remainder(kernel, run, run.circles, load_circle, t0, t1, value, slope);
+    add_lanes_remainder(kernel, run, run.cones, load_cone, t0, t1, sums);
+    add_lanes_remainder(kernel, run, run.circles, load_circle, t0, t1, sums);
   }
 
   template <class Kernel, class Load>
   HWY_INLINE void add_lanes_remainder(const Kernel& kernel, const LaneRun& run, const LaneSpan& rows,
-                                      const Load& load_lanes, double t0, double t1, Octet& value, Octet& slope) const {
+                                      const Load& load_lanes, double t0, double t1, RemainderSums& sums) const {
     for (std::uint32_t i = rows.first; i < rows.last; i += kOctet) {
-      const auto lanes = load_lanes(m_, i);
-      const auto v = lanes.bounds(t0, t1, run.kernel->scale, run.kernel->support);
-      const OctetMask counts = v.least < kernel.support();
-      const OctetMask smooth = v.one_piece & (v.greatest < kernel.support()) & kernel.is_smooth(v.least, v.greatest);
-      add_bounds(v.compose(kernel), smooth, counts, lanes.amplitude, t1 - t0, value, slope);
+      sums.add_shapes(kernel, load_lanes(m_, i), Octet(t0), Octet(t1), run.kernel->scale, run.kernel->support);
     }
   }
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   LaneMemory& m_;
   double threshold_ = 0;

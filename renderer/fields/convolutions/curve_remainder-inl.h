@@ -54,7 +54,7 @@ struct CurveRemainder {
 
 /// Of amplitude 1.
 template <class Window>
-[[nodiscard]] HWY_INLINE CurveRemainder curve_remainder(const Window& window, const CurveStretch& c, double h) {
+[[nodiscard]] HWY_INLINE CurveRemainder curve_remainder(const Window& window, const CurveStretch& c, const Octet& h) {
   const Octet zero(0.0), infinite(std::numeric_limits<double>::infinity());
   const Octet second_at(window.second_at_border()), third_at(window.third_at_border());
   const WindowBounds b = window.bounds(c.y_least, c.e2, c.speed2);
@@ -74,10 +74,10 @@ template <class Window>
     fourth = fourth + keep(cut.may_be, select(has_width & cut.stays, bound, infinite));
     fourth = select(cut.stays, fourth, infinite);
   }
-  const Octet h1(h), h2(h * h), h3 = h1 * h2;
+  const Octet h2 = h * h, h3 = h * h2;
   const Octet value = min(h2 * Octet(1.0 / 32) * second,
                           min(h3 * Octet(1.0 / 192) * third, h2 * h2 * Octet(1.0 / 384) * fourth));
-  const Octet slope = min(h1 * Octet(0.126) * second,
+  const Octet slope = min(h * Octet(0.126) * second,
                           min(h2 * Octet(0.0162) * third, h3 * Octet(0.00801876) * fourth));  // √3/216
   const OctetMask counts = c.y_least < Octet(1.0);
   return {keep(counts, value), keep(counts, slope)};

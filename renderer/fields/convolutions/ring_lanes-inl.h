@@ -47,14 +47,14 @@ struct RingLanes {
   /// No value on the stretch is greater than this, of amplitude 1: that at the least distance, and the
   /// least ρ, along which the ring bends away least.
   template <class Window>
-  [[nodiscard]] HWY_INLINE Octet most(const Window& window, double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     const Ranges r = ranges(t0, t1);
     const RingView<Octet> view{ring_radius, r.rho_low, r.y_low};
     const RingIntegrals<Octet> f = integrate(window, view);
     return keep(r.y_low < Octet(1.0), f.value + Octet(0x1p-48) * f.value_terms);
   }
 
-  [[nodiscard]] HWY_INLINE CurveStretch stretch(double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0), four(4.0);
     const Ranges r = ranges(t0, t1);
     const Octet s_high = one - r.y_low, s_low = one - r.y_high;
@@ -90,11 +90,11 @@ struct RingLanes {
     Octet rho_low, rho_high;
     Octet y_low, y_high;  ///< squared distance to the ring
   };
-  [[nodiscard]] HWY_INLINE Ranges ranges(double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0);
-    const Octet za = z0 + dz * Octet(t0), zb = z0 + dz * Octet(t1);
+    const Octet za = z0 + dz * t0, zb = z0 + dz * t1;
     const Octet z_near = max(zero, max(min(za, zb), zero - max(za, zb))), z_far = max(abs(za), abs(zb));
-    const Octet a = Octet(t0) - middle, b = Octet(t1) - middle;
+    const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(zero, max(a, zero - b)), far = max(abs(a), abs(b));
     Ranges r;
     r.rho_low = sqrt(n0 + n2 * near * near);

@@ -45,7 +45,7 @@ struct SegmentLanes {
   /// No value on the stretch is greater than this, of amplitude 1: that of the nearest ρ with the segment
   /// reaching as far to both sides as it does anywhere, and that of all of it at the least distance.
   template <class Window>
-  [[nodiscard]] HWY_INLINE Octet most(const Window& window, double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     const Ranges r = ranges(t0, t1);
     const Octet zero(0.0);
     const Chord<Octet> chord = chord_of(r.rho2_low, r.before_high, r.behind_high,
@@ -56,12 +56,12 @@ struct SegmentLanes {
                             length * window.value(r.y_least()) * Octet(1 + 0x1p-48)));
   }
 
-  [[nodiscard]] HWY_INLINE CurveStretch stretch(double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0);
     const Ranges r = ranges(t0, t1);
     const Octet width2_low = one - r.rho2_high, reach = sqrt(max(one - r.rho2_low, zero));
     const Octet least_reach = sqrt(max(width2_low, zero));
-    const Octet rise0 = n2 * (Octet(t0) - middle), rise1 = n2 * (Octet(t1) - middle);  // ascending
+    const Octet rise0 = n2 * (t0 - middle), rise1 = n2 * (t1 - middle);  // ascending
 
     const Octet speed2 = dx * dx + n2;
     // Of the two ends: e = n₂τ + x_a x′ and n₂τ − x_b x′.
@@ -110,18 +110,18 @@ struct SegmentLanes {
       return rho2_low + beyond * beyond;
     }
   };
-  [[nodiscard]] HWY_INLINE Ranges ranges(double t0, double t1) const {
+  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1) const {
     Ranges r;
-    const Octet a = Octet(t0) - middle, b = Octet(t1) - middle;
+    const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(Octet(0.0), max(a, Octet(0.0) - b));
     r.rho2_0 = n0 + n2 * a * a;
     r.rho2_1 = n0 + n2 * b * b;
     r.rho2_low = n0 + n2 * near * near;
     r.rho2_high = max(r.rho2_0, r.rho2_1);
-    r.before0 = before0 + dx * Octet(t0);
-    r.before1 = before0 + dx * Octet(t1);
-    r.behind0 = behind0 - dx * Octet(t0);
-    r.behind1 = behind0 - dx * Octet(t1);
+    r.before0 = before0 + dx * t0;
+    r.before1 = before0 + dx * t1;
+    r.behind0 = behind0 - dx * t0;
+    r.behind1 = behind0 - dx * t1;
     r.before_high = max(r.before0, r.before1);
     r.behind_high = max(r.behind0, r.behind1);
     return r;

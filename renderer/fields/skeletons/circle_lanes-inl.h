@@ -53,11 +53,11 @@ struct CircleLanes {
     return Octet(2 * scale) * inverse_radius2 * (dz * dz + n2 - bend);
   }
 
-  [[nodiscard]] HWY_INLINE CircleBounds bounds(double t0, double t1, double scale, double support) const {
+  [[nodiscard]] HWY_INLINE CircleBounds bounds(const Octet& t0, const Octet& t1, double scale, double support) const {
     const Octet zero(0.0);
-    const Octet za = z0 + dz * Octet(t0), zb = z0 + dz * Octet(t1);
+    const Octet za = z0 + dz * t0, zb = z0 + dz * t1;
     const Octet z_near = max(zero, max(min(za, zb), zero - max(za, zb))), z_far = max(abs(za), abs(zb));
-    const Octet a = Octet(t0) - middle, b = Octet(t1) - middle;
+    const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(zero, max(a, zero - b)), far = max(abs(a), abs(b));
     const Octet rho_low = radius_at(near), rho_high = radius_at(far);
     const Octet outer = rho_high - ring_radius, inner = ring_radius - rho_low;

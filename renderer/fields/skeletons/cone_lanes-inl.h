@@ -78,11 +78,11 @@ struct ConeLanes {
     return Octet(scale) * select((u > Octet(0.0)) & (u < length), on_body, at_end);
   }
 
-  [[nodiscard]] HWY_INLINE ConeBounds bounds(double t0, double t1, double scale, double support) const {
+  [[nodiscard]] HWY_INLINE ConeBounds bounds(const Octet& t0, const Octet& t1, double scale, double support) const {
     const Octet zero(0.0), two(2.0);
-    const Octet xa = x0 + dx * Octet(t0), xb = x0 + dx * Octet(t1);
+    const Octet xa = x0 + dx * t0, xb = x0 + dx * t1;
     const Octet x_low = min(xa, xb), x_high = max(xa, xb);
-    const Octet a = Octet(t0) - middle, b = Octet(t1) - middle;
+    const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(zero, max(a, zero - b)), far = max(abs(a), abs(b));
     const Octet n_low = n0 + n2 * near * near, n_high = n0 + n2 * far * far;
     const Octet wa = radius + k * xa, wb = radius + k * xb;
