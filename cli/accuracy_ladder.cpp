@@ -11,7 +11,7 @@ namespace {
 
 // clang-format off
 /// From the coarsest to the finest, one method after the other.
-constexpr std::array<std::string_view, 28> kRows{
+constexpr std::array<std::string_view, 29> kRows{
     "paper:2",
     "paper:3",
     "paper:4",
@@ -33,6 +33,7 @@ constexpr std::array<std::string_view, 28> kRows{
     "lg:octree",
     "interval",
     "inclusion",
+    "hermite:single",
     "hermite 1px",
     "hermite 0.05px",
     "hermite 0.001px",

@@ -17,15 +17,15 @@ using render::PaperSwitches;
 using render::SolverName;
 
 /// What may stand behind a solver's colon.
-enum class Argument { none, interpolants, step, relaxation, octree };
+enum class Argument { none, interpolants, step, relaxation, octree, single };
 
 struct NamedSolver {
   std::string_view word;
   SolverName name;
   Argument argument = Argument::none;
 };
-constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
-                                    {"exact", SolverName::exact},
+constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite, Argument::single},
+                                    {"exact", SolverName::exact, Argument::single},
                                     {"paper", SolverName::paper, Argument::interpolants},
                                     {"iso", SolverName::iso},
                                     {"interval", SolverName::interval},
@@ -38,6 +38,7 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite},
 
 constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kOctree = "octree";
+constexpr std::string_view kSingle = "single";
 /// More interpolants a field than this err by less than rounding does.
 constexpr int kMaxInterpolants = 128;
 
@@ -98,6 +99,7 @@ std::string_view word_of(Argument argument) {
     case Argument::step: return "STEP";
     case Argument::relaxation: return "OMEGA";
     case Argument::octree: return kOctree;
+    case Argument::single: return kSingle;
   }
   return "";
 }
@@ -127,6 +129,10 @@ std::string read_argument(Argument argument, std::string_view text, SolverChoice
     case Argument::octree:
       if (text != kOctree) return "lg or lg:octree";
       choice.octree = true;
+      break;
+    case Argument::single:
+      if (text != kSingle) return "hermite, exact, and either with :single";
+      choice.single = true;
       break;
   }
   return "";
@@ -171,6 +177,7 @@ std::string to_text(const SolverChoice& solver) {
   if (named->argument == Argument::interpolants) text += fmt::format(":{}", solver.interpolants);
   if (named->argument == Argument::step) text += fmt::format(":{}", to_text(solver.step));
   if (solver.octree) text += fmt::format(":{}", kOctree);
+  if (solver.single) text += fmt::format(":{}", kSingle);
   if (named->argument == Argument::relaxation && solver.relaxation != 1) text += fmt::format(":{}", solver.relaxation);
   if (!render::is_published(solver.name)) return text;
   const std::vector<std::string_view> from_default = words_between({}, solver.paper);

@@ -17,6 +17,7 @@ struct SolverChoice {
   render::Tolerance step{1, true};  ///< of `march:STEP` and `climb:STEP`
   double relaxation = 1;            ///< of `sphere:OMEGA`
   bool octree = false;              ///< of `lg:octree`
+  bool single = false;              ///< of `hermite:single` and `exact:single`: rays one by one
 
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
 };

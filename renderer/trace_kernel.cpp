@@ -12,9 +12,13 @@
 #include "renderer/fields/blob_point-inl.h"
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/packet_search-inl.h"
 #include "renderer/solvers/paper-inl.h"
 #include "renderer/solvers/paper_point-inl.h"
 #include "renderer/solvers/world_trace-inl.h"
+
+#include <algorithm>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -27,20 +31,42 @@ struct ProductSearch {
     if (is_published(settings.name)) return PaperSearch(blob, settings, memory.paper, counters).first_hit(ray);
     return CellSearch<HermiteSolver>(blob, settings, memory.lanes, counters).first_hit(ray);
   }
+
+  [[nodiscard]] static bool takes_packets(const CompiledBlob& blob) { return PacketSearch::takes(blob); }
+  static void first_hits(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
+                         TraceCounters& counters, const BlobRay* rays, std::uint32_t rays_in_use, BlobHit* hits) {
+    PacketSearch(blob, settings, memory, counters).first_hits(rays, rays_in_use, hits);
+  }
 };
+
+/// Calls use(hit of ray i, i) for all rays, in packets where that pays.
+template <class Use>
+HWY_INLINE void trace_all(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays, bool any,
+                          TraceMemory& memory, TraceCounters& counters, const Use& use) {
+  WorldTrace<ProductSearch> world(scene, settings, memory, counters);
+  if (!settings.packets || is_published(settings.name) || rays.size() < 2) {
+    for (std::size_t i = 0; i < rays.size(); ++i) use(world.trace(rays[i], any), i);
+    return;
+  }
+  Hit hits[kPacket];
+  for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+    const std::size_t count = std::min(kPacket, rays.size() - first);
+    world.trace_packet(rays.subspan(first, count), any, hits);
+    for (std::size_t i = 0; i < count; ++i) use(hits[i], first + i);
+  }
+}
 
 void first_hits(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays, std::span<Hit> hits,
                 TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(true);
-  WorldTrace<ProductSearch> world(scene, settings, memory, counters);
-  for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
+  trace_all(scene, settings, rays, false, memory, counters, [&](const Hit& hit, std::size_t i) { hits[i] = hit; });
 }
 
 void occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
-  WorldTrace<ProductSearch> world(scene, settings, memory, counters);
-  for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
+  trace_all(scene, settings, rays, true, memory, counters,
+            [&](const Hit& hit, std::size_t i) { occluded[i] = hit.is_miss() ? 0 : 1; });
 }
 
 const TraceKernel* kernel() {

@@ -4,6 +4,7 @@
 #include "renderer/compiled_scene.h"
 #include "renderer/csg/csg_search.h"
 #include "renderer/fields/lane_memory.h"
+#include "renderer/fields/packet_memory.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_memory.h"
 #include "renderer/tracer.h"
@@ -33,6 +34,7 @@ struct ShareRule {
 /// What a thread reuses from ray to ray.
 struct TraceMemory {
   LaneMemory lanes;
+  PacketMemory packet;
   PaperMemory paper;
   CsgMemory csg;
 };

@@ -84,7 +84,7 @@ TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& po
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
   impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper,
-                      options.step, options.relaxation};
+                      options.step, options.relaxation, options.packets};
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;

@@ -115,6 +115,7 @@ struct TracerOptions {
   double relaxation = 1;         ///< of sphere tracing, in [1, 2)
   bool octree = false;           ///< of `lg`: cells culled as its authors have it, instead of those of all solvers
   double pixel_angle = 1e-3;     ///< radians a pixel subtends at the eye, for tolerances in pixels
+  bool packets = true;           ///< of the product: rays in packets of eight, not one by one
   bool skeleton = false;         ///< every blob as its skeleton model (scene::Blob::is_skeleton)
   std::string simd;              ///< "" for the best the machine has, or a Highway target name ("AVX2")
 };

@@ -33,8 +33,10 @@ class Contest {
         base_(base),
         pixel_angle_(reference.pixel_angle),
         rays_(centre_rays(database.camera.value_or(scene::Camera{}), options.width, options.height)),
+        order_(wave_order(options.width, options.height)),
         truth_(rays_.size()),
         parts_(2 + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
+    for (const std::uint32_t ray : order_) wave_rays_.push_back(rays_[ray]);
     for (const TracerOptions& setting : settings) tracers_.emplace_back(database, setting);
     times_.resize(settings.size());
     result_.settings.resize(settings.size());
@@ -66,11 +68,13 @@ class Contest {
     return [this, done](double share) { options_.progress((done + share) / static_cast<double>(parts_)); };
   }
 
-  /// What setting i finds, ray by ray.
+  /// What setting i finds in waves, and what each ray costs by itself.
   void examine(std::size_t i) {
     Measured& measured = result_.settings[i];
     measured.rays.resize(rays_.size());
     measure_each(tracers_[i], rays_, measured.rays, options_.stop, part());
+    const std::vector<double> places = hits_of(tracers_[i], wave_rays_, options_.stop);
+    for (std::size_t k = 0; k < order_.size(); ++k) measured.rays[order_[k]].t = places[k];
     measured.errors.reserve(rays_.size());
     for (std::size_t r = 0; r < rays_.size(); ++r) {
       measured.errors.push_back(error_of(rays_[r], measured.rays[r], truth_[r], pixel_angle_));
@@ -82,7 +86,7 @@ class Contest {
 
   /// Camera rays, and where asked for their shadow rays.
   [[nodiscard]] BatchCost cost_of_all(std::size_t i, const TellProgress& tell) const {
-    BatchCost cost = cost_of(tracers_[i], rays_, options_.stop, tell);
+    BatchCost cost = cost_of(tracers_[i], wave_rays_, options_.stop, tell);
     if (shadow_rays_.empty()) return cost;
     const BatchCost shadows = shadow_cost_of(tracers_[i], shadow_rays_, options_.stop);
     cost.processor_seconds += shadows.processor_seconds;
@@ -148,7 +152,9 @@ class Contest {
   std::vector<Tracer> tracers_;
   std::size_t base_;
   double pixel_angle_;
-  std::vector<Ray> rays_;
+  std::vector<Ray> rays_;                ///< row by row
+  std::vector<std::uint32_t> order_;     ///< in which waves have them
+  std::vector<Ray> wave_rays_;           ///< in that order
   std::vector<RayMeasure> truth_;
   std::vector<Ray> shadow_rays_;
   std::vector<std::uint8_t> shadow_truth_;

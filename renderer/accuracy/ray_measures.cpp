@@ -3,10 +3,12 @@
 #include "base/check.h"
 #include "renderer/accuracy/ray_blocks.h"
 #include "renderer/image/camera.h"
+#include "renderer/image/tiles.h"
 
 #include <array>
 #include <chrono>
 #include <ctime>
+#include <limits>
 
 namespace isl::render {
 namespace {
@@ -44,12 +46,36 @@ std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height)
   return rays;
 }
 
+std::vector<std::uint32_t> wave_order(int width, int height) {
+  std::vector<std::uint32_t> order;
+  order.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<Pixel> pixels;
+  for (const PixelRect& tile : tiles_of({0, 0, width, height}, TileOrder::rows)) {
+    pixels_of(tile, pixels);
+    for (const Pixel& pixel : pixels) order.push_back(static_cast<std::uint32_t>(pixel.y * width + pixel.x));
+  }
+  return order;
+}
+
 void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
                   const std::atomic<bool>* stop, const TellProgress& tell) {
   ISL_CHECK(rays.size() == measures.size(), "{} {}", rays.size(), measures.size());
   in_blocks(rays.size(), stop, tell, [&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i) measures[i] = measure(tracer, rays[i]);
   });
+}
+
+std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop) {
+  std::vector<double> places(rays.size());
+  in_blocks(rays.size(), stop, {}, [&](std::size_t first, std::size_t count) {
+    std::array<Hit, kBlock> hits;
+    TraceCounters unread;
+    tracer.first_hits(rays.subspan(first, count), std::span(hits).first(count), unread);
+    for (std::size_t i = 0; i < count; ++i) {
+      places[first + i] = hits[i].is_miss() ? std::numeric_limits<double>::infinity() : hits[i].t;
+    }
+  });
+  return places;
 }
 
 namespace {

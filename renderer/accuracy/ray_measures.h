@@ -1,5 +1,5 @@
-// What single rays cost and find: the same rays as a picture's, traced one by one, so that work and time can be told
-// for each. Knows nothing of references or pictures.
+// What rays cost and find: the same rays as a picture's, one by one, so that work and time can be told for each, and in
+// waves, as rendering traces them. Knows nothing of references or pictures.
 #pragma once
 
 #include "renderer/scene/camera.h"
@@ -28,10 +28,17 @@ using TellProgress = std::function<void(double)>;
 /// Rays through the middles of the pixels of a picture, row by row.
 [[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height);
 
+/// The same rays in the order in which rendering traces them, neighbours together: the numbers that they have there.
+[[nodiscard]] std::vector<std::uint32_t> wave_order(int width, int height);
+
 /// measures[i] of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is true the rest stays
 /// as it is.
 void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
                   const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
+
+/// The t of each ray's hit, infinite for a miss, as found in waves.
+[[nodiscard]] std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays,
+                                          const std::atomic<bool>* stop = nullptr);
 
 struct BatchCost {
   double processor_seconds = 0;  ///< of all threads together: what others do on the machine hardly counts

@@ -88,6 +88,12 @@ HWY_INLINE Octet select(const OctetMask& m, const Octet& yes, const Octet& no) {
   for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::IfThenElse(m.m[i], yes.v[i], no.v[i]);
   return r;
 }
+/// Lanes of `m` that are not in `out`.
+HWY_INLINE OctetMask and_not(const OctetMask& out, const OctetMask& m) {
+  OctetMask r;
+  for (std::size_t i = 0; i < kRegisters; ++i) r.m[i] = hn::AndNot(out.m[i], m.m[i]);
+  return r;
+}
 /// x where m holds, else 0.
 HWY_INLINE Octet keep(const OctetMask& m, const Octet& x) {
   Octet r;
@@ -110,6 +116,18 @@ HWY_INLINE std::uint32_t bits(const OctetMask& m) {
     std::uint8_t b[8] = {};
     hn::StoreMaskBits(Lanes(), m.m[i], b);
     r |= std::uint32_t{b[0]} << (i * kLanes);
+  }
+  return r;
+}
+
+[[nodiscard]] HWY_INLINE OctetMask no_lane() { return Octet(0.0) < Octet(0.0); }
+[[nodiscard]] HWY_INLINE OctetMask all_lanes() { return Octet(0.0) <= Octet(0.0); }
+/// Lane i is bit i.
+[[nodiscard]] HWY_INLINE OctetMask mask_of(std::uint32_t bits) {
+  OctetMask r;
+  for (std::size_t i = 0; i < kRegisters; ++i) {
+    const std::uint8_t b[8] = {static_cast<std::uint8_t>(bits >> (i * kLanes) & ((1u << kLanes) - 1))};
+    r.m[i] = hn::LoadMaskBits(Lanes(), b);
   }
   return r;
 }

@@ -37,6 +37,7 @@ struct SolverSettings {
   PaperSwitches paper;
   Tolerance step{1, true};
   double relaxation = 1;
+  bool packets = true;  ///< of the product: eight rays at once where they can be
 
   /// The tolerance along the ray, in scene units, at a distance from the eye. 0 for `exact`.
   [[nodiscard]] double at(double distance) const {

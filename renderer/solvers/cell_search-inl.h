@@ -25,6 +25,13 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+/// A leaf or inside cell on a ray's way, and the stretch of the ray in it.
+struct CellStretch {
+  std::uint32_t index;
+  Cell cell;
+  double enter, leave;
+};
+
 template <class Solver>
 class CellSearch {
  public:
@@ -33,11 +40,7 @@ class CellSearch {
 
   [[nodiscard]] BlobHit first_hit(const BlobRay& ray) {
     const Grid& grid = blob_.grid;
-    ray_ = &ray;
-    side_ = Side::unknown;
-    hit_ = {};
-    BoxSpan span{1, 0};
-    if (grid.cell_size > 0) span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
+    const BoxSpan span = begin(ray);
     const bool meets_grid = span.enter < span.leave;
     if (grid.beyond == scene::kNone) {
       if (meets_grid) in_grid(span);
@@ -46,6 +49,75 @@ class CellSearch {
     } else if (!beyond_grid(0, span.enter) && !in_grid(span)) {
       beyond_grid(span.leave, ray.t_max);
     }
+    return hit();
+  }
+
+  // Step by step, for those who walk themselves (packet_search-inl.h). Only where nothing lies beyond the grid:
+  //   begin, enter_grid, then arrive for each cell in order, and what it asks for, until a crossing is found.
+
+  /// Takes up the ray, which must stay where it is. The stretch in the grid's box, empty where it does not meet it.
+  [[nodiscard]] BoxSpan begin(const BlobRay& ray) {
+    ray_ = &ray;
+    side_ = Side::unknown;
+    hit_ = {};
+    if (!(blob_.grid.cell_size > 0)) return {1, 0};
+    return clip_to_box(blob_.grid.box, ray.origin, ray.direction, 0, ray.t_max);
+  }
+  /// From here on t counts from base(), and the ray begins at origin().
+  void enter_grid(const BoxSpan& span) {
+    take_up(span.enter, blob_.grid.box.size().length());
+    if (blob_.grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
+  }
+  [[nodiscard]] const Vec3& origin() const { return origin_; }
+  [[nodiscard]] double base() const { return base_; }
+  [[nodiscard]] const typename Solver::Lengths& lengths() const { return lengths_; }
+
+  /// What there is to do in a cell that the ray has come to.
+  enum class Arrival {
+    crosses,  ///< nothing: the ray has changed sides on the way, and the search is over
+    passes,   ///< nothing
+    leaves,   ///< a root may be in it, of a ray that comes from outside
+    solves    ///< there is more to it: solve_in
+  };
+  [[nodiscard]] Arrival arrive(const CellStretch& stretch) {
+    const auto& [index, cell, t0, t1] = stretch;
+    ++counters_.cells;
+    if (t0 > reached_ || !is_node_valid_) {
+      // Between leaf cells lie only cells certainly outside.
+      if (t0 > reached_) {
+        if (side_ == Side::inside) return crosses(reached_, last_solved_or(index));
+        side_ = Side::outside;
+      }
+      is_node_valid_ = false;
+    }
+    if (cell.kind() == CellKind::inside) {
+      if (side_ == Side::outside) return crosses(t0, last_solved_or(index));
+      side_ = Side::inside;
+      is_node_valid_ = false;
+      reached_ = t1;
+      return Arrival::passes;
+    }
+    last_cell_ = index;
+    reached_ = t1;
+    const bool is_plain = cell.kind() == CellKind::leaf && side_ == Side::outside && !(starts_on_surface_ && t0 == 0);
+    return is_plain ? Arrival::leaves : Arrival::solves;
+  }
+  /// Whether the ray crosses in a cell that it has arrived at.
+  [[nodiscard]] bool solve_in(const CellStretch& stretch) {
+    const auto& [index, cell, t0, t1] = stretch;
+    const bool starts_here = starts_on_surface_ && t0 == 0;
+    if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
+    is_node_valid_ = false;
+    const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
+    const std::optional<double> t =
+        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
+    return t && cross(*t, index);
+  }
+  /// What has been found out otherwise of a cell that the ray has arrived at: it stays on its side to the end, or crosses at t.
+  void set_passed() { is_node_valid_ = false; }
+  void set_crossing(double t) { cross(t, last_cell_); }
+
+  [[nodiscard]] const BlobHit& hit() {
     if (hit_.is_miss()) hit_.from_inside = side_ == Side::inside;
     return hit_;
   }
@@ -70,11 +142,11 @@ class CellSearch {
 
   /// Whether the ray crosses the surface in the grid's box.
   bool in_grid(const BoxSpan& span) {
-    const Grid& grid = blob_.grid;
-    take_up(span.enter, grid.box.size().length());
-    if (grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
-    walk(grid, origin_, direction_, 0, span.leave - base_,
-         [&](std::uint32_t index, const Cell& cell, double t0, double t1) HWY_ATTR { return visit(index, cell, t0, t1); });
+    enter_grid(span);
+    walk(blob_.grid, origin_, direction_, 0, span.leave - base_,
+         [&](std::uint32_t index, const Cell& cell, double t0, double t1) HWY_ATTR {
+           return visit({index, cell, t0, t1});
+         });
     return !hit_.is_miss();
   }
 
@@ -98,7 +170,7 @@ class CellSearch {
         }
       });
       const bool is_constant = std::isinf(next);
-      if (visit(grid.beyond, cell, t, std::min(length, is_constant ? t + std::max(1.0, t) : next))) return true;
+      if (visit({grid.beyond, cell, t, std::min(length, is_constant ? t + std::max(1.0, t) : next)})) return true;
       if (is_constant) return false;
       t = next;
     }
@@ -123,32 +195,17 @@ class CellSearch {
   /// The cell whose list to shade with where a crossing falls between cells.
   [[nodiscard]] std::uint32_t last_solved_or(std::uint32_t index) const { return last_cell_ == scene::kNone ? index : last_cell_; }
 
-  bool visit(std::uint32_t index, const Cell& cell, double t0, double t1) {
-    ++counters_.cells;
-    if (t0 > reached_ || !is_node_valid_) {
-      // Between leaf cells lie only cells certainly outside.
-      if (t0 > reached_) {
-        if (side_ == Side::inside) return cross(reached_, last_solved_or(index));
-        side_ = Side::outside;
-      }
-      is_node_valid_ = false;
+  Arrival crosses(double t, std::uint32_t cell) {
+    cross(t, cell);
+    return Arrival::crosses;
+  }
+
+  bool visit(const CellStretch& stretch) {
+    switch (arrive(stretch)) {
+      case Arrival::crosses: return true;
+      case Arrival::passes: return false;
+      default: return solve_in(stretch);
     }
-    if (cell.kind() == CellKind::inside) {
-      if (side_ == Side::outside) return cross(t0, last_solved_or(index));
-      side_ = Side::inside;
-      is_node_valid_ = false;
-      reached_ = t1;
-      return false;
-    }
-    const bool starts_here = starts_on_surface_ && t0 == 0;
-    last_cell_ = index;
-    reached_ = t1;
-    if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
-    is_node_valid_ = false;
-    const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
-    const std::optional<double> t =
-        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
-    return t && cross(*t, index);
   }
 
   bool solve(std::uint32_t index, const Cell& cell, double t0, double t1, bool starts_here) {

@@ -14,12 +14,15 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// `Search` has BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&).
+/// `Search` has BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&), and
+/// for trace_packet() also takes_packets(const CompiledBlob&) and
+/// first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay*, std::uint32_t rays, BlobHit*).
 template <class Search>
 class WorldTrace {
  public:
@@ -64,6 +67,28 @@ class WorldTrace {
     return best;
   }
 
+  /// The same of up to kPacket rays at once: what is met is met by all of them, and blobs that can be are searched for them
+  /// together.
+  void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
+    if (scene_.bounded.size() > kFewInstances) {
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = trace(rays[i], any);
+      return;
+    }
+    std::uint32_t open = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = {};
+      if (!is_sound(rays[i])) continue;
+      hits[i].t = rays[i].t_max;
+      open |= 1u << i;
+    }
+    for (const auto* const list : {&scene_.unbounded, &scene_.bounded}) {
+      for (const std::uint32_t instance : *list) open = meet_packet(instance, rays, open, any, hits);
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
+    }
+  }
+
  private:
   /// Up to here a list is quicker than a grid.
   static constexpr std::size_t kFewInstances = 3;
@@ -73,23 +98,60 @@ class WorldTrace {
     return std::isfinite(sum) && ray.direction.length2() > 0;
   }
 
+  /// Lets the rays whose bit in `open` is set meet the instance; those that go on.
+  std::uint32_t meet_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
+    const Instance& instance = scene_.instances[index];
+    const bool is_packed =
+        instance.kind == scene::Object::Kind::blob && Search::takes_packets(scene_.blobs[instance.shape]);
+    std::uint32_t met = 0;
+    if (!is_packed) {
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((open >> i & 1) != 0 && meet(index, rays[i], any, hits[i])) met |= 1u << i;
+      }
+    } else if (!(any && instance.no_shadow)) {
+      BlobRay blob_rays[kPacket];
+      BlobHit blob_hits[kPacket];
+      for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i].t);
+      Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((open >> i & 1) != 0 && improves(index, blob_hits[i], any, hits[i])) met |= 1u << i;
+      }
+    }
+    return any ? open & ~met : open;
+  }
+
+  /// The ray in the space of an instance that is a blob.
+  [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, double t_max) const {
+    const Instance& instance = scene_.instances[index];
+    Vec3 origin = ray.origin, direction = ray.direction;
+    if (instance.is_placed) {
+      origin = instance.world_from_object.inverse_point(origin);
+      direction = instance.world_from_object.inverse_vector(direction);
+    }
+    return {origin, direction, t_max, ray.start.instance == index, any, ray.path_length};
+  }
+
+  /// Whether the blob is met before `best`, which then is the new hit. With `any`, t is rough and within t_max.
+  [[nodiscard]] bool improves(std::uint32_t index, const BlobHit& hit, bool any, Hit& best) const {
+    if (hit.is_miss() || !(any || hit.t < best.t)) return false;
+    best = {hit.t, index, hit.cell, 0, hit.from_inside != scene_.instances[index].is_inverse, scene::kNone};
+    return true;
+  }
+
   /// Whether the instance is met before `best`, which then is the new hit.
   bool meet(std::uint32_t index, const Ray& ray, bool any, Hit& best) {
     const Instance& instance = scene_.instances[index];
     if (any && instance.no_shadow) return false;
+    if (instance.kind == scene::Object::Kind::blob) {
+      const BlobHit hit = first_hit(scene_.blobs[instance.shape], in_blob(index, ray, any, best.t));
+      return improves(index, hit, any, best);
+    }
     Vec3 origin = ray.origin, direction = ray.direction;
     if (instance.is_placed) {
       origin = instance.world_from_object.inverse_point(origin);
       direction = instance.world_from_object.inverse_vector(direction);
     }
     const bool starts_here = ray.start.instance == index;
-    if (instance.kind == scene::Object::Kind::blob) {
-      const BlobRay blob_ray{origin, direction, best.t, starts_here, any, ray.path_length};
-      const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
-      if (hit.is_miss() || !(any || hit.t < best.t)) return false;  // with `any`, t is rough and within t_max
-      best = {hit.t, index, hit.cell, 0, hit.from_inside != instance.is_inverse, scene::kNone};
-      return true;
-    }
     if (instance.kind == scene::Object::Kind::group) {
       return meet_csg(index, {origin, direction, best.t, starts_here ? ray.start.leaf : scene::kNone, ray.start.part,
                               ray.path_length, reach_of(instance, ray, starts_here)},

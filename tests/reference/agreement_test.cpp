@@ -20,9 +20,7 @@ constexpr render::Tolerance kFine{1e-9, false};
 
 std::vector<render::Ray> random_rays(std::uint64_t seed, int count, double distance, double target) {
   RandomSource random(seed);
-  std::vector<render::Ray> rays;
-  for (int i = 0; i < count; ++i) rays.push_back(camera_ray(random_line(random, distance, target)));
-  return rays;
+  return camera_rays(random_lines(random, count, distance, target));
 }
 
 /// Σ 9^k = 7,381 components; with POV-Ray's radii at a threshold that leaves its spheres three quarters of their size.
@@ -114,8 +112,7 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
       const scene::Database database = random_blob(random, options_of(GetParam(), components));
       const ReferenceScene scene(database);
       const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
-      std::vector<render::Ray> rays;
-      for (int i = 0; i < 100; ++i) rays.push_back(camera_ray(random_line(random, 3 * scale, 0.7 * scale)));
+      std::vector<render::Ray> rays = camera_rays(random_lines(random, 104, 3 * scale, 0.7 * scale));
       // From within, too: inside or outside the surface as it comes.
       for (int i = 0; i < 30; ++i) rays.push_back(camera_ray({random.in_ball(0.7 * scale), random.direction()}));
       const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
@@ -142,8 +139,7 @@ TEST_P(RandomBlobs, ShadowRaysFromFoundSurfacesAgree) {
     const scene::Database database = random_blob(random, options_of(GetParam(), components));
     const ReferenceScene scene(database);
     const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
-    std::vector<render::Ray> eyes;
-    for (int i = 0; i < 120; ++i) eyes.push_back(camera_ray(random_line(random, 3 * scale, 0.7 * scale)));
+    const std::vector<render::Ray> eyes = camera_rays(random_lines(random, 120, 3 * scale, 0.7 * scale));
     const std::vector<render::Ray> shadows = shadow_rays(tracer, eyes, scale, random);
     const Agreement agreement = compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison());
     EXPECT_EQ(agreement.disagreements(), 0U) << components << " components: " << agreement.text();
@@ -190,8 +186,7 @@ TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {
     }
     const ReferenceScene scene(database);
     const TracerUnderTest tracer(database, with(render::SolverName::hermite, kFine));
-    std::vector<render::Ray> rays;
-    for (int i = 0; i < 300; ++i) rays.push_back(camera_ray(random_line(random, 6, 1)));
+    const std::vector<render::Ray> rays = camera_rays(random_lines(random, 300, 6, 1));
     const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
     EXPECT_EQ(agreement.disagreements(), 0U) << agreement.text();
     EXPECT_GT(agreement.hits, 20U);

@@ -89,6 +89,21 @@ LineOfSight random_line(RandomSource& random, double distance, double target) {
   return {origin, (random.in_ball(target) - origin).normalized()};
 }
 
+std::vector<LineOfSight> random_lines(RandomSource& random, int count, double distance, double target) {
+  constexpr int kTogether = 8;
+  std::vector<LineOfSight> lines;
+  while (true) {
+    const bool apart = random.below(3) == 0;
+    const LineOfSight first = random_line(random, distance, target);
+    const double spread = target * std::pow(10, random.between(-4, 0));
+    for (int i = 0; i < kTogether; ++i) {
+      if (static_cast<int>(lines.size()) == count) return lines;
+      const Vec3 aim = first.direction * distance + random.in_ball(spread);
+      lines.push_back(apart ? random_line(random, distance, target) : LineOfSight{first.origin, aim.normalized()});
+    }
+  }
+}
+
 scene::Transform random_transform(RandomSource& random, double shift) {
   Vec3 scale(random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
   if (random.below(4) == 0) scale.x = -scale.x;

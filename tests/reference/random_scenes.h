@@ -5,6 +5,7 @@
 #include "renderer/scene/database.h"
 
 #include <cstdint>
+#include <vector>
 #include <random>
 
 namespace isl::reference {
@@ -33,6 +34,9 @@ struct LineOfSight {
 
 /// From the sphere of radius `distance` about the origin towards a point of the ball of radius `target`.
 [[nodiscard]] LineOfSight random_line(RandomSource& random, double distance, double target);
+
+/// Such lines as pictures have them: eights from one place, some closer together than others and every third as far apart as can be.
+[[nodiscard]] std::vector<LineOfSight> random_lines(RandomSource& random, int count, double distance, double target);
 
 /// A rotation, uneven scaling in [½, 2] (mirrored in one of four) and a shift of at most `shift`.
 [[nodiscard]] scene::Transform random_transform(RandomSource& random, double shift);

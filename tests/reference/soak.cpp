@@ -57,10 +57,8 @@ void soak_one(std::uint64_t seed, Totals& totals) {
   const render::Tolerance tolerance{which == 0 ? kTolerances[0] : kTolerances[which] * options.scale, which == 0};
   const TracerUnderTest tracer(database, with(render::SolverName::hermite, tolerance));
 
-  std::vector<render::Ray> rays;
-  constexpr int kEyes = 100, kWithin = 20;
-  for (int i = 0; i < kEyes; ++i)
-    rays.push_back(camera_ray(random_line(random, 3 * options.scale, 0.7 * options.scale)));
+  constexpr int kEyes = 104, kWithin = 20;
+  std::vector<render::Ray> rays = camera_rays(random_lines(random, kEyes, 3 * options.scale, 0.7 * options.scale));
   for (int i = 0; i < kWithin; ++i)
     rays.push_back(camera_ray({random.in_ball(0.7 * options.scale), random.direction()}));
   judge(compare_first_hits(scene, tracer.trace(), rays, tracer.comparison()), "first hits", seed, totals);

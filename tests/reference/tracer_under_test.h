@@ -24,6 +24,12 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {line.origin, line.direction, kInfinity, 0, {}};
 }
 
+[[nodiscard]] inline std::vector<render::Ray> camera_rays(const std::vector<LineOfSight>& lines) {
+  std::vector<render::Ray> rays;
+  for (const LineOfSight& line : lines) rays.push_back(camera_ray(line));
+  return rays;
+}
+
 class TracerUnderTest {
  public:
   explicit TracerUnderTest(const scene::Database& database, const render::TracerOptions& options = {})
@@ -78,24 +84,26 @@ class TracerUnderTest {
   AgreementOptions comparison_;
 };
 
-/// From every surface that the eyes meet, one ray to a light somewhere, and one that grazes: 1e-6 off the tangent plane,
-/// to either side. `scale` is that of the scene.
+/// From every surface that the eyes meet, one ray to a light somewhere, the same for eight eyes, and one that grazes: 1e-6 off the
+/// tangent plane, to either side. `scale` is that of the scene.
 [[nodiscard]] inline std::vector<render::Ray> shadow_rays(const TracerUnderTest& tracer,
                                                           const std::vector<render::Ray>& eyes, double scale,
                                                           RandomSource& random) {
   const std::vector<render::Hit> hits = tracer.hits(eyes);
-  std::vector<render::Ray> shadows;
+  std::vector<render::Ray> shadows, grazing;
+  scene::Vec3 light(0);
   for (std::size_t i = 0; i < eyes.size(); ++i) {
+    if (i % 8 == 0) light = random.direction() * (5 * scale);
     if (hits[i].is_miss()) continue;
     const render::SurfacePoint point = tracer.surface(eyes[i], hits[i]);
-    const scene::Vec3 light = random.direction() * (5 * scale);
     const double distance = (light - point.position).length();
     const render::RayStart start = hits[i].start();
     shadows.push_back({point.position, (light - point.position) / distance, distance, hits[i].t, start});
     const scene::Vec3 tangent = point.normal.cross(random.direction()).normalized();
     const double lift = random.below(2) == 0 ? 1e-6 : -1e-6;
-    shadows.push_back({point.position, (tangent + point.normal * lift).normalized(), 5 * scale, hits[i].t, start});
+    grazing.push_back({point.position, (tangent + point.normal * lift).normalized(), 5 * scale, hits[i].t, start});
   }
+  shadows.insert(shadows.end(), grazing.begin(), grazing.end());
   return shadows;
 }
 

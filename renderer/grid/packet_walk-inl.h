@@ -1,0 +1,146 @@
+// Eight rays through a Grid together: every leaf and inside cell that any of them meets, once, with the stretch of each ray in it.
+//
+// For rays whose directions have the same signs there is an order of a brick's cells in which each of them meets its own: slab by
+// slab, axis within axis, counted in the rays' direction. For every slab, row and cell of a brick, then, the stretches of all rays
+// in it come out of a minimum and a maximum with the planes, and where none is left all behind it is passed over. That costs less
+// than letting each ray step from cell to cell (grid_walk-inl.h) as long as they stay together, and they cannot lose each other.
+//
+// A plane between two cells of a brick has one t for both, and a brick's outer planes do not count, its parent's having: stretches
+// join without gaps.
+#if defined(ISL_RENDERER_GRID_PACKET_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_GRID_PACKET_WALK_INL_H_
+#undef ISL_RENDERER_GRID_PACKET_WALK_INL_H_
+#else
+#define ISL_RENDERER_GRID_PACKET_WALK_INL_H_
+#endif
+
+#include "renderer/fields/octet-inl.h"
+#include "renderer/fields/ray_packet.h"
+#include "renderer/grid/grid.h"
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// Visit: OctetMask visit(std::uint32_t index, const Cell&, const OctetMask& lanes, const Octet& enter, const Octet& leave),
+/// which tells which of the rays are done.
+template <class Visit>
+class PacketWalk {
+ public:
+  PacketWalk(const Grid& grid, const RayPacket& rays, const Visit& visit) : grid_(grid), visit_(visit) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Octet direction = load(rays.direction[axis]);
+      const Octet inverse = Octet(1.0) / direction, infinity(kInfinity);
+      // A component so small that its inverse overflows moves by less than a rounding over any stretch: it is zero.
+      flat_[axis] = abs(inverse) >= infinity;
+      inverse_[axis] = inverse;
+      backward_[axis] = bits(and_not(flat_[axis], direction < Octet(0.0)));
+      low_[axis] = Octet(grid.box.min[static_cast<int>(axis)]) - load(rays.origin[axis]);
+    }
+  }
+
+  /// Those whose bits are set in `lanes`, between t0 and t1, which lie within the grid's box.
+  void walk(std::uint32_t lanes, const Octet& t0, const Octet& t1) {
+    while (lanes != 0) {
+      std::uint32_t alike = lanes;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool is_backward = (backward_[axis] >> std::countr_zero(lanes) & 1) != 0;
+        alike &= is_backward ? backward_[axis] : ~backward_[axis];
+        is_backward_[axis] = is_backward;
+      }
+      active_ = mask_of(alike);
+      walk_brick({low_[0], low_[1], low_[2]}, 0, grid_.cell_size, active_, t0, t1);
+      lanes &= ~alike;
+    }
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  struct Corner {
+    Octet x, y, z;
+  };
+  /// t at which the rays enter the slabs 1 to 3 of an axis, in the order in which they meet them.
+  struct Planes {
+    Octet t[kBrickSide - 1];
+  };
+
+  HWY_INLINE Planes planes(std::size_t axis, const Octet& low, double size) const {
+    Planes planes;
+    for (int i = 1; i < kBrickSide; ++i) {
+      const Octet at = low + Octet((is_backward_[axis] ? kBrickSide - i : i) * size);
+      const Octet never = select(at <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
+      planes.t[i - 1] = select(flat_[axis], never, at * inverse_[axis]);
+    }
+    return planes;
+  }
+
+  struct Stretch {
+    Octet enter, leave;
+    OctetMask lanes;
+  };
+  /// The part of a stretch in slab i.
+  HWY_INLINE Stretch within(const Stretch& s, const Planes& planes, int i) const {
+    Stretch r = s;
+    if (i > 0) r.enter = max(r.enter, planes.t[i - 1]);
+    if (i < kBrickSide - 1) r.leave = min(r.leave, planes.t[i]);
+    r.lanes = s.lanes & active_ & (r.enter < r.leave);
+    return r;
+  }
+  [[nodiscard]] unsigned slab(std::size_t axis, int i) const {
+    return static_cast<unsigned>(is_backward_[axis] ? kBrickSide - 1 - i : i);
+  }
+
+  void walk_brick(const Corner& low, std::uint32_t first, double size, const OctetMask& lanes, const Octet& t0,
+                  const Octet& t1) {
+    const std::uint64_t occupied = grid_.occupied[first / kBrickCells];
+    const Planes in_x = planes(0, low.x, size), in_y = planes(1, low.y, size), in_z = planes(2, low.z, size);
+    const Stretch all{t0, t1, lanes};
+    for (int k = 0; k < kBrickSide; ++k) {
+      const unsigned z = slab(2, k);
+      const std::uint64_t in_slab = occupied >> (16 * z) & 0xffff;
+      if (in_slab == 0) continue;
+      const Stretch slab_stretch = within(all, in_z, k);
+      if (none(slab_stretch.lanes)) continue;
+      for (int j = 0; j < kBrickSide; ++j) {
+        const unsigned y = slab(1, j);
+        const std::uint64_t in_row = in_slab >> (4 * y) & 0xf;
+        if (in_row == 0) continue;
+        const Stretch row_stretch = within(slab_stretch, in_y, j);
+        if (none(row_stretch.lanes)) continue;
+        for (int i = 0; i < kBrickSide; ++i) {
+          const unsigned x = slab(0, i);
+          if ((in_row >> x & 1) == 0) continue;
+          const Stretch stretch = within(row_stretch, in_x, i);
+          if (none(stretch.lanes)) continue;
+          const std::uint32_t index = first + (x | y << 2 | z << 4);
+          const Cell cell = grid_.cells[index];
+          if (cell.kind() == CellKind::brick) {
+            walk_brick({low.x + Octet(x * size), low.y + Octet(y * size), low.z + Octet(z * size)}, cell.first,
+                       size * (1.0 / kBrickSide), stretch.lanes, stretch.enter, stretch.leave);
+          } else {
+            active_ = and_not(visit_(index, cell, stretch.lanes, stretch.enter, stretch.leave), active_);
+          }
+        }
+      }
+    }
+  }
+
+  const Grid& grid_;
+  const Visit& visit_;
+  Octet inverse_[3], low_[3];
+  OctetMask flat_[3];              ///< of rays that do not move along the axis
+  std::uint32_t backward_[3]{};    ///< of those that move against it
+  bool is_backward_[3]{};          ///< of all that are walked together
+  OctetMask active_;               ///< of those that are not done
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
