@@ -10,7 +10,7 @@ common_options "$@"
 need oiiotool openimageio-tools
 
 size=$(or_quick 450x300 90x60) rounds=$(or_quick 3 1)
-settings=(hermite exact iso paper:2 paper:3 paper:4 paper:8 paper:16 lg interval inclusion sphere segment march:1px march:0.25px
+settings=(hermite hermite:single exact iso paper:2 paper:3 paper:4 paper:8 paper:16 lg interval inclusion sphere segment march:1px march:0.25px
   march:0.0625px climb:1px climb:0.25px climb:0.0625px)
 measure crab paper/hermite_crab.isl "$size" "$rounds" "$(IFS=,; echo "${settings[*]}")" -D Ground=0
 

@@ -19,7 +19,7 @@ if has_solver lg:octree; then rivals+=(lg:octree); fi
 rivals+=(interval inclusion sphere segment)
 for step in "${steps[@]}"; do rivals+=("march:$step"); done
 for step in "${steps[@]}"; do rivals+=("climb:$step"); done
-all=(hermite "${rivals[@]}" paper:2 paper:8)
+all=(hermite hermite:single "${rivals[@]}" paper:2 paper:8)
 
 for ((level = 0; level <= levels; ++level)); do
   measure "flake$level" "$scene" "$size" "$rounds" "$(IFS=,; echo "${all[*]}")" -D "Levels=$level"

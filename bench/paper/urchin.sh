@@ -34,7 +34,7 @@ done
 caption "Share of the picture that spikes cover, ${pixels}x$pixels pixels, by samples a pixel. A right method differs from the area by" \
   "chance only, by less with more samples: with ${samples[-1]} a share of 0.002 is told to within $(awk -v n="$((pixels * pixels * samples[-1]))" 'BEGIN { printf "%.1f %%", 100 * sqrt(0.998 / 0.002 / n) }') (one standard deviation, had the samples no order)."
 
-settings=(hermite lg interval inclusion sphere segment march:1px march:0.25px march:0.0625px climb:1px climb:0.25px climb:0.0625px paper:2 paper:8)
+settings=(hermite hermite:single lg interval inclusion sphere segment march:1px march:0.25px march:0.0625px climb:1px climb:0.25px climb:0.0625px paper:2 paper:8)
 for thickness in 1 0.1; do
   measure "urchin$thickness" paper/sea_urchin.isl "$size" "$rounds" "$(IFS=,; echo "${settings[*]}")" -D "Thickness=$thickness"
 done

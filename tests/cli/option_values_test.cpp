@@ -59,11 +59,13 @@ TEST(OptionValues, RivalsHaveTheirNumberBehindAColon) {
   EXPECT_EQ(parse_solver("march").value().step, (render::Tolerance{1, true}));
   EXPECT_EQ(parse_solver("sphere:1.6").value().relaxation, 1.6);
   EXPECT_EQ(parse_solver("sphere").value().relaxation, 1);
-  for (const char* text : {"lg", "lg:octree", "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
+  EXPECT_TRUE(parse_solver("hermite:single").value().single);
+  EXPECT_FALSE(parse_solver("hermite").value().single);
+  for (const char* text : {"hermite:single", "exact:single", "lg", "lg:octree", "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
     EXPECT_EQ(to_text(parse_solver(text).value()), text);
   }
   for (const char* bad : {"march:", "march:0", "march:-1px", "climb:px", "sphere:2", "sphere:0.9", "sphere:x", "lg:1",
-                          "interval:", "segment:1.5", "inclusion,plain"}) {
+                          "hermite:1", "interval:", "segment:1.5", "inclusion,plain"}) {
     EXPECT_FALSE(parse_solver(bad).ok()) << bad;
   }
   EXPECT_THAT(parse_solver("march:0").message(), HasSubstr("expected a STEP above zero"));
