@@ -12,6 +12,7 @@
 #define ISL_RENDERER_FIELDS_LANE_SETUP_INL_H_
 #endif
 
+#include "renderer/fields/about_axis-inl.h"
 #include "renderer/fields/component_table.h"
 #include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/kernels/kernels-inl.h"
@@ -187,30 +188,17 @@ class LaneSetup {
     m_.quadratic.set_row(quadratics_++, {v0, kappa, piece.middle, amplitude, piece.begin, piece.end});
   }
 
-  /// A line about an axis through `at`: its place along the axis, x₀ + x′t, and its squared distance from it, n₀ + n₂(t
-  /// − tₙ)².
-  struct AboutAxis {
-    double x0, dx, n0, n2, middle;
-  };
-  [[nodiscard]] static AboutAxis about_axis(const Vec3& at, const Vec3& axis, const Vec3& origin,
-                                            const Vec3& direction) {
-    const Vec3 from = origin - at;
-    const double x0 = from.dot(axis), dx = direction.dot(axis);
-    const Vec3 o = from - axis * x0, d = direction - axis * dx;
-    const double n2 = d.length2();
-    const double middle = n2 > 0 ? -o.dot(d) / n2 : 0.0;
-    return {x0, dx, (o + d * middle).length2(), n2, middle};
-  }
+  [[nodiscard]] static Lines<double> line(const Vec3& o, const Vec3& d) { return {{o.x, o.y, o.z}, {d.x, d.y, d.z}}; }
 
   void add_cone(const Cone& cone, double amplitude, const Vec3& origin, const Vec3& direction) {
-    const AboutAxis line = about_axis(cone.a, cone.axis, origin, direction);
+    const AboutAxis<double> seen = about_axis(cone.a, cone.axis, line(origin, direction));
     m_.cone.set_row(cones_++,
-                    {line.x0, line.dx, line.n0, line.n2, line.middle, cone.radius, cone.slope, cone.length, amplitude});
+                    {seen.x0, seen.dx, seen.n0, seen.n2, seen.middle, cone.radius, cone.slope, cone.length, amplitude});
   }
 
   void add_circle(const Circle& circle, double amplitude, const Vec3& origin, const Vec3& direction) {
-    const AboutAxis line = about_axis(circle.centre, circle.axis, origin, direction);
-    m_.circle.set_row(circles_++, {line.x0, line.dx, line.n0, line.n2, line.middle, circle.ring_radius,
+    const AboutAxis<double> seen = about_axis(circle.centre, circle.axis, line(origin, direction));
+    m_.circle.set_row(circles_++, {seen.x0, seen.dx, seen.n0, seen.n2, seen.middle, circle.ring_radius,
                                    1 / (circle.radius * circle.radius), amplitude});
   }
 
@@ -218,19 +206,19 @@ class LaneSetup {
                  const Vec3& direction) {
     const double unit = per_support(kernel, segment), unit2 = unit * unit;
     const Vec3 end = segment.a + segment.axis * segment.length;
-    const AboutAxis from_a = about_axis(segment.a, segment.axis, origin, direction);
-    const AboutAxis from_b = about_axis(end, segment.axis, origin, direction);
+    const AboutAxis<double> from_a = about_axis(segment.a, segment.axis, line(origin, direction));
+    const AboutAxis<double> from_b = about_axis(end, segment.axis, line(origin, direction));
     // From the nearer end: the farther one's distance would cost digits.
-    const AboutAxis& line = std::abs(from_a.x0) < std::abs(from_b.x0) ? from_a : from_b;
-    m_.segment.set_row(segments_++, {from_a.x0 * unit, -from_b.x0 * unit, line.dx * unit, line.n0 * unit2,
-                                     line.n2 * unit2, line.middle, segment.length * unit, amplitude});
+    const AboutAxis<double>& seen = std::abs(from_a.x0) < std::abs(from_b.x0) ? from_a : from_b;
+    m_.segment.set_row(segments_++, {from_a.x0 * unit, -from_b.x0 * unit, seen.dx * unit, seen.n0 * unit2,
+                                     seen.n2 * unit2, seen.middle, segment.length * unit, amplitude});
   }
 
   void add_curve(const Circle& ring, const KernelConstants& kernel, double amplitude, const Vec3& origin,
                  const Vec3& direction) {
     const double unit = per_support(kernel, ring), unit2 = unit * unit;
-    const AboutAxis line = about_axis(ring.centre, ring.axis, origin, direction);
-    m_.ring.set_row(rings_++, {line.x0 * unit, line.dx * unit, line.n0 * unit2, line.n2 * unit2, line.middle,
+    const AboutAxis<double> seen = about_axis(ring.centre, ring.axis, line(origin, direction));
+    m_.ring.set_row(rings_++, {seen.x0 * unit, seen.dx * unit, seen.n0 * unit2, seen.n2 * unit2, seen.middle,
                                ring.ring_radius * unit, amplitude});
   }
 

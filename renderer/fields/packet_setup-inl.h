@@ -7,6 +7,7 @@
 #define ISL_RENDERER_FIELDS_PACKET_SETUP_INL_H_
 #endif
 
+#include "renderer/fields/about_axis-inl.h"
 #include "renderer/fields/component_table.h"
 #include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/packet_rows-inl.h"
@@ -104,18 +105,15 @@ class PacketSetup {
   }
 
   /// The rays in a component's own space.
-  struct Lines {
-    Octet o[3], d[3];
-  };
-  [[nodiscard]] HWY_INLINE Lines lines_in(const ComponentTable& table, const FieldGroup& group, std::uint32_t item) const {
-    Lines lines;
+  [[nodiscard]] HWY_INLINE Lines<Octet> lines_in(const ComponentTable& table, const FieldGroup& group, std::uint32_t item) const {
+    Lines<Octet> lines;
     for (std::size_t i = 0; i < 3; ++i) {
       lines.o[i] = load(rays_.origin[i]);
       lines.d[i] = load(rays_.direction[i]);
     }
     if (!group.is_mapped) return lines;
     const scene::Matrix& m = table.blob_from_component(group, item).inverse;
-    Lines mapped;
+    Lines<Octet> mapped;
     for (int i = 0; i < 3; ++i) {
       const Octet x(m[0][i]), y(m[1][i]), z(m[2][i]);
       mapped.o[i] = lines.o[0] * x + lines.o[1] * y + lines.o[2] * z + Octet(m[3][i]);
@@ -124,33 +122,13 @@ class PacketSetup {
     return mapped;
   }
 
-  /// As in LaneSetup.
-  struct AboutAxis {
-    Octet x0, dx, n0, n2, middle;
-  };
-  [[nodiscard]] static HWY_INLINE AboutAxis about_axis(const Vec3& at, const Vec3& axis, const Lines& lines) {
-    const Octet zero(0.0), ax(axis.x), ay(axis.y), az(axis.z);
-    Octet ox = lines.o[0] - Octet(at.x), oy = lines.o[1] - Octet(at.y), oz = lines.o[2] - Octet(at.z);
-    Octet dx = lines.d[0], dy = lines.d[1], dz = lines.d[2];
-    AboutAxis r;
-    r.x0 = ox * ax + oy * ay + oz * az;
-    r.dx = dx * ax + dy * ay + dz * az;
-    ox = ox - ax * r.x0, oy = oy - ay * r.x0, oz = oz - az * r.x0;
-    dx = dx - ax * r.dx, dy = dy - ay * r.dx, dz = dz - az * r.dx;
-    r.n2 = dx * dx + dy * dy + dz * dz;
-    r.middle = select(r.n2 > zero, zero - (ox * dx + oy * dy + oz * dz) / r.n2, zero);
-    ox = ox + dx * r.middle, oy = oy + dy * r.middle, oz = oz + dz * r.middle;
-    r.n0 = ox * ox + oy * oy + oz * oz;
-    return r;
-  }
-
-  [[nodiscard]] static HWY_INLINE ConeLanes lanes_of(const Cone& cone, const Lines& lines) {
-    const AboutAxis line = about_axis(cone.a, cone.axis, lines);
+  [[nodiscard]] static HWY_INLINE ConeLanes lanes_of(const Cone& cone, const Lines<Octet>& lines) {
+    const AboutAxis<Octet> line = about_axis(cone.a, cone.axis, lines);
     return {line.x0,           line.dx,           line.n0,            line.n2,   line.middle,
             Octet(cone.radius), Octet(cone.slope), Octet(cone.length), Octet(0.0)};
   }
-  [[nodiscard]] static HWY_INLINE CircleLanes lanes_of(const Circle& circle, const Lines& lines) {
-    const AboutAxis line = about_axis(circle.centre, circle.axis, lines);
+  [[nodiscard]] static HWY_INLINE CircleLanes lanes_of(const Circle& circle, const Lines<Octet>& lines) {
+    const AboutAxis<Octet> line = about_axis(circle.centre, circle.axis, lines);
     return {line.x0,     line.dx,
             line.n0,     line.n2,
             line.middle, Octet(circle.ring_radius),
@@ -235,7 +213,7 @@ class PacketSetup {
     reserve(count);
     with_window(group.kernel, [&](const auto& window) HWY_ATTR {
       for (std::uint32_t i = 0; i < count; ++i) {
-        const Lines lines = lines_in(table, group, items[i]);
+        const Lines<Octet> lines = lines_in(table, group, items[i]);
         const double amplitude = table.amplitude[items[i]];
         if (are_segments) {
           add_curve(window, table.shape<Segment>(group, items[i]), group.kernel, lines, amplitude);
@@ -248,7 +226,7 @@ class PacketSetup {
   }
 
   template <class Window, class Curve>
-  HWY_INLINE void add_curve(const Window& window, const Curve& curve, const KernelConstants& kernel, const Lines& lines,
+  HWY_INLINE void add_curve(const Window& window, const Curve& curve, const KernelConstants& kernel, const Lines<Octet>& lines,
                             double amplitude) {
     const double unit = per_support(kernel, curve);
     const auto lanes = curve_lanes(curve, unit, lines);
@@ -263,9 +241,9 @@ class PacketSetup {
   [[nodiscard]] static double length_of(const Segment& segment) { return segment.length; }
   [[nodiscard]] static double length_of(const Circle& ring) { return ring.ring_radius; }
 
-  [[nodiscard]] static HWY_INLINE SegmentLanes curve_lanes(const Segment& segment, double per_unit, const Lines& lines) {
-    const AboutAxis from_a = about_axis(segment.a, segment.axis, lines);
-    const AboutAxis from_b = about_axis(segment.a + segment.axis * segment.length, segment.axis, lines);
+  [[nodiscard]] static HWY_INLINE SegmentLanes curve_lanes(const Segment& segment, double per_unit, const Lines<Octet>& lines) {
+    const AboutAxis<Octet> from_a = about_axis(segment.a, segment.axis, lines);
+    const AboutAxis<Octet> from_b = about_axis(segment.a + segment.axis * segment.length, segment.axis, lines);
     // From the nearer end: the farther one's distance would cost digits.
     const OctetMask nearer_a = abs(from_a.x0) < abs(from_b.x0);
     const Octet unit(per_unit), unit2 = unit * unit;
@@ -278,8 +256,8 @@ class PacketSetup {
             Octet(segment.length) * unit,
             Octet(0.0)};
   }
-  [[nodiscard]] static HWY_INLINE RingLanes curve_lanes(const Circle& ring, double per_unit, const Lines& lines) {
-    const AboutAxis line = about_axis(ring.centre, ring.axis, lines);
+  [[nodiscard]] static HWY_INLINE RingLanes curve_lanes(const Circle& ring, double per_unit, const Lines<Octet>& lines) {
+    const AboutAxis<Octet> line = about_axis(ring.centre, ring.axis, lines);
     const Octet unit(per_unit), unit2 = unit * unit;
     return {line.x0 * unit, line.dx * unit, line.n0 * unit2, line.n2 * unit2, line.middle, Octet(ring.ring_radius) * unit, Octet(0.0)};
   }
