@@ -37,8 +37,9 @@ povray_trace() {
 }
 
 for ((level = 0; level <= levels; ++level)); do
-  measure "rays$level" paper/sphereflake.isl "${size}x$size" "$rounds" hermite -D "Levels=$level"
+  measure "rays$level" paper/sphereflake.isl "${size}x$size" "$rounds" hermite,hermite:single -D "Levels=$level"
   keep_time rays "${counts[level]}" "$(measured "rays$level" hermite processor_seconds)"
+  keep_time single "${counts[level]}" "$(measured "rays$level" hermite:single processor_seconds)"
   if ((has_povray)); then
     for ((i = 0; i < runs; ++i)); do note "povray.$level" "$(povray_trace "$level")"; done
     keep_time povray "${counts[level]}" "$(median "povray.$level")"
@@ -58,7 +59,8 @@ times() {
 }
 
 head_row 'components' "${counts[@]}" exponent 'told elsewhere'
-times rays 'camera rays' 'target 0.07'
+times rays 'camera rays, eight at once' -
+times single 'camera rays, one by one' 'target 0.07'
 times pictures 'whole pictures, with shadows' 'paper 0.34'
 if ((has_povray)); then times povray "POV-Ray's blob, whole pictures" 0.11; fi
 if ((has_embree)); then times embree "Embree's plain spheres, camera rays" 0.06; fi
