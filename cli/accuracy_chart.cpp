@@ -10,8 +10,8 @@
 namespace isl::cli {
 namespace {
 
-// Everything in SVG units.
-constexpr double kWidth = 640, kHeight = 440, kLeft = 64, kRight = 16, kTop = 14, kBottom = 46;
+// Everything in SVG units. On the right there is room for the methods' names.
+constexpr double kWidth = 640, kHeight = 440, kLeft = 64, kRight = 104, kTop = 14, kBottom = 46;
 
 constexpr std::array kFamilyColours{"#d5622c", "#2563c4", "#16181d", "#2a8c55", "#9440b0",
                                     "#b58a00", "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e", "#5b8f1d"};
