@@ -11,17 +11,24 @@
 #include "renderer/fields/lane_columns-inl.h"
 #include "renderer/fields/packet_memory.h"
 
+#include <cstddef>
+
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
+
+/// What differs from ray to ray, in the order of LaneMemory's columns.
+template <class... Columns>
+HWY_INLINE void store_along(PacketRow& row, const Columns&... columns) {
+  std::size_t i = 0;
+  (store(columns, row.along[i++]), ...);
+}
 
 [[nodiscard]] HWY_INLINE QuadraticLanes quadratic_of(const PacketRow& row) {
   return {load(row.along[0]), load(row.along[1]), load(row.along[2]), Octet(row.amplitude)};
 }
 HWY_INLINE void store_row(const QuadraticLanes& lanes, PacketRow& row) {
-  store(lanes.v0, row.along[0]);
-  store(lanes.kappa, row.along[1]);
-  store(lanes.middle, row.along[2]);
+  store_along(row, lanes.v0, lanes.kappa, lanes.middle);
 }
 
 /// Where the quadratics of a row hold.
@@ -35,11 +42,7 @@ struct PieceBorders {
           Octet(row.shape[0]), Octet(row.shape[1]), Octet(row.shape[2]), Octet(row.amplitude)};
 }
 HWY_INLINE void store_row(const ConeLanes& lanes, PacketRow& row) {
-  store(lanes.x0, row.along[0]);
-  store(lanes.dx, row.along[1]);
-  store(lanes.n0, row.along[2]);
-  store(lanes.n2, row.along[3]);
-  store(lanes.middle, row.along[4]);
+  store_along(row, lanes.x0, lanes.dx, lanes.n0, lanes.n2, lanes.middle);
 }
 
 [[nodiscard]] HWY_INLINE CircleLanes circle_of(const PacketRow& row) {
@@ -47,11 +50,7 @@ HWY_INLINE void store_row(const ConeLanes& lanes, PacketRow& row) {
           load(row.along[4]), Octet(row.shape[0]), Octet(row.shape[1]), Octet(row.amplitude)};
 }
 HWY_INLINE void store_row(const CircleLanes& lanes, PacketRow& row) {
-  store(lanes.z0, row.along[0]);
-  store(lanes.dz, row.along[1]);
-  store(lanes.n0, row.along[2]);
-  store(lanes.n2, row.along[3]);
-  store(lanes.middle, row.along[4]);
+  store_along(row, lanes.z0, lanes.dz, lanes.n0, lanes.n2, lanes.middle);
 }
 
 [[nodiscard]] HWY_INLINE SegmentLanes segment_of(const PacketRow& row) {
@@ -59,12 +58,7 @@ HWY_INLINE void store_row(const CircleLanes& lanes, PacketRow& row) {
           load(row.along[4]), load(row.along[5]), Octet(row.shape[0]), Octet(row.amplitude)};
 }
 HWY_INLINE void store_row(const SegmentLanes& lanes, PacketRow& row) {
-  store(lanes.before0, row.along[0]);
-  store(lanes.behind0, row.along[1]);
-  store(lanes.dx, row.along[2]);
-  store(lanes.n0, row.along[3]);
-  store(lanes.n2, row.along[4]);
-  store(lanes.middle, row.along[5]);
+  store_along(row, lanes.before0, lanes.behind0, lanes.dx, lanes.n0, lanes.n2, lanes.middle);
 }
 
 [[nodiscard]] HWY_INLINE RingLanes ring_of(const PacketRow& row) {
@@ -72,11 +66,7 @@ HWY_INLINE void store_row(const SegmentLanes& lanes, PacketRow& row) {
           load(row.along[4]), Octet(row.shape[0]), Octet(row.amplitude)};
 }
 HWY_INLINE void store_row(const RingLanes& lanes, PacketRow& row) {
-  store(lanes.z0, row.along[0]);
-  store(lanes.dz, row.along[1]);
-  store(lanes.n0, row.along[2]);
-  store(lanes.n2, row.along[3]);
-  store(lanes.middle, row.along[4]);
+  store_along(row, lanes.z0, lanes.dz, lanes.n0, lanes.n2, lanes.middle);
 }
 
 /// Calls the visitor's
