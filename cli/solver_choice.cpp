@@ -131,7 +131,7 @@ std::string read_argument(Argument argument, std::string_view text, SolverChoice
       choice.octree = true;
       break;
     case Argument::single:
-      if (text != kSingle) return "hermite, exact, and either with :single";
+      if (text != kSingle) return "hermite:single or exact:single";
       choice.single = true;
       break;
   }

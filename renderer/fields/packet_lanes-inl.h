@@ -81,9 +81,10 @@ class PacketLanes {
     threshold_noise_ = Octet(0x1p-52 * std::abs(threshold_)) * (sums_.field_count + Octet(16.0));
   }
 
-  /// Where F − T can be above zero on the stretch.
+  /// Where F − T can be above zero on the stretch, as for all that its bound knows where that is no number.
   [[nodiscard]] HWY_INLINE OctetMask may_be_inside() const {
-    return sums_.peak * (Octet(1.0) + relative_noise_) - Octet(threshold_) + threshold_noise_ >= Octet(0.0);
+    const Octet most = sums_.peak * (Octet(1.0) + relative_noise_) - Octet(threshold_) + threshold_noise_;
+    return and_not(most < Octet(0.0), all_lanes());
   }
   /// Fields that reach the stretch of each ray.
   [[nodiscard]] HWY_INLINE const Octet& field_count() const { return sums_.field_count; }

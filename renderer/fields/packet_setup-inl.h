@@ -233,7 +233,8 @@ class PacketSetup {
     const Octet most = lanes.most(window, t0_, t1_);
     const OctetMask reaches = (most > Octet(0.0)) & lanes_;
     if (none(reaches)) return;
-    count(reaches, amplitude, most);
+    count(reaches);
+    if (amplitude > 0) raise_peak(reaches, amplitude, most);
     PacketRow& row = new_row(amplitude);
     store_row(lanes, row);
     row.shape[0] = unit * length_of(curve);
@@ -269,16 +270,13 @@ class PacketSetup {
   HWY_INLINE bool adds(const Kernel& kernel, const Octet& v_least, double amplitude) {
     const OctetMask reaches = (v_least < kernel.support()) & lanes_;
     if (none(reaches)) return false;
-    if (amplitude > 0) {
-      count(reaches, amplitude, kernel.value(v_least));
-    } else {
-      sums_.field_count = sums_.field_count + keep(reaches, Octet(1.0));
-    }
+    count(reaches);
+    if (amplitude > 0) raise_peak(reaches, amplitude, kernel.value(v_least));
     return true;
   }
-  HWY_INLINE void count(const OctetMask& reaches, double amplitude, const Octet& most) {
-    sums_.field_count = sums_.field_count + keep(reaches, Octet(1.0));
-    sums_.peak = sums_.peak + keep(reaches, Octet(std::max(amplitude, 0.0)) * most);
+  HWY_INLINE void count(const OctetMask& reaches) { sums_.field_count = sums_.field_count + keep(reaches, Octet(1.0)); }
+  HWY_INLINE void raise_peak(const OctetMask& reaches, double amplitude, const Octet& most) {
+    sums_.peak = sums_.peak + keep(reaches, Octet(amplitude) * most);
   }
 
   void reserve(std::uint32_t rows) {
