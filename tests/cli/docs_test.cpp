@@ -1,6 +1,7 @@
 // Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/.
 // What such a block prints is what a block marked `text` says that follows it directly.
 #include "tests/cli/program_fixture.h"
+#include "tests/support/source_folder.h"
 
 #include <fstream>
 #include <optional>

@@ -1,5 +1,7 @@
 // Who may include whom (CONTRIBUTING.md, "Layout"): the data flow goes one way, and every part can be read without the
 // next.
+#include "tests/support/source_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The scenes of plain solids and their combinations look as POV-Ray draws them, in linear light: what differs is a few
 // pixels at outlines, where one ray a pixel falls on one side or the other. Skipped where no povray is installed.
 #include "tests/cli/program_fixture.h"
+#include "tests/support/source_folder.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,7 @@
 // Runs every scene in tests/golden/<stage>/ through its stage and compares with the file beside it: okay_*.isl with
 // .out, fail_*.isl with .err. With ISL_ACCEPT set in the environment it writes those files instead.
 #include "tests/golden/stages.h"
+#include "tests/support/source_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 #include "tests/interpreter/evaluated_text.h"
 
+#include "tests/support/source_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>

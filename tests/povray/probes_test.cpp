@@ -1,6 +1,7 @@
 // Small scenes that print: both programs must print the same, to the last digit. Each line of a probe is one question
 // about an edge of the language. To ask POV-Ray something, add a line to a file in probes/.
 #include "tests/interpreter/evaluated_text.h"
+#include "tests/support/source_folder.h"
 
 #include <gtest/gtest.h>
 
