@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 #include "renderer/image/atomic_file.h"
-#include "renderer/image/transfer.h"
+#include "renderer/image/display_codes.h"
 
 #include <fmt/format.h>
 
@@ -53,12 +53,13 @@ constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
 
 /// Code values of a display, with the colour divided by alpha where there is alpha.
 void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
-  const double most = type == ISL_UINT8 ? 255 : 65535;
+  const int most = type == ISL_UINT8 ? 255 : 65535;
+  const DisplayCodes codes(most);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     planes.add(kColourNames[channel], type, [&](std::size_t pixel) {
       const double* rgba = &image.rgba[4 * pixel];
       const double linear = with_alpha && rgba[3] > 0 ? rgba[channel] / rgba[3] : rgba[channel];
-      return std::floor(display_from_linear(linear) * most + 0.5);
+      return codes(linear);
     });
   }
   if (!with_alpha) return;
