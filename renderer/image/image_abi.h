@@ -1,6 +1,6 @@
-// The C interface between the program and its image module (image_plugin.cpp), which is loaded only when a file is
-// written: OpenImageIO brings 260 shared libraries and a quarter of a second of relocation, and most commands need none
-// of it. Plain C types only: the two sides may be built with different runtimes.
+// The C interface between the program and its image modules (png_plugin.cpp, exr_plugin.cpp, image_plugin.cpp), which are
+// loaded only when a file of their formats is written: most commands need none. Plain C types only: the two sides may be
+// built with different runtimes.
 #pragma once
 
 #include <stddef.h>
@@ -44,8 +44,8 @@ struct IslEncoded {
   char* error;  ///< null on success
 };
 
-/// Raised whenever anything above changes.
-#define ISL_IMAGE_ABI 1
+/// Raised whenever anything above changes, or which module holds which format.
+#define ISL_IMAGE_ABI 2
 
 typedef int (*IslImageAbi)(void);
 typedef void (*IslImageEncode)(const struct IslImage*, struct IslEncoded*);

@@ -108,17 +108,18 @@ void add_layers(PlaneSet& planes, const Layers& layers) {
   }
 }
 
-bool is_linear_format(std::string_view format) { return format == "exr" || format == "hdr"; }
 bool has_alpha_channel(std::string_view format) { return format == "png" || format == "exr" || format == "tif"; }
 
-void add_planes(PlaneSet& planes, const Image& image, std::string_view format, bool with_alpha, bool exr_float) {
+void add_planes(PlaneSet& planes, const Image& image, std::string_view format, bool with_alpha,
+                const ImageFileOptions& options) {
   if (format == "exr") {
-    add_linear_planes(planes, image, exr_float ? ISL_FLOAT : ISL_HALF, with_alpha);
+    add_linear_planes(planes, image, options.exr_float ? ISL_FLOAT : ISL_HALF, with_alpha);
     add_layers(planes, image.layers);
   } else if (format == "hdr") {
     add_linear_planes(planes, image, ISL_FLOAT, false);
   } else {
-    add_display_planes(planes, image, format == "png" || format == "tif" ? ISL_UINT16 : ISL_UINT8, with_alpha);
+    const bool is_wide = options.bits == 0 ? format_holds_bits(format, 16) : options.bits == 16;
+    add_display_planes(planes, image, is_wide ? ISL_UINT16 : ISL_UINT8, with_alpha);
   }
 }
 
@@ -138,12 +139,21 @@ std::string image_format_of(std::string_view path) {
   return "";
 }
 
+bool is_linear_format(std::string_view format) { return format == "exr" || format == "hdr"; }
+
+bool format_holds_bits(std::string_view format, int bits) {
+  if (is_linear_format(format)) return false;
+  return bits == 8 || (bits == 16 && (format == "png" || format == "tif"));
+}
+
 EncodedFile encode_image(const Image& image, std::string_view format, const ImageFileOptions& options) {
   ISL_CHECK(image_format_of(fmt::format(".{}", format)) == format, "format {}", format);
+  ISL_CHECK(options.bits == 0 || is_linear_format(format) || format_holds_bits(format, options.bits), "{} bits of {}",
+            options.bits, format);
   if (image.window.empty()) return {{}, "there is no picture: its window is empty"};
   const bool with_alpha = image.has_alpha && has_alpha_channel(format);
   PlaneSet planes(image.window.area());
-  add_planes(planes, image, format, with_alpha, options.exr_float);
+  add_planes(planes, image, format, with_alpha, options);
   std::vector<IslText> texts;
   for (const auto& [name, value] : options.metadata) texts.push_back({name.c_str(), value.c_str()});
   const std::string format_name(format);

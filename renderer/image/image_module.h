@@ -1,4 +1,4 @@
-// Finds and loads the image module, and calls it. The only place that knows of dynamic loading.
+// Finds and loads the image modules, and calls them. The only place that knows of dynamic loading.
 #pragma once
 
 #include "renderer/image/image_abi.h"
@@ -15,8 +15,8 @@ struct EncodedFile {
   std::string error;  ///< empty on success
 };
 
-/// Encodes by the module, which is loaded at the first call: `isl_image.so` beside the executable, else in ../lib/isl
-/// from there. May be called from several threads.
+/// Encodes by the format's module (isl_png.so, isl_exr.so, else isl_image.so), which is loaded when it is first needed:
+/// from the executable's folder, else from ../lib/isl beside that. May be called from several threads.
 [[nodiscard]] EncodedFile encode_by_module(const IslImage& image);
 
 }  // namespace isl::render

@@ -93,6 +93,29 @@ TEST(ImageFile, png_has_sixteen_bits_and_says_that_it_is_srgb) {
   EXPECT_EQ(file.spec.format, OIIO::TypeDesc::UINT16);
   EXPECT_EQ(file.spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
   EXPECT_EQ(std::lround(file.values[0] * 65535), 48192) << "what POV-Ray writes for 0.5";
+  // For viewers that know one of the chunks only; the others say the same.
+  const EncodedFile png = encode_image(sample_picture(), "png", {});
+  const std::string bytes(png.bytes.begin(), png.bytes.end());
+  for (const char* chunk : {"sRGB", "gAMA", "cHRM", "oFFs"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
+}
+
+TEST(ImageFile, integer_formats_have_the_bits_asked_for) {
+  const Image image = sample_picture();
+  for (const char* format : {"png", "tif"}) {
+    for (const int bits : {8, 16}) {
+      const ReadBack file = through_file(image, format, {.metadata = {}, .bits = bits});
+      EXPECT_EQ(file.spec.format, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16) << format;
+      EXPECT_EQ(std::lround(file.values[0] * (bits == 8 ? 255 : 65535)), bits == 8 ? 188 : 48192) << format;
+    }
+    EXPECT_TRUE(encode_image(image, format, {}).bytes == encode_image(image, format, {.metadata = {}, .bits = 16}).bytes);
+  }
+  EXPECT_EQ(through_file(image, "jpg", {.metadata = {}, .bits = 8}).spec.format, OIIO::TypeDesc::UINT8);
+}
+
+TEST(ImageFile, knows_which_formats_have_how_many_bits) {
+  for (const char* format : {"png", "tif"}) EXPECT_TRUE(format_holds_bits(format, 8) && format_holds_bits(format, 16));
+  for (const char* format : {"jpg", "ppm"}) EXPECT_TRUE(format_holds_bits(format, 8) && !format_holds_bits(format, 16));
+  for (const char* format : {"exr", "hdr"}) EXPECT_TRUE(is_linear_format(format) && !format_holds_bits(format, 8));
 }
 
 TEST(ImageFile, alpha_is_kept_where_there_is_alpha) {

@@ -1,0 +1,109 @@
+// PNG and EXR are written without OpenImageIO. What it reads of these files is what it reads of the files that it
+// writes itself of the same pictures: every attribute, every channel, every bit of the pixels.
+#include "tests/renderer/image/oiio_reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace isl::render::test {
+namespace {
+
+const ImageFileOptions kOptions{
+    .metadata = {{"Software", "isl 1"}, {"isl:Scene", "a scene, 100%"}, {"isl:Options", "-s 8x6 -D N=\"x y\""}}};
+
+/// Smooth, with an edge, out of range here and there, never one value for long.
+Image picture(const PixelRect& window, int full_width, int full_height) {
+  Image image;
+  image.full_width = full_width;
+  image.full_height = full_height;
+  image.window = window;
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const double alpha = (x + 2 * y) % 7 / 6.0, light = 0.5 + 0.7 * std::sin(0.05 * x + 0.3 * y);
+      image.rgba.insert(image.rgba.end(), {light * alpha, (x > y ? 0.9 : 0.01) * alpha, 1.0 / (1 + x) * alpha, alpha});
+    }
+  }
+  return image;
+}
+
+void add_layers(Image& image) {
+  const auto fill = [&](std::vector<float>& values, std::size_t channels, float scale) {
+    for (std::size_t i = 0; i < channels * image.window.area(); ++i)
+      values.push_back(scale * static_cast<float>(i) - 1);
+  };
+  const auto count = [&](std::vector<std::uint32_t>& values, std::uint32_t step) {
+    for (std::uint32_t i = 0; i < image.window.area(); ++i) values.push_back(step * i);
+  };
+  fill(image.layers.depth, 1, 0.1f);
+  image.layers.depth[0] = std::numeric_limits<float>::infinity();
+  fill(image.layers.position, 3, 10.5f);
+  fill(image.layers.normal, 3, 0.01f);
+  fill(image.layers.albedo, 3, 0.001f);
+  fill(image.layers.cost, 2, 100);
+  fill(image.layers.error, 2, 1e-6f);
+  count(image.layers.primitive, 16777259);
+  count(image.layers.samples, 1);
+  count(image.layers.solver_steps, 3);
+  count(image.layers.missed, 2);
+}
+
+void expect_agreement(const Image& image, const std::string& format, const ImageFileOptions& options) {
+  const EncodedFile ours = encode_image(image, format, options);
+  ASSERT_EQ(ours.error, "");
+  const FileContent found = read_by_oiio(ours.bytes, format);
+  const FileContent wanted = read_by_oiio(written_by_oiio(image, format, options), format);
+  EXPECT_EQ(found.attributes, wanted.attributes);
+  EXPECT_TRUE(found.pixels == wanted.pixels) << format << " " << image.window.width() << "x" << image.window.height();
+}
+
+TEST(OiioAgreement, png_of_every_kind) {
+  for (const PixelRect window : {PixelRect{0, 0, 40, 30}, PixelRect{3, 5, 20, 9}, PixelRect{0, 0, 1, 1}}) {
+    for (const bool has_alpha : {false, true}) {
+      for (const int bits : {0, 8, 16}) {
+        Image image = picture(window, 40, 30);
+        image.has_alpha = has_alpha;
+        expect_agreement(image, "png", {.metadata = kOptions.metadata, .bits = bits});
+      }
+    }
+  }
+}
+
+TEST(OiioAgreement, png_without_metadata) { expect_agreement(picture({0, 0, 5, 4}, 5, 4), "png", {}); }
+
+TEST(OiioAgreement, a_very_wide_picture) {
+  const Image image = picture({0, 0, 65536, 2}, 65536, 2);
+  expect_agreement(image, "png", kOptions);
+  expect_agreement(image, "exr", kOptions);
+}
+
+TEST(OiioAgreement, exr_of_every_kind) {
+  for (const PixelRect window : {PixelRect{0, 0, 40, 30}, PixelRect{3, 5, 20, 9}, PixelRect{0, 0, 1, 1}}) {
+    for (const bool has_alpha : {false, true}) {
+      for (const bool is_float : {false, true}) {
+        Image image = picture(window, 40, 30);
+        image.has_alpha = has_alpha;
+        expect_agreement(image, "exr", {.metadata = kOptions.metadata, .exr_float = is_float});
+        add_layers(image);
+        expect_agreement(image, "exr", {.metadata = kOptions.metadata, .exr_float = is_float});
+      }
+    }
+  }
+}
+
+TEST(OiioAgreement, exr_without_metadata) { expect_agreement(picture({0, 0, 5, 4}, 5, 4), "exr", {}); }
+
+TEST(OiioAgreement, names_that_are_not_ascii) {
+  const ImageFileOptions options{.metadata = {{"isl:Scene", "Küche ☕"}}};
+  for (const char* format : {"png", "exr"}) {
+    const Image image = picture({0, 0, 5, 4}, 5, 4);
+    const FileContent found = read_by_oiio(encode_image(image, format, options).bytes, format);
+    EXPECT_NE(std::find(found.attributes.begin(), found.attributes.end(), "isl:Scene: string = Küche ☕"),
+              found.attributes.end())
+        << format;
+  }
+}
+
+}  // namespace
+}  // namespace isl::render::test

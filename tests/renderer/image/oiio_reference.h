@@ -1,0 +1,26 @@
+// Pictures written and read by OpenImageIO alone: what files of PNG and EXR are compared with.
+#pragma once
+
+#include "renderer/image/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <string>
+#include <vector>
+
+namespace isl::render::test {
+
+/// The file that OpenImageIO makes of the picture; `format` is png or exr.
+[[nodiscard]] std::vector<unsigned char> written_by_oiio(const Image& image, const std::string& format,
+                                                         const ImageFileOptions& options);
+
+/// All that OpenImageIO finds in a file.
+struct FileContent {
+  std::vector<std::string> attributes;  ///< "name: type = value", sorted; with the size, the place and the channels
+  std::vector<unsigned char> pixels;    ///< in the file's own types, channels side by side
+};
+
+/// Throws a std::runtime_error if the bytes are no file of the format.
+[[nodiscard]] FileContent read_by_oiio(const std::vector<unsigned char>& bytes, const std::string& format);
+
+}  // namespace isl::render::test
