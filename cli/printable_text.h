@@ -45,4 +45,26 @@ namespace isl::cli {
   return result;
 }
 
+/// The text with control characters, and bytes that are no UTF-8, written as `\x1b`: seen, and obeyed by no terminal.
+[[nodiscard]] inline std::string with_visible_controls(std::string_view text) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const std::string_view character = text.substr(at, length == 0 ? 1 : length);
+    at += character.size();
+    if (length != 0 && !is_control(character)) {
+      result += character;
+      continue;
+    }
+    // C1 controls have two bytes in UTF-8, of which the second is the code.
+    const auto code = static_cast<unsigned char>(character.back());
+    result += "\\x";
+    result += kDigits[code >> 4];
+    result += kDigits[code & 15];
+  }
+  return result;
+}
+
 }  // namespace isl::cli

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "cli/interrupt.h"
+#include "cli/scene_text.h"
 #include "cli/search_path.h"
 #include "cli/stopwatch.h"
 #include "renderer/queries/faint.h"
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -62,7 +62,7 @@ ExitCode Session::evaluate() {
   options.frame = options_.frame;
   options.image_width = options_.size.width;
   options.image_height = options_.size.height;
-  options.print_debug = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
+  options.print_debug = print_scene_text;
   options.stop = &interrupt_flag();
   render::ObjectQueries queries;
   options.queries = &queries;
