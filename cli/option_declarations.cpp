@@ -185,7 +185,7 @@ void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy, std::vector<
 
 }  // namespace
 
-void declare_options(CLI::App& app, RawOptions& raw) {
+void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
   app.require_subcommand(1);
   app.set_version_flag("--version", fmt::format("isl {}", kVersion));
   app.footer(std::string(kFooter));
@@ -195,17 +195,22 @@ void declare_options(CLI::App& app, RawOptions& raw) {
   CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
   CLI::App* const accuracy =
       app.add_subcommand("accuracy", "Measure what accuracy costs: error and time of one solver setting after the other");
+  // Commands have taken over the footer; this one is the overview's.
+  app.footer("`isl help COMMAND` lists the options of a command.\n\n" + std::string(kFooter));
+  // Declaring options takes longer than reading a small scene, and only those of the command given are ever looked at.
   for (CLI::App* const command : {render, check, dump, accuracy}) {
+    if (command->get_name() != chosen) continue;
     command->allow_extras();  // so that our own messages name them
     add_scene_options(*command, raw.scene, raw.defines, raw.format);
     SceneOptions& scene = raw.scene;
-    add(*command, "-s,--size", "WxH", fmt::format("Size of the picture in pixels [{}]", command == accuracy ? "400x300" : "800x600"), parse_size,
+    add(*command, "-s,--size", "WxH",
+        fmt::format("Size of the picture in pixels [{}]", command == accuracy ? "400x300" : "800x600"), parse_size,
         [&scene](const PictureSize& v) { scene.size = v; })
         ->group("The picture");
+    if (command == render) add_picture_options(*render, raw.picture);
+    if (command == accuracy) add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
+    if (command == dump) dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
   }
-  add_picture_options(*render, raw.picture);
-  add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
-  dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
 }
 
 }  // namespace isl::cli

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isl::cli {
@@ -28,7 +29,8 @@ struct RawOptions {
   std::string stage;
 };
 
-/// Adds the commands render, check, dump and accuracy to `app`; each fills `raw`, which must outlive the parse.
-void declare_options(CLI::App& app, RawOptions& raw);
+/// Adds the commands render, check, dump and accuracy to `app`, and to the one named `chosen` its options; they fill
+/// `raw`, which must outlive the parse.
+void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen);
 
 }  // namespace isl::cli

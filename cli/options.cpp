@@ -18,7 +18,7 @@
 namespace isl::cli {
 namespace {
 
-constexpr std::array<std::string_view, 4> kCommands{"render", "check", "dump", "accuracy"};
+constexpr std::array<std::string_view, 5> kCommands{"render", "check", "dump", "accuracy", "help"};
 
 /// Enough rays for the errors of a picture; a larger one only takes longer.
 constexpr PictureSize kAccuracySize{400, 300};
@@ -112,6 +112,13 @@ std::optional<Finished> check_first_word(std::span<const std::string> arguments)
   return bad_command_line(fmt::format("unknown command `{}`", word), hint);
 }
 
+/// `help` and `help COMMAND` as the options that CLI11 knows; other arguments as they are.
+std::vector<std::string> with_help_as_option(std::span<const std::string> arguments) {
+  if (arguments.empty() || arguments.front() != "help") return {arguments.begin(), arguments.end()};
+  if (arguments.size() == 1 || arguments[1] == "help" || arguments[1].starts_with('-')) return {"--help"};
+  return {arguments[1], "--help"};
+}
+
 /// Lets CLI11 read the arguments; what it throws becomes an answer.
 std::optional<Finished> parse(CLI::App& app, std::span<const std::string> arguments) {
   // Before the command there is nothing but --help and --version.
@@ -151,13 +158,14 @@ std::optional<DumpStage> stage_named(std::string_view name) {
 
 }  // namespace
 
-Command parse_command_line(std::span<const std::string> arguments) {
+Command parse_command_line(std::span<const std::string> given) {
+  const std::vector<std::string> arguments = with_help_as_option(given);
   if (auto finished = check_first_word(arguments)) return *std::move(finished);
 
   CLI::App app("Renders scenes of implicit surfaces, written in a small language in the style of POV-Ray's.", "isl");
   RawOptions raw;
   raw.scene.limits.max_memory_bytes = parse_memory("75%").value();
-  declare_options(app, raw);
+  declare_options(app, raw, arguments.front());
   if (auto finished = parse(app, arguments)) return *std::move(finished);
 
   const CLI::App& command = *app.get_subcommands().front();

@@ -78,6 +78,21 @@ TEST(Options, HelpAndVersionAreNoErrors) {
   EXPECT_THAT(std::get<Finished>(parse({"render", "--help"})).text, HasSubstr("--tolerance"));
 }
 
+TEST(Options, HelpIsACommandToo) {
+  const auto text = [](std::vector<std::string> arguments) {
+    return std::get<Finished>(parse(std::move(arguments))).text;
+  };
+  EXPECT_EQ(text({"help"}), text({"--help"}));
+  EXPECT_EQ(text({"help", "help"}), text({"--help"}));
+  EXPECT_THAT(text({"help"}), HasSubstr("isl help COMMAND"));
+  for (const char* command : {"render", "check", "dump", "accuracy"}) {
+    EXPECT_EQ(text({"help", command}), text({command, "--help"}));
+    EXPECT_THAT(text({"help", command}), HasSubstr(command));
+  }
+  EXPECT_THAT(refusal({"help", "rendr"}), HasSubstr("did you mean `render`?"));
+  EXPECT_THAT(refusal({"hlep"}), HasSubstr("did you mean `help`?"));
+}
+
 TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({}), HasSubstr("no command"));
   EXPECT_THAT(refusal({"rendr", "a.isl"}), HasSubstr("did you mean `render`?"));
