@@ -1,4 +1,5 @@
 // `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
+#include "cli/closing_line.h"
 #include "cli/commands.h"
 #include "cli/content_hash.h"
 #include "cli/drawable.h"
@@ -58,6 +59,7 @@ std::uint64_t scene_hash(const grammar::SourceMap& sources) {
 render::ImageFileOptions file_options(const RenderCommand& command, const RenderSettings& settings,
                                       const Session& session) {
   render::ImageFileOptions options;
+  options.bits = command.picture.bits;
   options.metadata = {{"Software", fmt::format("isl {}", kVersion)},
                       {"isl:Scene", session.name()},
                       {"isl:SceneHash", fmt::format("{:016x}", scene_hash(session.sources()))},
@@ -97,23 +99,23 @@ Picture make_picture(const RenderCommand& command, RenderSettings settings, cons
 
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
-  for (const fs::path& file : files) names.push_back(file.string());
+  for (const fs::path& file : files) names.push_back(display_name(file));
   return names;
 }
 
-/// The last word: what was written, and for people how long it took.
-void tell_result(const RenderCommand& command, Session& session, const std::vector<fs::path>& files, bool complete,
-                 const nlohmann::ordered_json& statistics, double seconds) {
-  const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
+/// The last word: what was written, and how long it took.
+void tell_result(const RenderCommand& command, Session& session, const std::vector<fs::path>& files,
+                 const render::Image& image, bool complete, const nlohmann::ordered_json& statistics, double seconds) {
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)},
                     {"outputs", names_of(files)},
                     {"complete", complete},
                     {"statistics", statistics}});
   } else if (!complete) {
-    fmt::print(stderr, "isl: interrupted; what is done is in {}\n", names);
-  } else if (isatty(STDERR_FILENO) != 0 && !command.picture.quiet) {
-    fmt::print(stderr, "{}: {}x{} in {:.3g} s\n", names, command.scene.size.width, command.scene.size.height, seconds);
+    const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
+    fmt::print(stderr, "isl: interrupted; {}\n", files.empty() ? "nothing is written" : "what is done is in " + names);
+  } else if (!command.picture.quiet) {
+    fmt::print(stderr, "{}\n", closing_line(names_of(files), image, seconds));
   }
 }
 
@@ -138,18 +140,16 @@ ExitCode run(const RenderCommand& command) {
   const RenderSettings settings = render_settings(command, database);
   const Picture picture = make_picture(command, settings, database);
   const bool complete = picture.result.complete;
-  if (!complete) {
-    for (fs::path& file : files) file = partial_name(file);
-  }
+  if (!complete) files = partial_names(files);
+  const render::Image& image = picture.result.image;
   const Stopwatch writing;
-  const render::ImageFileOptions options = file_options(command, settings, session);
-  OutputProblem problem = write_outputs(files, picture.result.image, options);
+  OutputWriter writer(file_options(command, settings, session));
+  for (const fs::path& file : files) writer.add(file, image);
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
-    if (!problem.none()) break;
-    problem = write_outputs({layer.file}, render::layer_picture(picture.result.image, layer.layer), options);
+    writer.add(layer.file, render::layer_picture(image, layer.layer));
     files.push_back(layer.file);
   }
-  if (!problem.none()) return tell(problem);
+  if (const OutputProblem problem = writer.finish(); !problem.none()) return tell(problem);
 
   const PhaseTimes times{.parse = session.parse_seconds(),
                          .evaluate = session.evaluate_seconds(),
@@ -159,7 +159,7 @@ ExitCode run(const RenderCommand& command) {
   const MemoryUse memory{.database_bytes = database_bytes(database), .grid_bytes = picture.grid_bytes};
   const nlohmann::ordered_json statistics =
       statistics_json(summarise(database), times, settings, memory, picture.result.statistics);
-  tell_result(command, session, files, complete, statistics, whole.seconds());
+  tell_result(command, session, files, image, complete, statistics, whole.seconds());
   if (!complete) return ExitCode::interrupted;
   if (!command.picture.statistics.empty()) {
     const OutputProblem unwritten = write_text(command.picture.statistics, statistics.dump(2) + "\n");

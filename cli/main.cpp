@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -28,6 +29,8 @@ int main(int argc, char** argv) {
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     isl::cli::catch_interrupts();
+    // A limit on the size of files is met like a full disk: the write fails, and its message names the file.
+    std::signal(SIGXFSZ, SIG_IGN);
     return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
   } catch (const std::bad_alloc&) {
     std::fputs("isl: error: there is no memory left\n", stderr);

@@ -69,6 +69,12 @@ Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
   return layers;
 }
 
+Parsed<int> parse_bits(const std::string& text) {
+  if (text == "8") return 8;
+  if (text == "16") return 16;
+  return Parsed<int>::error(fmt::format("expected 8 or 16, found `{}`", text));
+}
+
 void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::string>& defines, std::string& format) {
   app.add_option("SCENE", scene.scene, "The scene's file, .isl or .pov; `-` is standard input")
       ->type_name("")
@@ -122,9 +128,14 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
 
 void add_picture_options(CLI::App& app, PictureOptions& picture) {
   std::string group = "The picture";
-  add_list(app, "-o,--output", "FILE", "png exr tif jpg ppm hdr, by extension; may be given again [<scene name>.png]",
-           picture.outputs)
+  add_list(
+      app, "-o,--output", "FILE",
+      "png exr tif jpg ppm hdr, by extension, or `png:-` for standard output; may be given again [<scene name>.png]",
+      picture.outputs)
       ->group(group);
+  add(app, "--bits", "8|16", "Bits a channel of png and tif [16]; jpg and ppm have 8", parse_bits, [&picture](int v) {
+    picture.bits = v;
+  })->group(group);
   app.add_flag("--alpha", picture.alpha, "The background is transparent")->group(group);
   app.add_flag("--skeleton", picture.skeleton, "Show each component of a blob as the solid that it is alone")->group(group);
   add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}; the last four also as NAME.LAYER.png beside NAME.png",

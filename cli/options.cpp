@@ -2,10 +2,9 @@
 #include "cli/options.h"
 
 #include "cli/option_declarations.h"
+#include "cli/output_options.h"
 #include "cli/povray_switches.h"
 #include "grammar/suggest.h"
-#include "renderer/image/image_file.h"
-#include "renderer/image/layer_picture.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -76,11 +75,8 @@ std::optional<Finished> check_picture_options(const SceneOptions& scene, const P
   if (picture.solver && picture.solver->name == render::SolverName::exact && picture.tolerance) {
     return bad_command_line("--tolerance: the solver exact has none of its own", "leave out one of the two");
   }
-  const auto is_exr = [](const std::filesystem::path& file) { return render::image_format_of(file.string()) == "exr"; };
-  const auto has_picture = [](const std::string& layer) { return render::is_pictured_layer(layer); };
-  if (!std::all_of(picture.layers.begin(), picture.layers.end(), has_picture) &&
-      std::none_of(picture.outputs.begin(), picture.outputs.end(), is_exr)) {
-    return bad_command_line("--aov: only an .exr file holds layers", "add `-o NAME.exr`");
+  if (const auto complaint = check_output_options(picture, scene.format)) {
+    return bad_command_line(complaint->message, complaint->hint);
   }
   return std::nullopt;
 }

@@ -36,7 +36,8 @@ struct SceneOptions {
 
 /// What `isl render` takes besides. An empty optional means: not said, so the scene or the default decides.
 struct PictureOptions {
-  std::vector<std::filesystem::path> outputs;  ///< empty: `<scene name>.png`
+  std::vector<std::filesystem::path> outputs;  ///< files, or `png:-`; empty: `<scene name>.png`
+  int bits = 0;                                ///< a channel of integer formats; 0: the format's own
   int threads = 0;                             ///< 0: all cores
   std::optional<int> samples;
   double aa_threshold = 0.1;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace isl::render {
 namespace {
@@ -36,47 +37,13 @@ fs::path temporary_beside(const fs::path& target) {
   return temporary;
 }
 
-/// An open file that is gone again unless it was kept.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path)
-      : path_(std::move(path)), descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {}
-  ~TemporaryFile() {
-    if (descriptor_ < 0) return;
-    close(descriptor_);
-    if (!kept_) unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+int open_new(const fs::path& path) { return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); }
 
-  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
-
-  [[nodiscard]] bool write_all(std::span<const unsigned char> bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return false;
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return fsync(descriptor_) == 0;
-  }
-
-  [[nodiscard]] bool rename_to(const fs::path& target) {
-    kept_ = rename(path_.c_str(), target.c_str()) == 0;
-    return kept_;
-  }
-
-  /// Takes over the permissions of the file that it will replace.
-  void copy_mode(const fs::path& target) const {
-    struct stat status {};
-    if (stat(target.c_str(), &status) == 0) static_cast<void>(fchmod(descriptor_, status.st_mode & 07777));
-  }
-
- private:
-  fs::path path_;
-  int descriptor_;
-  bool kept_ = false;
-};
+/// Gives the file the permissions of the one that it will replace.
+void copy_mode(int descriptor, const fs::path& target) {
+  struct stat status {};
+  if (stat(target.c_str(), &status) == 0) static_cast<void>(fchmod(descriptor, status.st_mode & 07777));
+}
 
 /// Makes the renaming itself survive a power cut. File systems that cannot do this are left alone.
 void flush_folder(const fs::path& folder) {
@@ -100,20 +67,54 @@ std::string why_not_replaceable(const fs::path& target) {
 std::string why_not_writable(const std::string& path) {
   const fs::path target = resolved(path);
   if (std::string reason = why_not_replaceable(target); !reason.empty()) return reason;
-  const TemporaryFile probe(temporary_beside(target));
-  return probe.is_open() ? "" : failure("write", target, errno);
+  const fs::path probe = temporary_beside(target);
+  const int descriptor = open_new(probe);
+  if (descriptor < 0) return failure("write", target, errno);
+  close(descriptor);
+  unlink(probe.c_str());
+  return "";
+}
+
+StagedFile::StagedFile(const std::string& path, std::span<const unsigned char> bytes)
+    : target_(resolved(path)), temporary_(temporary_beside(target_)), error_(why_not_replaceable(target_)) {
+  if (!error_.empty()) return;
+  descriptor_ = open_new(temporary_);
+  if (descriptor_ >= 0) copy_mode(descriptor_, target_);
+  if (descriptor_ < 0 || !write_all(bytes)) error_ = failure("write", target_, errno);
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      error_(std::move(other.error_)) {}
+
+StagedFile::~StagedFile() {
+  if (descriptor_ < 0) return;
+  close(descriptor_);
+  unlink(temporary_.c_str());
+}
+
+bool StagedFile::write_all(std::span<const unsigned char> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return fsync(descriptor_) == 0;
+}
+
+std::string StagedFile::take_place() {
+  if (rename(temporary_.c_str(), target_.c_str()) != 0) return failure("replace", target_, errno);
+  close(std::exchange(descriptor_, -1));
+  flush_folder(target_.parent_path());
+  return "";
 }
 
 std::string write_atomically(const std::string& path, std::span<const unsigned char> bytes) {
-  const fs::path target = resolved(path);
-  if (std::string reason = why_not_replaceable(target); !reason.empty()) return reason;
-  TemporaryFile file(temporary_beside(target));
-  if (!file.is_open()) return failure("write", target, errno);
-  file.copy_mode(target);
-  if (!file.write_all(bytes)) return failure("write", target, errno);
-  if (!file.rename_to(target)) return failure("replace", target, errno);
-  flush_folder(target.parent_path());
-  return "";
+  StagedFile file(path, bytes);
+  return file.error().empty() ? file.take_place() : file.error();
 }
 
 }  // namespace isl::render

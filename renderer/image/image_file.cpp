@@ -1,7 +1,6 @@
 #include "renderer/image/image_file.h"
 
 #include "base/check.h"
-#include "renderer/image/atomic_file.h"
 #include "renderer/image/display_codes.h"
 
 #include <fmt/format.h>
@@ -172,14 +171,6 @@ EncodedFile encode_image(const Image& image, std::string_view format, const Imag
   description.text_count = static_cast<int>(texts.size());
   description.texts = texts.data();
   return encode_by_module(description);
-}
-
-std::string write_image(const Image& image, const std::string& path, const ImageFileOptions& options) {
-  const std::string format = image_format_of(path);
-  if (format.empty()) return fmt::format("cannot write {}: its name should end in one of {}", path, kImageFormats);
-  const EncodedFile file = encode_image(image, format, options);
-  if (!file.error.empty()) return fmt::format("cannot write {}: {}", path, file.error);
-  return write_atomically(path, file.bytes);
 }
 
 }  // namespace isl::render

@@ -36,8 +36,4 @@ inline constexpr std::string_view kImageFormats = "png, exr, tif, jpg, ppm, hdr"
 /// kImageFormats and holds `options.bits`.
 [[nodiscard]] EncodedFile encode_image(const Image& image, std::string_view format, const ImageFileOptions& options);
 
-/// Encodes and writes; the old file stays unless all goes well. Returns what went wrong (lower case, no full stop), or
-/// "".
-[[nodiscard]] std::string write_image(const Image& image, const std::string& path, const ImageFileOptions& options);
-
 }  // namespace isl::render

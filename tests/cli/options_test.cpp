@@ -93,6 +93,32 @@ TEST(Options, HelpIsACommandToo) {
   EXPECT_THAT(refusal({"hlep"}), HasSubstr("did you mean `help`?"));
 }
 
+TEST(Options, BitsAreThoseOfAFormatThatHasThem) {
+  EXPECT_EQ(render({"a.isl"}).picture.bits, 0);
+  EXPECT_EQ(render({"a.isl", "--bits", "8"}).picture.bits, 8);
+  EXPECT_EQ(render({"a.isl", "--bits", "16", "-o", "a.tif"}).picture.bits, 16);
+  EXPECT_EQ(render({"a.isl", "--bits", "8", "-o", "a.jpg", "-o", "b.ppm"}).picture.bits, 8);
+  EXPECT_EQ(render({"a.isl", "--bits", "8", "-o", "a.png", "-o", "b.exr"}).picture.bits, 8) << "of the PNG";
+  EXPECT_THAT(refusal({"render", "a.isl", "--bits", "12"}), HasSubstr("--bits: expected 8 or 16, found `12`"));
+  for (const char* format : {"jpg", "ppm"}) {
+    EXPECT_THAT(refusal({"render", "a.isl", "--bits", "16", "-o", "a.png", "-o", std::string("a.") + format}),
+                HasSubstr(std::string("--bits: ") + format + " has 8 bits"));
+  }
+  for (const char* name : {"a.exr", "a.hdr", "exr:-"}) {
+    EXPECT_THAT(refusal({"render", "a.isl", "--bits", "8", "-o", name}), HasSubstr("floating-point")) << name;
+  }
+}
+
+TEST(Options, StandardOutputIsForOnePictureAlone) {
+  EXPECT_THAT(render({"a.isl", "-o", "png:-"}).picture.outputs, testing::ElementsAre("png:-"));
+  EXPECT_THAT(refusal({"render", "a.isl", "-o", "-"}), HasSubstr("as in `-o png:-`"));
+  EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--format", "json"}), HasSubstr("--format json"));
+  EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--aov", "cost"}), HasSubstr("--aov"));
+  EXPECT_THAT(render({"a.isl", "-o", "exr:-", "--aov", "depth"}).picture.layers, testing::ElementsAre("depth"));
+  EXPECT_THAT(render({"a.isl", "-o", "png:-", "-o", "a.exr", "--aov", "depth"}).picture.layers,
+              testing::ElementsAre("depth"));
+}
+
 TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({}), HasSubstr("no command"));
   EXPECT_THAT(refusal({"rendr", "a.isl"}), HasSubstr("did you mean `render`?"));

@@ -6,10 +6,12 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 
 extern char** environ;
 
@@ -31,6 +33,31 @@ struct Pipe {
   }
 };
 
+/// A terminal in raw mode: end 0 reads what is written to end 1, byte by byte as it is.
+void open_terminal(Pipe& pipe) {
+  pipe.close_end(0);
+  pipe.close_end(1);
+  pipe.ends[0] = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ISL_CHECK(pipe.ends[0] >= 0 && grantpt(pipe.ends[0]) == 0 && unlockpt(pipe.ends[0]) == 0);
+  pipe.ends[1] = open(ptsname(pipe.ends[0]), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  termios settings{};
+  ISL_CHECK(tcgetattr(pipe.ends[1], &settings) == 0);
+  cfmakeraw(&settings);
+  ISL_CHECK(tcsetattr(pipe.ends[1], TCSANOW, &settings) == 0);
+}
+
+/// Makes `out` the kind of output asked for.
+void prepare_output(Pipe& out, const ProcessOptions& options) {
+  using Output = ProcessOptions::Output;
+  if (options.output == Output::terminal) open_terminal(out);
+  if (options.output == Output::file) {
+    out.close_end(1);
+    out.ends[1] = open(options.output_file.c_str(), O_WRONLY | O_CLOEXEC);
+    ISL_CHECK(out.ends[1] >= 0, "{}", options.output_file.string());
+  }
+  if (options.output == Output::unread || options.output == Output::file) out.close_end(0);
+}
+
 /// Reads what is there; closes at the end of file.
 void drain(Pipe& pipe, std::string& text) {
   std::array<char, 65536> buffer{};
@@ -47,6 +74,7 @@ pid_t start(const std::vector<std::string>& command, const ProcessOptions& optio
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, in, 0);
   posix_spawn_file_actions_adddup2(&actions, out, 1);
+  if (options.output == ProcessOptions::Output::closed) posix_spawn_file_actions_addclose(&actions, 1);
   posix_spawn_file_actions_adddup2(&actions, err, 2);
   if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
   std::vector<char*> arguments;
@@ -66,6 +94,8 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   // Inputs of tests are smaller than what a pipe holds, so that writing before reading cannot block.
   ISL_CHECK(options.input.size() <= 65536);
   Pipe in, out, err;
+  prepare_output(out, options);
+  if (options.err_terminal) open_terminal(err);
   ProcessResult result;
   const Clock::time_point begin = Clock::now();
   const pid_t pid = start(command, options, in.ends[0], out.ends[1], err.ends[1]);

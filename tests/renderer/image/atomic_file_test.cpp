@@ -92,6 +92,30 @@ TEST_F(AtomicFile, a_failed_writing_leaves_the_old_file) {
   EXPECT_EQ(files_in_folder(), 1u) << "the half-written file is gone";
 }
 
+TEST_F(AtomicFile, a_staged_file_shows_only_when_it_takes_its_place) {
+  EXPECT_EQ(write(path("a"), "old"), "");
+  const std::vector<unsigned char> bytes{'n', 'e', 'w'};
+  {
+    const StagedFile dropped(path("a"), bytes);
+    EXPECT_EQ(dropped.error(), "");
+    EXPECT_EQ(content(path("a")), "old");
+    EXPECT_EQ(files_in_folder(), 2u);
+  }
+  EXPECT_EQ(files_in_folder(), 1u) << "one that took no place is gone";
+  StagedFile kept(path("a"), bytes);
+  EXPECT_EQ(kept.take_place(), "");
+  EXPECT_EQ(content(path("a")), "new");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(AtomicFile, tells_when_the_place_was_taken_meanwhile) {
+  const std::vector<unsigned char> bytes{'n', 'e', 'w'};
+  StagedFile file(path("a"), bytes);
+  fs::create_directory(path("a"));
+  EXPECT_EQ(file.take_place(), "cannot replace " + path("a") + ": Is a directory");
+  EXPECT_TRUE(fs::is_directory(path("a")));
+}
+
 TEST_F(AtomicFile, follows_a_link_and_keeps_it) {
   EXPECT_EQ(write(path("real"), "old"), "");
   fs::create_symlink("real", folder_ / "link");
