@@ -8,7 +8,7 @@ set -u
 # ---- What has to be there: the only list of packages ------------------------------------------------------------------
 # openimageio-tools: OpenImageIO's CMake files refuse to load without them.
 build_packages="g++ cmake ninja-build flex bison libfmt-dev libimath-dev libhwy-dev libtbb-dev libcli11-dev
-nlohmann-json3-dev libpng-dev libopenexr-dev libopenimageio-dev openimageio-tools"
+nlohmann-json3-dev libpng-dev zlib1g-dev libopenexr-dev libopenimageio-dev openimageio-tools"
 test_packages="libgtest-dev libgmock-dev librapidcheck-dev libboost-dev libmpfr-dev"
 
 self=$0

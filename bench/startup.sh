@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# How long `isl check` of a ten-line scene takes, the whole process, as an editor that checks on every change would see
-# it. One run first, unmeasured, brings the files into memory.
+# What it costs to start: processor time, wall-clock time and peak memory of whole processes that do next to nothing. A scene of
+# ten lines is rendered at 4x3 pixels by isl as PNG and as EXR and by POV-Ray as PNG, and checked, as an editor would on every
+# change. Besides, how long isl takes to write a large picture. The programs run in turn; one run of each, unmeasured, brings the
+# files into memory.
 #
 #   bench/startup.sh [-n RUNS] [SCENE]
-#     -n  how often it runs (20)
+#     -n  how often each runs (20)
 set -u
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname -- "$0")/common.sh"
@@ -19,24 +21,73 @@ shift $((OPTIND - 1))
 whole_number -n "$runs" 1
 scene=${1:-$bench/scenes/ten_lines.pov}
 
-# row LABEL SERIES
-row() {
-  sort -g "$work/series.$2" | awk -v label="$1" -v median="$(median "$2")" '{ v[NR] = $1 * 1000 }
-    END { printf "  %-28s %8.2f  %8.2f  %8.2f\n", label, median * 1000, v[1], v[NR] }'
+programs=(png exr povray check version nothing)
+declare -A label=(
+  [png]="isl render, 4x3 as PNG" [exr]="isl render, 4x3 as EXR" [povray]="POV-Ray, 4x3 as PNG"
+  [check]="isl check" [version]="isl --version" [nothing]="/bin/true (what bash adds)"
+)
+if ! command -v povray >/dev/null; then
+  programs=(png exr check version nothing)
+  echo "without POV-Ray: it is not installed"
+fi
+
+# start PROGRAM WRAPPER…: runs one of them through the wrapper.
+start() {
+  local program=$1
+  shift
+  case $program in
+    png | exr) "$@" "$isl" render "$scene" -s 4x3 -q -o "$work/picture.$program" ;;
+    povray) "$@" povray "+I$scene" +W4 +H3 -A -D -GA "+O$work/povray.png" ;;
+    check) "$@" "$isl" check "$scene" ;;
+    version) "$@" "$isl" --version ;;
+    nothing) "$@" /bin/true ;;
+  esac
 }
 
-timed "$isl" check "$scene"
+# Kilobytes, by a run of its own: the tool that tells takes time itself.
+note_memory() {
+  [ -x /usr/bin/time ] || return 0
+  start "$1" /usr/bin/time -f %M -o "$work/memory" >/dev/null 2>&1 || fail "${label[$1]} failed"
+  note "memory.$1" "$(tail -n 1 "$work/memory")"
+}
+
+# row PROGRAM
+row() {
+  local ratio=- memory=-
+  [ ! -f "$work/series.cpu.povray" ] || ratio=$(awk -v a="$(median "cpu.$1")" -v b="$(median cpu.povray)" 'BEGIN { printf "%.2f", a / b }')
+  [ ! -f "$work/series.memory.$1" ] || memory=$(awk -v kb="$(median "memory.$1")" 'BEGIN { printf "%.1f", kb * 1.024e-3 }')
+  awk -v label="${label[$1]}" -v cpu="$(median "cpu.$1")" -v spread="$(spread "cpu.$1")" -v wall="$(median "wall.$1")" \
+    -v ratio="$ratio" -v memory="$memory" \
+    'BEGIN { printf "  %-27s %6.1f  %13s %9s %9.1f %9s\n", label, cpu * 1e3, spread, ratio, wall * 1e3, memory }'
+}
+
+# How long the large picture takes to be written, from the run's own statistics.
+note_write() {
+  timed "$isl" render "$bench/scenes/flake.pov" -D Levels=4 -s 1024x1024 --samples 1 -t "$threads" -q "${@:2}" \
+    -o "$work/flake.$1" --stats "$work/stats.json"
+  note "write.$1${*:2}" "$(stat_of write "$work/stats.json")"
+  size=$(stat -c %s "$work/flake.$1")
+}
+
+for program in "${programs[@]}"; do start "$program" timed; done
 for ((i = 0; i < runs; ++i)); do
-  timed "$isl" check "$scene"
-  note check "$seconds"
-  timed "$isl" --version
-  note version "$seconds"
-  timed /bin/true
-  note nothing "$seconds"
+  for program in "${programs[@]}"; do
+    start "$program" timed
+    note "cpu.$program" "$cpu"
+    note "wall.$program" "$seconds"
+    note_memory "$program"
+  done
 done
 
 machine
-printf '%s runs; milliseconds      %8s  %8s  %8s\n' "$runs" median least greatest
-row "isl check $(basename -- "$scene")" check
-row "isl --version" version
-row "/bin/true (what bash adds)" nothing
+printf 'medians of %-3s                processor ms, spread in s   ratio   wall ms   peak MB\n' "$runs"
+for program in "${programs[@]}"; do row "$program"; done
+
+echo "the flake, 1024x1024, 7,381 balls: time.write, and the file's size"
+for kind in "png" "png --bits 8" "exr"; do
+  read -ra words <<<"$kind"
+  for ((i = 0; i < (runs + 3) / 4; ++i)); do note_write "${words[@]}"; done
+  series="write.${words[0]}${words[*]:1}"
+  awk -v label="$kind" -v write="$(median "$series")" -v spread="$(spread "$series")" -v size="$size" \
+    'BEGIN { printf "  %-27s %6.1f  %13s %9.2f MB\n", label, write * 1e3, spread, size * 1e-6 }'
+done

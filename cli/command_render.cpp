@@ -23,6 +23,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isl::cli {
@@ -143,7 +144,9 @@ ExitCode run(const RenderCommand& command) {
   if (!complete) files = partial_names(files);
   const render::Image& image = picture.result.image;
   const Stopwatch writing;
-  OutputWriter writer(file_options(command, settings, session));
+  render::ImageFileOptions options = file_options(command, settings, session);
+  options.threads = picture.result.statistics.threads;
+  OutputWriter writer(std::move(options));
   for (const fs::path& file : files) writer.add(file, image);
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
     writer.add(layer.file, render::layer_picture(image, layer.layer));

@@ -19,6 +19,7 @@ class DisplayCodes {
   explicit DisplayCodes(int most);
 
   [[nodiscard]] std::uint32_t operator()(double linear) const {
+    if (!(linear > 0)) return 0;
     if (linear >= kFirst && linear < 1) {
       const double position = interpolated(linear) * most_ + 0.5;
       const auto code = static_cast<std::uint32_t>(position);

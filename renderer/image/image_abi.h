@@ -33,6 +33,7 @@ struct IslImage {
   int alpha_plane;  ///< number of the plane that is alpha, or −1. In sRGB files colour is not multiplied by it.
   int plane_count;
   const struct IslPlane* planes;
+  int threads;     ///< how many may work on it at the same time, at least 1
   int text_count;  ///< metadata
   const struct IslText* texts;
 };

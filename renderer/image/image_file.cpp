@@ -168,6 +168,7 @@ EncodedFile encode_image(const Image& image, std::string_view format, const Imag
   description.alpha_plane = with_alpha ? 3 : -1;
   description.plane_count = static_cast<int>(planes.planes().size());
   description.planes = planes.planes().data();
+  description.threads = options.threads;
   description.text_count = static_cast<int>(texts.size());
   description.texts = texts.data();
   return encode_by_module(description);

@@ -18,6 +18,7 @@ struct ImageFileOptions {
   bool exr_float = false;  ///< colour in 32 bits instead of 16; layers are always 32
   /// A channel of integer formats: 8 or 16; 0 is the most that the format holds. Without meaning for hdr and exr.
   int bits = 0;
+  int threads = 1;  ///< how many may work on it; the bytes are the same
 };
 
 /// The format that a file's name asks for, in lower case ("png"); "" if there is none that can be written.

@@ -1,14 +1,9 @@
-// The PNG module: planes → the bytes of a PNG file, by libpng. Knows nothing of scenes or rendering; see image_abi.h.
-//
-// Filters and level, measured on rendered pictures of 0.8 to 1 million pixels, 8 and 16 bits: choosing between `sub`
-// and `up` row by row gives files as small as choosing among all five filters (`paeth` and `average` hardly ever win on
-// pictures without grain) and takes half the time of the choice. zlib's level 4, its first with lazy matching, takes a
-// third to two thirds of the time of level 6; files grow by 1 to 8 %. libpng itself would take the strategy for
-// filtered data, which looks for no short repetitions and makes these files a tenth larger.
+// The PNG module: planes → the bytes of a PNG file, by libpng; the image data by png_data.h. Knows nothing of scenes or
+// rendering; see image_abi.h.
 #include "renderer/image/plugin_entry.h"
+#include "renderer/image/png_data.h"
 
 #include <png.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
@@ -20,16 +15,11 @@
 namespace isl::render {
 namespace {
 
-constexpr int kCompressionLevel = 4;
-constexpr int kStrategy = Z_DEFAULT_STRATEGY;
-constexpr int kFilters = PNG_FILTER_SUB | PNG_FILTER_UP;
-constexpr std::size_t kCompressionBuffer = std::size_t{1} << 16;  ///< largest chunk of compressed data
-
 /// Where libpng writes to, and what went wrong. libpng's own way out of an error is longjmp, which must not pass by an
 /// object with a destructor: all such objects live here, outside of the function that it leaves.
 struct Output {
   std::vector<unsigned char> bytes;
-  std::vector<unsigned char> row;
+  std::vector<std::vector<unsigned char>> data;  ///< the pixels, compressed
   std::vector<png_text> texts;
   char error[256] = "";
 };
@@ -68,24 +58,6 @@ png_text text_chunk(const IslText& text) {
   return chunk;
 }
 
-/// One row of all planes, channel beside channel, in PNG's order of bytes.
-void interleave(const IslImage& image, std::size_t y, std::vector<unsigned char>& row) {
-  const auto width = static_cast<std::size_t>(image.width), channels = static_cast<std::size_t>(image.plane_count);
-  for (std::size_t channel = 0; channel < channels; ++channel) {
-    if (image.planes[0].type == ISL_UINT8) {
-      const auto* const values = static_cast<const unsigned char*>(image.planes[channel].values) + y * width;
-      for (std::size_t x = 0; x < width; ++x) row[x * channels + channel] = values[x];
-    } else {
-      const auto* const values = static_cast<const unsigned short*>(image.planes[channel].values) + y * width;
-      for (std::size_t x = 0; x < width; ++x) {
-        unsigned char* const at = &row[2 * (x * channels + channel)];
-        at[0] = static_cast<unsigned char>(values[x] >> 8);
-        at[1] = static_cast<unsigned char>(values[x] & 0xFF);
-      }
-    }
-  }
-}
-
 /// Everything before the pixels.
 void write_header(png_structp png, png_infop info, const IslImage& image, const Output& output) {
   const int bits = image.planes[0].type == ISL_UINT8 ? 8 : 16;
@@ -97,10 +69,6 @@ void write_header(png_structp png, png_infop info, const IslImage& image, const 
   const png_time fixed_date{1970, 1, 1, 0, 0, 0};
   png_set_tIME(png, info, &fixed_date);
   png_set_text(png, info, output.texts.data(), static_cast<int>(output.texts.size()));
-  png_set_compression_level(png, kCompressionLevel);
-  png_set_compression_strategy(png, kStrategy);
-  png_set_compression_buffer_size(png, kCompressionBuffer);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilters);
   png_write_info(png, info);
 }
 
@@ -109,11 +77,11 @@ bool write_all(png_structp png, png_infop info, const IslImage& image, Output& o
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &output, on_bytes, on_flush);
   write_header(png, info, image, output);
-  for (int y = 0; y < image.height; ++y) {
-    interleave(image, static_cast<std::size_t>(y), output.row);
-    png_write_row(png, output.row.data());
+  for (const std::vector<unsigned char>& piece : output.data) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), piece.data(), piece.size());
   }
-  png_write_end(png, info);
+  // Not png_write_end, which looks for data that libpng compressed itself.
+  png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   return true;
 }
 
@@ -125,8 +93,7 @@ std::vector<unsigned char> encode_picture(const IslImage& image) {
     throw std::invalid_argument("no picture for PNG: it holds 3 or 4 planes of 8 or 16 bits");
   }
   Output output;
-  const std::size_t value_bytes = image.planes[0].type == ISL_UINT8 ? 1 : 2;
-  output.row.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.plane_count) * value_bytes);
+  output.data = png_data(image, std::max(1, image.threads));
   for (int i = 0; i < image.text_count; ++i) output.texts.push_back(text_chunk(image.texts[i]));
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, on_error, on_warning);
   if (png == nullptr) throw std::bad_alloc();

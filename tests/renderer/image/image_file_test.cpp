@@ -203,6 +203,20 @@ TEST(ImageFile, the_same_picture_is_the_same_bytes_at_any_time) {
   }
 }
 
+TEST(ImageFile, the_same_picture_is_the_same_bytes_with_any_number_of_threads) {
+  Image image;  // of several strips of compressed data
+  image.full_width = 700;
+  image.full_height = 500;
+  image.window = {0, 0, 700, 500};
+  for (std::size_t i = 0; i < 4 * image.window.area(); ++i) image.rgba.push_back(static_cast<double>(i % 1013) / 1013);
+  for (const char* format : {"png", "exr"}) {
+    const std::vector<unsigned char> one = encode_image(image, format, {}).bytes;
+    for (const int threads : {2, 5}) {
+      EXPECT_TRUE(encode_image(image, format, {.metadata = {}, .threads = threads}).bytes == one) << format;
+    }
+  }
+}
+
 TEST(ImageFile, knows_formats_by_the_name) {
   EXPECT_EQ(image_format_of("a/b.PNG"), "png");
   EXPECT_EQ(image_format_of("b.tiff"), "tif");

@@ -72,6 +72,16 @@ TEST(OiioAgreement, png_of_every_kind) {
 
 TEST(OiioAgreement, png_without_metadata) { expect_agreement(picture({0, 0, 5, 4}, 5, 4), "png", {}); }
 
+TEST(OiioAgreement, pictures_of_several_strips) {
+  for (const bool has_alpha : {false, true}) {
+    for (const int bits : {8, 16}) {
+      Image image = picture({0, 0, 601, 487}, 601, 487);
+      image.has_alpha = has_alpha;
+      expect_agreement(image, "png", {.metadata = kOptions.metadata, .bits = bits, .threads = 3});
+    }
+  }
+}
+
 TEST(OiioAgreement, a_very_wide_picture) {
   const Image image = picture({0, 0, 65536, 2}, 65536, 2);
   expect_agreement(image, "png", kOptions);
