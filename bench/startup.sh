@@ -61,12 +61,19 @@ row() {
     'BEGIN { printf "  %-27s %6.1f  %13s %9s %9.1f %9s\n", label, cpu * 1e3, spread, ratio, wall * 1e3, memory }'
 }
 
-# How long the large picture takes to be written, from the run's own statistics.
+# note_write SERIES FORMAT OPTION…: how long the large picture takes to be written, from the run's own statistics, and its size.
 note_write() {
-  timed "$isl" render "$bench/scenes/flake.pov" -D Levels=4 -s 1024x1024 --samples 1 -t "$threads" -q "${@:2}" \
-    -o "$work/flake.$1" --stats "$work/stats.json"
-  note "write.$1${*:2}" "$(stat_of write "$work/stats.json")"
-  size=$(stat -c %s "$work/flake.$1")
+  local series=$1 file=$work/flake.$2
+  timed "$isl" render "$bench/scenes/flake.pov" -D Levels=4 -s 1024x1024 --samples 1 -t "$threads" -q "${@:3}" \
+    -o "$file" --stats "$work/stats.json"
+  note "write.$series" "$(stat_of write "$work/stats.json")"
+  note "size.$series" "$(stat -c %s "$file")"
+}
+
+# write_row SERIES LABEL
+write_row() {
+  awk -v label="$2" -v write="$(median "write.$1")" -v spread="$(spread "write.$1")" -v size="$(median "size.$1")" \
+    'BEGIN { printf "  %-27s %6.1f  %13s %9.2f\n", label, write * 1e3, spread, size * 1e-6 }'
 }
 
 for program in "${programs[@]}"; do start "$program" timed; done
@@ -83,11 +90,12 @@ machine
 printf 'medians of %-3s                processor ms, spread in s   ratio   wall ms   peak MB\n' "$runs"
 for program in "${programs[@]}"; do row "$program"; done
 
-echo "the flake, 1024x1024, 7,381 balls: time.write, and the file's size"
-for kind in "png" "png --bits 8" "exr"; do
-  read -ra words <<<"$kind"
-  for ((i = 0; i < (runs + 3) / 4; ++i)); do note_write "${words[@]}"; done
-  series="write.${words[0]}${words[*]:1}"
-  awk -v label="$kind" -v write="$(median "$series")" -v spread="$(spread "$series")" -v size="$size" \
-    'BEGIN { printf "  %-27s %6.1f  %13s %9.2f MB\n", label, write * 1e3, spread, size * 1e-6 }'
+for ((i = 0; i < (runs + 3) / 4; ++i)); do
+  note_write png16 png
+  note_write png8 png --bits 8
+  note_write exr exr
 done
+printf 'the flake at 1024x1024, written   ms, spread in s        MB\n'
+write_row png16 "PNG, 16 bits a channel"
+write_row png8 "PNG, 8 bits a channel"
+write_row exr "EXR"
