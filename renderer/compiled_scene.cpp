@@ -1,6 +1,8 @@
 #include "renderer/compiled_scene.h"
 
 #include "renderer/csg/csg_builder.h"
+#include "renderer/csg/face.h"
+#include "renderer/csg/shape_size.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/instance_grid.h"
 
@@ -40,9 +42,17 @@ class Flattener {
       return;
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
-    compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind, own.no_shadow, is_placed,
-                                   own.is_inverse && !is_csg, is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape, own.texture, own.texture_space,
-                                   own.world_from_parent, object.origin});
+    compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind,
+                                   own.no_shadow,
+                                   is_placed,
+                                   own.is_inverse && !is_csg,
+                                   is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,
+                                   own.texture,
+                                   own.texture_space,
+                                   own.world_from_parent,
+                                   object.origin,
+                                   0,
+                                   {}});
   }
 
   void finish() { compiled_.trees = csg_.take_trees(); }
@@ -52,6 +62,16 @@ class Flattener {
   CompiledScene& compiled_;
   CsgBuilder csg_;
 };
+
+void set_spread(const scene::Database& database, const CompiledScene& compiled, Instance& instance) {
+  switch (instance.kind) {
+    case scene::Object::Kind::group: instance.spread = compiled.trees[instance.shape].spread; break;
+    case scene::Object::Kind::blob: instance.size = compiled.blobs[instance.shape].size; break;
+    case scene::Object::Kind::solid: instance.size = shape_size(database, instance.kind, instance.shape); break;
+  }
+  if (instance.kind != scene::Object::Kind::group) instance.spread = spread_of_shape(instance.size);
+  if (instance.is_placed) instance.spread = spread_through(instance.world_from_object, instance.spread);
+}
 
 }  // namespace
 
@@ -84,9 +104,11 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   compiled.blobs.resize(database.blobs.size());
   for (std::size_t i = 0; i < database.blobs.size(); ++i) {
     if (!is_used[i]) continue;
+    compiled.blobs[i].size = shape_size(database, scene::Object::Kind::blob, static_cast<std::uint32_t>(i));
     compiled.blobs[i].components = compile_components(database, database.blobs[i], options.skeleton);
     compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells);
   }
+  for (Instance& instance : compiled.instances) set_spread(database, compiled, instance);
   build_instance_grid(compiled);
   return compiled;
 }

@@ -20,6 +20,7 @@ struct CompiledBlob {
   ComponentTable components;
   Grid grid;
   PaperTables paper;  ///< empty but for the published solver
+  double size = 0;    ///< the largest coordinate that its surface is computed from
 
   /// Of all that it has, in its own space; infinite where it has half-spaces, empty where it has no surface.
   [[nodiscard]] Box bounds() const {
@@ -39,6 +40,8 @@ struct Instance {
   TextureSpace texture_space;
   scene::Transform world_from_object;
   OriginId origin;
+  double size = 0;  ///< of a solid or blob: the largest coordinate in its own space that its surface is computed from
+  Spread spread;    ///< in the world
 };
 
 struct CompiledScene {

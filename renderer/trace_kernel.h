@@ -10,6 +10,7 @@
 #include "renderer/tracer.h"
 
 #include <span>
+#include <vector>
 
 namespace isl::render {
 
@@ -37,6 +38,7 @@ struct TraceMemory {
   PacketMemory packet;
   PaperMemory paper;
   CsgMemory csg;
+  BlobPoint point;
 };
 
 /// What rays are traced by.

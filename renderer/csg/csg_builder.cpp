@@ -1,5 +1,7 @@
 #include "renderer/csg/csg_builder.h"
 
+#include "renderer/csg/face.h"
+#include "renderer/csg/shape_size.h"
 #include "renderer/extents/solid_support.h"
 #include "renderer/solids/solid.h"
 
@@ -37,31 +39,6 @@ Box widened(Box box) {
     box.max[i] += margin;
   }
   return box;
-}
-
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// The largest coordinate of the numbers that describe a solid.
-double size_of(const scene::Database& database, const scene::Solid& solid) {
-  double size = std::max({largest(solid.a), largest(solid.b), std::abs(solid.radius_a), std::abs(solid.radius_b)});
-  if (scene::is_triangle(solid.kind)) {
-    for (const Vec3& corner : database.triangles[solid.detail].corners) size = std::max(size, largest(corner));
-  } else if (solid.kind == SolidKind::polygon) {
-    for (const Vec3& point : database.polygons[solid.detail].points) size = std::max(size, largest(point));
-  } else if (scene::is_polynomial(solid.kind)) {
-    size = prepare(database.polynomials[solid.detail]).reach;
-  } else if (solid.kind == SolidKind::superellipsoid) {
-    size = 1;
-  }
-  return size;
-}
-
-double size_of(const scene::Blob& blob) {
-  double size = 0;
-  for (const scene::Component& c : blob.components) {
-    size = std::max({size, largest(c.a), largest(c.b), std::abs(c.radius_a), std::abs(c.radius_b)});
-  }
-  return size;
 }
 
 }  // namespace
@@ -176,14 +153,10 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   if (leaf.texture == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));
-  leaf.size = object.kind == Object::Kind::solid ? size_of(database_, database_.solids[object.shape])
-                                                 : size_of(database_.blobs[object.shape]);
-  if (leaf.is_placed) {
-    const scene::Matrix& m = leaf.group_from_leaf.inverse;
-    leaf.stretch = std::max({largest({m[0][0], m[0][1], m[0][2]}), largest({m[1][0], m[1][1], m[1][2]}),
-                             largest({m[2][0], m[2][1], m[2][2]})});
-    leaf.size += largest({m[3][0], m[3][1], m[3][2]});
-  }
+  leaf.size = shape_size(database_, leaf.kind, leaf.shape);
+  Spread spread = spread_of_shape(leaf.size);
+  if (leaf.is_placed) spread = spread_through(leaf.group_from_leaf, spread);
+  tree.spread = {std::max(tree.spread.factor, spread.factor), std::max(tree.spread.size, spread.size)};
   tree.leaves.push_back(leaf);
 }
 

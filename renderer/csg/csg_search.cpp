@@ -2,16 +2,14 @@
 // crossings in order is the object (Roth 1982, Ray Casting for Modeling Solids, with states for intervals). A touch is
 // no crossing and a leaf that is missed by rounding is missed on both sides, so nothing can leak.
 //
-// Crossings of different leaves closer than their rounding are taken together, as if at one place: faces that coincide
-// leave nothing standing and nothing open between them. The rounding of a crossing is that of a position across the
-// surface, along the ray. A position is a sum of products: the world's origin through the group's map and the leaf's,
-// the ray's step, and the numbers that describe the surface; some 30 roundings of 2⁻⁵³ of the largest of these, hence
-//   δt = 2⁻⁴⁷ (largest coordinate + t |d|) / |n·d|.
-// Where the ray grazes, with |n·d| < 2⁻²⁴ |d|, no surface that bends is known any better: the quotient ends there.
+// Crossings of different leaves closer than their rounding (face.h) are taken together, as if at one place: faces that
+// coincide leave nothing standing and nothing open between them.
 //
-// A ray that starts on a leaf knows its root and deflates it. Whatever other leaves cross there within their rounding,
-// and that of the start itself, which came a way of path_length, the ray has crossed too: it was one event when it was
-// hit.
+// A ray that starts on a leaf knows its root and deflates it. Whatever faces of other leaves pass through the start,
+// within their rounding and that of the surface it lies on, the ray has crossed too: it was one event when it was hit.
+// So has it whatever the same leaf has before such a face, as where the ray comes in through one side of a box just
+// below the face it starts in and leaves through that face: until then it is no deeper than the rounding. Only the
+// state behind counts.
 //
 // Solids are asked for all crossings at once; a blob for one at a time, only as far as the ray goes, each search
 // starting on the root before.
@@ -24,9 +22,6 @@
 
 namespace isl::render {
 namespace {
-
-constexpr double kRounding = 0x1p-47;
-constexpr double kGrazing = 0x1p-24;
 
 bool is_later(const CsgEvent& a, const CsgEvent& b) { return a.t > b.t || (a.t == b.t && a.leaf > b.leaf); }
 
@@ -47,9 +42,9 @@ bool meets(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, d
 
 class CsgSearch {
  public:
-  CsgSearch(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, const BlobSearch& blobs,
-            CsgMemory& memory)
-      : scene_(scene), tree_(tree), ray_(ray), blobs_(blobs), memory_(memory) {}
+  CsgSearch(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
+            const BlobSearch& blobs, CsgMemory& memory)
+      : scene_(scene), tree_(tree), ray_(ray), faces_(faces), blobs_(blobs), memory_(memory) {}
 
   CsgHit first_hit() {
     CsgState& state = memory_.state;
@@ -82,35 +77,31 @@ class CsgSearch {
     return {leaf.group_from_leaf.inverse_point(ray_.origin), leaf.group_from_leaf.inverse_vector(ray_.direction)};
   }
 
-  /// δt of the head comment, in the leaf's space. `slope` is |n·d|, or |d| where it is not known.
-  [[nodiscard]] double rounding(const CsgLeaf& leaf, const Vec3& direction, double t, double slope) const {
-    const double length = direction.length();
-    const double size = ray_.reach * leaf.stretch + leaf.size + t * length;
-    return kRounding * size / std::max(slope, kGrazing * length);
+  /// The face that the ray meets in an event, where the ray is at t.
+  [[nodiscard]] Face face_at(const CsgEvent& event, double t) const {
+    const Vec3 reach = reach_at(faces_.reach_in(ray_.instance, *ray_.world), ray_.direction, event.t);
+    return face_of(scene_, tree_.leaves[event.leaf], {event.part, event.cell}, ray_.origin + ray_.direction * t, reach,
+                   faces_.gradient());
   }
-
-  /// `event` counts in the leaf's space.
+  /// The rounding of t.
   [[nodiscard]] double rounding_at(const CsgEvent& event) const {
-    const CsgLeaf& leaf = tree_.leaves[event.leaf];
-    const LocalRay ray = local(leaf);
-    double slope = ray.direction.length();
-    if (leaf.kind == scene::Object::Kind::solid && event.part != kUnseen) {
-      const Vec3 point = ray.origin + ray.direction * event.t;
-      slope = std::abs(normal_at(scene_.solids[leaf.shape], event.part, point, scene_.details).dot(ray.direction));
-    }
-    return rounding(leaf, ray.direction, event.t, slope);
+    return face_at(event, event.t).along(ray_.direction);
   }
+  /// It is no greater than this.
+  [[nodiscard]] double most_rounding_at(double t) const { return faces_.nearness(ray_.instance, *ray_.world, t); }
 
-  [[nodiscard]] double most_rounding_at(const CsgEvent& event) const {
-    const CsgLeaf& leaf = tree_.leaves[event.leaf];
-    return rounding(leaf, local(leaf).direction, event.t, 0);
+  /// Whether a crossing may be one of is_at_start(); as little as the answer costs.
+  [[nodiscard]] bool is_near_start(const CsgEvent& event) const {
+    return ray_.world->start.instance != scene::kNone && event.leaf != ray_.start_leaf &&
+           event.t <= most_rounding_at(event.t);
   }
-
-  /// Whether a crossing belongs to the surface that the ray starts on.
+  /// Whether the ray starts on the face that it crosses there: from the start to the crossing it stays within the
+  /// rounding.
   [[nodiscard]] bool is_at_start(const CsgEvent& event) const {
-    if (!(event.t > 0)) return true;
-    if (ray_.start_leaf == scene::kNone || event.leaf == ray_.start_leaf) return false;
-    return event.t <= most_rounding_at(event) && event.t <= rounding_at(event);
+    if (!is_near_start(event)) return false;
+    const Face face = face_at(event, event.t);
+    if (event.t * face.slope(ray_.direction) > face.rounding) return false;
+    return event.t * face_at(event, 0).slope(ray_.direction) <= face.rounding;
   }
 
   void enter_solid(std::uint32_t index, bool is_start) {
@@ -118,12 +109,19 @@ class CsgSearch {
     const LocalRay ray = local(leaf);
     const Crossings found = boundary(scene_.solids[leaf.shape], ray.origin, ray.direction,
                                      is_start ? ray_.start_part : kNoPart, scene_.details);
+    const auto count = static_cast<std::size_t>(found.count);
+    const auto event = [&](std::size_t i) { return CsgEvent{found.t[i], index, scene::kNone, found.part[i]}; };
+    std::size_t first = 0;
+    while (first < count && !(found.t[first] > 0)) ++first;
+    if (first < count && is_near_start(event(first))) {
+      for (std::size_t i = count; i > first; --i) {
+        if (is_at_start(event(i - 1))) first = i;
+      }
+    }
     bool is_inside = found.ends_inside;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
-      const CsgEvent event{found.t[i], index, scene::kNone, found.part[i]};
-      if (is_at_start(event)) continue;
+    for (std::size_t i = first; i < count; ++i) {
       is_inside = !is_inside;
-      if (event.t < ray_.t_max) memory_.events.push_back(event);
+      if (found.t[i] < ray_.t_max) memory_.events.push_back(event(i));
     }
     if (is_inside && !leaf.is_sheet) memory_.state.toggle(index);
   }
@@ -147,7 +145,7 @@ class CsgSearch {
     BlobHit hit = next_of_blob(index, 0, is_start);
     bool is_inside = hit.from_inside;
     CsgEvent event{hit.t, index, hit.cell, 0};
-    if (!hit.is_miss() && is_at_start(event)) {
+    if (!hit.is_miss() && (!(event.t > 0) || is_at_start(event))) {
       is_inside = !is_inside;
       hit = next_of_blob(index, event.t, true);
       event = {hit.t, index, hit.cell, 0};
@@ -179,7 +177,7 @@ class CsgSearch {
 
   [[nodiscard]] bool coincide(const CsgEvent& a, const CsgEvent& b) const {
     const double apart = b.t - a.t;
-    if (apart > most_rounding_at(a) + most_rounding_at(b)) return false;
+    if (apart > 2 * most_rounding_at(b.t)) return false;
     return apart <= rounding_at(a) + rounding_at(b);
   }
 
@@ -245,16 +243,17 @@ class CsgSearch {
   const CompiledScene& scene_;
   const CsgTree& tree_;
   const CsgRay& ray_;
+  RayFaces& faces_;
   const BlobSearch& blobs_;
   CsgMemory& memory_;
 };
 
 }  // namespace
 
-CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, const BlobSearch& blobs,
-                     CsgMemory& memory) {
+CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
+                     const BlobSearch& blobs, CsgMemory& memory) {
   if (!meets(tree.bounds, ray.origin, ray.direction, ray.t_max)) return {};
-  return CsgSearch(scene, tree, ray, blobs, memory).first_hit();
+  return CsgSearch(scene, tree, ray, faces, blobs, memory).first_hit();
 }
 
 }  // namespace isl::render

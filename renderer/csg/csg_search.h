@@ -3,6 +3,7 @@
 
 #include "renderer/compiled_scene.h"
 #include "renderer/csg/csg_state.h"
+#include "renderer/csg/ray_faces.h"
 #include "renderer/solvers/blob_ray.h"
 
 #include <cstdint>
@@ -15,11 +16,11 @@ namespace isl::render {
 struct CsgRay {
   Vec3 origin, direction;
   double t_max = std::numeric_limits<double>::infinity();
-  std::uint32_t start_leaf = scene::kNone;  ///< whose surface the ray starts on
+  std::uint32_t start_leaf = scene::kNone;  ///< whose surface the ray starts on, of this tree
   std::uint8_t start_part = 0;              ///< which of its surfaces
   double path_length = 0;                   ///< before t = 0, in world units
-  /// The largest of the terms that the origin was computed from: where it starts on a surface, the path before it too.
-  double reach = 0;
+  InstanceId instance = scene::kNone;       ///< that the tree is met as
+  const Ray* world = nullptr;               ///< the ray in the world
 };
 
 struct CsgHit {
@@ -54,7 +55,7 @@ struct CsgMemory {
   std::vector<std::uint8_t> shown;
 };
 
-[[nodiscard]] CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray,
+[[nodiscard]] CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
                                    const BlobSearch& blobs, CsgMemory& memory);
 
 }  // namespace isl::render

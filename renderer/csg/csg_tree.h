@@ -20,6 +20,14 @@ namespace isl::render {
 using TextureSpace = std::uint32_t;
 inline constexpr TextureSpace kOwnSpace = 0xFFFFFFFF, kOuterSpace = 0xFFFFFFFE;
 
+/// No face of a shape is rounded by more than kRounding (csg/face.h) times at(the largest coordinate of a point's
+/// reach).
+struct Spread {
+  double factor = 1, size = 0;
+
+  [[nodiscard]] double at(double reach) const { return factor * reach + size; }
+};
+
 struct CsgNode {
   /// `unite` differs from `merge` by the surfaces inside, which stay.
   enum class Kind : std::uint8_t { all, unite, merge };
@@ -47,8 +55,7 @@ struct CsgLeaf {
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
   Imath::Box3d box;    ///< in the group's space; outside it the leaf is outside. Sides may be infinite
-  double stretch = 1;  ///< the largest factor of the map into its own space
-  double size = 0;     ///< the largest coordinate there that its surface is computed from, the map's offset included
+  double size = 0;     ///< the largest coordinate in its own space that its surface is computed from
 };
 
 struct CsgTree {
@@ -58,6 +65,7 @@ struct CsgTree {
   /// For every node, how many children hold where no leaf is inside.
   std::vector<std::uint32_t> holding_at_rest;
   Imath::Box3d bounds;  ///< of the surface; sides may be infinite
+  Spread spread;        ///< of every leaf
 
   [[nodiscard]] std::size_t bytes() const {
     return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +

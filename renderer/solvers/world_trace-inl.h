@@ -1,5 +1,8 @@
-// One ray against everything: half-spaces, then the top-level grid's instances in order of the cells they stand in, each in
-// its own space. t is the same in all spaces, since directions are transformed and not normalised again.
+// One ray against everything: half-spaces, then the top-level grid's instances in order of the cells they stand in,
+// each in its own space. t is the same in all spaces, since directions are transformed and not normalised again.
+//
+// What coincides is told apart by csg/ray_faces.h: it is asked only about crossings close to the start or to one
+// another.
 #if defined(ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
 #undef ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
@@ -7,8 +10,10 @@
 #define ISL_RENDERER_SOLVERS_WORLD_TRACE_INL_H_
 #endif
 
-#include "renderer/solids/solid.h"
+#include "renderer/csg/ray_faces.h"
+#include "renderer/fields/blob_point-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
+#include "renderer/solids/solid.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/trace_kernel.h"
 
@@ -27,7 +32,7 @@ template <class Search>
 class WorldTrace {
  public:
   WorldTrace(const CompiledScene& scene, const SolverSettings& settings, TraceMemory& memory, TraceCounters& counters)
-      : scene_(scene), settings_(settings), memory_(memory), counters_(counters) {}
+      : scene_(scene), settings_(settings), memory_(memory), counters_(counters), faces_(scene, blob_gradient()) {}
 
   /// With `any`, the first thing found that throws a shadow ends the search, and only whether there is one is told.
   [[nodiscard]] Hit trace(const Ray& ray, bool any) {
@@ -51,7 +56,7 @@ class WorldTrace {
         recent_.fill(scene::kNone);
         walk(grid, ray.origin, ray.direction, span.enter, span.leave,
              [&](std::uint32_t, const Cell& cell, double t0, double) HWY_ATTR {
-               if (t0 > best.t) return true;
+               if (t0 > best.t && t0 > last_that_counts(ray, best)) return true;
                for (std::uint32_t i = 0; i < cell.count(); ++i) {
                  const std::uint32_t instance = grid.items[cell.first + i];
                  std::uint32_t& recent = recent_[instance % recent_.size()];
@@ -64,6 +69,10 @@ class WorldTrace {
       }
     }
     if (best.is_miss()) best.t = std::numeric_limits<double>::infinity();
+    if (faces_.has_kept()) {
+      best = faces_.first_declared(ray, best);
+      faces_.forget();
+    }
     return best;
   }
 
@@ -87,6 +96,9 @@ class WorldTrace {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
     }
+    if (!faces_.has_kept()) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = faces_.first_declared(rays[i], hits[i]);
+    faces_.forget();
   }
 
  private:
@@ -111,31 +123,63 @@ class WorldTrace {
     } else if (!(any && instance.no_shadow)) {
       BlobRay blob_rays[kPacket];
       BlobHit blob_hits[kPacket];
-      for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i].t);
+      for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
       Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) != 0 && improves(index, blob_hits[i], any, hits[i])) met |= 1u << i;
+        if ((open >> i & 1) == 0 || blob_hits[i].is_miss()) continue;
+        if (take_blob(index, rays[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
       }
     }
     return any ? open & ~met : open;
   }
 
   /// The ray in the space of an instance that is a blob.
-  [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, double t_max) const {
+  [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
     const Instance& instance = scene_.instances[index];
     Vec3 origin = ray.origin, direction = ray.direction;
     if (instance.is_placed) {
       origin = instance.world_from_object.inverse_point(origin);
       direction = instance.world_from_object.inverse_vector(direction);
     }
-    return {origin, direction, t_max, ray.start.instance == index, any, ray.path_length};
+    return {origin, direction, farthest(index, ray, any, best), ray.start.instance == index, any, ray.path_length};
   }
 
-  /// Whether the blob is met before `best`, which then is the new hit. With `any`, t is rough and within t_max.
-  [[nodiscard]] bool improves(std::uint32_t index, const BlobHit& hit, bool any, Hit& best) const {
-    if (hit.is_miss() || !(any || hit.t < best.t)) return false;
-    best = {hit.t, index, hit.cell, 0, hit.from_inside != scene_.instances[index].is_inverse, scene::kNone};
-    return true;
+  /// How far an instance's hit can matter: behind the nearest, if it may coincide with it and was declared before.
+  [[nodiscard]] double farthest(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
+    if (any || best.is_miss() || best.instance < index) return best.t;
+    return best.t + faces_.nearness(best.instance, ray, best.t) + faces_.nearness(index, ray, best.t);
+  }
+
+  /// Takes what was found of a blob, which is no miss; whether that is the nearest. With `any`, its t is rough and
+  /// within t_max.
+  bool take_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray, BlobHit hit, Hit& best) {
+    const bool from_elsewhere = ray.start.instance != scene::kNone && ray.start.instance != index;
+    if (from_elsewhere && starts_on_blob(index, ray, blob_ray, hit)) {
+      BlobRay beyond = blob_ray;
+      beyond.starts_on_surface = true;
+      beyond.may_go_in = true;
+      hit = first_hit(scene_.blobs[scene_.instances[index].shape], beyond);
+      if (hit.is_miss()) return false;
+    }
+    const bool from_inside = hit.from_inside != scene_.instances[index].is_inverse;
+    return offer(ray, {hit.t, index, hit.cell, 0, from_inside, scene::kNone}, blob_ray.any, best);
+  }
+
+  /// Whether the ray's first crossing of a blob is a face that it starts on.
+  [[nodiscard]] HWY_NOINLINE bool starts_on_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray,
+                                                 BlobHit hit) {
+    const CompiledBlob& blob = scene_.blobs[scene_.instances[index].shape];
+    if (!blob.grid.box.intersects(blob_ray.origin) && blob.grid.beyond == scene::kNone) return false;
+    const double nearest = 2 * faces_.nearness(index, ray, 0);
+    if (blob_ray.any) {
+      // Its t is rough: the crossing is searched for where it matters.
+      BlobRay near = blob_ray;
+      near.any = false;
+      near.t_max = std::min(near.t_max, nearest);
+      hit = first_hit(blob, near);
+    }
+    return !hit.is_miss() && hit.t <= nearest &&
+           faces_.is_at_start(ray, {hit.t, index, hit.cell, 0, false, scene::kNone});
   }
 
   /// Whether the instance is met before `best`, which then is the new hit.
@@ -143,8 +187,9 @@ class WorldTrace {
     const Instance& instance = scene_.instances[index];
     if (any && instance.no_shadow) return false;
     if (instance.kind == scene::Object::Kind::blob) {
-      const BlobHit hit = first_hit(scene_.blobs[instance.shape], in_blob(index, ray, any, best.t));
-      return improves(index, hit, any, best);
+      const BlobRay blob_ray = in_blob(index, ray, any, best);
+      const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
+      return !hit.is_miss() && take_blob(index, ray, blob_ray, hit, best);
     }
     Vec3 origin = ray.origin, direction = ray.direction;
     if (instance.is_placed) {
@@ -153,46 +198,68 @@ class WorldTrace {
     }
     const bool starts_here = ray.start.instance == index;
     if (instance.kind == scene::Object::Kind::group) {
-      return meet_csg(index, {origin, direction, best.t, starts_here ? ray.start.leaf : scene::kNone, ray.start.part,
-                              ray.path_length, reach_of(instance, ray, starts_here)},
+      return meet_csg(index, ray, any,
+                      {origin, direction, farthest(index, ray, any, best), starts_here ? ray.start.leaf : scene::kNone,
+                       ray.start.part, ray.path_length, index, &ray},
                       best);
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
     const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart, scene_.details);
-    for (int i = 0; i < found.count; ++i) {
-      const double t = found.t[static_cast<std::size_t>(i)];
-      if (!(t > 0)) continue;
-      if (!(t < best.t)) return false;
-      const std::uint8_t part = found.part[static_cast<std::size_t>(i)];
-      const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
-      best = {t, index, scene::kNone, part, from_inside, scene::kNone};
-      return true;
+    const auto count = static_cast<std::size_t>(found.count);
+    std::size_t first = 0;
+    while (first < count && !(found.t[first] > 0)) ++first;
+    if (first == count) return false;
+    if (ray.start.instance != scene::kNone && !starts_here &&
+        found.t[first] <= faces_.nearness(index, ray, found.t[first])) {
+      first = faces_.pass_start(index, ray, found, first);
+      if (first == count) return false;
     }
-    return false;
+    const double t = found.t[first];
+    const std::uint8_t part = found.part[first];
+    if (!(t < best.t) && !(t < farthest(index, ray, any, best))) return false;
+    const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
+    return offer(ray, {t, index, scene::kNone, part, from_inside, scene::kNone}, any, best);
   }
 
-  bool meet_csg(std::uint32_t index, const CsgRay& ray, Hit& best) {
+  bool meet_csg(std::uint32_t index, const Ray& ray, bool any, const CsgRay& csg_ray, Hit& best) {
     const Instance& instance = scene_.instances[index];
     const BlobSearch blobs{this, [](void* self, std::uint32_t blob, const BlobRay& blob_ray) {
                              auto& world = *static_cast<WorldTrace*>(self);
                              return world.first_hit(world.scene_.blobs[blob], blob_ray);
                            }};
-    const CsgHit hit = first_csg_hit(scene_, scene_.trees[instance.shape], ray, blobs, memory_.csg);
+    const CsgHit hit = first_csg_hit(scene_, scene_.trees[instance.shape], csg_ray, faces_, blobs, memory_.csg);
     if (hit.is_miss()) return false;
-    best = {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf};
-    return true;
+    return offer(ray, {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf}, any, best);
   }
 
-  /// How large the numbers were that a ray's origin in an instance's space was computed from. A start on a surface was found
-  /// at the end of a path.
-  [[nodiscard]] static double reach_of(const Instance& instance, const Ray& ray, bool starts_here) {
-    const auto largest = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    const double reach = largest(ray.origin) + (starts_here ? ray.path_length : 0);
-    if (!instance.is_placed) return reach;
-    const scene::Matrix& m = instance.world_from_object.inverse;
-    const double stretch = std::max({largest({m[0][0], m[0][1], m[0][2]}), largest({m[1][0], m[1][1], m[1][2]}),
-                                     largest({m[2][0], m[2][1], m[2][2]})});
-    return reach * stretch + largest({m[3][0], m[3][1], m[3][2]});
+  /// Makes a hit the best if it is the nearest. Of two the farther one is kept if it was declared before and may
+  /// coincide.
+  bool offer(const Ray& ray, const Hit& hit, bool any, Hit& best) {
+    if (any) {
+      best = hit;
+      return true;
+    }
+    const bool is_nearer = hit.t < best.t;
+    if (!best.is_miss() && (hit.instance < best.instance) != is_nearer) {
+      faces_.keep_if_near(ray, is_nearer ? hit : best, is_nearer ? best : hit);
+    }
+    if (is_nearer) best = hit;
+    return is_nearer;
+  }
+
+  /// Up to here a hit behind one that is nearer must be looked at.
+  [[nodiscard]] double last_that_counts(const Ray& ray, const Hit& best) const {
+    return best.is_miss() ? best.t : best.t + 2 * faces_.nearness(best.instance, ray, best.t);
+  }
+
+  [[nodiscard]] BlobGradient blob_gradient() {
+    return {this, [](void* self, std::uint32_t blob, std::uint32_t cell, const Vec3& point) {
+              auto& world = *static_cast<WorldTrace*>(self);
+              if (is_published(world.settings_.name)) return Vec3(0);
+              const ShareRule rule{&world.scene_.coordinate_textures, scene::kNoTexture};
+              blob_point(world.scene_.blobs[blob], cell, point, rule, world.memory_.point);
+              return world.memory_.point.gradient;
+            }};
   }
 
   [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const Vec3& direction) const {
@@ -208,6 +275,7 @@ class WorldTrace {
   TraceMemory& memory_;
   TraceCounters& counters_;
   std::array<std::uint32_t, 16> recent_;  ///< a mailbox: what the ray has met in the cells behind it
+  RayFaces faces_;
 };
 
 }  // namespace HWY_NAMESPACE
