@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "renderer/compiled_scene.h"
 #include "renderer/csg/cutaway.h"
+#include "renderer/csg/face.h"
 #include "renderer/grid/grid_json.h"
 #include "renderer/rival_kernel.h"
 #include "renderer/solids/solid.h"
@@ -142,6 +143,19 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   const double length = normal.length();
   // A gradient of zero on the surface (a saddle exactly at the threshold) has no normal; facing the ray is as good as any.
   point.normal = length > 0 ? normal / length : -ray.direction;
+}
+
+Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const {
+  const BlobGradient gradient{impl_.get(),
+                              [](void* context, std::uint32_t blob, std::uint32_t cell, const Vec3& place) {
+                                const auto& self = *static_cast<Impl*>(context);
+                                if (is_published(self.settings.name)) return Vec3(0);
+                                BlobPoint& found = thread_blob_point();
+                                const ShareRule rule{&self.scene.coordinate_textures, scene::kNoTexture};
+                                self.kernel->blob_point(self.scene.blobs[blob], cell, place, rule, found);
+                                return found.gradient;
+                              }};
+  return face_of(impl_->scene, hit, point, reach, gradient);
 }
 
 std::size_t Tracer::grid_bytes() const { return impl_->scene.grid_bytes(); }

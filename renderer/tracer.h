@@ -16,6 +16,8 @@ namespace isl::render {
 
 using scene::Vec3;
 
+struct Face;  // csg/face.h
+
 /// Number of an instance: one placed solid or blob of the flattened scene. scene::kNone is "none".
 using InstanceId = std::uint32_t;
 
@@ -140,6 +142,10 @@ class Tracer {
     TraceCounters unread;
     surface_at(ray, hit, point, unread);
   }
+
+  /// The face that was hit, at a point of the surface or near it, and how far rounding may have moved it. `reach` is
+  /// the point's (csg/face.h).
+  [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const;
 
   /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
   [[nodiscard]] static bool has_simd_target(const std::string& name);

@@ -1,10 +1,9 @@
 #include "renderer/queries/object_queries.h"
 
 #include "renderer/queries/inside.h"
+#include "renderer/queries/next_surface.h"
 #include "renderer/queries/subset.h"
 #include "renderer/tracer.h"
-
-#include <span>
 
 namespace isl::render {
 
@@ -37,18 +36,10 @@ const Tracer& ObjectQueries::tracer_of(const scene::Database& database, const sc
 std::optional<scene::TracedPoint> ObjectQueries::trace(const scene::Database& database, const scene::Object& object,
                                                        const Vec3& origin, const Vec3& direction) {
   const Tracer& tracer = tracer_of(database, object);
-  Ray ray;
-  ray.origin = object.parent_from_object.inverse_point(origin);
-  ray.direction = object.parent_from_object.inverse_vector(direction);
-  const double length = ray.direction.length();
-  if (!(length > 0)) return std::nullopt;
-  ray.direction /= length;
-  Hit hit;
-  TraceCounters counters;
-  tracer.first_hits(std::span(&ray, 1), std::span(&hit, 1), counters);
-  if (hit.is_miss()) return std::nullopt;
+  const std::optional<NextSurface> next = next_surface(tracer, object.parent_from_object, origin, direction);
+  if (!next) return std::nullopt;
   SurfacePoint point;
-  tracer.surface_at(ray, hit, point);
+  tracer.surface_at(next->ray, next->hit, point);
   return scene::TracedPoint{object.parent_from_object.point(point.position),
                             object.parent_from_object.normal(point.normal).normalized()};
 }

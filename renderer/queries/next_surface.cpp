@@ -1,0 +1,129 @@
+#include "renderer/queries/next_surface.h"
+
+#include "renderer/csg/face.h"
+
+#include <span>
+
+namespace isl::render {
+namespace {
+
+constexpr double kStart = 4, kLeast = 16;
+
+class Walk {
+ public:
+  Walk(const Tracer& tracer, const scene::Transform& parent_from_object, const Vec3& origin, const Vec3& direction)
+      : tracer_(tracer), place_(parent_from_object), start_(origin) {
+    ray_.origin = origin;
+    ray_.direction = direction;
+  }
+
+  std::optional<NextSurface> next() {
+    while (true) {
+      const Hit hit = hit_of(ray_);
+      if (hit.is_miss()) return std::nullopt;
+      const Vec3 point = point_of(ray_, hit);
+      const Face face = face_at(hit, point);
+      const double size = face.rounding / kRounding;
+      if (is_start(hit, point, face)) {
+        ray_ = beyond(ray_, hit);
+      } else if (hit.t > 2 * size && taken_up_ < kMostTakingUp) {
+        take_up_at(point - ray_.direction * size);
+      } else if (const std::optional<NextSurface> back = way_back(hit, point, face)) {
+        ray_ = beyond(back->ray, back->hit);
+      } else {
+        return NextSurface{ray_, hit};
+      }
+    }
+  }
+
+ private:
+  /// Taking up a ray again makes its coordinates about as small as those of the hit, which takes one turn, or two; a
+  /// surface through the origin is approached by 2⁻⁵⁰ each time, until it is reached.
+  static constexpr int kMostTakingUp = 32;
+
+  [[nodiscard]] Hit hit_of(const Ray& ray) const {
+    Hit hit;
+    TraceCounters unread;
+    tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), unread);
+    return hit;
+  }
+  [[nodiscard]] static Vec3 point_of(const Ray& ray, const Hit& hit) { return ray.origin + ray.direction * hit.t; }
+
+  /// The ray that goes on from a hit.
+  [[nodiscard]] static Ray beyond(const Ray& ray, const Hit& hit) {
+    Ray result = ray;
+    result.origin = point_of(ray, hit);
+    result.path_length += hit.t;
+    result.start = hit.start();
+    return result;
+  }
+
+  /// Of a point that is given by its coordinates around the object, as users have it.
+  [[nodiscard]] Vec3 reach_of(const Vec3& point) const {
+    return reach_through(place_.inverse, reach_at(Vec3(0), place_.point(point), 1));
+  }
+  /// The face of a hit, as well as it is known at that point.
+  [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point) const {
+    return tracer_.face_at(hit, point, reach_of(point));
+  }
+
+  /// Whether the surface met is the one that the walk starts on.
+  [[nodiscard]] bool is_start(const Hit& hit, const Vec3& point, const Face& face) const {
+    if (has_left_) return false;
+    const double t = (point - start_).dot(ray_.direction);
+    if (t * face.slope(ray_.direction) > kStart * face.rounding) return false;
+    return t * face_at(hit, start_).slope(ray_.direction) <= kStart * face.rounding;
+  }
+
+  /// The ray from there, whose numbers are no larger than those that its next hit is made of.
+  void take_up_at(const Vec3& origin) {
+    const Vec3 direction = ray_.direction;
+    ray_ = {};
+    ray_.origin = origin;
+    ray_.direction = direction;
+    has_left_ = true;
+    ++taken_up_;
+  }
+
+  /// The crossing back through the surface, if the ray gets no farther from it than the least distance in between.
+  [[nodiscard]] std::optional<NextSurface> way_back(const Hit& hit, const Vec3& point, const Face& face) const {
+    const double least = kLeast * face.rounding;
+    NextSurface back{beyond(ray_, hit), {}};
+    double left = least / kGrazing;
+    while (left > 0) {
+      back.ray.t_max = left;
+      back.hit = hit_of(back.ray);
+      if (back.hit.is_miss()) return std::nullopt;
+      const Vec3 there = point_of(back.ray, back.hit);
+      const double apart = (there - point).dot(ray_.direction);
+      if (back.hit.instance == hit.instance && back.hit.from_inside != hit.from_inside) {
+        const double slope = std::min(face.slope(ray_.direction), face_at(back.hit, there).slope(ray_.direction));
+        if (apart * slope > least) return std::nullopt;
+        back.ray.t_max = std::numeric_limits<double>::infinity();
+        return back;
+      }
+      left -= back.hit.t;
+      back.ray = beyond(back.ray, back.hit);
+    }
+    return std::nullopt;
+  }
+
+  const Tracer& tracer_;
+  const scene::Transform& place_;
+  Vec3 start_;
+  Ray ray_;
+  bool has_left_ = false;  ///< the start lies too far behind to be met
+  int taken_up_ = 0;
+};
+
+}  // namespace
+
+std::optional<NextSurface> next_surface(const Tracer& tracer, const scene::Transform& parent_from_object,
+                                        const Vec3& origin, const Vec3& direction) {
+  const Vec3 local = parent_from_object.inverse_vector(direction);
+  const double length = local.length();
+  if (!(length > 0)) return std::nullopt;
+  return Walk(tracer, parent_from_object, parent_from_object.inverse_point(origin), local / length).next();
+}
+
+}  // namespace isl::render
