@@ -1,5 +1,6 @@
 // Small scenes that print: both programs must print the same, to the last digit. Each line of a probe is one question
 // about an edge of the language. To ask POV-Ray something, add a line to a file in probes/.
+#include "renderer/queries/object_queries.h"
 #include "tests/interpreter/evaluated_text.h"
 #include "tests/support/source_folder.h"
 
@@ -66,7 +67,10 @@ class Probe : public testing::TestWithParam<std::string> {};
 TEST_P(Probe, PrintsWhatPovrayPrints) {
   if (!has_povray()) GTEST_SKIP() << "povray is not installed";
   const std::string file = "tests/povray/probes/" + GetParam() + ".pov";
-  const EvaluatedText ours(EvaluatedText::File{file});
+  render::ObjectQueries queries;
+  interpreter::EvaluateOptions options;
+  options.queries = &queries;
+  const EvaluatedText ours(EvaluatedText::File{file}, options);
   EXPECT_EQ(ours.sink().error_count(), 0u) << ours.messages();
   const std::vector<std::string> said = lines_of(ours.said());
   const std::vector<std::string> expected = lines_of(said_by_povray(fs::path(ISL_SOURCE_DIR) / file));
