@@ -29,7 +29,8 @@ using Kind = isl::grammar::Parser::token;
 
 WORD       [A-Za-z_][A-Za-z0-9_]*
 NUMBER     ([0-9]+"."?[0-9]*|"."[0-9]+)([eE][+-]?[0-9]+)?
-BLANK      [ \t\r\f\v\0\x1A]
+BLANK      [ \t\f\v\0\x1A]
+LINE_END   \n|\r|\r\n|\n\r
 CHARACTER  [\xC2-\xDF][\x80-\xBF]|[\xE0-\xEF][\x80-\xBF]{2}|[\xF0-\xF4][\x80-\xBF]{3}|[\x00-\xFF]
 
 %x COMMENT STRING
@@ -39,9 +40,9 @@ CHARACTER  [\xC2-\xDF][\x80-\xBF]|[\xE0-\xEF][\x80-\xBF]{2}|[\xF0-\xF4][\x80-\xB
   const auto text = [&] { return std::string_view(yytext, static_cast<std::size_t>(yyleng)); };
 %}
 
-({BLANK}|\n)+          { }
+({BLANK}|[\r\n])+      { }
 "\xEF\xBB\xBF"         { /* the byte order mark of UTF-8 */ }
-"//"[^\n]*             { }
+"//"[^\r\n]*           { }
 "*/"                   { yyextra->stray_comment_end(); }
 
 "/*"                   { yyextra->open_comment(); yy_push_state(COMMENT, yyscanner); }
@@ -56,13 +57,14 @@ CHARACTER  [\xC2-\xDF][\x80-\xBF]|[\xE0-\xEF][\x80-\xBF]{2}|[\xF0-\xF4][\x80-\xB
 <STRING>{
   "\""                 { yy_pop_state(yyscanner); return yyextra->close_string(); }
   "\\u"[0-9A-Fa-f]{4}  { yyextra->escape(text()); }
-  "\\"(.|\n)           { yyextra->escape(text()); }
-  [\r\0\x1A]           { yyextra->replace_in_string({}); }
-  [^"\\\r\0\x1A]+|"\\" { }
+  "\\"[^\r\n]?         { yyextra->escape(text()); }
+  {LINE_END}           { yyextra->line_end_in_string(text()); }
+  [\0\x1A]             { yyextra->replace_in_string({}); }
+  [^"\\\r\n\0\x1A]+    { }
   <<EOF>>              { yy_pop_state(yyscanner); return yyextra->unclosed_string(); }
 }
 
-"#"{BLANK}*{WORD}      { if (const auto token = yyextra->directive(text())) return *token; }
+"#"({BLANK}|[\r\n])*{WORD} { if (const auto token = yyextra->directive(text())) return *token; }
 {WORD}                 { return yyextra->word(text()); }
 {NUMBER}               { return yyextra->number(text()); }
 

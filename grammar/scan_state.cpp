@@ -81,6 +81,7 @@ std::string hint_for(std::string_view character) {
 
 /// The characters that an escape stands for; empty when it stands for none.
 std::string resolve_escape(std::string_view escape) {
+  if (escape.size() < 2) return {};
   switch (escape[1]) {
     case 'a': return "\a";
     case 'b': return "\b";
@@ -144,7 +145,7 @@ Token ScanState::number(std::string_view text) {
 }
 
 std::optional<Token> ScanState::directive(std::string_view text) {
-  const std::string_view word = text.substr(text.find_first_not_of(std::string_view("# \t\r\f\v\0\x1A", 8)));
+  const std::string_view word = text.substr(text.find_first_not_of(std::string_view("# \t\r\n\f\v\0\x1A", 9)));
   if (const Directive* const found = find_directive(word)) return simple(found->kind);
   if (const auto near = closest(word, kDirectiveWords)) {
     complain(span(), fmt::format("unknown directive `#{}`", shown(word)), fmt::format("did you mean `#{}`?", *near));
@@ -199,6 +200,10 @@ void ScanState::replace_in_string(std::string_view characters) {
   string_text_.append(characters);
   copied_until_ = end_;
   string_differs_ = true;
+}
+
+void ScanState::line_end_in_string(std::string_view text) {
+  if (text != "\n") replace_in_string("\n");
 }
 
 void ScanState::escape(std::string_view text) {

@@ -42,7 +42,10 @@ class ScanState {
   void unclosed_comment();
 
   void open_string();
+  /// A backslash and the character after it, which is missing at the end of a line.
   void escape(std::string_view text);
+  /// The string goes on in the next line: the end of this one is a line feed in it, however it is written.
+  void line_end_in_string(std::string_view text);
   /// `characters` stand for a piece of the text whose spelling differs from them.
   void replace_in_string(std::string_view characters);
   [[nodiscard]] Token close_string();

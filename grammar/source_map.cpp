@@ -1,5 +1,7 @@
 #include "grammar/source_map.h"
 
+#include "grammar/line_ends.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -10,8 +12,9 @@ namespace {
 
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
   std::vector<std::uint32_t> starts{0};
-  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
-    starts.push_back(static_cast<std::uint32_t>(at + 1));
+  for (std::size_t at = text.find_first_of(kLineEndBytes); at != std::string_view::npos;
+       at = text.find_first_of(kLineEndBytes, starts.back())) {
+    starts.push_back(static_cast<std::uint32_t>(at + line_end_size(text, at)));
   }
   return starts;
 }
@@ -58,8 +61,7 @@ std::string_view SourceMap::line_text(std::uint32_t offset) const {
   if (file == nullptr) return {};
   const std::uint32_t begin = file->line_starts[line_index(*file, offset - file->begin)];
   const std::string_view rest = std::string_view(file->text).substr(begin);
-  const std::string_view line = rest.substr(0, rest.find('\n'));
-  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+  return rest.substr(0, rest.find_first_of(kLineEndBytes));
 }
 
 std::string_view SourceMap::text(SourceSpan span) const {

@@ -21,7 +21,7 @@ TEST(Lexer, TakesADotForPartOfANumberOnlyBeforeADigit) {
 }
 
 TEST(Lexer, PassesOverControlCharactersOfOldEditors) {
-  EXPECT_EQ(ParsedText(std::string("A\r\f\v\0 B\x1a", 8)).tokens(), "1:1 identifier A\n1:7 identifier B\n");
+  EXPECT_EQ(ParsedText(std::string("A\r\f\v\0 B\x1a", 8)).tokens(), "1:1 identifier A\n2:5 identifier B\n");
 }
 
 TEST(Lexer, ReadsTokensOfAnyLength) {
@@ -38,8 +38,20 @@ TEST(Lexer, KeepsBothReadingsOfAString) {
   EXPECT_EQ(as<String>(parsed.front()).raw, R"(a\n\"\u00e9\\)");
 }
 
-TEST(Lexer, LeavesOutCarriageReturnsOfAStringsLines) {
-  EXPECT_EQ(as<String>(ParsedText("\"a\r\nb\"").front()).text, "a\nb");
+TEST(Lexer, TakesEveryEndOfALineInAStringForALineFeed) {
+  for (const std::string end : {"\n", "\r", "\r\n", "\n\r"})
+    EXPECT_EQ(as<String>(ParsedText("\"a" + end + "b\"").front()).text, "a\nb");
+  EXPECT_EQ(as<String>(ParsedText("\"a\r\rb\"").front()).text, "a\n\nb");
+}
+
+TEST(Lexer, EndsACommentWithItsLine) {
+  for (const std::string end : {"\n", "\r", "\r\n", "\n\r"})
+    EXPECT_EQ(ParsedText("// A" + end + "B").tokens(), "2:1 identifier B\n");
+}
+
+TEST(Lexer, FindsTheWordOfADirectiveInTheNextLine) {
+  EXPECT_EQ(ParsedText("#\ndeclare A = 1;").error_count(), 0u);
+  EXPECT_EQ(ParsedText("#\rdeclare A = 1;").error_count(), 0u);
 }
 
 TEST(Lexer, NamesABadCharacterWhole) {

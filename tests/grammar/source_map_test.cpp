@@ -35,6 +35,21 @@ TEST(SourceMap, CountsLinesAndColumnsFromOne) {
   EXPECT_EQ(at(7), std::pair(std::size_t{4}, std::size_t{1})) << "the end of the file";
 }
 
+TEST(SourceMap, EndsLinesWhereUnixOldMacsAndDosEndThem) {
+  SourceMap map;
+  const std::uint32_t begin = map.add("a", "a\rb\r\rc\r\nd\n\re\n\nf").value().begin;
+  const std::string_view text = map.text({begin, begin + 15});
+  const auto line_of = [&](char c) { return map.position(begin + static_cast<std::uint32_t>(text.find(c))).line; };
+  EXPECT_EQ(line_of('a'), 1u);
+  EXPECT_EQ(line_of('b'), 2u);
+  EXPECT_EQ(line_of('c'), 4u) << "an empty line between two CR";
+  EXPECT_EQ(line_of('d'), 5u) << "CR LF is one end";
+  EXPECT_EQ(line_of('e'), 6u) << "and so is LF CR";
+  EXPECT_EQ(line_of('f'), 8u);
+  EXPECT_EQ(map.line_text(begin + static_cast<std::uint32_t>(text.find('d'))), "d");
+  EXPECT_EQ(map.line_text(begin + static_cast<std::uint32_t>(text.find('b'))), "b");
+}
+
 TEST(SourceMap, CountsColumnsInCharactersOfUtf8) {
   SourceMap map;
   const std::uint32_t begin = map.add("a", "\"äö€𝄞\" x").value().begin;

@@ -42,12 +42,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What POV-Ray's debug stream holds.
+/// What POV-Ray's debug stream holds. It breaks lines of more than 80 characters.
 std::string said_by_povray(const fs::path& scene) {
   const fs::path folder = fs::temp_directory_path() / fs::path("isl_probe_" + scene.stem().string());
   fs::create_directories(folder);
-  const std::string command =
-      "cd '" + folder.string() + "' && povray '+I" + scene.string() + "' -D -F +W2 +H2 -GA +GDsaid.txt >/dev/null 2>&1";
+  const std::string command = "cd '" + folder.string() + "' && povray '+I" + scene.string() + "' '+L" +
+                              scene.parent_path().string() + "' -D -F +W2 +H2 -GA +GDsaid.txt >/dev/null 2>&1";
   const bool ran = std::system(command.c_str()) == 0;
   std::ifstream file(folder / "said.txt");
   std::ostringstream text;
