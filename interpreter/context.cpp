@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
 namespace isl::interpreter {
 
 using grammar::Symbol;
@@ -18,6 +22,17 @@ ContextualWords::ContextualWords(grammar::SymbolTable& symbols)
       tolerance(symbols.intern("tolerance")),
       hf(symbols.intern("hf")) {}
 
+namespace {
+
+/// A scene of POV-Ray's own kind without `#version` is drawn as POV-Ray draws it; ours speak the newest language. Files
+/// of DOS days have names in capitals.
+bool is_of_povray(const std::filesystem::path& file) {
+  static constexpr std::string_view kExtensions[] = {".pov", ".inc", ".POV", ".INC"};
+  return std::ranges::find(kExtensions, file.extension().string()) != std::end(kExtensions);
+}
+
+}  // namespace
+
 Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const grammar::Unit& unit,
                  const EvaluateOptions& options_, DiagnosticSink& sink)
     : loader(loader_),
@@ -25,6 +40,7 @@ Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const
       main_unit(unit),
       options(options_),
       words(symbols_),
+      version(!is_of_povray(unit.file)),
       sink_(sink),
       max_nesting_(max_nesting(options_.limits)) {}
 

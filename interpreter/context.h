@@ -8,6 +8,7 @@
 #include "grammar/symbols.h"
 #include "interpreter/evaluate.h"
 #include "interpreter/frames.h"
+#include "interpreter/language_version.h"
 #include "interpreter/open_files.h"
 #include "interpreter/random_streams.h"
 #include "interpreter/record_table.h"
@@ -57,7 +58,7 @@ class Context {
   OpenFiles files;
   scene::Database database;
   OriginTable origins;
-  double language_version = 3.7;
+  LanguageVersion version;
   bool has_noise_generator = false;  ///< the scene says which
   /// What #default says now; what an object without a texture of its own gets.
   scene::Texture default_texture;
@@ -89,7 +90,7 @@ class Context {
   /// The scene's, 1 to 3; where it does not say, the first for what was written for POV-Ray before 3.5.
   [[nodiscard]] int noise_generator() const {
     if (has_noise_generator) return database.settings.noise_generator;
-    return language_version < 3.5 ? 1 : 2;
+    return version.number() < 3.5 ? 1 : 2;
   }
 
   // ---- Names --------------------------------------------------------------------------------------------------------

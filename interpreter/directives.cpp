@@ -74,7 +74,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     Value value;
     evaluate_declared(context, node, value, terminated);
     if (!terminated) terminated = skip_semicolon(context);
-    if (!terminated && value.is_numeric() && context.language_version >= 3.5) [[unlikely]] {
+    if (!terminated && value.is_numeric() && context.version.number() >= 3.5) [[unlikely]] {
       context.error({node.span.end, node.span.end},
                     fmt::format("a `;` is missing after the declaration of {}", describe(value)));
     }
@@ -158,8 +158,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   const double version = evaluate_number(context, *node.value);
   skip_semicolon(context);
   if (version > 3.85) context.warn(node.span, fmt::format("version {:g} of the language is not known here", version));
-  context.language_version = version;
-  context.database.settings.language_version = version;
+  context.version.state(version);
 }
 
 }  // namespace

@@ -15,8 +15,6 @@ namespace {
 
 /// The language's version that `Isl` stands for; a scene asks `#ifdef (Isl)`.
 constexpr double kIslVersion = 0.1;
-/// What POV-Ray takes a scene for that has no #version.
-constexpr double kLegacyVersion = 3.62;
 
 void predeclare(Context& context, std::string_view name, Value value) {
   context.scopes.global(context.symbols.intern(name)).value = std::move(value);
@@ -46,14 +44,7 @@ void bind_predeclared(Context& context) {
   }
 }
 
-/// A file of POV-Ray's own kind without #version is read as POV-Ray reads it; ours speak the newest language.
-double initial_version(const grammar::Unit& unit) {
-  const auto extension = unit.file.extension();
-  return extension == ".pov" || extension == ".inc" ? kLegacyVersion : 3.7;
-}
-
 void run(Context& context, const grammar::Unit& unit) {
-  context.language_version = context.database.settings.language_version = initial_version(unit);
   try {
     bind_predeclared(context);
     read_scene(context, unit);
@@ -68,8 +59,10 @@ void run(Context& context, const grammar::Unit& unit) {
     // One error too many; it was reported.
   }
   scene::Settings& settings = context.database.settings;
-  if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.language_version >= 3.7)
-    settings.assumed_gamma = 1;
+  // Decided by the whole text: a `#version` after the objects counts too, and so does one in an include file.
+  settings.language_version = context.version.of_defaults();
+  const bool has_gamma = settings.assumed_gamma || settings.assumed_gamma_srgb;
+  if (!has_gamma && settings.language_version >= 3.7) settings.assumed_gamma = 1;
   settings.noise_generator = context.noise_generator();
 }
 

@@ -72,7 +72,7 @@ void evaluate_name(Context& context, const grammar::Name& node, Value& result) {
     case word::kIndex_clock: return Value(context.options.clock);
     case word::kIndex_now: return Value(days_since_2000());
     case word::kIndex_clock_on: return Value(context.options.clock_on ? 1.0 : 0.0);
-    case word::kIndex_version: return Value(context.language_version);
+    case word::kIndex_version: return Value(context.version.number());
     default: context.fail(node.span, fmt::format("`{}` is not supported", context.text(node.word)));
   }
 }

@@ -64,7 +64,7 @@ Colour read_vector_form(ElementStream& stream, const VectorForm& form) {
   }
   if (form.is_srgb) {
     const scene::Settings& settings = context.database.settings;
-    if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.language_version < 3.7) {
+    if (!settings.assumed_gamma && !settings.assumed_gamma_srgb && context.version.of_defaults() < 3.7) {
       context.fail(keyword.span, "`srgb` colours need `assumed_gamma` in `global_settings`, or `#version 3.7`");
     }
     for (int i = 0; i < 3; ++i) c[i] = decoded(settings, c[i]);

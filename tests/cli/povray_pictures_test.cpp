@@ -1,5 +1,6 @@
 // The scenes of plain solids and their combinations look as POV-Ray draws them, in linear light: what differs is a few
 // pixels at outlines, where one ray a pixel falls on one side or the other. Skipped where no povray is installed.
+#include "tests/cli/ppm_values.h"
 #include "tests/cli/program_fixture.h"
 #include "tests/support/source_folder.h"
 
@@ -13,27 +14,7 @@ constexpr int kWidth = 300, kHeight = 200;
 
 class PovrayPictures : public ProgramTest {
  protected:
-  /// A binary PPM's values, from 0 to 1.
-  [[nodiscard]] std::vector<double> values(const std::string& name) const {
-    const std::string file = read(name);
-    std::size_t at = 2;  // after P6
-    int header[3] = {0, 0, 0};
-    for (int& number : header) {
-      while (at < file.size() && std::isspace(static_cast<unsigned char>(file[at])) != 0) ++at;
-      while (at < file.size() && file[at] == '#') at = file.find('\n', at) + 1;
-      number = std::atoi(file.c_str() + at);
-      while (at < file.size() && std::isdigit(static_cast<unsigned char>(file[at])) != 0) ++at;
-    }
-    ++at;
-    const std::size_t bytes = header[2] > 255 ? 2 : 1;
-    std::vector<double> result;
-    for (; at + bytes <= file.size(); at += bytes) {
-      double value = static_cast<unsigned char>(file[at]);
-      if (bytes == 2) value = value * 256 + static_cast<unsigned char>(file[at + 1]);
-      result.push_back(value / header[2]);
-    }
-    return result;
-  }
+  [[nodiscard]] std::vector<double> values(const std::string& name) const { return ppm_values(read(name)); }
 
   static double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
