@@ -168,6 +168,7 @@ Command parse_command_line(std::span<const std::string> given) {
   SceneOptions& scene = raw.scene;
   if (auto finished = check_rest(command, scene)) return *std::move(finished);
   if (auto finished = finish_scene_options(raw.defines, raw.format, scene)) return *std::move(finished);
+  scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
   if (command.get_name() == "check") return CheckCommand{std::move(scene)};
   if (command.get_name() == "render") {
     if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);

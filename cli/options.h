@@ -30,7 +30,8 @@ struct SceneOptions {
   double clock = 0;
   bool clock_on = false;  ///< --clock or --frame was given
   int frame = 0;
-  PictureSize size;  ///< scenes ask for image_width and image_height
+  PictureSize size;            ///< scenes ask for image_width and image_height
+  bool is_size_known = false;  ///< --size was given, or the command makes the picture
   OutputFormat format = OutputFormat::text;
 };
 

@@ -1,6 +1,7 @@
 #include "cli/render_settings.h"
 
 #include "renderer/image/camera.h"
+#include "renderer/scene/default_camera.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   const bool is_exact = settings.solver.name == render::SolverName::exact;
   settings.tolerance_text = is_exact ? "rounding" : to_text(settings.tolerance);
 
-  const scene::Camera camera = database.camera.value_or(scene::Camera{});
+  const scene::Camera camera = database.camera.value_or(scene::default_camera(size.width, size.height));
   settings.tracer.solver = settings.solver.name;
   settings.tracer.interpolants = settings.solver.interpolants;
   settings.tracer.paper = settings.solver.paper;

@@ -62,6 +62,7 @@ ExitCode Session::evaluate() {
   options.frame = options_.frame;
   options.image_width = options_.size.width;
   options.image_height = options_.size.height;
+  options.is_size_known = options_.is_size_known;
   options.print_debug = print_scene_text;
   options.stop = &interrupt_flag();
   render::ObjectQueries queries;

@@ -40,6 +40,7 @@ struct EvaluateOptions {
   bool clock_on = false;  ///< a clock or frame was asked for
   int frame = 0;          ///< 0: no animation
   int image_width = 800, image_height = 600;
+  bool is_size_known = false;  ///< the picture will have this size: a camera that does not fit it is warned of
   /// Receives the text of each #debug; may be empty.
   std::function<void(std::string_view)> print_debug;
   /// Answers `trace`, `inside`, `min_extent` and `max_extent`; where it is null they are errors.

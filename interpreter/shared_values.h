@@ -134,9 +134,11 @@ struct TransformValue final : Shared {
 };
 
 struct CameraValue final : Shared {
-  explicit CameraValue(const scene::Camera& camera_, const scene::Vec3& sky_) : camera(camera_), sky(sky_) {}
+  CameraValue(const scene::Camera& camera_, const scene::Vec3& sky_, SourceSpan size_span_)
+      : camera(camera_), sky(sky_), size_span(size_span_) {}
   const scene::Camera camera;
   const scene::Vec3 sky;
+  const SourceSpan size_span;  ///< of what decides its shape: `right`, else the word `camera`
 };
 
 struct FunctionValue final : Shared {

@@ -8,6 +8,7 @@
 #include "renderer/image/adaptive.h"
 #include "renderer/image/progress.h"
 #include "renderer/image/sample_pattern.h"
+#include "renderer/scene/default_camera.h"
 
 #include <algorithm>
 #include <chrono>
@@ -43,8 +44,9 @@ class Rendering {
         film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         wave_(database, tracer, plan,
-              CameraRays(database.camera.value_or(scene::Camera{}), options.width, options.height), options.alpha,
-              film_),
+              CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
+                         options.height),
+              options.alpha, film_),
         progress_(options.progress) {}
 
   void run() {

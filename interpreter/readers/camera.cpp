@@ -1,10 +1,12 @@
 #include "interpreter/readers/camera.h"
 
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/camera_pose.h"
 #include "interpreter/readers/focal_blur.h"
 #include "interpreter/readers/normal.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
+#include "renderer/scene/default_camera.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +22,6 @@ using scene::CameraKind;
 using scene::Vec3;
 namespace word = grammar::word;
 
-/// POV-Ray's default `right` is 1.33 x, whatever the image's shape.
-constexpr Camera kDefault{.right = Vec3(1.33, 0, 0)};
 constexpr Vec3 kDefaultLookAt(0, 0, 1);
 
 struct KindWord {
@@ -34,8 +34,7 @@ constexpr KindWord kKinds[] = {
     {word::kw_omnimax, CameraKind::omnimax},         {word::kw_panoramic, CameraKind::panoramic},
     {word::kw_cylinder, CameraKind::cylinder},       {word::kw_spherical, CameraKind::spherical}};
 
-/// Whether `angle` sets the length of direction: what then counts is the vectors. Without an angle these kinds take the
-/// vectors as they are.
+/// True for the kinds whose rays are straight: `angle` sets the length of direction, and only the vectors count.
 bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }
 
 /// POV-Ray's, where a kind that bends rays has no `angle`.
@@ -43,7 +42,12 @@ constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
 
 class CameraReader {
  public:
-  CameraReader(Context& context, const Element& block) : context_(context), stream_(context, block) {
+  CameraReader(Context& context, const Element& block)
+      : context_(context),
+        stream_(context, block),
+        camera_(scene::default_camera(context.options.image_width, context.options.image_height)),
+        is_in_order_(context.version.number() < 3.5),
+        size_span_(block.word_span) {
     if (context.default_camera) copy(*context.default_camera);
     is_copy_ = false;
     camera_.origin = context.origin(block.span);
@@ -52,16 +56,18 @@ class CameraReader {
   Ref<CameraValue> read() {
     if (stream_.peek().is(ElementKind::value)) read_identifier();
     while (!stream_.peek().is(ElementKind::end)) read_item();
-    // The order in which a scene writes the items does not matter: the lens, then where it looks, then the transforms.
+    // From 3.5 on, the order in which a scene writes the items does not matter: the lens, then where it looks, then the
+    // transforms.
+    if (!is_in_order_) apply_angle();
+    apply_size();
+    if (!is_in_order_) apply_look_at();
     check_vectors();
-    apply_angle();
-    apply_look_at();
     camera_.blur = blur_.result(stream_, camera_);
     camera_.location = transform_.point(camera_.location);
     camera_.direction = transform_.vector(camera_.direction);
     camera_.right = transform_.vector(camera_.right);
     camera_.up = transform_.vector(camera_.up);
-    return make_shared_value<CameraValue>(camera_, sky_);
+    return make_shared_value<CameraValue>(camera_, sky_, size_span_);
   }
 
  private:
@@ -112,12 +118,17 @@ class CameraReader {
         stream_.drop();
         look_at_span_ = stream_.peek().span;
         look_at_ = read_after("look_at");
+        if (is_in_order_) apply_look_at();
         return;
-      case word::kIndex_angle: return read_angle();
+      case word::kIndex_angle:
+        read_angle();
+        if (is_in_order_) apply_angle();
+        return;
       default: return refuse(stream_, kKnown);
     }
     stream_.drop();
     has_size_ |= vector == &camera_.right || vector == &camera_.up;
+    if (vector == &camera_.right) size_span_ = stream_.peek().span;
     *vector = read_after(context_.text(next.word));
   }
 
@@ -153,26 +164,21 @@ class CameraReader {
     check(sky_, "sky");
   }
 
+  /// The angle of a view with straight rays. As in POV-Ray, none is the same as 0.
   void apply_angle() {
     if (angle_degrees_ && *angle_degrees_ < 0)
       context_.fail(angle_span_, fmt::format("`angle` is not below 0, found {:g}", *angle_degrees_));
-    if (is_flat(camera_.kind)) {
-      camera_.angle = camera_.vertical_angle = 0;
-      apply_flat_angle();
-      if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
-    } else {
-      apply_bent_angle();
-    }
-  }
-
-  /// The horizontal angle between the left and the right edge sets the length of direction. As in POV-Ray, none is the
-  /// same as 0.
-  void apply_flat_angle() {
-    if (!angle_degrees_ || *angle_degrees_ == 0) return;
+    if (!is_flat(camera_.kind) || !angle_degrees_ || *angle_degrees_ == 0) return;
     if (*angle_degrees_ >= 180)
       context_.fail(angle_span_, fmt::format("`angle` is below 180 degrees, found {:g}", *angle_degrees_));
-    const double length = camera_.right.length() / (2 * std::tan(radians_from_degrees(*angle_degrees_) / 2));
-    camera_.direction *= length / camera_.direction.length();
+    check_vectors();
+    set_horizontal_angle(camera_, *angle_degrees_);
+  }
+
+  void apply_size() {
+    if (is_flat(camera_.kind)) camera_.angle = camera_.vertical_angle = 0;
+    if (!is_flat(camera_.kind)) apply_bent_angle();
+    if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
   }
 
   /// A parallel view without a size of its own, or with an angle, shows at look_at what a perspective one would.
@@ -193,32 +199,21 @@ class CameraReader {
     if (is_spherical) camera_.vertical_angle = radians_from_degrees(vertical_degrees_.value_or(degrees / 2));
   }
 
-  /// Turns the camera to the point, with `sky` above it; lengths and handedness stay.
   void apply_look_at() {
     if (!look_at_) return;
-    const Vec3 ahead = *look_at_ - camera_.location;
-    if (!(ahead.length() > 0)) context_.fail(look_at_span_, "`location` and `look_at` are the same point");
-    const double direction = camera_.direction.length(), right = camera_.right.length(), up = camera_.up.length();
-    const bool is_mirrored = camera_.up.cross(camera_.direction).dot(camera_.right) < 0;
-    const Vec3 forward = ahead / ahead.length();
-    Vec3 sideways = sky_.cross(forward);
-    // Straight along the sky there is no sideways; as in POV-Ray, it is what the camera's own right was.
-    if (!(sideways.length() > 1e-12 * sky_.length())) {
-      sideways = camera_.right - forward * camera_.right.dot(forward);
-      if (!(sideways.length() > 1e-12 * right)) sideways = forward.cross(Vec3(forward.y, forward.z, -forward.x));
-    }
-    sideways /= sideways.length();
-    camera_.direction = forward * direction;
-    camera_.up = forward.cross(sideways) * up;
-    camera_.right = sideways * (is_mirrored ? -right : right);
+    check_vectors();
+    if (*look_at_ == camera_.location) context_.fail(look_at_span_, "`location` and `look_at` are the same point");
+    look_at(camera_, *look_at_, sky_);
   }
 
   Context& context_;
   ElementStream stream_;
-  Camera camera_ = kDefault;
+  Camera camera_;
   Vec3 sky_{0, 1, 0};
   scene::Transform transform_;
+  bool is_in_order_;       ///< before 3.5, each item works on what stands before it
   bool is_copy_ = false;   ///< of a camera that was declared
+  SourceSpan size_span_;   ///< of `right`, else of the word `camera`
   bool has_size_ = false;  ///< `right` or `up` was given
   FocalBlurReader blur_;
   std::optional<double> angle_degrees_, vertical_degrees_;

@@ -4,6 +4,7 @@
 #include "interpreter/readers/atmosphere.h"
 #include "interpreter/readers/camera.h"
 #include "interpreter/readers/objects.h"
+#include "interpreter/readers/picture_shape.h"
 #include "interpreter/readers/settings.h"
 #include "interpreter/readers/surface.h"
 #include "interpreter/readers/texture.h"
@@ -35,6 +36,7 @@ void place(Context& context, const ObjectValue& value) {
 void set_camera(Context& context, const CameraValue& value, SourceSpan span) {
   if (context.database.camera) context.warn(span, "this camera replaces an earlier one");
   context.database.camera = value.camera;
+  check_shape(context, value.camera, value.size_span);
 }
 
 void place_camera(Context& context, const Element& block) {

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "renderer/scene/default_camera.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +33,8 @@ class Contest {
         reference_(database, reference),
         base_(base),
         pixel_angle_(reference.pixel_angle),
-        rays_(centre_rays(database.camera.value_or(scene::Camera{}), options.width, options.height)),
+        rays_(centre_rays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
+                          options.height)),
         order_(wave_order(options.width, options.height)),
         truth_(rays_.size()),
         parts_(2 + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "renderer/accuracy/ray_errors.h"
 #include "renderer/image/camera.h"
+#include "renderer/scene/default_camera.h"
 
 #include <limits>
 
@@ -46,7 +47,8 @@ bool measure_layers(const scene::Database& database, const TracerOptions& option
                     const Aovs& aovs, int threads, const std::atomic<bool>* stop, const TellProgress& tell,
                     Image& image) {
   if (!aovs.any_measured()) return true;
-  const std::vector<Ray> rays = rays_of(database.camera.value_or(scene::Camera{}), image);
+  const std::vector<Ray> rays =
+      rays_of(database.camera.value_or(scene::default_camera(image.full_width, image.full_height)), image);
   std::vector<RayMeasure> found(rays.size()), truth;
   const bool wants_errors = aovs.error || aovs.missed;
   const double first_share = wants_errors ? 0.5 : 1;

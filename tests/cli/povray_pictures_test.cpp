@@ -10,7 +10,8 @@
 namespace isl::test {
 namespace {
 
-constexpr int kWidth = 300, kHeight = 200;
+/// Of 4:3, where cameras without a `right` agree too.
+constexpr int kWidth = 320, kHeight = 240;
 
 class PovrayPictures : public ProgramTest {
  protected:
