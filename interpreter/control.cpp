@@ -53,7 +53,8 @@ bool continue_for(Context& context, Frame& frame) {
 bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
   const double low = evaluate_number(context, *c.low);
   if (!c.high) return std::abs(subject - low) < kTolerance;
-  return subject >= low - kTolerance && subject <= evaluate_number(context, *c.high) + kTolerance;
+  // As in POV-Ray, a range has no slack.
+  return subject >= low && subject <= evaluate_number(context, *c.high);
 }
 
 [[gnu::noinline]] void start_switch(Context& context, const grammar::Switch& node) {
