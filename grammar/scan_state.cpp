@@ -147,14 +147,19 @@ Token ScanState::number(std::string_view text) {
 std::optional<Token> ScanState::directive(std::string_view text) {
   const std::string_view word = text.substr(text.find_first_not_of(std::string_view("# \t\r\n\f\v\0\x1A", 9)));
   if (const Directive* const found = find_directive(word)) return simple(found->kind);
+  const std::string_view after = text_.substr(end_ - file_begin_);
+  const std::size_t next = after.find_first_not_of(" \t\r\n");
+  const char follower = next == std::string_view::npos ? '\0' : after[next];
+  // POV-Ray passes over the `#` before any other word; `#union {` stands in scenes that it reads.
+  if (follower == '{' && is_reserved(symbols_.intern(word))) {
+    sink_.warning(span(), fmt::format("`{0}` is no directive, read without its `#`", word));
+    return this->word(word);
+  }
   if (const auto near = closest(word, kDirectiveWords)) {
     complain(span(), fmt::format("unknown directive `#{}`", shown(word)), fmt::format("did you mean `#{}`?", *near));
     return simple(find_directive(*near)->kind);
   }
-  const std::string_view after = text_.substr(end_ - file_begin_);
-  const std::size_t next = after.find_first_not_of(" \t\r\n");
-  const bool calls_macro = next != std::string_view::npos && after[next] == '(';
-  if (calls_macro) return this->word(word);
+  if (follower == '(') return this->word(word);
   complain(span(), fmt::format("unknown directive `#{}`", shown(word)));
   return std::nullopt;
 }

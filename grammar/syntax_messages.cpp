@@ -134,7 +134,9 @@ std::vector<std::string> fold(std::span<const SymbolKind> expected) {
       continue;
     if (has_directive && is_directive_start(kind)) continue;
     if (kind == Kind::S_SEMICOLON && has_directive) continue;
-    ideas.push_back(describe(kind));
+    // An operator within `function {}` is a token of its own with the same spelling.
+    if (std::string idea = describe(kind); std::ranges::find(ideas, idea) == ideas.end())
+      ideas.push_back(std::move(idea));
   }
   if (has_expression) ideas.emplace_back("an expression");
   if (has_object) ideas.emplace_back("an object");

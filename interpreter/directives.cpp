@@ -28,6 +28,26 @@ bool skip_semicolon(Context& context) {
   return true;
 }
 
+/// The semicolon that stands behind the end of the macros that end here, kept for whoever meets it.
+[[gnu::noinline]] void spare_semicolon_of_caller(Context& context) {
+  const auto is_left_at_its_end = [](const Frame& frame) {
+    return frame.next == frame.end && frame.kind == Frame::Kind::macro;
+  };
+  std::size_t i = context.frames.size() - 1;
+  while (i > 0 && is_left_at_its_end(context.frames[i])) --i;
+  const Frame& frame = context.frames[i];
+  if (frame.next != frame.end && (*frame.next)->kind == NodeKind::semicolon) context.spare_semicolon = *frame.next;
+}
+
+/// As in POV-Ray, a number's declaration may end with two semicolons, the second also behind the end of a macro: so
+/// `#declare A = M();` can be read where M has a semicolon of its own, and `M();` where M ends by declaring.
+void skip_second_semicolon(Context& context) {
+  Frame& frame = context.frames.back();
+  if (frame.next == frame.end) return spare_semicolon_of_caller(context);
+  if ((*frame.next)->kind == NodeKind::semicolon) [[unlikely]]
+    ++frame.next;
+}
+
 // ---- #declare -------------------------------------------------------------------------------------------------------
 
 Value read_to_end(ElementStream& stream, bool& terminated) {
@@ -78,6 +98,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
       context.error({node.span.end, node.span.end},
                     fmt::format("a `;` is missing after the declaration of {}", describe(value)));
     }
+    if (terminated && value.is_numeric()) skip_second_semicolon(context);
     Slot& slot = declared_slot(context, node);
     if (slot.value.kind() == ValueKind::function) {
       context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
@@ -157,8 +178,14 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 [[gnu::noinline]] void set_version(Context& context, const grammar::Version& node) {
   const double version = evaluate_number(context, *node.value);
   skip_semicolon(context);
-  if (version > 3.85) context.warn(node.span, fmt::format("version {:g} of the language is not known here", version));
   context.version.state(version);
+  if (context.version.number() > LanguageVersion::kNewest) {
+    context.warn(node.span,
+                 fmt::format("version {:g} of the language is not known here, the scene is read as {:g}",
+                             context.version.number(), LanguageVersion::kNewest),
+                 "dictionaries, mixed arrays, optional parameters, `lemon`, `potential`, `polarity` and `user_defined` "
+                 "came with 3.8");
+  }
 }
 
 }  // namespace

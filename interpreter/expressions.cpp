@@ -7,6 +7,7 @@
 #include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
+#include "interpreter/readers/supported.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@ namespace word = grammar::word;
 // Each kind of composite expression has its own function, kept out of line: the recursion's stack frames stay small.
 
 [[noreturn]] [[gnu::noinline]] void fail_undeclared(Context& context, SourceSpan span, Symbol name) {
+  if (is_newer_word(context.text(name))) context.fail(span, newer_word_message(context.text(name)));
   context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
 }
 
@@ -77,13 +79,11 @@ void evaluate_name(Context& context, const grammar::Name& node, Value& result) {
   }
 }
 
-/// Evaluates one coordinate; a macro or directive may yield several, separated by commas.
+/// What a macro or directive yields, together with the semicolon that ends it: no coordinate, or several.
 template <class Append>
-void evaluate_coordinate(Context& context, const Node& node, Append append) {
-  const bool is_single = node.kind < NodeKind::word && node.kind != NodeKind::call;
-  if (is_single) return append(evaluate_number(context, node));
-  const Node* const items[] = {&node};
-  ElementStream stream(context, Items(items), node.span);
+[[gnu::noinline]] void follow_coordinates(Context& context, Items items, Append append) {
+  const Node& node = *items[0];
+  ElementStream stream(context, items, node.span);
   while (!stream.peek().is(ElementKind::end)) {
     const Value value = read_rvalue(stream);
     if (!value.is_number())
@@ -93,16 +93,30 @@ void evaluate_coordinate(Context& context, const Node& node, Append append) {
   }
 }
 
+/// Evaluates the coordinates of a vector in turn.
+template <class Append>
+void evaluate_each_coordinate(Context& context, Items coordinates, Append append) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const Node& node = *coordinates[i];
+    const bool is_single = node.kind < NodeKind::word && node.kind != NodeKind::call;
+    if (is_single) {
+      append(evaluate_number(context, node));
+      continue;
+    }
+    const bool is_ended = i + 1 < coordinates.size() && coordinates[i + 1]->kind == NodeKind::semicolon;
+    follow_coordinates(context, coordinates.subspan(i, is_ended ? 2 : 1), append);
+    i += is_ended;
+  }
+}
+
 [[gnu::noinline]] void evaluate_vector(Context& context, const grammar::Vector& node, Value& result) {
   const NestingGuard guard(context, node.span);
   Value::Terms terms{};
   int count = 0;
-  for (const Node* coordinate : node.coordinates) {
-    evaluate_coordinate(context, *coordinate, [&](double number) {
-      if (count == Value::kMaxTerms) context.fail(node.span, "a vector has at most 5 coordinates");
-      terms[count++] = number;
-    });
-  }
+  evaluate_each_coordinate(context, node.coordinates, [&](double number) {
+    if (count == Value::kMaxTerms) context.fail(node.span, "a vector has at most 5 coordinates");
+    terms[count++] = number;
+  });
   if (count < 2) context.fail(node.span, fmt::format("a vector needs at least 2 coordinates, found {}", count));
   result = Value(count, terms);
 }
@@ -153,9 +167,7 @@ void evaluate_into(Context& context, const Node& node, Value& result) {
 
 std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector& node) {
   std::vector<double> numbers;
-  for (const Node* coordinate : node.coordinates) {
-    evaluate_coordinate(context, *coordinate, [&](double number) { numbers.push_back(number); });
-  }
+  evaluate_each_coordinate(context, node.coordinates, [&](double number) { numbers.push_back(number); });
   return numbers;
 }
 

@@ -32,10 +32,46 @@ std::string describe(Context& context, const Element& element) {
   return "";
 }
 
+namespace {
+
+/// Fails where the name is a word of POV-Ray 3.8 that no scene of 3.7 has.
+void refuse_newer_word(Context& context, const Element& element) {
+  const std::string_view name = context.text(element.word);
+  if (!is_newer_word(name)) return;
+  context.fail(element.is(ElementKind::block) ? element.word_span : element.span, newer_word_message(name));
+}
+
+/// The word whose block takes a declared name of that kind; empty where there is none.
+std::string_view block_word(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::object: return "object";
+    case ValueKind::pigment: return "pigment";
+    case ValueKind::normal: return "normal";
+    case ValueKind::finish: return "finish";
+    case ValueKind::texture: return "texture";
+    case ValueKind::material: return "material";
+    case ValueKind::interior: return "interior";
+    case ValueKind::colour_map: return "color_map";
+    case ValueKind::pigment_map: return "pigment_map";
+    case ValueKind::normal_map: return "normal_map";
+    case ValueKind::slope_map: return "slope_map";
+    case ValueKind::texture_map: return "texture_map";
+    case ValueKind::sky_sphere: return "sky_sphere";
+    case ValueKind::fog: return "fog";
+    case ValueKind::rainbow: return "rainbow";
+    case ValueKind::transform: return "transform";
+    case ValueKind::camera: return "camera";
+    default: return "";
+  }
+}
+
+}  // namespace
+
 void fail_expected(ElementStream& stream, std::string_view what) {
   Context& context = stream.context();
   const Element next = stream.peek();
   if (next.is(ElementKind::unknown)) {
+    refuse_newer_word(context, next);
     const std::string_view kind = next.node->kind == NodeKind::call ? "macro" : "identifier";
     context.fail(next.span, fmt::format("undeclared {} `{}`", kind, context.text(next.word)),
                  context.suggest_declared(next.word));
@@ -118,9 +154,23 @@ bool is_unsupported(const Element& element) {
          is_unsupported_word(element.word);
 }
 
+/// `Ball { translate x }` of a declared Ball: its name stands within the braces of what it is.
+void refuse_declared_block(Context& context, const Element& block) {
+  const Slot* const slot = context.scopes.find(block.word);
+  if (slot == nullptr || slot->value.kind() == ValueKind::none) return;
+  if (slot->value.kind() == ValueKind::poison) throw Failed{};
+  const std::string_view name = context.text(block.word);
+  const std::string_view word = block_word(slot->value.kind());
+  context.fail(block.word_span,
+               fmt::format("`{}` is {}, and no word that braces can follow", name, describe(slot->value)),
+               word.empty() ? "" : fmt::format("write `{} {{ {} … }}`", word, name));
+}
+
 /// A name that is nothing: with a suggestion.
 [[noreturn]] void refuse_name(Context& context, const Element& element, std::span<const Symbol> known,
                               const std::string& where) {
+  refuse_newer_word(context, element);
+  if (element.is(ElementKind::block)) refuse_declared_block(context, element);
   std::vector<std::string_view> candidates;
   for (const Symbol symbol : known) candidates.push_back(context.text(symbol));
   for (const Symbol symbol : context.scopes.declared()) candidates.push_back(context.text(symbol));
@@ -137,6 +187,7 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   const Element next = stream.take();
   const bool is_named_block = next.is(ElementKind::block) && next.word != grammar::kNoSymbol;
   const SourceSpan span = is_named_block ? next.word_span : next.span;
+  if (next.is(ElementKind::semicolon) && next.node == context.spare_semicolon) return;
   const std::string where =
       stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
   if (is_unsupported(next)) return context.unsupported(span, context.text(next.word));

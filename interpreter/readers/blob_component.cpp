@@ -120,8 +120,9 @@ constexpr auto kWords = [] {
 
 /// Only what has a closed form is convolved.
 void check_convolution(Context& context, const Element& block, const Row& row, const scene::Kernel& kernel) {
-  constexpr const char* kHint = "a `cylinder`, a `torus` or a `plane` can be convolved, with the kernel \"quartic\" or "
-                                "\"cauchy\"; `convolution off` ends it";
+  constexpr const char* kHint =
+      "a `cylinder`, a `torus` or a `plane` can be convolved, with the kernel \"quartic\" or "
+      "\"cauchy\"; `convolution off` ends it";
   if (!row.has_convolution)
     context.fail(block.word_span, fmt::format("a `{}` has no convolution", context.text(block.word)), kHint);
   if (kernel.shape != scene::KernelShape::quartic && kernel.shape != scene::KernelShape::cauchy) {
@@ -152,6 +153,11 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   row.read(stream, component, blob);
   // Of a half-space there is no convolution: the plane itself is the skeleton.
   if (is_convolved && component.skeleton == Skeleton::plane) component.skeleton = Skeleton::sheet;
+  const bool crosses_axis = component.skeleton == Skeleton::circle && component.radius_a >= component.radius_b;
+  if (crosses_axis && !is_convolved) {
+    context.warn(block.span, "this torus crosses its own axis, where its field has a crease",
+                 "keep the minor radius below the major one, or write `convolution on`, whose field has none");
+  }
   // However short a segment, it has a convolution: its length is what counts.
   const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
   if (has_ends && !is_convolved) check_apart(stream, component.a, component.b);

@@ -68,16 +68,29 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
     context.warn(stream.span(), fmt::format("a triangle has no inside, which `{}` asks for", name));
 }
 
+/// Fails where an object follows the modifiers of a group.
+void refuse_late_child(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::block) || !is_object_word(next.word)) return;
+  context.fail(next.word_span,
+               fmt::format("found `{}` after a modifier of the `{}`, expected another modifier",
+                           context.text(next.word), context.text(stream.word())),
+               "put the objects of a group before its modifiers");
+}
+
 }  // namespace
 
 void read_csg(ElementStream& stream, ObjectDraft& draft) {
   const auto* const row = std::ranges::find(kCsgWords, stream.word(), &CsgWord::word);
   ISL_CHECK(row != std::end(kCsgWords));
   scene::Group group{.operation = row->operation};
-  while (!stream.peek().is(ElementKind::end) && !draft.has_modifiers) {
-    if (read_children(stream, draft, group, draft.lights)) return;
+  while (!stream.peek().is(ElementKind::end)) {
+    if (!draft.has_modifiers && read_children(stream, draft, group, draft.lights)) return;
     if (stream.peek().is(ElementKind::end)) break;
-    if (!read_object_modifier(stream, draft)) refuse(stream, object_words());
+    if (read_object_modifier(stream, draft)) continue;
+    if (draft.has_modifiers) refuse_late_child(stream);
+    refuse(stream, object_words());
   }
   check_children(stream, group, group.children.size() + draft.lights.size());
   set_group(stream, draft, std::move(group));

@@ -62,6 +62,12 @@ constexpr grammar::Symbol kKnown[] = {word::kw_ambient,
                                       word::kw_conserve_energy,
                                       word::kw_use_alpha};
 
+bool is_finish(const Context& context, const Element& element) {
+  if (!element.is(ElementKind::value) || element.node->kind != grammar::NodeKind::name) return false;
+  const Slot* const slot = context.scopes.find(element.word);
+  return slot != nullptr && slot->value.kind() == ValueKind::finish;
+}
+
 std::string after(ElementStream& stream, grammar::Symbol name) {
   return fmt::format("a number after `{}`", stream.context().text(name));
 }
@@ -72,6 +78,13 @@ double read_optional_number(ElementStream& stream, std::string_view what, double
 
 bool starts_colour(const Element& element) {
   return element.is(ElementKind::value) || (element.is(ElementKind::word) && is_colour_word(element.word));
+}
+
+/// A declared finish that stands behind other items is no number, and is told of where items are expected.
+bool starts_number(ElementStream& stream) {
+  const Element& next = stream.peek();
+  if (!next.is(ElementKind::value)) return false;
+  return !is_finish(stream.context(), next);
 }
 
 bool read_number_row(ElementStream& stream, Finish& finish) {
@@ -86,7 +99,7 @@ bool read_number_row(ElementStream& stream, Finish& finish) {
   const SourceSpan span = stream.peek().span;
   finish.*row->value = read_number(stream, after(stream, name));
   if (name == word::kw_roughness && finish.roughness == 0) stream.context().warn(span, "a `roughness` of zero");
-  if (name == word::kw_diffuse && (stream.accept_comma() || stream.peek().is(ElementKind::value))) {
+  if (name == word::kw_diffuse && (stream.accept_comma() || starts_number(stream))) {
     finish.diffuse_back = read_number(stream, "a number for the light from behind");
   }
   return true;
@@ -215,6 +228,8 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
     finish = value.as<FinishValue>().finish;
   }
   while (!stream.peek().is(ElementKind::end)) {
+    if (is_finish(context, stream.peek()))
+      context.fail(stream.peek().span, "the name of a declared finish comes first in its block, before other items");
     if (!read_item(stream, finish)) refuse(stream, kKnown);
   }
   return finish;

@@ -1,5 +1,6 @@
 // What may follow the geometry of every object: transforms, textures, flags, clipped_by, bounded_by.
 #include "interpreter/readers/arguments.h"
+#include "interpreter/readers/colour.h"
 #include "interpreter/readers/objects.h"
 #include "interpreter/readers/surface.h"
 #include "interpreter/readers/transform.h"
@@ -153,6 +154,16 @@ bool read_clips(ElementStream& stream, ObjectDraft& draft) {
   return false;
 }
 
+/// POV-Ray reads a colour that stands in an object itself, and does nothing with it.
+bool read_stray_colour(ElementStream& stream) {
+  const Element next = stream.peek();
+  if (!is_colour_word(next.word)) return false;
+  static_cast<void>(read_colour(stream));
+  stream.context().warn(next.span, "a colour is no modifier of an object and has no effect here",
+                        "write `pigment { … }` around it");
+  return true;
+}
+
 bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
   if (const std::optional<scene::Transform> transform = read_transform(stream)) {
     move(draft, *transform);
@@ -161,7 +172,8 @@ bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
   if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return true;
   if (stream.peek().is(ElementKind::block)) return read_clips(stream, draft);
   if (!stream.peek().is(ElementKind::word)) return false;
-  return read_flag(stream, draft) || read_hint(stream, draft) || read_cutaway_textures(stream, draft);
+  return read_stray_colour(stream) || read_flag(stream, draft) || read_hint(stream, draft) ||
+         read_cutaway_textures(stream, draft);
 }
 
 }  // namespace

@@ -1,0 +1,7 @@
+#declare A = 1;;;
+#macro Nothing() #end
+Nothing();
+#macro Object() sphere { 0, 1 } #end
+Object();
+#declare V = <1; 2, 3>;
+#declare S = "text";;
