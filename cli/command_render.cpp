@@ -1,7 +1,7 @@
 // `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
+#include "base/content_hash.h"
 #include "cli/closing_line.h"
 #include "cli/commands.h"
-#include "cli/content_hash.h"
 #include "cli/drawable.h"
 #include "cli/interrupt.h"
 #include "cli/output_files.h"

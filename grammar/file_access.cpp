@@ -1,6 +1,7 @@
 #include "grammar/file_access.h"
 
 #include "grammar/replace_file.h"
+#include "grammar/similar_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -43,32 +44,33 @@ std::string shown_name(std::string_view name) {
 
 FileAccess::FileAccess(std::vector<fs::path> search_path, const std::vector<fs::path>& write_folders)
     : search_path_(std::move(search_path)) {
-  for (const fs::path& path : search_path_) {
-    if (Folder folder(path); folder.is_open()) readable_.push_back(std::move(folder));
-  }
+  for (const fs::path& path : search_path_) readable_.add(path);
   for (const fs::path& path : write_folders) {
     if (Folder folder(path); folder.is_open()) write_folders_.push_back(std::move(folder));
   }
 }
 
-void FileAccess::set_scene_folder(const fs::path& path) {
+void FileAccess::set_current_folder(const fs::path& path) {
   scene_folder_ = path;
-  if (Folder folder(path); folder.is_open()) readable_.push_back(std::move(folder));
+  readable_.add(path);
+}
+
+void FileAccess::set_scene_folder(const fs::path& path) {
+  set_current_folder(path);
+  if (const fs::path tree = working_tree_of(path); !tree.empty()) readable_.add(tree);
 }
 
 void FileAccess::add_input(const FileStamp& stamp) { inputs_.emplace(stamp.device, stamp.inode); }
 
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
-const Folder* FileAccess::readable_folder_of(const fs::path& canonical) const {
-  for (const Folder& folder : readable_) {
-    if (folder.holds(canonical)) return &folder;
-  }
-  if (!written_paths_.contains(canonical)) return nullptr;
+ReadableFolders::Verdict FileAccess::verdict_on(const fs::path& canonical) const {
+  const ReadableFolders::Verdict verdict = readable_.judge(canonical);
+  if (verdict.folder != nullptr || !written_paths_.contains(canonical)) return verdict;
   for (const Folder& folder : write_folders_) {
-    if (folder.holds(canonical)) return &folder;
+    if (folder.holds(canonical)) return {&folder, false};
   }
-  return nullptr;
+  return verdict;
 }
 
 FoundFile FileAccess::judge(const fs::path& candidate) const {
@@ -76,32 +78,45 @@ FoundFile FileAccess::judge(const fs::path& candidate) const {
   std::error_code error;
   file.shown = candidate.lexically_normal();
   file.canonical = fs::canonical(candidate, error);
+  const auto refuse = [&](std::string message, std::string hint = {}) {
+    file.problem = {AccessError::refused, std::move(message), std::move(hint)};
+    return std::move(file);
+  };
   if (error) {
-    file.problem.error = is_absence(error) ? AccessError::not_found : AccessError::refused;
-    file.problem.message = fmt::format("cannot read `{}`: {}", shown_name(file.shown.string()), error.message());
+    const AccessError kind = is_absence(error) ? AccessError::not_found : AccessError::refused;
+    file.problem = {kind, fmt::format("cannot read `{}`: {}", shown_name(file.shown.string()), error.message()), {}};
     return file;
   }
-  const Folder* const folder = readable_folder_of(file.canonical);
-  if (folder == nullptr) {
-    file.problem = {AccessError::refused,
-                    fmt::format("`{}` is outside the folders that the scene may read", shown_name(candidate.string())),
-                    "allow its folder with `-I`"};
-    return file;
+  const ReadableFolders::Verdict verdict = verdict_on(file.canonical);
+  if (verdict.folder == nullptr && verdict.is_in_version_control) {
+    return refuse(
+        fmt::format("`{}` belongs to version control; a scene may not read it", shown_name(file.shown.string())));
   }
-  if (file.canonical == folder->path()) {
-    file.problem = {AccessError::refused, fmt::format("cannot read `{}`: it is a folder", file.shown.string()), {}};
-    return file;
+  if (verdict.folder == nullptr) {
+    return refuse(fmt::format("`{}` is outside the folders that the scene may read", shown_name(candidate.string())),
+                  "allow its folder with `-I`");
   }
-  file.folder = folder->open_folder(file.canonical.parent_path());
-  if (!file.folder.is_open()) {
-    file.problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", file.shown.string(), explain(errno)), {}};
-    return file;
+  if (file.canonical == verdict.folder->path()) {
+    return refuse(fmt::format("cannot read `{}`: it is a folder", file.shown.string()));
   }
+  file.folder = verdict.folder->open_folder(file.canonical.parent_path());
+  if (!file.folder.is_open()) return refuse(fmt::format("cannot read `{}`: {}", file.shown.string(), explain(errno)));
   file.stamp = stamp_at(file.folder.get(), file.canonical.filename());
   return file;
 }
 
-FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder) const {
+std::vector<fs::path> FileAccess::folders_for(const fs::path& asking_folder) const {
+  std::vector<fs::path> folders{asking_folder};
+  const auto append = [&](const fs::path& folder) {
+    if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
+  };
+  // POV-Ray looks where it was started, which is the scene's folder as a rule, and not where the asking file lies.
+  if (scene_folder_) append(*scene_folder_);
+  for (const fs::path& folder : search_path_) append(folder);
+  return folders;
+}
+
+FoundFile FileAccess::search(std::string_view name, const std::vector<fs::path>& folders) const {
   FoundFile found;
   if (name.empty()) {
     found.problem = {AccessError::not_found, "a file needs a name", {}};
@@ -115,8 +130,6 @@ FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder)
   }
   if (const auto written = written_.find(name); written != written_.end()) return judge(written->second);
 
-  std::vector<fs::path> folders{asking_folder};
-  folders.insert(folders.end(), search_path_.begin(), search_path_.end());
   // A refusal tells more than "cannot find", but a later folder may hold a file that may be read.
   AccessProblem refusal;
   for (const fs::path& folder : folders) {
@@ -126,8 +139,21 @@ FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder)
   }
   found.problem = refusal.error != AccessError::none
                       ? refusal
-                      : AccessProblem{AccessError::not_found, fmt::format("cannot find `{}`", shown_name(name)),
-                                      fmt::format("looked for it in {}", names_of(folders))};
+                      : AccessProblem{AccessError::not_found, fmt::format("cannot find `{}`", shown_name(name)), {}};
+  return found;
+}
+
+bool FileAccess::exists(std::string_view name, const fs::path& asking_folder) const {
+  return search(name, folders_for(asking_folder)).problem.error == AccessError::none;
+}
+
+FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder) const {
+  const std::vector<fs::path> folders = folders_for(asking_folder);
+  FoundFile found = search(name, folders);
+  if (found.problem.error != AccessError::not_found || name.empty()) return found;
+  const auto may_read = [this](const fs::path& file) { return verdict_on(file).folder != nullptr; };
+  found.problem.hint = hint_of_similar_file(name, folders, may_read);
+  if (found.problem.hint.empty()) found.problem.hint = fmt::format("looked for it in {}", names_of(folders));
   return found;
 }
 
@@ -135,6 +161,32 @@ TextFile FileAccess::read(const FoundFile& file, std::size_t max_bytes) const {
   if (!file.is_in_memory) return read_text_file_at(file.folder.get(), file.canonical.filename(), max_bytes);
   const auto memory = memory_.find(file.canonical.string());
   return {.text = memory->second.text, .trouble = {}, .hint = {}, .exists = true, .stamp = memory->second.stamp};
+}
+
+TextFile FileAccess::read_bytes(const FoundFile& file, std::size_t max_bytes) const {
+  if (file.is_in_memory) return read(file, max_bytes);
+  return read_bytes_at(file.folder.get(), file.canonical.filename(), max_bytes);
+}
+
+std::string FileAccess::portable_name(const FoundFile& file) const {
+  if (file.is_in_memory || written_paths_.contains(file.canonical)) return "";
+  const auto canonical = [](const fs::path& folder) {
+    std::error_code error;
+    fs::path path = fs::canonical(folder.empty() ? "." : folder, error);
+    return error ? fs::path() : path;
+  };
+  const fs::path scene = scene_folder_ ? canonical(*scene_folder_) : fs::path();
+  // From the innermost of the folders: a library may lie below the scene's.
+  fs::path name = file.canonical.lexically_relative(scene);
+  bool is_below = !name.empty() && *name.begin() != "..";
+  for (const fs::path& folder : search_path_) {
+    const fs::path root = canonical(folder);
+    const fs::path relative = root.empty() ? fs::path() : file.canonical.lexically_relative(root);
+    if (relative.empty() || *relative.begin() == "..") continue;
+    if (!is_below || relative.native().size() < name.native().size()) name = relative;
+    is_below = true;
+  }
+  return name.string();
 }
 
 // ---- Writing --------------------------------------------------------------------------------------------------------
@@ -161,6 +213,8 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
   place.canonical = folder_path / name;
   place.folder = allowed->open_folder(folder_path);
   if (!place.folder.is_open()) return refuse(explain(errno));
+  // Other programs run the commands that such a folder names.
+  if (is_in_version_control(allowed->below(place.canonical))) return refuse("it belongs to version control");
   struct stat status {};
   if (::fstatat(place.folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
     if (errno == ENOENT) return place;
@@ -179,7 +233,7 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
 WritablePlace FileAccess::find_writable(std::string_view name) const {
   if (name.empty())
     return {.problem = {AccessError::refused, "a file needs a name", {}}, .canonical = {}, .folder = {}};
-  WritablePlace place = judge_place(scene_folder_ / name);
+  WritablePlace place = judge_place(scene_folder_.value_or(fs::path()) / name);
   if (fs::path(name).is_absolute()) return place;
   for (const Folder& folder : write_folders_) {
     // An open folder is an allowed one: the file may be written there, or something stands in the way.

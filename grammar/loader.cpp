@@ -1,5 +1,6 @@
 #include "grammar/loader.h"
 
+#include "base/content_hash.h"
 #include "grammar/lexer.h"
 #include "grammar/parse_state.h"
 #include "grammar/parser.hh"
@@ -84,6 +85,7 @@ const Unit* Loader::load_file(const FoundFile& found, SourceSpan where) {
     return fail(LoadError::not_readable, where, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
   access_.add_input(file.stamp);
+  note_use(access_.portable_name(found), found.shown, file.text);
   const Unit* const unit = parse(name, found.shown, std::move(file.text), where);
   if (unit != nullptr) cache_[found.canonical.string()] = {unit, last_error_, file.stamp};
   return unit;
@@ -92,7 +94,11 @@ const Unit* Loader::load_file(const FoundFile& found, SourceSpan where) {
 const Unit* Loader::load_scene(const fs::path& file_or_dash) {
   const bool is_standard_input = file_or_dash == "-";
   const fs::path folder = is_standard_input ? fs::path(".") : file_or_dash.parent_path();
-  access_.set_scene_folder(folder);
+  if (is_standard_input) {
+    access_.set_current_folder(folder);
+  } else {
+    access_.set_scene_folder(folder);
+  }
   TextFile file = is_standard_input ? read_standard_input(options_.max_file_bytes)
                                     : read_text_file(file_or_dash, options_.max_file_bytes);
   const std::string name = is_standard_input ? "standard input" : file_or_dash.string();
@@ -101,6 +107,7 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
   access_.add_input(file.stamp);
+  note_use(is_standard_input ? name : file_or_dash.filename().string(), name, file.text);
   return parse(name, is_standard_input ? fs::path("./standard input") : file_or_dash, std::move(file.text), {});
 }
 
@@ -109,8 +116,28 @@ const Unit* Loader::load_text(std::string name, std::string text) {
   return parse(std::move(name), std::move(file), std::move(text), {});
 }
 
+void Loader::note_use(std::string name, fs::path shown, std::string_view content) {
+  if (name.empty()) return;
+  ContentHash hash;
+  hash.add(content);
+  if (!used_keys_.emplace(name, hash.value()).second) return;
+  used_.push_back({std::move(name), std::move(shown), hash.value()});
+}
+
+FoundFile Loader::find_include(std::string_view name, const Unit& from) const {
+  const fs::path folder = from.file.parent_path();
+  FoundFile found = access_.find(name, folder);
+  if (found.problem.error != AccessError::not_found || fs::path(name).has_extension()) return found;
+  // As POV-Ray does it.
+  for (const std::string_view extension : {".inc", ".INC"}) {
+    const std::string extended = fmt::format("{}{}", name, extension);
+    if (access_.exists(extended, folder)) return access_.find(extended, folder);
+  }
+  return found;
+}
+
 const Unit* Loader::load_include(std::string_view name, SourceSpan where, const Unit& from) {
-  FoundFile found = access_.find(name, from.file.parent_path());
+  FoundFile found = find_include(name, from);
   if (found.problem.error != AccessError::none) {
     const bool is_absent = found.problem.error == AccessError::not_found;
     return fail(is_absent ? LoadError::not_found : LoadError::not_readable, where, std::move(found.problem.message),
@@ -138,6 +165,7 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
       return nullptr;
     }
     access_.add_input(file.stamp);
+    note_use(access_.portable_name(found), found.shown, file.text);
     span = keep_text(shown, std::move(file.text), problem);
     if (!span) return nullptr;
     data_[found.canonical.string()] = {*span, file.stamp};
@@ -145,8 +173,26 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
   return std::make_unique<DataFile>(map_.text(*span), span->begin, symbols_, arena_, sink_);
 }
 
+bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& problem) {
+  FoundFile found = access_.find(name, from.file.parent_path());
+  problem = std::move(found.problem);
+  if (problem.error != AccessError::none) return false;
+  const auto known = used_bytes_.find(found.canonical.string());
+  if (known != used_bytes_.end() && known->second == found.stamp) return true;
+  const TextFile file = access_.read_bytes(found, options_.max_file_bytes);
+  if (!file.trouble.empty()) {
+    problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", found.shown.string(), file.trouble),
+               file.hint};
+    return false;
+  }
+  access_.add_input(file.stamp);
+  note_use(access_.portable_name(found), found.shown, file.text);
+  used_bytes_[found.canonical.string()] = file.stamp;
+  return true;
+}
+
 bool Loader::exists(std::string_view name, const Unit& from) const {
-  return access_.find(name, from.file.parent_path()).problem.error == AccessError::none;
+  return access_.exists(name, from.file.parent_path());
 }
 
 void Loader::forget(const fs::path& file) {

@@ -13,13 +13,16 @@
 #include "grammar/text_file.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace isl::grammar {
@@ -30,6 +33,13 @@ struct Unit {
   SourceSpan span;
   Items items;
   std::filesystem::path file;
+};
+
+/// A file that the scene is made of. What the run itself wrote is none.
+struct UsedFile {
+  std::string name;             ///< the same on every machine: from the scene's folder, or from that of the library
+  std::filesystem::path shown;  ///< as the user would say it
+  std::uint64_t hash = 0;       ///< of its content (base/content_hash.h)
 };
 
 struct LoaderOptions {
@@ -68,6 +78,13 @@ class Loader {
   /// why.
   [[nodiscard]] std::unique_ptr<DataFile> open_data(std::string_view name, const Unit& from, AccessProblem& problem);
 
+  /// Reads the file `name` that a scene in `from` takes pictures, densities or letters from, as far as it takes to name
+  /// it among used_files(). False where it cannot be read, and `problem` says why.
+  [[nodiscard]] bool use_file(std::string_view name, const Unit& from, AccessProblem& problem);
+
+  /// Every file read so far, in the order of first use.
+  [[nodiscard]] const std::vector<UsedFile>& used_files() const { return used_; }
+
   /// Whether a file could be read by that name.
   [[nodiscard]] bool exists(std::string_view name, const Unit& from) const;
 
@@ -99,6 +116,9 @@ class Loader {
   const Unit* fail(LoadError error, SourceSpan where, std::string message, std::string hint = {});
   const Unit* parse(std::string name, std::filesystem::path file, std::string text, SourceSpan where);
   const Unit* load_file(const FoundFile& file, SourceSpan where);
+  [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
+  /// Notes that a file was read. `name` is its portable name; a file without one is not noted.
+  void note_use(std::string name, std::filesystem::path shown, std::string_view content);
   /// Nothing where the limit or the offsets of the source map are used up, and `problem` says so.
   std::optional<SourceSpan> keep_text(std::string name, std::string text, AccessProblem& problem);
 
@@ -111,6 +131,9 @@ class Loader {
   std::deque<Unit> units_;
   std::unordered_map<std::string, Cached> cache_;  ///< by canonical path
   std::unordered_map<std::string, CachedData> data_;
+  std::unordered_map<std::string, FileStamp> used_bytes_;  ///< by canonical path: files that use_file() has read
+  std::vector<UsedFile> used_;
+  std::set<std::pair<std::string, std::uint64_t>> used_keys_;  ///< name and hash of each in `used_`
   std::size_t text_bytes_ = 0;
   LoadError last_error_ = LoadError::none;
 };

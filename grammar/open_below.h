@@ -19,6 +19,8 @@ class Folder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Whether an absolute path without links leads below the folder, or to it.
   [[nodiscard]] bool holds(const std::filesystem::path& canonical) const;
+  /// What such a path is called from the folder: relative, empty for the folder itself. Precondition: it is held.
+  [[nodiscard]] std::filesystem::path below(const std::filesystem::path& canonical) const;
 
   /// The folder itself or one below it, whose path `canonical` is. Walks from the folder name by name and follows no
   /// link, so that a link put in after `canonical` was found makes it fail (`errno` tells). It can be used as the

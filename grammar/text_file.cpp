@@ -27,13 +27,29 @@ bool is_control(char character) {
   return (byte < 0x20 || byte == 0x7F) && kHarmless.find(character) == std::string_view::npos;
 }
 
+/// The wide encoding that a text is in, "" for none: by its byte-order mark; or by its zeros, since in what Western
+/// editors save most characters are below 256, so that most pairs of bytes have one zero, always on the same side.
+std::string_view wide_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+  std::array<std::size_t, 2> zeros{};
+  for (std::size_t i = 0; i < text.size(); ++i) zeros[i % 2] += text[i] == '\0';
+  const bool is_one_sided = zeros[0] == 0 || zeros[1] == 0;
+  return is_one_sided && (zeros[0] + zeros[1]) * 4 > text.size() ? "UTF-16" : "";
+}
+
 void look_for_text(TextFile& file) {
   if (!file.trouble.empty()) return;
   const std::string_view text = file.text;
+  if (const std::string_view encoding = wide_encoding(text); !encoding.empty()) {
+    file.trouble = fmt::format("it is {} text", encoding);
+    file.hint = fmt::format("save it as UTF-8, or convert it with `iconv -f {} -t UTF-8`", encoding);
+    return;
+  }
   const auto controls = static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_control));
   if (controls * kBytesPerControl <= text.size()) return;
   file.trouble = "not a text file";
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) file.hint = "it is UTF-16; save it as UTF-8";
 }
 
 FileStamp stamp_from(const struct stat& status) {

@@ -79,14 +79,20 @@ void read_transparency(ElementStream& stream, std::optional<double>& all,
 }  // namespace
 
 std::string read_file_name(ElementStream& stream, std::string_view what) {
-  if (const Element& next = stream.peek(); next.is(ElementKind::value)) {
-    if (next.node->kind == grammar::NodeKind::string) {
-      const auto& node = grammar::as<grammar::String>(*next.node);
-      stream.drop();
-      return std::string(node.raw);
-    }
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  std::string name;
+  if (next.is(ElementKind::value) && next.node->kind == grammar::NodeKind::string) {
+    stream.drop();
+    name = grammar::as<grammar::String>(*next.node).raw;
+  } else {
+    name = read_string(stream, what);
   }
-  return read_string(stream, what);
+  grammar::AccessProblem problem;
+  if (!context.loader.use_file(name, context.current_unit(), problem)) {
+    context.error(next.span, problem.message, problem.hint);
+  }
+  return name;
 }
 
 Image read_image_source(ElementStream& stream) {

@@ -109,6 +109,65 @@ TEST_F(FileAccessTest, WhatIsInMemoryIsFoundByItsName) {
   EXPECT_FALSE(fs::exists(path("scenes/x.txt")));
 }
 
+TEST_F(FileAccessTest, AFolderOfTheWorkingTreeThatBecomesALinkIsNotFollowed) {
+  fs::create_directories(path("tree/.git"));
+  fs::create_directories(path("tree/scenes"));
+  folder_.write("tree/lib/a.inc", "A");
+  FileAccess access({}, {});
+  access.set_scene_folder(path("tree/scenes"));
+  const FoundFile found = access.find("../lib/a.inc", path("tree/scenes"));
+  ASSERT_EQ(found.problem.error, AccessError::none) << found.problem.message;
+  EXPECT_EQ(access.read(found, kPlenty).text, "A");
+  fs::rename(path("tree/lib"), path("tree/elsewhere"));
+  fs::create_directory_symlink(path("secret"), path("tree/lib"));
+  EXPECT_EQ(access.find("../lib/a.inc", path("tree/scenes")).problem.error, AccessError::refused);
+  fs::rename(path("tree"), path("old"));
+  fs::create_directory_symlink(path("secret"), path("tree"));
+  fs::create_directory(path("secret/scenes"));
+  EXPECT_NE(access.find("../a.inc", path("tree/scenes")).problem.error, AccessError::none) << "it is another tree now";
+}
+
+TEST_F(FileAccessTest, NamesAreTheSameOnEveryMachine) {
+  fs::create_directories(path("tree/.git"));
+  folder_.write("tree/common.inc", "C");
+  folder_.write("tree/scenes/inc/a.inc", "A");
+  folder_.write("library/sub/b.inc", "B");
+  FileAccess access({path("library")}, {});
+  access.set_scene_folder(path("tree/scenes"));
+  const auto name = [&](const fs::path& asked) {
+    const FoundFile found = access.find(asked.string(), path("tree/scenes/inc"));
+    EXPECT_EQ(found.problem.error, AccessError::none) << found.problem.message;
+    return access.portable_name(found);
+  };
+  EXPECT_EQ(name("a.inc"), "inc/a.inc");
+  EXPECT_EQ(name("inc/a.inc"), "inc/a.inc") << "the scene's folder is searched too";
+  EXPECT_EQ(name(path("tree/scenes/inc/a.inc")), "inc/a.inc");
+  EXPECT_EQ(name("sub/b.inc"), "sub/b.inc");
+  EXPECT_EQ(name("../../common.inc"), "../common.inc");
+  EXPECT_EQ(access.write(FileAccess::in_memory("x.txt"), "x.txt", "kept"), "");
+  EXPECT_EQ(name("x.txt"), "") << "a run's own file is no input";
+}
+
+TEST_F(FileAccessTest, TheFileThatIsMeantIsNamed) {
+  folder_.write("scenes/Maps/Wood.png", "W");
+  const auto hint = [&](const char* name) { return access_->find(name, path("scenes")).problem.hint; };
+  EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("there is `inner/a.inc` in"));
+  EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("capitals count"));
+  EXPECT_THAT(hint("maps\\wood.png"), HasSubstr("there is `Maps/Wood.png` in"));
+  EXPECT_THAT(hint("inner\\a.inc"), HasSubstr("folders are separated by `/`"));
+  EXPECT_THAT(hint("C:\\my pictures\\inner\\a.inc"), HasSubstr("folders are separated by `/`"));
+  EXPECT_THAT(hint("nothing.inc"), HasSubstr("looked for it in"));
+  folder_.write("secret/other.inc", "Secret");
+  EXPECT_THAT(hint("../Secret/OTHER.inc"), testing::Not(HasSubstr("other.inc"))) << "names outside are not told";
+}
+
+TEST_F(FileAccessTest, AFileBesideTheSceneIsNamedWhereAPathLeadsElsewhere) {
+  folder_.write("scenes/wood.png", "W");
+  for (const char* const name : {"C:\\my pictures\\Wood.png", "/home/someone/wood.png", "pictures/wood.png"}) {
+    EXPECT_THAT(access_->find(name, path("scenes")).problem.hint, HasSubstr("there is `wood.png` in")) << name;
+  }
+}
+
 TEST(ReplaceFile, KeepsPermissionsAndLeavesNothingBehind) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");

@@ -52,9 +52,23 @@ TEST(TextFile, IsNoBinary) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_text_file(folder.write("a", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)), kPlenty).trouble,
             "not a text file");
-  const TextFile wide = read_text_file(folder.write("b", std::string("\xFF\xFEs\0p\0h\0", 8)), kPlenty);
-  EXPECT_EQ(wide.trouble, "not a text file");
-  EXPECT_FALSE(wide.hint.empty()) << "UTF-16 is named";
+}
+
+TEST(TextFile, InAWideEncodingIsNamedWithTheRemedy) {
+  const TemporaryFolder folder;
+  const auto trouble = [&](std::string_view bytes) {
+    const TextFile file = read_text_file(folder.write("a", bytes), kPlenty);
+    EXPECT_EQ(file.hint.empty(), file.trouble.empty());
+    return file.trouble;
+  };
+  using namespace std::string_view_literals;
+  EXPECT_EQ(trouble("\xFF\xFEs\0p\0h\0"sv), "it is UTF-16 text");
+  EXPECT_EQ(trouble("\xFE\xFF\0s\0p\0h"sv), "it is UTF-16 text");
+  EXPECT_EQ(trouble("\xFF\xFE\x2E\x73\x12\x61\x4B\x52"sv), "it is UTF-16 text") << "without a byte below 32 but one";
+  EXPECT_EQ(trouble("s\0p\0h\0e\0r\0e\0"sv), "it is UTF-16 text") << "without a mark";
+  EXPECT_EQ(trouble("\0s\0p\0h\0e\0r\0e"sv), "it is UTF-16 text") << "without a mark";
+  EXPECT_EQ(trouble("\xFF\xFE\0\0s\0\0\0"sv), "it is UTF-32 text");
+  EXPECT_EQ(trouble("\xEF\xBB\xBFsphere"sv), "") << "UTF-8 with a mark is read";
 }
 
 TEST(TextFile, MayBeOfAnyCodePageAndHaveAStrayByte) {

@@ -92,7 +92,7 @@ TEST(Limits, RecordsOfTexturesCount) {
        {"#declare P = pigment { checker }", "#declare N = normal { bumps }", "#declare M = color_map { [0 rgb 1] }",
         "#declare M = pigment_map { [0 checker] }", "#declare S = slope_map { [0 <0, 1>] }",
         "#declare T = texture { bozo texture_map { [0 pigment { rgb 1 }] } }",
-        "#declare P = pigment { image_map { png \"a.png\" } }"}) {
+        "#declare P = pigment { image_map { function 4, 4 { pigment { checker } } } }"}) {
     EXPECT_THAT(hint(EvaluatedText(fmt::format("#while (1) {} #end", body), options)), HasSubstr("--max-memory"))
         << body;
   }

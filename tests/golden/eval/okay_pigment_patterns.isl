@@ -3,7 +3,7 @@
 P(pigment { agate agate_turb 0.5 }) P(pigment { aoi }) P(pigment { boxed }) P(pigment { bozo }) P(pigment { bumps })
 P(pigment { brick rgb 1, rgb 0 brick_size <1, 2, 3> mortar 0.1 }) P(pigment { cells }) P(pigment { cylindrical })
 P(pigment { crackle form <1, 0, 0> metric 1 offset 0.2 solid }) P(pigment { dents }) P(pigment { granite })
-P(pigment { density_file df3 "back\slash.df3" interpolate 1 }) P(pigment { gradient <1, 2, 0> }) P(pigment { leopard })
+P(pigment { density_file df3 "ball.df3" interpolate 1 }) P(pigment { gradient <1, 2, 0> }) P(pigment { leopard })
 P(pigment { mandel 30 exponent 3 exterior 2, 0.5 interior 1, 2 }) P(pigment { julia <0.3, 0.2>, 20 })
 P(pigment { magnet 1 mandel 10 }) P(pigment { magnet 2 julia <1, 2>, 10 }) P(pigment { marble }) P(pigment { onion })
 P(pigment { pavement number_of_sides 4 number_of_tiles 3 pattern 2 form 1 interior 2 exterior 1 }) P(pigment { planar })

@@ -1,11 +1,11 @@
-// A short fingerprint of texts, for a picture's metadata: the same scene gives the same one on every machine and in
+// A short fingerprint of files, for a picture's metadata: the same scene gives the same one on every machine and in
 // every later version of the program. FNV-1a with 64 bits (Fowler, Noll, Vo); no defence against anyone's intent.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-namespace isl::cli {
+namespace isl {
 
 class ContentHash {
  public:
@@ -21,4 +21,4 @@ class ContentHash {
   std::uint64_t state_ = 0xCBF29CE484222325ULL;
 };
 
-}  // namespace isl::cli
+}  // namespace isl

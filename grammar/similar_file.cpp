@@ -1,0 +1,81 @@
+#include "grammar/similar_file.h"
+
+#include <fmt/format.h>
+#include <strings.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <system_error>
+
+namespace isl::grammar {
+namespace {
+
+namespace fs = std::filesystem;
+using MayRead = std::function<bool(const fs::path&)>;
+
+/// Entries of one folder that are looked at: a message is not worth more time.
+constexpr std::size_t kMaxEntries = 10'000;
+
+/// A path as Windows writes it, with `/`: without the drive's letter where it has one.
+std::string with_slashes(std::string_view name) {
+  const bool has_drive = name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 && name[1] == ':';
+  std::string text(has_drive ? name.substr(2) : name);
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return text;
+}
+
+/// The entry of a readable folder that is called `part` but for the case of letters; empty where there is none.
+fs::path entry_like(const fs::path& folder, const fs::path& part, const MayRead& may_read) {
+  std::error_code error;
+  if (fs::exists(folder / part, error)) return part;
+  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
+  if (error || !may_read(canonical)) return {};
+  std::size_t count = 0;
+  for (fs::directory_iterator entry(canonical, error), end; !error && entry != end && count < kMaxEntries; ++count) {
+    fs::path name = entry->path().filename();
+    if (::strcasecmp(name.c_str(), part.c_str()) == 0) return name;
+    entry.increment(error);
+  }
+  return {};
+}
+
+/// The path below `folder` of a file that may be read and is called `name` but for the case of letters.
+fs::path path_like(const fs::path& folder, const fs::path& name, const MayRead& may_read) {
+  fs::path below;
+  for (const fs::path& part : name.relative_path()) {
+    const fs::path entry = entry_like(folder / below, part, may_read);
+    if (entry.empty()) return {};
+    below /= entry;
+  }
+  std::error_code error;
+  const fs::path canonical = fs::canonical(folder / below, error);
+  return !error && fs::is_regular_file(canonical, error) && may_read(canonical) ? below : fs::path();
+}
+
+}  // namespace
+
+std::string hint_of_similar_file(std::string_view name, const std::vector<fs::path>& folders, const MayRead& may_read) {
+  const bool has_backslash = name.find('\\') != std::string_view::npos;
+  const std::string slashed = with_slashes(name);
+  const fs::path path(slashed);
+  const auto hint = [&](const fs::path& folder, const fs::path& found) {
+    std::string reason;
+    if (has_backslash) reason = "; folders are separated by `/`";
+    if (!has_backslash && found != path && ::strcasecmp(found.c_str(), path.c_str()) == 0) {
+      reason = "; capitals count in names of files";
+    }
+    const std::string place = folder.empty() ? "." : folder.string();
+    return fmt::format("there is `{}` in {}: write that name{}", found.string(), place, reason);
+  };
+  for (const fs::path& folder : folders) {
+    if (path.is_absolute()) break;
+    if (const fs::path found = path_like(folder, path, may_read); !found.empty()) return hint(folder, found);
+  }
+  for (const fs::path& folder : folders) {
+    if (const fs::path found = path_like(folder, path.filename(), may_read); !found.empty()) return hint(folder, found);
+  }
+  return has_backslash ? "folders are separated by `/`, and a file is looked for beside the scene" : "";
+}
+
+}  // namespace isl::grammar
