@@ -4,6 +4,8 @@
 #include "cli/report.h"
 #include "cli/scene_extent.h"
 #include "cli/scene_summary.h"
+#include "cli/used_files.h"
+#include "cli/view_check.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,16 +21,6 @@ std::string counted(std::uint64_t count, std::string_view singular) {
 
 std::string vector_text(const Imath::V3d& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); }
 
-void check_view(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
-  const scene::Database& database = session.scene().database;
-  if (database.camera && !extent.box.isEmpty() && !extent.unbounded && !may_see(*database.camera, extent.box)) {
-    session.sink().warning({}, "the camera sees nothing of the scene", "try the camera below");
-  }
-  if (summary.primitives() > 0 && summary.lights == 0) {
-    session.sink().warning({}, "the scene has no light_source: only ambient light shows");
-  }
-}
-
 void print_text(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
   print_problems(session);
   fmt::print("{}: {}", session.display_name(), counted(summary.primitives(), "primitive"));
@@ -42,6 +34,7 @@ void print_text(Session& session, const SceneSummary& summary, const SceneExtent
   } else if (extent.unbounded) {
     fmt::print("bounding box: none, there is only what has no end\n");
   }
+  fmt::print("files:\n{}", files_table(session.used_files()));
 }
 
 nlohmann::ordered_json array_of(const Imath::V3d& v) { return {v.x, v.y, v.z}; }
@@ -60,6 +53,7 @@ void print_json(Session& session, const SceneSummary& summary, const SceneExtent
     document["camera"] = suggest_camera(extent.box);
   }
   document["unbounded"] = extent.unbounded;
+  document["files"] = files_json(session.used_files());
   document["time"] = {{"parse", session.parse_seconds()}, {"evaluate", session.evaluate_seconds()}};
   print_document(document);
 }
@@ -72,7 +66,7 @@ ExitCode run(const CheckCommand& command) {
   const scene::Database& database = session.scene().database;
   const SceneSummary summary = summarise(database);
   const SceneExtent extent = extent_of(database);
-  check_view(session, summary, extent);
+  warn_of_view(session, summary, extent);
   if (command.scene.format == OutputFormat::json) {
     print_json(session, summary, extent);
   } else {

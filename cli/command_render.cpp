@@ -10,7 +10,9 @@
 #include "cli/report.h"
 #include "cli/statistics.h"
 #include "cli/stopwatch.h"
+#include "cli/used_files.h"
 #include "cli/version.h"
+#include "cli/view_check.h"
 #include "renderer/accuracy/measured_layers.h"
 #include "renderer/image/layer_picture.h"
 #include "renderer/render.h"
@@ -45,10 +47,9 @@ OutputProblem check_places(const RenderCommand& command, const std::vector<fs::p
   return problem;
 }
 
-/// Of every text that the scene is made of, in the order in which they were read.
-std::uint64_t scene_hash(const grammar::SourceMap& sources) {
+/// Of every text that the scene is made of, from its own on, in the order in which they were read.
+std::uint64_t scene_hash(const grammar::SourceMap& sources, std::uint32_t begin) {
   ContentHash hash;
-  std::uint32_t begin = 1;
   while (sources.position(begin).line != 0) {
     const std::string_view text = sources.text({begin, std::numeric_limits<std::uint32_t>::max()});
     hash.add(text);
@@ -61,10 +62,12 @@ render::ImageFileOptions file_options(const RenderCommand& command, const Render
                                       const Session& session) {
   render::ImageFileOptions options;
   options.bits = command.picture.bits;
-  options.metadata = {{"Software", fmt::format("isl {}", kVersion)},
-                      {"isl:Scene", session.name()},
-                      {"isl:SceneHash", fmt::format("{:016x}", scene_hash(session.sources()))},
-                      {"isl:Options", canonical_options(command, settings)}};
+  options.metadata = {
+      {"Software", fmt::format("isl {}", kVersion)},
+      {"isl:Scene", session.name()},
+      {"isl:SceneHash", fmt::format("{:016x}", scene_hash(session.sources(), session.unit().span.begin))},
+      {"isl:Files", files_text(session.used_files())},
+      {"isl:Options", canonical_options(command, settings)}};
   return options;
 }
 
@@ -135,6 +138,8 @@ ExitCode run(const RenderCommand& command) {
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const DrawableScene drawable(session);
   if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
+  const SceneSummary summary = summarise(session.scene().database);
+  warn_of_view(session, summary, extent_of(session.scene().database));
   if (command.scene.format == OutputFormat::text) print_problems(session);
 
   const scene::Database& database = drawable.database();

@@ -84,6 +84,10 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
            "Search files here too, after the folder of the file that asks; what is elsewhere cannot be read",
            scene.include_paths)
       ->group(group);
+  app.add_flag_callback(
+         "--no-system-libraries", [&scene] { scene.system_libraries = false; },
+         "Do not search POV-Ray's include files where the system has them")
+      ->group(group);
   add_list(app, "--allow-write", "DIR", "Let #fopen write files below DIR; may be given again [no writing]",
            scene.write_folders)
       ->group(group);

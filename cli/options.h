@@ -23,6 +23,7 @@ enum class OutputFormat : std::uint8_t { text, json };
 struct SceneOptions {
   std::filesystem::path scene;  ///< "-" is standard input
   std::vector<std::filesystem::path> include_paths;
+  bool system_libraries = true;                      ///< POV-Ray's include files are searched last
   std::vector<std::filesystem::path> write_folders;  ///< --allow-write
   std::vector<Define> defines;
   interpreter::Limits limits;

@@ -10,7 +10,14 @@ namespace isl::cli {
 /// it is installed. Empty when there is none.
 [[nodiscard]] std::filesystem::path stdlib_folder();
 
-/// `asked` (each -I), then the folders of the environment variable ISL_PATH (separated by `:`), then the stdlib.
-[[nodiscard]] std::vector<std::filesystem::path> include_search_path(const std::vector<std::filesystem::path>& asked);
+/// POV-Ray's include files and their fonts where this system has them, read-only: of the folders that packages install
+/// them to, those of the first version there is (docs/language.md lists them); or the folders of the environment
+/// variable ISL_SYSTEM_LIBRARIES in their place, where it is set.
+[[nodiscard]] std::vector<std::filesystem::path> system_libraries();
+
+/// `asked` (each -I), then the folders of the environment variable ISL_PATH (separated by `:`), then the stdlib, then
+/// the system's libraries if they are wanted.
+[[nodiscard]] std::vector<std::filesystem::path> include_search_path(const std::vector<std::filesystem::path>& asked,
+                                                                     bool with_system_libraries);
 
 }  // namespace isl::cli

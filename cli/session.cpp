@@ -18,7 +18,7 @@ namespace isl::cli {
 Session::Session(const SceneOptions& options)
     : options_(options),
       loader_(sources_, symbols_, arena_, sink_,
-              {.include_paths = include_search_path(options.include_paths),
+              {.include_paths = include_search_path(options.include_paths, options.system_libraries),
                .write_folders = options.write_folders,
                .max_memory_bytes = options.limits.max_memory_bytes}) {}
 

@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace isl::cli {
 
@@ -41,6 +42,9 @@ class Session {
   [[nodiscard]] std::string name() const;
   /// As the user gave it, for messages.
   [[nodiscard]] std::string display_name() const;
+
+  /// Every file that the scene is made of, in the order of first use.
+  [[nodiscard]] const std::vector<grammar::UsedFile>& used_files() const { return loader_.used_files(); }
 
   /// Seconds of load() and evaluate(); files included are read and parsed while evaluating.
   [[nodiscard]] double parse_seconds() const { return parse_seconds_; }

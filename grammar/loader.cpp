@@ -4,6 +4,7 @@
 #include "grammar/lexer.h"
 #include "grammar/parse_state.h"
 #include "grammar/parser.hh"
+#include "grammar/similar_file.h"
 #include "grammar/text_file.h"
 #include "grammar/token_stream.h"
 
@@ -104,6 +105,8 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
   const std::string name = is_standard_input ? "standard input" : file_or_dash.string();
   if (!file.trouble.empty()) {
     const LoadError error = file.exists ? LoadError::not_readable : LoadError::not_found;
+    const auto may_list = [](const fs::path&) { return true; };  // the user, not a scene, says this name
+    if (!file.exists) file.hint = hint_of_similar_file(name, {folder, ""}, may_list);
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
   access_.add_input(file.stamp);

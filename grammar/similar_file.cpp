@@ -62,9 +62,9 @@ std::string hint_of_similar_file(std::string_view name, const std::vector<fs::pa
   const auto hint = [&](const fs::path& folder, const fs::path& found) {
     std::string reason;
     if (has_backslash) reason = "; folders are separated by `/`";
-    if (!has_backslash && found != path && ::strcasecmp(found.c_str(), path.c_str()) == 0) {
-      reason = "; capitals count in names of files";
-    }
+    const bool is_same_path = ::strcasecmp(found.c_str(), path.c_str()) == 0;
+    const bool has_other_case = is_same_path ? found != path : found.filename() != path.filename();
+    if (!has_backslash && has_other_case) reason = "; capitals count in names of files";
     const std::string place = folder.empty() ? "." : folder.string();
     return fmt::format("there is `{}` in {}: write that name{}", found.string(), place, reason);
   };
