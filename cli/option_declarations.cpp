@@ -76,7 +76,8 @@ Parsed<int> parse_bits(const std::string& text) {
 }
 
 void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::string>& defines, std::string& format) {
-  app.add_option("SCENE", scene.scene, "The scene's file, .isl or .pov; `-` is standard input")
+  app.add_option("SCENE", scene.scene,
+                 "The scene's file, .isl or .pov; or a file of options, .ini or .ini[SECTION]; `-` is standard input")
       ->type_name("")
       ->required();
   const std::string group = "The scene";

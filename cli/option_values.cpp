@@ -12,9 +12,6 @@
 namespace isl::cli {
 namespace {
 
-/// Larger pictures are slips of the finger; the film alone would need some hundred gigabytes.
-constexpr int kMaxSide = 65536;
-
 /// The whole text as a number; no sign `+`, no blanks, no "inf" or "nan".
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
@@ -72,11 +69,11 @@ Parsed<PictureSize> parse_size(std::string_view text) {
   if (cross != std::string_view::npos) {
     const auto width = number_of<int>(text.substr(0, cross));
     const auto height = number_of<int>(text.substr(cross + 1));
-    const auto fits = [](int side) { return side >= 1 && side <= kMaxSide; };
+    const auto fits = [](int side) { return side >= 1 && side <= kMaxPictureSide; };
     if (width && height && fits(*width) && fits(*height)) return PictureSize{*width, *height};
   }
   return Parsed<PictureSize>::error(
-      fmt::format("expected WIDTHxHEIGHT in pixels from 1 to {}, such as 800x600, found `{}`", kMaxSide, text));
+      fmt::format("expected WIDTHxHEIGHT in pixels from 1 to {}, such as 800x600, found `{}`", kMaxPictureSide, text));
 }
 
 Parsed<std::array<int, 4>> parse_crop(std::string_view text) {
@@ -86,7 +83,7 @@ Parsed<std::array<int, 4>> parse_crop(std::string_view text) {
   for (std::size_t i = 0; i < sides.size() && good; ++i) {
     const std::size_t comma = i + 1 < sides.size() ? rest.find(',') : rest.size();
     const auto side = comma == std::string_view::npos ? std::nullopt : number_of<int>(rest.substr(0, comma));
-    good = side && *side >= 0 && *side <= kMaxSide;
+    good = side && *side >= 0 && *side <= kMaxPictureSide;
     if (!good) break;
     sides[i] = *side;
     rest.remove_prefix(std::min(comma + 1, rest.size()));

@@ -30,6 +30,9 @@ class Parsed {
   std::variant<T, std::string> state_;
 };
 
+/// Larger pictures are slips of the finger; the film alone would need some hundred gigabytes.
+inline constexpr int kMaxPictureSide = 65536;
+
 /// Pixels across and down.
 struct PictureSize {
   int width = 800;

@@ -1,10 +1,12 @@
 // CLI11 reads the arguments; the messages are ours, so that all read alike.
 #include "cli/options.h"
 
+#include "cli/ini_options.h"
 #include "cli/option_declarations.h"
 #include "cli/output_options.h"
 #include "cli/povray_switches.h"
 #include "grammar/suggest.h"
+#include "grammar/text_file.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -98,7 +100,7 @@ std::optional<Finished> check_first_word(std::span<const std::string> arguments)
   if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end())
     return std::nullopt;
   std::string hint = fmt::format("there are {}", fmt::join(kCommands, ", "));
-  if (word.ends_with(".isl") || word.ends_with(".pov")) {
+  if (word.ends_with(".isl") || word.ends_with(".pov") || ini_name(word)) {
     hint = "isl render " + word;
   } else if (word == "test") {
     hint = "`./isl test` in a source checkout builds and runs the tests";
@@ -141,6 +143,25 @@ std::optional<Finished> parse(CLI::App& app, std::span<const std::string> argume
   }
 }
 
+/// Where the scene is an .ini file, its settings take the places of options that are not said.
+std::optional<Finished> read_ini_file(const CLI::App& app, SceneOptions& scene, PictureOptions& picture) {
+  constexpr std::size_t kMaxBytes = 1 << 20;  // beyond any settings
+  const std::optional<IniName> name = ini_name(scene.scene);
+  if (!name) return std::nullopt;
+  grammar::TextFile file = grammar::read_text_file(name->file, kMaxBytes);
+  if (!file.trouble.empty()) {
+    const std::string hint = file.hint.empty() ? "" : fmt::format("  hint: {}\n", file.hint);
+    return Finished{ExitCode::file_error,
+                    fmt::format("isl: error: cannot read `{}`: {}\n{}", name->file.string(), file.trouble, hint)};
+  }
+  const auto is_said = [&app](const std::string& option) {
+    const CLI::Option* const found = app.get_option_no_throw(option);
+    return found != nullptr && found->count() > 0;
+  };
+  apply_ini(*name, std::move(file.text), is_said, scene, picture);
+  return std::nullopt;
+}
+
 std::optional<DumpStage> stage_named(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, DumpStage>, 4> kStages{{{"tokens", DumpStage::tokens},
                                                                            {"ast", DumpStage::ast},
@@ -168,14 +189,15 @@ Command parse_command_line(std::span<const std::string> given) {
   SceneOptions& scene = raw.scene;
   if (auto finished = check_rest(command, scene)) return *std::move(finished);
   if (auto finished = finish_scene_options(raw.defines, raw.format, scene)) return *std::move(finished);
+  if (command.get_name() == "accuracy" && command.count("--size") == 0) scene.size = kAccuracySize;
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
+  if (auto finished = read_ini_file(command, scene, raw.picture)) return *std::move(finished);
   if (command.get_name() == "check") return CheckCommand{std::move(scene)};
   if (command.get_name() == "render") {
     if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);
     return RenderCommand{std::move(scene), std::move(raw.picture)};
   }
   if (command.get_name() == "accuracy") {
-    if (command.count("--size") == 0) scene.size = kAccuracySize;
     for (const std::string& text : raw.settings) {
       const auto setting = parse_setting(text);
       if (!setting.ok()) return bad_command_line("--setting: " + setting.message());

@@ -1,7 +1,9 @@
-// The command line as data. Reads the arguments and checks what can be checked without touching a file; runs nothing.
+// The command line as data. Reads the arguments, and the .ini file that they name; checks what can be checked without
+// touching another file; runs nothing.
 #pragma once
 
 #include "cli/exit_code.h"
+#include "cli/ini_file.h"
 #include "cli/option_values.h"
 #include "cli/solver_setting.h"
 #include "interpreter/evaluate.h"
@@ -19,9 +21,17 @@ namespace isl::cli {
 
 enum class OutputFormat : std::uint8_t { text, json };
 
+/// The .ini file that options were read from, and what there is to tell of it.
+struct IniText {
+  std::string name;  ///< as the user gave it
+  std::string text;
+  std::vector<IniRemark> remarks;
+};
+
 /// What every command that reads a scene takes.
 struct SceneOptions {
   std::filesystem::path scene;  ///< "-" is standard input
+  std::optional<IniText> ini;
   std::vector<std::filesystem::path> include_paths;
   bool system_libraries = true;                      ///< POV-Ray's include files are searched last
   std::vector<std::filesystem::path> write_folders;  ///< --allow-write
@@ -89,7 +99,7 @@ struct Finished {
 
 using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, AccuracyCommand, Finished>;
 
-/// `arguments` are those after the program's name.
+/// `arguments` are those after the program's name. Where the scene is an .ini file, that file is read.
 [[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);
 
 }  // namespace isl::cli

@@ -1,5 +1,7 @@
 #include "cli/povray_switches.h"
 
+#include "cli/povray_options.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,95 +15,21 @@ namespace {
 
 using std::string_view;
 
-/// A switch of POV-Ray's, and ours where ours takes the same value. Facts from its manual, "Command-Line and INI-File
-/// Options".
-struct Spelling {
-  string_view letters;  ///< of the short form
-  string_view key;      ///< of the long form (`Key=value`), in lower case
-  string_view ours = {};
-};
-
-/// Longer letters first, because the value follows without a blank.
-constexpr std::array kSpellings = std::to_array<Spelling>({
-    {"KFI", "initial_frame"},
-    {"KFF", "final_frame"},
-    {"KI", "initial_clock"},
-    {"KF", "final_clock"},
-    {"SC", "start_column"},
-    {"SR", "start_row"},
-    {"EC", "end_column"},
-    {"ER", "end_row"},
-    {"UA", "output_alpha"},
-    {"WT", "work_threads", "-t"},
-    {"AM", "sampling_method"},
-    {"AG", "antialias_gamma"},
-    {"HI", "include_header"},
-    {"MB", "bounding_threshold"},
-    {"GA", "all_console"},
-    {"I", "input_file_name"},
-    {"O", "output_file_name"},
-    {"W", "width"},
-    {"H", "height"},
-    {"A", "antialias_threshold"},
-    {"Q", "quality", "--quality"},
-    {"L", "library_path", "-I"},
-    {"K", "clock", "--clock"},
-    {"F", "output_file_type"},
-    {"R", "antialias_depth"},
-    {"J", "jitter_amount"},
-    {"D", "display"},
-    {"P", "pause_when_done"},
-    {"V", "verbose"},
-    {"C", "continue_trace"},
-    {"B", "buffer_output"},
-    {"X", "test_abort"},
-});
-constexpr Spelling kDeclare{"", "declare", "-D"};  // has no short form
-
-/// One switch as given.
-struct Setting {
-  Spelling spelling;
-  std::string value;
-  bool on = true;  ///< `-A` turns off what `+A` turns on
-};
-
-bool same_letters(string_view text, string_view letters) {
-  return text.size() >= letters.size() && std::equal(letters.begin(), letters.end(), text.begin(), [](char a, char b) {
-           return a == std::toupper(static_cast<unsigned char>(b));
-         });
+/// povray_switch() as far as the command line is POV-Ray's: there, lower-case letters after `-` are ours or mistakes in
+/// ours, and -I and -D are ours.
+std::optional<PovraySetting> short_switch(string_view argument) {
+  const bool is_ours =
+      argument.starts_with('-') && argument.size() > 1 &&
+      (std::isupper(static_cast<unsigned char>(argument[1])) == 0 || argument[1] == 'I' || argument[1] == 'D');
+  return is_ours ? std::nullopt : povray_switch(argument);
 }
 
-std::string lower(string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-std::optional<Setting> short_switch(string_view argument) {
-  const bool plus = argument.starts_with('+');
-  // Lower-case letters after `-` are ours or mistakes in ours; -I and -D are ours.
-  const bool minus = argument.starts_with('-') && argument.size() > 1 &&
-                     std::isupper(static_cast<unsigned char>(argument[1])) && argument[1] != 'I' && argument[1] != 'D';
-  if ((!plus && !minus) || argument.size() < 2) return std::nullopt;
-  for (const Spelling& spelling : kSpellings) {
-    if (same_letters(argument.substr(1), spelling.letters)) {
-      return Setting{spelling, std::string(argument.substr(1 + spelling.letters.size())), plus};
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<Setting> long_setting(string_view argument) {
+std::optional<PovraySetting> long_setting(string_view argument) {
   const std::size_t equals = argument.find('=');
   if (equals == string_view::npos || argument.starts_with('-')) return std::nullopt;
-  const std::string key = lower(argument.substr(0, equals));
-  std::string value(argument.substr(equals + 1));
-  if (key == kDeclare.key) return Setting{kDeclare, std::move(value)};
-  const auto row =
-      std::find_if(kSpellings.begin(), kSpellings.end(), [&](const Spelling& spelling) { return spelling.key == key; });
-  if (row == kSpellings.end()) return std::nullopt;
-  return Setting{*row, std::move(value)};
+  const PovrayOption* const option = povray_option(argument.substr(0, equals));
+  if (option == nullptr) return std::nullopt;
+  return PovraySetting{option, std::string(argument.substr(equals + 1))};
 }
 
 /// Whether an option of ours reads the argument after it (for `--name` that is a guess on the safe side).
@@ -115,24 +43,19 @@ std::string quoted(string_view value) {
   return value.find_first_of(" \t\"'$") == string_view::npos ? std::string(value) : fmt::format("'{}'", value);
 }
 
-/// POV-Ray's letter for a file type; its PNG is the default of both programs.
+/// The extension that a file type asks for; PNG, the default of both programs, for those that isl does not write.
 string_view extension(string_view type) {
-  switch (type.empty() ? 'N' : static_cast<char>(std::toupper(static_cast<unsigned char>(type.front())))) {
-    case 'P': return ".ppm";
-    case 'J': return ".jpg";
-    case 'E': return ".exr";
-    case 'H': return ".hdr";
-    default: return ".png";
-  }
+  const string_view known = extension_of_povray_type(type);
+  return known.empty() ? ".png" : known;
 }
 
 /// Collects settings and writes our command line.
 class Translation {
  public:
-  void add(const Setting& setting, const std::string& argument) {
-    const string_view key = setting.spelling.key;
-    if (!setting.spelling.ours.empty()) {
-      options_ += fmt::format(" {} {}", setting.spelling.ours, quoted(setting.value));
+  void add(const PovraySetting& setting, const std::string& argument) {
+    const string_view key = setting.option->key;
+    if (!setting.option->ours.empty()) {
+      options_ += fmt::format(" {} {}", setting.option->ours, quoted(setting.value));
     } else if (key == "antialias_threshold") {
       options_ += setting.on ? " --aa " + (setting.value.empty() ? "0.3" : setting.value) : " --samples 1";
     } else if (key == "output_alpha" && setting.on) {
@@ -191,7 +114,7 @@ std::optional<PovraySwitches> find_povray_switches(std::span<const std::string> 
     if (setting) {
       if (!first) first = argument;
       translation.add(*setting, argument);
-    } else if (argument.ends_with(".pov") || argument.ends_with(".isl")) {
+    } else if (argument.ends_with(".pov") || argument.ends_with(".isl") || argument.ends_with(".ini")) {
       translation.set_scene(argument);
     }
   }

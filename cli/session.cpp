@@ -20,7 +20,18 @@ Session::Session(const SceneOptions& options)
       loader_(sources_, symbols_, arena_, sink_,
               {.include_paths = include_search_path(options.include_paths, options.system_libraries),
                .write_folders = options.write_folders,
-               .max_memory_bytes = options.limits.max_memory_bytes}) {}
+               .max_memory_bytes = options.limits.max_memory_bytes}) {
+  if (options.ini) tell(*options.ini);
+}
+
+void Session::tell(const IniText& ini) {
+  const std::optional<SourceSpan> text = sources_.add(ini.name, ini.text);
+  ISL_CHECK(text.has_value(), "{}", ini.text.size());
+  for (const IniRemark& remark : ini.remarks) {
+    const auto offset = [&](std::size_t place) { return text->begin + static_cast<std::uint32_t>(place); };
+    sink_.report({remark.severity, {offset(remark.begin), offset(remark.end)}, remark.message, remark.hint, {}, {}});
+  }
+}
 
 std::string Session::name() const { return options_.scene == "-" ? "stdin" : options_.scene.stem().string(); }
 
@@ -37,6 +48,7 @@ const interpreter::EvaluatedScene& Session::scene() const {
 }
 
 ExitCode Session::load() {
+  if (sink_.has_errors()) return ExitCode::command_line_error;
   for (const std::filesystem::path& folder : options_.write_folders) {
     std::error_code error;
     if (std::filesystem::is_directory(folder, error)) continue;

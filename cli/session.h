@@ -51,6 +51,7 @@ class Session {
   [[nodiscard]] double evaluate_seconds() const { return evaluate_seconds_; }
 
  private:
+  void tell(const IniText& ini);
   void check_result();
   void warn_of_faint_components();
 
