@@ -38,7 +38,10 @@ class SymbolTable {
   SymbolTable& operator=(const SymbolTable&) = delete;
 
   [[nodiscard]] Symbol intern(std::string_view text);
-  [[nodiscard]] std::string_view text(Symbol symbol) const { return texts_[static_cast<std::uint32_t>(symbol)]; }
+  /// Empty for kNoSymbol: a block without a word is asked for its name too.
+  [[nodiscard]] std::string_view text(Symbol symbol) const {
+    return symbol == kNoSymbol ? std::string_view() : texts_[static_cast<std::uint32_t>(symbol)];
+  }
   [[nodiscard]] WordClass word_class(Symbol symbol) const;
   [[nodiscard]] std::size_t size() const { return texts_.size(); }
 

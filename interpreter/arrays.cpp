@@ -65,12 +65,51 @@ std::size_t element_count(Context& context, const Node& node) {
   return static_cast<std::size_t>(size + kTolerance);
 }
 
-std::size_t evaluate_index(Context& context, const Node& node, std::size_t size) {
-  const double index = evaluate_number(context, node) + kTolerance;
+/// The place that the value of the subscript `node` means.
+std::size_t place_of(Context& context, const Node& node, double value, std::size_t size) {
+  const double index = value + kTolerance;
   if (!(index >= 0 && index < static_cast<double>(size))) {
     context.fail(node.span, fmt::format("index {:g} is outside of 0 to {}", index, size - 1));
   }
   return static_cast<std::size_t>(index);
+}
+
+/// The array of one dimension that the slot holds, or null.
+ArrayValue* list_in(const Slot* slot) {
+  if (!slot || slot->value.kind() != ValueKind::array) return nullptr;
+  ArrayValue& array = slot->value.as<ArrayValue>();
+  return array.dimensions.size() == 1 ? &array : nullptr;
+}
+
+struct Subscript {
+  const Node* node;
+  double value;
+};
+
+/// The element that the subscripts name, the first of them last in the list.
+Slot* element_at(Context& context, const grammar::Index& node, Slot* slot, std::vector<Subscript>& subscripts,
+                 bool may_be_undeclared) {
+  while (!subscripts.empty()) {
+    if (slot->value.kind() == ValueKind::poison) throw Failed{};
+    if (slot->value.kind() != ValueKind::array) {
+      if (may_be_undeclared) return nullptr;
+      const Node* base = node.base;
+      while (base->kind == NodeKind::index) base = as<grammar::Index>(*base).base;
+      context.fail(base->span, fmt::format("only an array has elements, found {}", describe(slot->value)));
+    }
+    const ArrayValue& array = slot->value.as<ArrayValue>();
+    if (subscripts.size() < array.dimensions.size()) {
+      context.fail(node.span, fmt::format("the array has {} dimensions, found {} index{}", array.dimensions.size(),
+                                          subscripts.size(), subscripts.size() == 1 ? "" : "es"));
+    }
+    std::size_t place = 0;
+    for (const std::size_t size : array.dimensions) {
+      place = place * size + place_of(context, *subscripts.back().node, subscripts.back().value, size);
+      subscripts.pop_back();
+    }
+    slot = array.elements[place];
+  }
+  return slot;
 }
 
 }  // namespace
@@ -101,45 +140,37 @@ Value make_array(Context& context, const grammar::Array& node) {
   return {ValueKind::array, array};
 }
 
+// A subscript may call a macro that undeclares the array, or declares another by its name. So subscripts are evaluated
+// first, and the array is looked up after them.
 Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared) {
   // The common case first: A[i] of one dimension.
   if (node.base->kind == NodeKind::name) {
-    Slot* const base = context.scopes.find(as<grammar::Name>(*node.base).name);
-    if (base && base->value.kind() == ValueKind::array && base->value.as<ArrayValue>().dimensions.size() == 1) {
-      // The subscript may change what the name stands for; the array stays as long as the value is held.
-      const Value keep = base->value;
-      ArrayValue& array = keep.as<ArrayValue>();
-      return array.elements[evaluate_index(context, *node.subscript, array.elements.size())];
+    const grammar::Symbol name = as<grammar::Name>(*node.base).name;
+    if (list_in(context.scopes.find(name))) {
+      const double index = evaluate_number(context, *node.subscript);
+      const ArrayValue* const list = list_in(context.scopes.find(name));
+      if (!list) context.fail(node.span, "evaluating the index has taken this array away");
+      return list->elements[place_of(context, *node.subscript, index, list->elements.size())];
     }
   }
   // A[i][j] is Index(Index(A, i), j): the subscripts come off from the last.
-  std::vector<const Node*> subscripts;
+  std::vector<Subscript> subscripts;
   const Node* base = &node;
   while (base->kind == NodeKind::index) {
-    subscripts.push_back(as<grammar::Index>(*base).subscript);
+    subscripts.push_back({as<grammar::Index>(*base).subscript, 0});
     base = as<grammar::Index>(*base).base;
   }
-  Slot* slot = may_be_undeclared ? find_slot_if_declared(context, *base) : &find_slot(context, *base);
-  if (!slot) return nullptr;
-  while (!subscripts.empty()) {
-    if (slot->value.kind() == ValueKind::poison) throw Failed{};
-    if (slot->value.kind() != ValueKind::array) {
-      if (may_be_undeclared) return nullptr;
-      context.fail(base->span, fmt::format("only an array has elements, found {}", describe(slot->value)));
-    }
-    ArrayValue& array = slot->value.as<ArrayValue>();
-    if (subscripts.size() < array.dimensions.size()) {
-      context.fail(node.span, fmt::format("the array has {} dimensions, found {} index{}", array.dimensions.size(),
-                                          subscripts.size(), subscripts.size() == 1 ? "" : "es"));
-    }
-    std::size_t place = 0;
-    for (const std::size_t size : array.dimensions) {
-      place = place * size + evaluate_index(context, *subscripts.back(), size);
-      subscripts.pop_back();
-    }
-    slot = array.elements[place];
+  const auto find_base = [&] {
+    return may_be_undeclared ? find_slot_if_declared(context, *base) : &find_slot(context, *base);
+  };
+  const Slot* const before = find_base();
+  if (!before) return nullptr;
+  if (before->value.kind() == ValueKind::array) {
+    for (std::size_t i = subscripts.size(); i-- > 0;)
+      subscripts[i].value = evaluate_number(context, *subscripts[i].node);
   }
-  return slot;
+  Slot* const slot = find_base();
+  return slot ? element_at(context, node, slot, subscripts, may_be_undeclared) : nullptr;
 }
 
 }  // namespace isl::interpreter

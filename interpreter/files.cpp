@@ -52,8 +52,15 @@ void close(Context& context, FileValue& file) {
 
 /// Nothing stands for the file any more, whatever other names it was passed on by.
 void forget_handle(Context& context, grammar::Symbol handle) {
-  context.scopes.find(handle)->value.reset();
+  Slot* const slot = context.scopes.find(handle);
+  if (!slot) return;
+  slot->value.reset();
   context.scopes.undef(handle);
+}
+
+/// What is read or written may come from a macro that closes the file.
+void check_open(Context& context, const FileValue& file, SourceSpan span) {
+  if (!file.is_open) context.fail(span, fmt::format("`{}` was closed meanwhile", grammar::shown_name(file.name)));
 }
 
 // ---- Opening --------------------------------------------------------------------------------------------------------
@@ -206,6 +213,7 @@ void read_file(Context& context, const grammar::Read& node) {
     if (datum.kind == Datum::Kind::end) break;
     Value value = value_of(context, datum);
     target_slot(context, *target).value = std::move(value);
+    check_open(context, *file, node.span);
   }
   if (!file->reader->is_at_end()) return;
   close(context, *file);
@@ -221,6 +229,7 @@ void write_file(Context& context, const grammar::Write& node) {
     ElementStream stream(context, argument, node.span);
     while (!stream.peek().is(ElementKind::end)) {
       const std::string bytes = read_output(stream);
+      check_open(context, *file, node.span);
       // All that a run writes counts, not only what is still open: disks are finite too.
       context.check_memory(node.span, context.files.bytes_written + bytes.size());
       context.files.bytes_written += bytes.size();

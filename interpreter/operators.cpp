@@ -48,7 +48,8 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   // POV-Ray's weights.
   if (i == kGray) return 0.297 * base.term(0) + 0.589 * base.term(1) + 0.114 * base.term(2);
   if (i == kNoItem)
-    context.fail(node.span, fmt::format("`.{}` is not an item of a vector or colour", context.text(node.item)));
+    context.fail(node.span, fmt::format("`.{}` is not an item of a vector or colour", context.text(node.item)),
+                 "the items are `x y z u v t red green blue filter transmit gray`, one at a time");
   if (i >= base.term_count()) {
     context.fail(node.span, fmt::format("`.{}` does not exist in {}", context.text(node.item), describe(base)));
   }
@@ -80,14 +81,29 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return node.kind == NodeKind::number || node.kind == NodeKind::name || node.kind == NodeKind::constant;
 }
 
+/// What to write instead of an operator that joins strings in other languages.
+[[nodiscard]] std::string hint_for_strings(BinaryOp op, const Value& left, const Value& right) {
+  if (op != BinaryOp::add) return {};
+  const auto is_string = [](const Value& value) { return value.kind() == ValueKind::string; };
+  if (is_string(left) && is_string(right)) return "`concat(a, b)` joins strings";
+  if (is_string(left) && right.is_number()) return "`concat(a, str(b, 0, -1))` joins a string and a number";
+  if (left.is_number() && is_string(right)) return "`concat(str(a, 0, -1), b)` joins a number and a string";
+  if (is_string(left) && right.is_numeric())
+    return "`concat(a, vstr(3, b, \", \", 0, -1))` joins a string and a vector";
+  return {};
+}
+
+/// Of operands that are not both numeric, only two strings have an operator: comparison.
 [[nodiscard]] Value compare_strings(Context& context, const grammar::Binary& node, const Value& left,
                                     const Value& right) {
-  if (left.kind() == ValueKind::string && right.kind() == ValueKind::string && node.op <= BinaryOp::not_equal) {
+  const bool is_comparison = node.op >= BinaryOp::less && node.op <= BinaryOp::not_equal;
+  if (is_comparison && left.kind() == ValueKind::string && right.kind() == ValueKind::string) {
     const int order = left.as<StringValue>().text.compare(right.as<StringValue>().text);
     return Value(compare(node.op, order, 0));
   }
   context.fail(node.op_span.empty() ? node.span : node.op_span,
-               fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)));
+               fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)),
+               hint_for_strings(node.op, left, right));
 }
 
 /// A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.

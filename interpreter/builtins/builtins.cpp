@@ -105,7 +105,9 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   if (slot.value.kind() == ValueKind::poison) throw Failed{};
   if (slot.value.kind() != ValueKind::array)
     context.fail(name.span, fmt::format("expected an array, found {}", describe(slot.value)));
-  const ArrayValue& array = slot.value.as<ArrayValue>();
+  // The number of the dimension may come from a macro that undeclares the array.
+  const Value keep = slot.value;
+  const ArrayValue& array = keep.as<ArrayValue>();
   const auto count = static_cast<double>(array.dimensions.size());
   if (index == word::kIndex_dimensions) return Value(count);
   const double dimension = evaluate_number(context, *call.arguments[1][0]);
@@ -181,8 +183,15 @@ scene::Vec3 Arguments::vector(std::size_t i) const {
 }
 
 const std::string& Arguments::string(std::size_t i) const {
-  if (values_[i].kind() != ValueKind::string) fail(i, fmt::format("expected a string, found {}", describe(values_[i])));
-  return values_[i].as<StringValue>().text;
+  const Value& value = values_[i];
+  if (value.kind() != ValueKind::string) {
+    context_.fail(span(i),
+                  fmt::format("`{}`: expected a string, found {}", context_.text(call_.function), describe(value)),
+                  value.is_number()    ? "`str(…, 0, -1)` writes a number as a string"
+                  : value.is_numeric() ? "`vstr(3, …, \", \", 0, -1)` writes a vector as a string"
+                                       : "");
+  }
+  return value.as<StringValue>().text;
 }
 
 int Arguments::integer(std::size_t i, int low, int high) const {

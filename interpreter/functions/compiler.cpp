@@ -91,6 +91,8 @@ class Compiler {
       case NodeKind::error: context_.report_unparsed(as<grammar::Error>(node)); throw Failed{};
       case NodeKind::vector: context_.fail(node.span, "a function computes with numbers; there are no vectors in it");
       case NodeKind::string: context_.fail(node.span, "a function computes with numbers, found a string");
+      case NodeKind::array: context_.fail(node.span, "a function computes with numbers, found an array");
+      case NodeKind::function: context_.fail(node.span, "a function computes with numbers, found a function");
       case NodeKind::conditional:
         context_.fail(node.span, "there is no `?:` in a function", "`select(a, negative, zero, positive)` chooses");
       default: {

@@ -85,11 +85,17 @@ Function make_internal(Context& context, const grammar::FunctionCall& node) {
 
 Function make_block_function(Context& context, const grammar::Function& node, ElementStream& stream) {
   const Element block = stream.take();
-  const bool is_spline = block.is_block(word::kw_spline);
+  static constexpr Symbol kBlocks[] = {word::kw_pattern, word::kw_pigment, word::kw_spline, word::kw_transform};
+  if (std::ranges::find(kBlocks, block.word) == std::end(kBlocks)) {
+    context.fail(
+        block.word == grammar::kNoSymbol ? block.span : block.word_span,
+        fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found {}",
+                    describe(context, block)));
+  }
   if (node.has_parameters)
     context.fail(node.span,
                  fmt::format("a function of a `{}` block has no list of parameters", context.text(block.word)));
-  if (is_spline) {
+  if (block.is_block(word::kw_spline)) {
     const std::shared_ptr<const scene::Spline> spline = read_spline(context, block);
     return function_of(scene::SplineFunction{spline}, 1, static_cast<std::size_t>(spline->term_count));
   }
@@ -98,12 +104,6 @@ Function make_block_function(Context& context, const grammar::Function& node, El
   if (block.is_block(word::kw_pigment)) {
     const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment);
     return with_use(function_of(scene::PigmentFunction{pigment}, 3, 5), use_of(context, pigment, node.span));
-  }
-  if (!block.is_block(word::kw_pattern)) {
-    context.fail(
-        block.word_span,
-        fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found `{}`",
-                    context.text(block.word)));
   }
   const scene::Pattern pattern = read_pattern_block(context, block);
   return with_use(function_of(scene::PatternFunction{pattern}, 3, 1), use_of(context, pattern, node.span));

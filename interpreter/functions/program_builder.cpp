@@ -34,7 +34,8 @@ ProgramBuilder::Operand ProgramBuilder::constant(double value) {
 }
 
 std::optional<double> ProgramBuilder::constant_value(Operand operand) const {
-  if (operand < Instruction::kConstants) return std::nullopt;
+  // Of a program that is too large, numbers of constants mean nothing any more.
+  if (operand < Instruction::kConstants || !fits_) return std::nullopt;
   return program_.constants[operand - Instruction::kConstants];
 }
 

@@ -163,8 +163,8 @@ void read_item(ElementStream& stream) {
       return row->read(stream, context.database.settings);
     }
   }
-  static const grammar::Symbol known[] = {word::kw_assumed_gamma, word::kw_ambient_light, word::kw_max_trace_level,
-                                          word::kw_adc_bailout,   context.words.solver,   context.words.tolerance};
+  const grammar::Symbol known[] = {word::kw_assumed_gamma, word::kw_ambient_light, word::kw_max_trace_level,
+                                   word::kw_adc_bailout,   context.words.solver,   context.words.tolerance};
   refuse(stream, known);
 }
 
