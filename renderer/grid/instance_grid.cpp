@@ -4,13 +4,18 @@
 #include "renderer/solids/solid.h"
 
 #include <cmath>
+#include <limits>
 
 namespace isl::render {
 namespace {
 
+/// Cells are laid out by sizes, centres and margins of boxes that hold several of these: sums of at most eight
+/// coordinates, which must not overflow. What reaches farther is kept outside the grid, as what has no end.
+constexpr double kFarthest = std::numeric_limits<double>::max() / 16;
+
 bool is_finite(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) return false;
+    if (!(std::abs(box.min[axis]) <= kFarthest && std::abs(box.max[axis]) <= kFarthest)) return false;
   }
   return true;
 }
@@ -24,6 +29,11 @@ Box local_bounds(const CompiledScene& scene, const Instance& instance) {
   return bounds(scene.solids[instance.shape], scene.details);
 }
 
+Box endless_box() {
+  const Vec3 far(std::numeric_limits<double>::infinity());
+  return Box(-far, far);
+}
+
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
   const Box box = local_bounds(scene, instance);
   if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
@@ -33,7 +43,8 @@ Box world_bounds(const CompiledScene& scene, const Instance& instance) {
                  corner & 4 ? box.max.z : box.min.z);
     world.extendBy(instance.world_from_object.point(p));
   }
-  return world;
+  // A corner that overflowed is infinite or no number, which a box leaves out.
+  return is_finite(world) ? world : endless_box();
 }
 
 class BoxClassifier {
