@@ -198,6 +198,11 @@ bool Loader::exists(std::string_view name, const Unit& from) const {
   return access_.exists(name, from.file.parent_path());
 }
 
+const LibraryIndex& Loader::library() {
+  if (!library_) library_.emplace(options_.include_paths);
+  return *library_;
+}
+
 void Loader::forget(const fs::path& file) {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);

@@ -8,6 +8,7 @@
 #include "grammar/ast.h"
 #include "grammar/data_file.h"
 #include "grammar/file_access.h"
+#include "grammar/library_index.h"
 #include "grammar/source_map.h"
 #include "grammar/symbols.h"
 #include "grammar/text_file.h"
@@ -91,6 +92,9 @@ class Loader {
   /// Where files may stand: for what is read or written beside scenes and their includes.
   [[nodiscard]] FileAccess& access() { return access_; }
 
+  /// What the files of the search path declare; they are read at the first call.
+  [[nodiscard]] const LibraryIndex& library();
+
   /// Bytes of all texts read and of their trees. They stay as long as the run.
   [[nodiscard]] std::size_t bytes_held() const { return text_bytes_ + arena_.bytes(); }
 
@@ -128,6 +132,7 @@ class Loader {
   DiagnosticSink& sink_;
   LoaderOptions options_;
   FileAccess access_;
+  std::optional<LibraryIndex> library_;
   std::deque<Unit> units_;
   std::unordered_map<std::string, Cached> cache_;  ///< by canonical path
   std::unordered_map<std::string, CachedData> data_;

@@ -79,7 +79,14 @@ void Context::unsupported(SourceSpan span, std::string_view thing) {
   }
 }
 
+std::string Context::hint_of_library(Symbol name) const {
+  const auto file = loader.library().file_that_declares(text(name));
+  return file ? fmt::format("`{0}` is declared in `{1}`: write `#include \"{1}\"` before this", text(name), *file)
+              : std::string();
+}
+
 std::string Context::suggest_declared(Symbol name) const {
+  if (std::string hint = hint_of_library(name); !hint.empty()) return hint;
   std::vector<std::string_view> names;
   for (const Symbol declared : scopes.declared()) names.push_back(text(declared));
   const auto nearest = grammar::closest(text(name), names);

@@ -98,8 +98,11 @@ class Context {
   // ---- Names --------------------------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string_view text(grammar::Symbol symbol) const { return symbols.text(symbol); }
-  /// "did you mean `sphere`?" for the nearest declared name, or empty.
+  /// Which file of the search path declares the name, or "did you mean `sphere`?" for the nearest declared name, or
+  /// empty.
   [[nodiscard]] std::string suggest_declared(grammar::Symbol name) const;
+  /// "`White` is declared in `colors.inc`", or empty.
+  [[nodiscard]] std::string hint_of_library(grammar::Symbol name) const;
 
   // ---- Frames -------------------------------------------------------------------------------------------------------
 
