@@ -175,7 +175,8 @@ double compute_number(Context& context, const Node& node) {
   Value value;
   evaluate_into(context, node, value);
   if (!value.is_number()) [[unlikely]]
-    context.fail(node.span, fmt::format("expected a number, found {}", describe(value)));
+    context.fail(node.span, fmt::format("expected a number, found {}", describe(value)),
+                 value.kind() == ValueKind::string ? "`val(…)` reads a string as a number" : "");
   return value.number();
 }
 

@@ -1,5 +1,6 @@
 #include "interpreter/macro_calls.h"
 
+#include "grammar/suggest.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/functions/functions.h"
@@ -8,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace isl::interpreter {
 
@@ -22,13 +25,32 @@ namespace {
 [[noreturn]] [[gnu::noinline]] void fail_count(Context& context, const grammar::Call& call,
                                                const grammar::Macro& definition, std::size_t found) {
   const std::size_t wanted = definition.parameters.size();
-  context.fail(call.span, fmt::format("macro `{}` takes {} argument{}, found {}", context.text(definition.name), wanted,
-                                      wanted == 1 ? "" : "s", found));
+  std::string parameters;
+  for (const grammar::Symbol parameter : definition.parameters) {
+    if (!parameters.empty()) parameters += ", ";
+    parameters += context.text(parameter);
+  }
+  context.fail(call.span,
+               fmt::format("macro `{}` takes {} argument{}, found {}", context.text(definition.name), wanted,
+                           wanted == 1 ? "" : "s", found),
+               fmt::format("it is declared as `{}({})`", context.text(definition.name), parameters));
+}
+
+/// The built-in function that is meant: `minextent` is `min_extent`.
+std::string suggest_function(Context& context, grammar::Symbol name) {
+  std::vector<std::string_view> functions;
+  for (std::uint32_t i = 0; i < grammar::word::kReservedCount; ++i) {
+    const grammar::Symbol word{i};
+    if (context.symbols.word_class(word) == grammar::WordClass::function) functions.push_back(context.text(word));
+  }
+  const auto nearest = grammar::closest(context.text(name), functions);
+  return nearest ? fmt::format("did you mean `{}`?", *nearest) : std::string();
 }
 
 [[noreturn]] [[gnu::noinline]] void fail_undeclared_callee(Context& context, SourceSpan span, grammar::Symbol name) {
-  context.fail(span, fmt::format("undeclared macro or function `{}`", context.text(name)),
-               context.suggest_declared(name));
+  std::string hint = context.suggest_declared(name);
+  if (hint.empty()) hint = suggest_function(context, name);
+  context.fail(span, fmt::format("undeclared macro or function `{}`", context.text(name)), std::move(hint));
 }
 
 [[noreturn]] [[gnu::noinline]] void fail_uncallable(Context& context, SourceSpan span, const Value& value) {

@@ -5,6 +5,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/supported.h"
+#include "interpreter/readers/word_homes.h"
 
 #include <fmt/format.h>
 
@@ -72,9 +73,15 @@ void fail_expected(ElementStream& stream, std::string_view what) {
   const Element next = stream.peek();
   if (next.is(ElementKind::unknown)) {
     refuse_newer_word(context, next);
-    const std::string_view kind = next.node->kind == NodeKind::call ? "macro" : "identifier";
-    context.fail(next.span, fmt::format("undeclared {} `{}`", kind, context.text(next.word)),
-                 context.suggest_declared(next.word));
+    const bool is_call = next.node->kind == NodeKind::call;
+    std::string hint = context.suggest_declared(next.word);
+    const bool expects_word = what.find('`') != std::string_view::npos;
+    if (hint.empty() && !is_call && !expects_word)
+      hint = fmt::format("declare it before it is used: `#declare {} = …`", context.text(next.word));
+    context.fail(
+        next.span,
+        fmt::format("undeclared {} `{}`, expected {}", is_call ? "macro" : "identifier", context.text(next.word), what),
+        std::move(hint));
   }
   if (next.is(ElementKind::end) && stream.word() != grammar::kNoSymbol) {
     // Blame the closing bracket.
@@ -84,12 +91,24 @@ void fail_expected(ElementStream& stream, std::string_view what) {
   context.fail(next.span, fmt::format("expected {}, found {}", what, describe(context, next)));
 }
 
+namespace {
+
+/// How the value becomes the number that was expected.
+std::string hint_for_number(const Value& value) {
+  if (value.kind() == ValueKind::string) return "`val(…)` reads a string as a number";
+  if (value.is_numeric()) return "`.x`, `.y` and so on take one term of a vector, `vlength(…)` its length";
+  return {};
+}
+
+}  // namespace
+
 double read_number(ElementStream& stream, std::string_view what) {
   const Element& next = stream.peek();
   if (!next.is(ElementKind::value)) fail_expected(stream, what);
   const SourceSpan span = next.span;
   const Value value = stream.take_value();
-  if (!value.is_number()) stream.context().fail(span, fmt::format("expected {}, found {}", what, describe(value)));
+  if (!value.is_number())
+    stream.context().fail(span, fmt::format("expected {}, found {}", what, describe(value)), hint_for_number(value));
   return value.number();
 }
 
@@ -174,10 +193,21 @@ void refuse_declared_block(Context& context, const Element& block) {
   std::vector<std::string_view> candidates;
   for (const Symbol symbol : known) candidates.push_back(context.text(symbol));
   for (const Symbol symbol : context.scopes.declared()) candidates.push_back(context.text(symbol));
+  std::string hint = context.hint_of_library(element.word);
   const auto nearest = grammar::closest(context.text(element.word), candidates);
+  if (hint.empty() && nearest) hint = fmt::format("did you mean `{}`?", *nearest);
   context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
                fmt::format("`{}` is neither declared nor a word of the language {}", context.text(element.word), where),
-               nearest ? fmt::format("did you mean `{}`?", *nearest) : "");
+               std::move(hint));
+}
+
+/// Most often what follows are the other terms of a vector or colour.
+[[noreturn]] void refuse_comma(ElementStream& stream, SourceSpan span, const std::string& where) {
+  const Element next = stream.peek();
+  const bool is_term = next.is(ElementKind::value) && next.node->kind < NodeKind::vector;
+  stream.context().fail(
+      span, fmt::format("unexpected `,` {}", where),
+      is_term ? "the terms of a vector or colour stand in angle brackets, as in `rgb <1, 0.5, 0>`" : "");
 }
 
 }  // namespace
@@ -193,11 +223,13 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   if (is_unsupported(next)) return context.unsupported(span, context.text(next.word));
   const bool is_unknown_block = is_named_block && !grammar::is_reserved(next.word);
   if (next.is(ElementKind::unknown) || is_unknown_block) refuse_name(context, next, known, where);
+  if (next.is(ElementKind::comma)) refuse_comma(stream, span, where);
   if (next.is(ElementKind::value)) {
     const Value value = evaluate(context, *next.node);
     context.fail(span, fmt::format("{} means nothing {}", describe(value), where));
   }
-  context.fail(span, fmt::format("unexpected {} {}", describe(context, next), where));
+  context.fail(span, fmt::format("unexpected {} {}", describe(context, next), where),
+               hint_for_misplaced(context, next, stream.word()));
 }
 
 // ---- Contextual words -----------------------------------------------------------------------------------------------

@@ -56,6 +56,10 @@ Colour read_vector_form(ElementStream& stream, const VectorForm& form) {
     context.warn(span,
                  fmt::format("`{}` takes {} terms, found {}", context.text(form.word), form.terms, describe(value)));
   }
+  if (value.term_count() == 2) {
+    context.warn(span, fmt::format("`{}` takes {} terms, found {}; what is missing is 0", context.text(form.word),
+                                   form.terms, describe(value)));
+  }
   const Value full = promoted(value, form.terms);
   Value::Terms c = full.terms();
   if (form.fourth_is_transmit) {

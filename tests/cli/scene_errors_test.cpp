@@ -55,6 +55,22 @@ TEST_F(SceneErrors, AnUnclosedBlockNamesItsOpener) {
   EXPECT_THAT(result.err, HasSubstr("scene.isl:1:8"));
 }
 
+TEST_F(SceneErrors, ANameOfALibraryIsAnsweredWithItsFile) {
+  std::filesystem::create_directory(folder() / "lib");
+  write("lib/shapes_of_mine.inc", "#macro Wheel(R) torus { R, 0.1 } #end\n#declare Rubber = rgb 0.1;\n");
+  const std::string hint = "is declared in `shapes_of_mine.inc`: write `#include \"shapes_of_mine.inc\"` before this";
+  for (const char* const scene :
+       {"object { Wheel(1) }", "Wheel(1)", "union { Wheel(1) }", "#declare W = Wheel(1);",
+        "sphere { 0, 1 pigment { Rubber } }", "sphere { 0, 1 pigment { color Rubber } }", "#declare C = Rubber*2;",
+        "Rubber { 1 }", "#declare F = function { Rubber }", "#declare F = function { Wheel(x) }"}) {
+    const ProcessResult result = check(scene, {"-I", "lib"});
+    EXPECT_EQ(result.exit_code, 1) << scene;
+    EXPECT_THAT(result.err, HasSubstr(hint)) << scene;
+  }
+  EXPECT_THAT(check("sphere { 0, 1 pigment { Rubber } }").err, testing::Not(HasSubstr("shapes_of_mine")));
+  EXPECT_THAT(check("sphere { 0, 1 pigment { Gray50 } }").err, HasSubstr("`Gray50` is declared in `colors.inc`"));
+}
+
 TEST_F(SceneErrors, AMisspeltWordIsPlacedAndAnswered) {
   const ProcessResult result = check("#declare Radius = 1;\nsphere { 0, Raduis }\n");
   EXPECT_EQ(result.exit_code, 1);

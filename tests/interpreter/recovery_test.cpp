@@ -8,21 +8,21 @@ namespace {
 
 TEST(Recovery, GoesOnWithTheNextStatement) {
   const EvaluatedText scene("sphere { 0, A } sphere { 0, 1 } sphere { 0, B }");
-  EXPECT_EQ(scene.messages(), "error: undeclared identifier `A`\nerror: undeclared identifier `B`\n");
+  EXPECT_EQ(scene.messages(), "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `B`, expected a radius\n");
   EXPECT_EQ(scene.database().solids.size(), 1u);
 }
 
 TEST(Recovery, ALoopWithAnErrorIsGivenUp) {
   const EvaluatedText scene("#declare I = 0; #while (I < 10) sphere { 0, A } #declare I = I + 1; #end sphere { 0, 1 }");
-  EXPECT_EQ(scene.messages(), "error: undeclared identifier `A`\n");
+  EXPECT_EQ(scene.messages(), "error: undeclared identifier `A`, expected a radius\n");
   EXPECT_EQ(scene.database().solids.size(), 1u);
 }
 
 TEST(Recovery, ABranchWithAnErrorIsGivenUpWhereverItStands) {
   EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end sphere { 0, C }").messages(),
-            "error: undeclared identifier `A`\nerror: undeclared identifier `C`\n");
+            "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `C`, expected a radius\n");
   EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end").messages(),
-            "error: undeclared identifier `A`\n");
+            "error: undeclared identifier `A`, expected a radius\n");
 }
 
 TEST(Recovery, AFailedDeclarationKeepsItsUsesSilent) {
