@@ -171,12 +171,23 @@ std::string hint_for(SymbolKind found, std::string_view text, std::span<const Sy
   return {};
 }
 
+/// Where nearly anything may go on, and what was found can not, the bracket that is open is what is missing most often:
+/// `sin(pi/4;`.
+std::string_view missing_bracket(SymbolKind found, std::span<const SymbolKind> expected) {
+  const bool ends_statement = found == Kind::S_SEMICOLON || found == Kind::S_RIGHT_BRACE || found == Kind::S_YYEOF;
+  return ends_statement && contains(expected, Kind::S_RIGHT_PARENTHESIS) ? ", expected `)`" : "";
+}
+
 }  // namespace
 
 SyntaxMessage syntax_message(SymbolKind found, std::string_view text, std::span<const SymbolKind> expected) {
   SyntaxMessage result{.message = "unexpected " + describe_found(found, text), .hint = hint_for(found, text, expected)};
   const std::vector<std::string> ideas = fold(expected);
-  if (!ideas.empty() && ideas.size() <= kMaxExpected) result.message += ", expected " + list(ideas);
+  if (!ideas.empty() && ideas.size() <= kMaxExpected) {
+    result.message += ", expected " + list(ideas);
+  } else {
+    result.message += missing_bracket(found, expected);
+  }
   return result;
 }
 
