@@ -1,5 +1,6 @@
 // Runs every scene in tests/golden/<stage>/ through its stage and compares with the file beside it: okay_*.isl with
-// .out, fail_*.isl with .err. With ISL_ACCEPT set in the environment it writes those files instead.
+// .out, fail_*.isl with .err, and mistake_*.isl, which are errors or get a remark, with .err. With ISL_ACCEPT set in
+// the environment it writes those files instead.
 #include "tests/golden/stages.h"
 #include "tests/support/source_folder.h"
 
@@ -24,8 +25,11 @@ struct Case {
   const Stage* stage;
   std::string name;  ///< without extension
 
+  [[nodiscard]] bool is_mistake() const { return name.starts_with("mistake_"); }
   [[nodiscard]] bool should_fail() const { return name.starts_with("fail_"); }
-  [[nodiscard]] fs::path expectation() const { return folder_of(*stage) / (name + (should_fail() ? ".err" : ".out")); }
+  [[nodiscard]] fs::path expectation() const {
+    return folder_of(*stage) / (name + (should_fail() || is_mistake() ? ".err" : ".out"));
+  }
 };
 
 std::vector<Case> find_cases() {
@@ -33,8 +37,8 @@ std::vector<Case> find_cases() {
   for (const Stage& stage : stages()) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(stage))) {
       const std::string name = entry.path().stem().string();
-      const bool is_case =
-          entry.path().extension() == ".isl" && (name.starts_with("okay_") || name.starts_with("fail_"));
+      const bool is_case = entry.path().extension() == ".isl" &&
+                           (name.starts_with("okay_") || name.starts_with("fail_") || name.starts_with("mistake_"));
       if (is_case) cases.push_back({&stage, name});
     }
   }
@@ -53,7 +57,11 @@ TEST_P(Golden, GivesWhatIsExpected) {
   const Case& test_case = GetParam();
   fs::current_path(folder_of(*test_case.stage));  // so that messages name files without their folder
   const StageResult result = test_case.stage->run(test_case.name + ".isl");
-  ASSERT_EQ(result.is_okay, !test_case.should_fail()) << result.text;
+  if (test_case.is_mistake()) {
+    ASSERT_FALSE(result.text.starts_with("{")) << "nothing is told of the mistake";
+  } else {
+    ASSERT_EQ(result.is_okay, !test_case.should_fail()) << result.text;
+  }
   if (std::getenv("ISL_ACCEPT") != nullptr) {
     std::ofstream(test_case.expectation(), std::ios::binary) << result.text;
     return;

@@ -1,0 +1,3 @@
+#declare Size = 1;
+Size = 2;
+sphere { 0, Size }

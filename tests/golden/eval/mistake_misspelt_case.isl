@@ -1,0 +1,2 @@
+#declare BallSize = 1;
+sphere { 0, Ballsize }

@@ -1,0 +1,2 @@
+#include "shapez.inc"
+sphere { 0, 1 }

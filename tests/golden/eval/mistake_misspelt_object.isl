@@ -1,0 +1,1 @@
+spehre { 0, 2 pigment { rgb 1 } }

@@ -1,0 +1,2 @@
+#declare Steps = 8;
+#debug concat("Steps: ", Steps, "\n")

@@ -1,0 +1,2 @@
+#declare scale = 3;
+sphere { 0, scale }

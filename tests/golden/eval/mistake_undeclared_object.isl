@@ -1,0 +1,1 @@
+union { object { Wheel translate x } object { Wheel translate -x } }

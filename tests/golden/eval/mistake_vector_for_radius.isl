@@ -1,0 +1,2 @@
+#declare Middle = <1, 2, 3>;
+sphere { 0, Middle }
