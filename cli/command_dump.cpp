@@ -48,7 +48,7 @@ std::string text_of(const DumpCommand& command, Session& session, const Drawable
 ExitCode run(const DumpCommand& command) {
   Session session(command.scene);
   const bool is_text_stage = command.stage == DumpStage::tokens || command.stage == DumpStage::ast;
-  const ExitCode code = is_text_stage ? session.load() : session.evaluate();
+  const ExitCode code = is_text_stage ? session.load_text() : session.evaluate();
   // Tokens and trees of a text with mistakes are what one wants to see.
   const bool has_result = code == ExitCode::done || (is_text_stage && code == ExitCode::scene_error);
   if (!has_result) return report_failure(session, code);

@@ -63,6 +63,12 @@ ExitCode Session::load() {
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
 }
 
+ExitCode Session::load_text() {
+  if (const ExitCode code = load(); code != ExitCode::done) return code;
+  for (const grammar::Complaint* complaint : unit_->errors) sink_.report(complaint->diagnostic);
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
 ExitCode Session::evaluate() {
   if (const ExitCode code = load(); code != ExitCode::done) return code;
   interpreter::EvaluateOptions options;

@@ -23,13 +23,13 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Parses the scene's file. Anything but `done`: it could not be read or has syntax errors.
-  ExitCode load();
+  /// Parses the scene's file and tells its errors, except those in branches and bodies, which only executing it reaches.
+  ExitCode load_text();
 
-  /// load() and then evaluate; `interrupted` after Ctrl-C.
+  /// Parses the scene's file and executes it, which tells the errors that it reaches; `interrupted` after Ctrl-C.
   ExitCode evaluate();
 
-  /// Precondition: load() got as far as a unit, evaluate() as far as a database.
+  /// Precondition: one of the above got as far as a unit, evaluate() as far as a database.
   [[nodiscard]] const grammar::Unit& unit() const;
   [[nodiscard]] const interpreter::EvaluatedScene& scene() const;
 
@@ -46,11 +46,13 @@ class Session {
   /// Every file that the scene is made of, in the order of first use.
   [[nodiscard]] const std::vector<grammar::UsedFile>& used_files() const { return loader_.used_files(); }
 
-  /// Seconds of load() and evaluate(); files included are read and parsed while evaluating.
+  /// Seconds of parsing and executing; files included are read and parsed while evaluating.
   [[nodiscard]] double parse_seconds() const { return parse_seconds_; }
   [[nodiscard]] double evaluate_seconds() const { return evaluate_seconds_; }
 
  private:
+  /// Anything but `done`: the file could not be read, or not be parsed.
+  ExitCode load();
   void tell(const IniText& ini);
   void check_result();
   void warn_of_faint_components();

@@ -30,6 +30,12 @@ class Arena {
   /// Taken from the system so far.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
+  /// Counts bytes that stand elsewhere but live as long as the arena.
+  void charge(std::size_t bytes) {
+    if (bytes > limit_ - std::min(bytes_, limit_)) throw std::bad_alloc();
+    bytes_ += bytes;
+  }
+
   /// A copy of `value` that lives as long as the arena.
   template <class T>
   [[nodiscard]] T* create(T value) {
@@ -65,8 +71,7 @@ class Arena {
     void* at = next_;
     if (next_ == nullptr || std::align(alignment, bytes, at, left_) == nullptr) {
       const std::size_t block = std::max(kBlockBytes, bytes + alignment);
-      if (block > limit_ - std::min(bytes_, limit_)) throw std::bad_alloc();
-      bytes_ += block;
+      charge(block);
       left_ = block;
       at = blocks_.emplace_back(std::make_unique<std::byte[]>(left_)).get();
       std::align(alignment, bytes, at, left_);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/source_span.h"
+#include "grammar/complaint.h"
 #include "grammar/symbols.h"
 
 #include <cstdint>
@@ -23,7 +24,7 @@ enum class NodeKind : std::uint8_t {
   // Directives.
   declare, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
   fopen, fclose, read, write,
-  // What stands where the text could not be parsed; evaluates to nothing, silently: it was reported.
+  // What is wrong with the text.
   error,
 };
 
@@ -139,7 +140,6 @@ struct Switch : Node { const Node* subject; std::span<const SwitchCase> cases; b
 
 struct Break : Node {};
 
-/// A macro's body that opens or closes what is not its own is one Error.
 struct Macro : Node { Symbol name; SourceSpan name_span; std::span<const Symbol> parameters; Items body; };
 
 struct Include : Node { const Node* path; };
@@ -158,9 +158,10 @@ struct Fclose : Node { Symbol handle; };
 struct Read : Node { Symbol handle; std::span<const Argument> targets; };
 struct Write : Node { Symbol handle; std::span<const Argument> values; };
 
-/// What could not be parsed. With a message it has not been reported yet and is an error when it is reached, at `span`
-/// (the body of a macro that pastes unbalanced brackets); without one it was reported and evaluates to nothing.
-struct Error : Node { std::string_view message; };
+/// What is wrong with the text, an error or a warning when it is reached. `complaint` is null where it was told
+/// elsewhere. Where it stands for what could not be parsed (`gives_up`), its statement ends there; otherwise it stands
+/// before the item that it is about.
+struct Error : Node { const Complaint* complaint; bool gives_up; };
 
 /// A checked downcast; the kind is the caller's to have looked at.
 template <class T>

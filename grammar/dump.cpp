@@ -143,8 +143,10 @@ void TreeDump::element(const Node& node) {
     case NodeKind::comma: return line("comma");
     case NodeKind::semicolon: return line("semicolon");
     case NodeKind::error: {
-      const std::string_view message = as<Error>(node).message;
-      return line(message.empty() ? "error" : fmt::format("error {}", quoted(message)));
+      const Complaint* const complaint = as<Error>(node).complaint;
+      if (complaint == nullptr) return line("error");
+      const char* const severity = complaint->is_error() ? "error" : "warning";
+      return line(fmt::format("{} {}", severity, quoted(complaint->diagnostic.message)));
     }
     default: return directive(node);
   }

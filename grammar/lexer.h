@@ -36,6 +36,9 @@ class Lexer {
   /// The next token; at the end TOK_END_OF_FILE as often as asked. Throws ScannerFailure.
   [[nodiscard]] Token next();
 
+  /// The text ended within a comment or string.
+  [[nodiscard]] bool is_cut_off() const { return state_.is_cut_off(); }
+
  private:
   /// flex counts in int, and its buffer has two bytes more than the text.
   static constexpr std::size_t kMaxTextBytes = 0x7FFFFFFF - 2;

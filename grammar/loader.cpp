@@ -1,6 +1,7 @@
 #include "grammar/loader.h"
 
 #include "base/content_hash.h"
+#include "grammar/complaints.h"
 #include "grammar/lexer.h"
 #include "grammar/parse_state.h"
 #include "grammar/parser.hh"
@@ -42,25 +43,32 @@ const Unit* Loader::fail(LoadError error, SourceSpan where, std::string message,
 }
 
 const Unit* Loader::parse(std::string name, fs::path file, std::string text, SourceSpan where) {
-  const std::size_t errors_before = sink_.error_count();
   AccessProblem problem;
   const std::optional<SourceSpan> span = keep_text(std::move(name), std::move(text), problem);
   if (!span) return fail(LoadError::too_large, where, std::move(problem.message), std::move(problem.hint));
   const auto max_height = std::min<std::size_t>(options_.max_nesting, std::numeric_limits<std::uint32_t>::max() / 8);
-  ParseState state(map_, arena_, sink_, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
+  Complaints complaints(complaints_, arena_);
+  ParseState state(map_, arena_, complaints, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
   try {
-    Lexer lexer(map_.text(*span), span->begin, symbols_, arena_, sink_);
-    TokenStream tokens(lexer, symbols_, arena_, sink_, options_.max_nesting);
-    Parser(tokens, state).parse();
-  } catch (const ScannerFailure& failure) {
-    sink_.error(*span, fmt::format("the text cannot be read: {}", failure.what()));
+    try {
+      DiagnosticSink scanned;
+      Lexer lexer(map_.text(*span), span->begin, symbols_, arena_, scanned);
+      TokenStream tokens(lexer, scanned, symbols_, complaints, options_.max_nesting);
+      if (Parser(tokens, state).parse() != 0) state.abandon(*span);
+    } catch (const ScannerFailure& failure) {
+      state.failure(*span, fmt::format("the text cannot be read: {}", failure.what()));
+      state.finish({});
+    }
   } catch (const std::bad_alloc&) {
     return fail(LoadError::too_large, where,
                 fmt::format("`{}` takes more memory than there is for the scene", map_.position(span->begin).file),
                 "`--max-memory` raises the limit");
   }
-  last_error_ = sink_.error_count() > errors_before ? LoadError::syntax : LoadError::none;
-  return &units_.emplace_back(Unit{*span, state.items(), std::move(file)});
+  std::vector<const Complaint*> errors = complaints.outside();
+  errors.insert(errors.end(), complaints.certain().begin(), complaints.certain().end());
+  if (errors.size() > DiagnosticSink::kMaxErrors) errors.resize(DiagnosticSink::kMaxErrors);
+  last_error_ = errors.empty() ? LoadError::none : LoadError::syntax;
+  return &units_.emplace_back(Unit{*span, state.items(), std::move(file), std::move(errors)});
 }
 
 std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {

@@ -6,6 +6,7 @@
 #include "base/diagnostic.h"
 #include "grammar/arena.h"
 #include "grammar/ast.h"
+#include "grammar/complaint.h"
 #include "grammar/data_file.h"
 #include "grammar/file_access.h"
 #include "grammar/library_index.h"
@@ -34,6 +35,8 @@ struct Unit {
   SourceSpan span;
   Items items;
   std::filesystem::path file;
+  /// The errors of the text that hold whatever is executed: those in no branch and no macro's body.
+  std::vector<const Complaint*> errors;
 };
 
 /// A file that the scene is made of. What the run itself wrote is none.
@@ -58,8 +61,9 @@ struct LoaderOptions {
 
 enum class LoadError { none, not_found, not_readable, too_large, syntax };
 
-/// Every load_ function gives nullptr only if there was no text to parse, which is reported; after syntax errors it
-/// gives what could still be parsed, the errors being in the sink and `last_error()` telling. Nothing may be moved away
+/// Every load_ function gives nullptr only if there was no text to parse, which is reported. What is wrong with a text
+/// stands in its tree, where whoever executes it finds it (ast.h, Error); `last_error()` tells of errors that hold
+/// whatever is executed. Nothing may be moved away
 /// under it: it keeps references to all it is given. Not thread-safe.
 class Loader {
  public:
@@ -102,6 +106,11 @@ class Loader {
   /// tell).
   void forget(const std::filesystem::path& file);
 
+  /// What is wrong with all texts, whether it is ever executed or not.
+  [[nodiscard]] const std::deque<Complaint>& complaints() const { return complaints_; }
+  /// All that were parsed.
+  [[nodiscard]] const std::deque<Unit>& units() const { return units_; }
+
   /// How the last load_ went.
   [[nodiscard]] LoadError last_error() const { return last_error_; }
 
@@ -134,6 +143,7 @@ class Loader {
   FileAccess access_;
   std::optional<LibraryIndex> library_;
   std::deque<Unit> units_;
+  std::deque<Complaint> complaints_;               ///< the trees point into it
   std::unordered_map<std::string, Cached> cache_;  ///< by canonical path
   std::unordered_map<std::string, CachedData> data_;
   std::unordered_map<std::string, FileStamp> used_bytes_;  ///< by canonical path: files that use_file() has read

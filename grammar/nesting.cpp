@@ -11,10 +11,6 @@ namespace {
 
 using Kind = Parser::token;
 
-bool opens_bracket(TokenKind kind) {
-  return kind == Kind::TOK_LEFT_BRACE || kind == Kind::TOK_LEFT_PARENTHESIS || kind == Kind::TOK_LEFT_BRACKET;
-}
-
 /// Between `function` and its brace.
 bool belongs_to_function_head(TokenKind kind) {
   switch (kind) {
@@ -65,6 +61,10 @@ std::string_view spelling(TokenKind kind) {
   ISL_CHECK(false, "token {} takes no part in nesting", static_cast<int>(kind));
 }
 
+bool opens_bracket(TokenKind kind) {
+  return kind == Kind::TOK_LEFT_BRACE || kind == Kind::TOK_LEFT_PARENTHESIS || kind == Kind::TOK_LEFT_BRACKET;
+}
+
 bool opens_directive(TokenKind kind) {
   switch (kind) {
     case Kind::TOK_IF:
@@ -76,6 +76,28 @@ bool opens_directive(TokenKind kind) {
     case Kind::TOK_MACRO: return true;
     default: return false;
   }
+}
+
+bool shapes_directive(TokenKind kind) {
+  switch (kind) {
+    case Kind::TOK_ELSE:
+    case Kind::TOK_ELSEIF:
+    case Kind::TOK_CASE:
+    case Kind::TOK_RANGE:
+    case Kind::TOK_END: return true;
+    default: return opens_directive(kind);
+  }
+}
+
+const Opening* Nesting::innermost_directive() const {
+  const auto directive =
+      std::find_if(open_.rbegin(), open_.rend(), [](const Opening& opening) { return opens_directive(opening.kind); });
+  return directive == open_.rend() ? nullptr : &*directive;
+}
+
+/// By the last tokens: `word {` that the grammar takes for the beginning of an item, which a value after `=` is not.
+bool Nesting::has_just_opened_block() const {
+  return previous_ == Kind::TOK_LEFT_BRACE && before_previous_ == Kind::TOK_KEYWORD && third_last_ != Kind::TOK_EQUAL;
 }
 
 void Nesting::push(const Token& token) {
@@ -99,30 +121,45 @@ Verdict Nesting::close_bracket(TokenKind opener) {
     std::copy(open_.rbegin(), open_.rbegin() + static_cast<std::ptrdiff_t>(above),
               std::back_inserter(verdict.unclosed));
     open_.resize(open_.size() - above - 1);
+    const bool ends_head = opener == Kind::TOK_LEFT_PARENTHESIS && !open_.empty() &&
+                           opens_directive(open_.back().kind) && !open_.back().has_head;
+    if (ends_head) {
+      open_.back().has_head = true;
+      ++bodies_;
+    }
     return verdict;
   }
   return {.unclosed = {}, .stray = true};
 }
 
-Verdict Nesting::reach_directive(TokenKind kind) {
+Verdict Nesting::reach_directive(const Token& token) {
   const auto directive =
       std::find_if(open_.rbegin(), open_.rend(), [](const Opening& opening) { return opens_directive(opening.kind); });
   if (directive == open_.rend()) return {.unclosed = {}, .stray = true};
   const auto brackets = directive - open_.rbegin();
-  const bool block_just_opened = brackets == 1 && previous_ == Kind::TOK_LEFT_BRACE && directive->kind == Kind::TOK_IF;
-  if (block_just_opened && kind == Kind::TOK_ELSE && !directive->split) {
-    directive->split = true;
+  if (token.kind == Kind::TOK_ELSEIF) directive->has_elseif = true;
+  const bool opens_block =
+      brackets == 1 && directive->kind == Kind::TOK_IF && !directive->has_elseif && has_just_opened_block();
+  if (opens_block && token.kind == Kind::TOK_ELSE && !directive->is_split()) {
+    directive->split_brace = open_.back().span;
+    directive->split_else = token.span;
     open_.pop_back();
     return {};
   }
-  if (block_just_opened && kind == Kind::TOK_END && directive->split) {
+  if (opens_block && token.kind == Kind::TOK_END && directive->is_split()) {
+    bodies_ -= directive->has_head ? 1 : 0;
     open_.erase(std::prev(open_.end(), 2));  // the `#if` ends, the brace that both branches opened stays open
     return {};
   }
   Verdict verdict;
   std::copy(open_.rbegin(), directive, std::back_inserter(verdict.unclosed));
   open_.resize(open_.size() - static_cast<std::size_t>(brackets));
-  if (kind == Kind::TOK_END) open_.pop_back();
+  if (token.kind == Kind::TOK_END) {
+    verdict.ended = open_.back();
+    verdict.half_split = open_.back().is_split();
+    bodies_ -= open_.back().has_head ? 1 : 0;
+    open_.pop_back();
+  }
   return verdict;
 }
 
@@ -133,6 +170,9 @@ Verdict Nesting::follow(const Token& token) {
     push(token);
   } else {
     switch (token.kind) {
+      case Kind::TOK_IDENTIFIER:
+        if (previous_ == Kind::TOK_MACRO && !open_.empty()) open_.back().name = token.symbol;
+        break;
       case Kind::TOK_RIGHT_BRACE: verdict = close_bracket(Kind::TOK_LEFT_BRACE); break;
       case Kind::TOK_RIGHT_PARENTHESIS: verdict = close_bracket(Kind::TOK_LEFT_PARENTHESIS); break;
       case Kind::TOK_RIGHT_BRACKET: verdict = close_bracket(Kind::TOK_LEFT_BRACKET); break;
@@ -140,11 +180,11 @@ Verdict Nesting::follow(const Token& token) {
       case Kind::TOK_ELSEIF:
       case Kind::TOK_CASE:
       case Kind::TOK_RANGE:
-      case Kind::TOK_END: verdict = reach_directive(token.kind); break;
+      case Kind::TOK_END: verdict = reach_directive(token); break;
       default: break;
     }
   }
-  previous_ = token.kind;
+  third_last_ = std::exchange(before_previous_, std::exchange(previous_, token.kind));
   return verdict;
 }
 

@@ -5,23 +5,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace isl::grammar {
 namespace {
+
+/// Beyond every offset.
+constexpr std::uint32_t kEndOfTexts = std::numeric_limits<std::uint32_t>::max();
+
+/// Whoever meets the first of them tells the others.
+void link(std::span<Complaint* const> complaints) {
+  for (std::size_t i = 0; i + 1 < complaints.size(); ++i) complaints[i]->next = complaints[i + 1];
+}
 
 std::uint32_t highest(std::initializer_list<std::uint32_t> heights) { return std::max(heights); }
 
 }  // namespace
 
 Tree ParseState::too_high(SourceSpan span) {
-  // One is enough: what it is part of is as high, too.
-  if (!too_high_reported_) {
-    sink_.error(span, fmt::format("more than {} operations and brackets within one another", max_height_),
-                "declare parts of it first");
+  // One is enough: what it is part of is as high, too, and the node for that hides the one within.
+  const bool is_known = !too_high_.empty() && span.begin <= too_high_.begin && too_high_.end <= span.end;
+  too_high_ = span;
+  if (!is_known) {
+    too_high_complaint_ =
+        complaints_.error(span, fmt::format("more than {} operations and brackets within one another", max_height_),
+                          "declare parts of it first");
   }
-  too_high_reported_ = true;
-  return mistake(span);
+  // A leaf, whatever the limit.
+  return {arena_.create(Error{{NodeKind::error, span}, too_high_complaint_, true}), 1};
 }
 
 Tree ParseState::string(SourceSpan span, TextLiteral literal) {
@@ -119,8 +132,13 @@ Tree ParseState::for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tr
                    start.node, end.node, step.node, arena_.copy(body.nodes));
 }
 
-Tree ParseState::switch_(SourceSpan span, Tree subject, const CaseList& cases, bool has_default,
+Tree ParseState::switch_(SourceSpan span, Tree subject, const TreeList& before, const CaseList& cases, bool has_default,
                          const TreeList& otherwise) {
+  if (!before.nodes.empty()) {
+    found_ = complaints_.error(before.nodes.front()->span,
+                               "expected `#case`, `#range` or `#end` after the parenthesis of `#switch`");
+    return mistake(span);
+  }
   return make<Switch>(NodeKind::switch_, span, highest({subject.height, cases.height, otherwise.height}), subject.node,
                       arena_.copy(cases.cases), has_default, arena_.copy(otherwise.nodes));
 }
@@ -172,16 +190,93 @@ ArgumentList ParseState::with_argument(ArgumentList list, const TreeList& argume
   return list;
 }
 
-CaseList ParseState::with_case(CaseList list, SourceSpan span, Tree low, Tree high, const TreeList& body) {
+CaseList ParseState::with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body) {
+  body = part(std::move(body), {clause.end, kEndOfTexts});
+  // What is wrong with the parenthesis is wrong when the value is compared with it.
+  for (const Complaint* complaint : complaints_.claim({span.begin, clause.end}).unclaimed) {
+    if (complaint->is_error()) low = error(complaint->diagnostic.span, complaint, true);
+  }
   list.cases.push_back({span, low.node, high.node, arena_.copy(body.nodes)});
   list.height = highest({list.height, low.height, high.height, body.height});
   return list;
 }
 
+// ---- Mistakes -------------------------------------------------------------------------------------------------------
+
+Tree ParseState::mistake(SourceSpan span) {
+  const Complaint* const complaint = std::exchange(found_, nullptr);
+  if (complaint) complaints_.claim(*complaint);
+  return error(span, complaint, true);
+}
+
+ArgumentList ParseState::mistaken_argument(SourceSpan span) {
+  TreeList argument;
+  argument.push(mistake(span));
+  return with_argument({}, argument);
+}
+
+Tree ParseState::unclosed(SourceSpan span, const Complaint* complaint) {
+  found_ = complaint;
+  return mistake(span);
+}
+
+TreeList ParseState::part(TreeList items, SourceSpan range) {
+  const Complaints::Part part = complaints_.claim(range);
+  if (part.all.empty()) return items;
+  link(part.all);
+  return merge(items, part.unclaimed);
+}
+
+/// Items, each preceded by the complaints about it for which no node stands.
+TreeList ParseState::merge(const TreeList& items, std::span<Complaint* const> complaints) {
+  TreeList merged;
+  merged.height = items.height;
+  auto item = items.nodes.begin();
+  for (const Complaint* complaint : complaints) {
+    const SourceSpan place = complaint->diagnostic.span;
+    for (; item != items.nodes.end() && (*item)->span.end <= place.begin; ++item) merged.nodes.push_back(*item);
+    merged.push(error(place, complaint, false));
+  }
+  merged.nodes.insert(merged.nodes.end(), item, items.nodes.end());
+  return merged;
+}
+
+void ParseState::finish(const TreeList& items) {
+  const Complaints::Part part = complaints_.claim({0, kEndOfTexts});
+  // After a mistake, execution goes on with the next statement: only what is in the same one follows it.
+  std::span<Complaint* const> left = part.all;
+  for (const Node* item : items.nodes) {
+    const auto is_of_item = [&](const Complaint* complaint) {
+      return complaint->diagnostic.span.begin <= item->span.end;
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::partition_point(left, is_of_item) - left.begin());
+    link(left.first(count));
+    left = left.subspan(count);
+  }
+  TreeList all = merge(items, part.unclaimed);
+  for (const Complaint* complaint : complaints_.certain())
+    all.push(error(complaint->diagnostic.span, complaint, false));
+  items_ = arena_.copy(all.nodes);
+}
+
+void ParseState::abandon(SourceSpan text) {
+  if (complaints_.outside().empty()) failure(text, "this text cannot be read to its end");
+  TreeList all;
+  for (const auto& complaints : {complaints_.outside(), complaints_.certain()}) {
+    for (const Complaint* complaint : complaints) all.push(error(complaint->diagnostic.span, complaint, false));
+  }
+  items_ = arena_.copy(all.nodes);
+}
+
+bool ParseState::wants_syntax_error() {
+  found_ = nullptr;
+  return !complaints_.has_enough_errors();
+}
+
 void ParseState::syntax_error(Parser::symbol_kind_type found, SourceSpan span,
                               std::span<const Parser::symbol_kind_type> expected) {
   SyntaxMessage text = syntax_message(found, map_.text(span), expected);
-  sink_.error(span, std::move(text.message), std::move(text.hint));
+  found_ = complaints_.error(span, std::move(text.message), std::move(text.hint));
 }
 
 }  // namespace isl::grammar

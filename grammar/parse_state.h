@@ -5,6 +5,7 @@
 #include "base/diagnostic.h"
 #include "grammar/arena.h"
 #include "grammar/ast.h"
+#include "grammar/complaints.h"
 #include "grammar/parse_values.h"
 #include "grammar/parser.hh"
 #include "grammar/source_map.h"
@@ -25,10 +26,12 @@ struct OpenBranch {
 class ParseState {
  public:
   /// Trees higher than `max_height` are errors.
-  ParseState(const SourceMap& map, Arena& arena, DiagnosticSink& sink, std::uint32_t max_height)
-      : map_(map), arena_(arena), sink_(sink), max_height_(max_height) {}
+  ParseState(const SourceMap& map, Arena& arena, Complaints& complaints, std::uint32_t max_height)
+      : map_(map), arena_(arena), complaints_(complaints), max_height_(max_height) {}
 
-  void finish(const TreeList& items) { items_ = arena_.copy(items.nodes); }
+  void finish(const TreeList& items);
+  /// The parser found no way on after a mistake: nothing but the complaints is left of the text.
+  void abandon(SourceSpan text);
   [[nodiscard]] Items items() const { return items_; }
 
   // Expressions.
@@ -68,7 +71,8 @@ class ParseState {
                 const TreeList& items);
   Tree while_(SourceSpan span, Tree condition, const TreeList& body);
   Tree for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tree step, const TreeList& body);
-  Tree switch_(SourceSpan span, Tree subject, const CaseList& cases, bool has_default, const TreeList& otherwise);
+  Tree switch_(SourceSpan span, Tree subject, const TreeList& before, const CaseList& cases, bool has_default,
+               const TreeList& otherwise);
   Tree break_(SourceSpan span) { return make<Break>(NodeKind::break_, span, 0); }
   Tree macro(SourceSpan span, Symbol name, SourceSpan name_span, const SymbolList& parameters, const TreeList& body);
   Tree include(SourceSpan span, Tree path) { return make<Include>(NodeKind::include, span, path.height, path.node); }
@@ -84,15 +88,26 @@ class ParseState {
   TreeList pair(Tree first, Tree second);
   TreeList join(Tree first, const TreeList& rest);
   ArgumentList with_argument(ArgumentList list, const TreeList& argument);
-  CaseList with_case(CaseList list, SourceSpan span, Tree low, Tree high, const TreeList& body);
+  /// `clause` is the parenthesis, or what ends it.
+  CaseList with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body);
 
   // Mistakes.
-  Tree mistake(SourceSpan span) { return make<Error>(NodeKind::error, span, 0, std::string_view{}); }
-  Tree unparsed(SourceSpan span, TextLiteral message) { return make<Error>(NodeKind::error, span, 0, message.text); }
+  /// What stands for the mistake that was found last.
+  Tree mistake(SourceSpan span);
+  ArgumentList mistaken_argument(SourceSpan span);
+  Tree unclosed(SourceSpan span, const Complaint* complaint);
+  /// The items of a text that is executed or not as a whole, each preceded by the complaints about it.
+  TreeList part(TreeList items, SourceSpan range);
+  /// False where no more errors are kept.
+  [[nodiscard]] bool wants_syntax_error();
   void syntax_error(Parser::symbol_kind_type found, SourceSpan span,
                     std::span<const Parser::symbol_kind_type> expected);
+  /// The parser stumbles over what the token stream has complained of; null where that is told elsewhere.
+  void known_error(const Complaint* complaint) { found_ = complaint; }
   /// What the parser itself cannot go on from.
-  void failure(SourceSpan span, const std::string& message) { sink_.error(span, message); }
+  void failure(SourceSpan span, const std::string& message) {
+    complaints_.report_certain({Severity::error, span, message, {}, {}, {}});
+  }
 
  private:
   /// A node over children of at most the given height.
@@ -105,11 +120,18 @@ class ParseState {
   Tree mark(NodeKind kind, SourceSpan span) { return {arena_.create(Node{kind, span}), 1}; }
   Tree too_high(SourceSpan span);
 
+  TreeList merge(const TreeList& items, std::span<Complaint* const> complaints);
+  Tree error(SourceSpan span, const Complaint* complaint, bool gives_up) {
+    return make<Error>(NodeKind::error, span, 0, complaint, gives_up);
+  }
+
   const SourceMap& map_;
   Arena& arena_;
-  DiagnosticSink& sink_;
+  Complaints& complaints_;
   std::uint32_t max_height_;
-  bool too_high_reported_ = false;
+  SourceSpan too_high_;  ///< what was complained of last
+  const Complaint* too_high_complaint_ = nullptr;
+  const Complaint* found_ = nullptr;  ///< the mistake found last, until a node stands for it
   Items items_;
 };
 

@@ -157,7 +157,9 @@ std::optional<Token> ScanState::directive(std::string_view text) {
   }
   if (const auto near = closest(word, kDirectiveWords)) {
     complain(span(), fmt::format("unknown directive `#{}`", shown(word)), fmt::format("did you mean `#{}`?", *near));
-    return simple(find_directive(*near)->kind);
+    Token token = simple(find_directive(*near)->kind);
+    token.misspelt = true;
+    return token;
   }
   if (follower == '(') return this->word(word);
   complain(span(), fmt::format("unknown directive `#{}`", shown(word)));
@@ -187,6 +189,7 @@ bool ScanState::close_comment() {
 }
 
 void ScanState::unclosed_comment() {
+  is_cut_off_ = true;
   complain(comment_openings_.front(), "this comment is not closed", "comments nest: each `/*` needs its own `*/`");
   comment_openings_.clear();
 }
@@ -232,6 +235,7 @@ Token ScanState::close_string() {
 }
 
 Token ScanState::unclosed_string() {
+  is_cut_off_ = true;
   complain({string_begin_, string_begin_ + 1}, "this string is not closed");
   begin_ = end_;
   return close_string();

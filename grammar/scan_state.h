@@ -27,7 +27,7 @@ class ScanState {
   [[nodiscard]] Token simple(TokenKind kind) const { return {.kind = kind, .span = span()}; }
   [[nodiscard]] Token word(std::string_view text);
   [[nodiscard]] Token number(std::string_view text);
-  /// `#word`; a misspelt one is taken for the nearest, and a name before `(` for a macro's.
+  /// `#word`; a misspelt one is taken for the nearest and marked so, and a name before `(` is taken for a macro's.
   [[nodiscard]] std::optional<Token> directive(std::string_view text);
   /// An operator of other languages, `==`: reported, and taken for the one that was meant.
   [[nodiscard]] Token foreign(TokenKind meant, std::string_view written, std::string_view right);
@@ -53,6 +53,9 @@ class ScanState {
 
   [[nodiscard]] Token end_of_file() const;
 
+  /// The text ended within a comment or string.
+  [[nodiscard]] bool is_cut_off() const { return is_cut_off_; }
+
  private:
   [[nodiscard]] SourceSpan span() const { return {begin_, end_}; }
   [[nodiscard]] std::string_view text_between(std::uint32_t begin, std::uint32_t end) const;
@@ -67,6 +70,7 @@ class ScanState {
   std::uint32_t string_begin_ = 0;  ///< the opening quote
   std::uint32_t copied_until_ = 0;  ///< of the string, into string_text_
   std::string string_text_;
+  bool is_cut_off_ = false;
   bool string_differs_ = false;  ///< from its spelling, so that string_text_ is needed
   std::vector<SourceSpan> comment_openings_;
   SymbolTable& symbols_;

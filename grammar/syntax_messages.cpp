@@ -76,7 +76,7 @@ bool is_object_start(SymbolKind kind) {
     case Kind::S_FUNCTION:
     case Kind::S_LEFT_BRACE:
     case Kind::S_LEFT_BRACKET:
-    case Kind::S_UNPARSED: return true;
+    case Kind::S_UNCLOSED: return true;
     default: return false;
   }
 }

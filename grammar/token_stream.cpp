@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <string>
 #include <utility>
 
 namespace isl::grammar {
@@ -33,26 +33,42 @@ DiagnosticNote note_to_close(const Opening& opening) {
   return {opening.span, fmt::format("to close this `{}`", spelling(opening.kind))};
 }
 
+DiagnosticNote note_of_misspelt(const Token& directive) {
+  return {directive.span, fmt::format("this is no directive; did you mean `{}`?", spelling(directive.kind))};
+}
+
 }  // namespace
 
-TokenStream::TokenStream(Lexer& lexer, const SymbolTable& symbols, Arena& arena, DiagnosticSink& sink,
+TokenStream::TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
                          std::size_t max_nesting)
-    : lexer_(lexer), symbols_(symbols), arena_(arena), sink_(sink), max_nesting_(max_nesting) {}
+    : lexer_(lexer), scanned_(scanned), symbols_(symbols), complaints_(complaints), max_nesting_(max_nesting) {}
 
 // ---- From the text --------------------------------------------------------------------------------------------------
 
+Token TokenStream::scan() {
+  Token token = lexer_.next();
+  if (scanned_.diagnostics().empty()) return token;
+  for (const Diagnostic& diagnostic : scanned_.diagnostics()) {
+    if (lexer_.is_cut_off()) {
+      complaints_.report_certain(diagnostic);
+    } else {
+      complaints_.report(diagnostic);
+    }
+  }
+  scanned_ = DiagnosticSink();
+  return token;
+}
+
 Token TokenStream::take() {
-  if (ahead_.empty()) return lexer_.next();
+  if (ahead_.empty()) return scan();
   const Token token = ahead_.front();
   ahead_.pop_front();
   return token;
 }
 
 Token TokenStream::take_from_text() {
-  const bool is_new = ahead_.empty();
   const Token token = take();
   if (token.kind == Kind::TOK_DECLARE || token.kind == Kind::TOK_LOCAL) skip_deprecation();
-  if (token.kind == Kind::TOK_MACRO && is_new) read_macro();
   return token;
 }
 
@@ -67,58 +83,21 @@ void TokenStream::skip_deprecation() {
   ahead_.push_front(token);
 }
 
-void TokenStream::read_macro() {
-  std::size_t open_directives = 1;
-  while (open_directives > 0) {
-    const Token& token = ahead_.emplace_back(lexer_.next());
-    if (token.kind == Kind::TOK_END_OF_FILE) return;  // the missing `#end` is reported when the end is reached
-    if (opens_directive(token.kind)) ++open_directives;
-    if (token.kind == Kind::TOK_END) --open_directives;
-  }
-  set_aside_unbalanced_body();
-}
-
-void TokenStream::set_aside_unbalanced_body() {
-  const auto closes_parameters = [](const Token& token) { return token.kind == Kind::TOK_RIGHT_PARENTHESIS; };
-  const auto body = std::find_if(ahead_.begin(), ahead_.end(), closes_parameters);
-  if (body == ahead_.end()) return;
-  const auto begin = static_cast<std::size_t>(body - ahead_.begin()) + 1;
-  const std::optional<Token> trouble = check_body(begin);
-  if (!trouble) return;
-  const Token end = ahead_.back();
-  ahead_.resize(begin);
-  ahead_.push_back(*trouble);
-  ahead_.push_back(end);
-}
-
-/// The token that stands for a body whose brackets do not match; none for one whose brackets do.
-std::optional<Token> TokenStream::check_body(std::size_t begin) const {
-  const std::string_view name = ahead_.front().symbol == kNoSymbol ? "" : symbols_.text(ahead_.front().symbol);
-  const auto trouble = [&](SourceSpan span, std::string_view what, TokenKind kind) {
-    const std::string message = fmt::format("the body of macro `{}` {} this `{}`", name, what, spelling(kind));
-    return Token{.kind = Kind::TOK_UNPARSED, .span = span, .literal = {arena_.copy_text(message), {}}};
-  };
-  Nesting nesting;
-  for (std::size_t i = begin; i + 1 < ahead_.size(); ++i) {
-    const Verdict verdict = nesting.follow(ahead_[i]);
-    if (verdict.stray) return trouble(ahead_[i].span, "does not open what it closes with", ahead_[i].kind);
-    if (!verdict.unclosed.empty()) return trouble(verdict.unclosed[0].span, "does not close", verdict.unclosed[0].kind);
-  }
-  if (nesting.empty()) return std::nullopt;
-  return trouble(nesting.open().back().span, "does not close", nesting.open().back().kind);
-}
-
 // ---- To the parser --------------------------------------------------------------------------------------------------
 
 Token TokenStream::send() {
   const Arranged first = arranged_.front();
   arranged_.pop_front();
   mending_ = first.mended;
+  last_complaint_ = first.token.complaint;
   return first.token;
 }
 
-void TokenStream::close_all(const std::vector<Opening>& openings) {
+/// Closers for what is left open. The parser first gets an UNCLOSED, which stands in the tree for the mistake.
+void TokenStream::close_all(const std::vector<Opening>& openings, const Complaint* complaint) {
+  if (openings.empty()) return;
   const SourceSpan place{last_span_.end, last_span_.end};
+  arranged_.push_back({{.kind = Kind::TOK_UNCLOSED, .span = place, .complaint = complaint}, true});
   for (const Opening& opening : openings) {
     arranged_.push_back({{.kind = closer_of(opening.kind), .span = place}, true});
   }
@@ -126,32 +105,58 @@ void TokenStream::close_all(const std::vector<Opening>& openings) {
 
 Token TokenStream::next() {
   while (arranged_.empty()) {
+    // Not before the parser is done with the directive: what it says of that is about the text before it.
+    if (std::exchange(begins_stretch_, false)) complaints_.begin_stretch();
+    complaints_.set_outside(nesting_.is_outside());
     if (too_deep_) return finish();
-    Token token = take_from_text();
-    if (token.kind == Kind::TOK_END_OF_FILE || sink_.is_full()) return finish();
-    depth_before_ = nesting_.depth();
-    const Verdict verdict = nesting_.follow(token);
-    if (nesting_.depth() > max_nesting_) {
-      sink_.error(token.span, fmt::format("more than {} brackets and directives are open", max_nesting_));
-      too_deep_ = true;
-      continue;
-    }
-    if (verdict.stray) {
-      report_stray(token);
-    } else {
-      if (!verdict.unclosed.empty()) report_unclosed(verdict.unclosed, token);
-      close_all(verdict.unclosed);
-      if (nesting_.in_function()) token.kind = in_function(token.kind);
-      arranged_.push_back({token, false});
-    }
-    last_span_ = token.span;
+    const Token token = take_from_text();
+    if (token.kind == Kind::TOK_END_OF_FILE || complaints_.is_full()) return finish();
+    if (!is_passed_over(token) && !is_too_deep(token)) follow(token);
+    if (!too_deep_) last_span_ = token.span;
   }
   return send();
 }
 
+/// Within a directive, whose text may never be executed, a misspelt directive opens, divides and ends nothing: that is
+/// how POV-Ray finds the end of what it skips.
+bool TokenStream::is_passed_over(const Token& token) {
+  const bool is_structure = token.misspelt && shapes_directive(token.kind);
+  if (!is_structure || nesting_.innermost_directive() == nullptr) return false;
+  passed_over_.push_back(token);
+  return true;
+}
+
+/// A bracket that is too many is left out where it stands in a directive, whose text may never be executed. Elsewhere,
+/// and where directives are too many, the text ends before it.
+bool TokenStream::is_too_deep(const Token& token) {
+  if (nesting_.depth() < max_nesting_ || !(opens_bracket(token.kind) || opens_directive(token.kind))) return false;
+  Diagnostic diagnostic;
+  diagnostic.span = token.span;
+  diagnostic.message = fmt::format("more than {} brackets and directives are open", max_nesting_);
+  if (opens_bracket(token.kind) && nesting_.innermost_directive() != nullptr) {
+    complaints_.report(std::move(diagnostic));
+  } else {
+    complaints_.report_certain(std::move(diagnostic));
+    too_deep_ = true;
+  }
+  return true;
+}
+
+void TokenStream::follow(Token token) {
+  depth_before_ = nesting_.depth();
+  const Verdict verdict = nesting_.follow(token);
+  if (verdict.stray) return complain_stray(token);
+  if (!verdict.unclosed.empty()) close_all(verdict.unclosed, complain_unclosed(verdict, token));
+  if (verdict.half_split) complain_half_split(*verdict.ended);
+  begins_stretch_ = shapes_directive(token.kind);
+  if (nesting_.in_function()) token.kind = in_function(token.kind);
+  arranged_.push_back({token, false});
+}
+
 Token TokenStream::finish() {
-  const bool is_known = sink_.is_full() || too_deep_;
-  std::vector<Opening> open(nesting_.open().rbegin(), nesting_.open().rend());
+  const bool is_known = complaints_.is_full() || too_deep_;
+  const std::vector<Opening> open(nesting_.open().rbegin(), nesting_.open().rend());
+  const Complaint* complaint = nullptr;
   if (!open.empty() && !is_known) {
     Diagnostic diagnostic;
     diagnostic.span = {last_span_.end, last_span_.end};
@@ -159,11 +164,15 @@ Token TokenStream::finish() {
     for (std::size_t i = 0; i < std::min(open.size(), kMaxOpenNotes); ++i) {
       diagnostic.notes.push_back(note_to_close(open[i]));
     }
-    sink_.report(std::move(diagnostic));
+    if (nesting_.innermost_directive() == nullptr) {
+      complaint = complaints_.report(std::move(diagnostic));
+    } else {
+      if (!passed_over_.empty()) diagnostic.notes.push_back(note_of_misspelt(passed_over_.back()));
+      complaints_.report_certain(std::move(diagnostic));
+    }
   }
-  if (too_deep_ && !open.empty()) open.erase(open.begin());  // the parser has not seen the one that was too many
   nesting_.clear();
-  close_all(open);
+  close_all(open, complaint);
   const bool mended = is_known || !open.empty();
   arranged_.push_back({{.kind = Kind::TOK_END_OF_FILE, .span = {last_span_.end, last_span_.end}}, mended});
   return send();
@@ -186,27 +195,58 @@ void TokenStream::skip_mistake() {
   arranged_.push_front(closing);
 }
 
-void TokenStream::report_unclosed(const std::vector<Opening>& unclosed, const Token& found) {
-  if (skipping_) return;  // a mistake within them was reported; that they are not closed either is of the same making
+// ---- Complaints -----------------------------------------------------------------------------------------------------
+
+std::string TokenStream::name_of(const Opening& macro) const {
+  return macro.name == kNoSymbol ? "" : std::string(symbols_.text(macro.name));
+}
+
+const Complaint* TokenStream::complain_unclosed(const Verdict& verdict, const Token& found) {
+  if (skipping_)
+    return nullptr;  // a mistake within them was reported; that they are not closed either is of the same making
+  const std::vector<Opening>& unclosed = verdict.unclosed;
   Diagnostic diagnostic;
+  if (verdict.ended && verdict.ended->kind == Kind::TOK_MACRO && verdict.ended->has_head) {
+    diagnostic.span = unclosed[0].span;
+    diagnostic.message = fmt::format("the body of macro `{}` does not close this `{}`", name_of(*verdict.ended),
+                                     spelling(unclosed[0].kind));
+    return complaints_.report(std::move(diagnostic));
+  }
   diagnostic.span = found.span;
   diagnostic.message =
       fmt::format("expected `{}` before `{}`", spelling(closer_of(unclosed[0].kind)), spelling(found.kind));
   for (std::size_t i = 0; i < std::min(unclosed.size(), kMaxOpenNotes); ++i) {
     diagnostic.notes.push_back(note_to_close(unclosed[i]));
   }
-  sink_.report(std::move(diagnostic));
+  return complaints_.report(std::move(diagnostic));
 }
 
-void TokenStream::report_stray(const Token& token) {
+/// `#if (c) merge { #else sphere { 0, 1 } #end`: a mistake of the first branch alone.
+void TokenStream::complain_half_split(const Opening& directive) {
+  Diagnostic diagnostic;
+  diagnostic.span = directive.split_else;
+  diagnostic.message = "expected `}` before `#else`";
+  diagnostic.notes.push_back({directive.split_brace, "to close this `{`"});
+  complaints_.report(std::move(diagnostic));
+}
+
+void TokenStream::complain_stray(const Token& token) {
+  const Opening* const directive = nesting_.innermost_directive();
   Diagnostic diagnostic;
   diagnostic.span = token.span;
+  if (directive != nullptr && directive->kind == Kind::TOK_MACRO && directive->has_head) {
+    complaints_.error(token.span, fmt::format("the body of macro `{}` does not open what it closes with this `{}`",
+                                              name_of(*directive), spelling(token.kind)));
+    return;
+  }
   diagnostic.message = fmt::format("unexpected `{}`: nothing that it closes is open", spelling(token.kind));
   if (!nesting_.empty()) {
     const Opening& innermost = nesting_.open().back();
     diagnostic.notes.push_back({innermost.span, fmt::format("this `{}` must end first", spelling(innermost.kind))});
+  } else if (shapes_directive(token.kind) && !passed_over_.empty()) {
+    diagnostic.notes.push_back(note_of_misspelt(passed_over_.back()));
   }
-  sink_.report(std::move(diagnostic));
+  complaints_.report(std::move(diagnostic));
 }
 
 }  // namespace isl::grammar

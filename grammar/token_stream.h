@@ -1,13 +1,13 @@
 // Tokens as the parser is to see them. Between the scanner and the parser, it
-// - reports brackets and directives that do not match, and mends them, so that one mistake is one message;
+// - complains of brackets and directives that do not match, and mends them, so that one mistake is one message and what
+//   stands in a branch or a macro's body stays there;
 // - limits their nesting, since neither the parser's stack nor the evaluator's is endless;
-// - sets aside a macro's body that opens or closes what is not its own: an error only where the macro is called;
 // - gives operators within `function {}` their other kinds, which have other precedences;
 // - skips to the end of a parenthesis in which the parser has found a mistake.
 #pragma once
 
 #include "base/diagnostic.h"
-#include "grammar/arena.h"
+#include "grammar/complaints.h"
 #include "grammar/lexer.h"
 #include "grammar/nesting.h"
 #include "grammar/token.h"
@@ -21,7 +21,9 @@ namespace isl::grammar {
 
 class TokenStream {
  public:
-  TokenStream(Lexer& lexer, const SymbolTable& symbols, Arena& arena, DiagnosticSink& sink, std::size_t max_nesting);
+  /// `lexer` reports to `scanned`, from where its complaints are moved on.
+  TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
+              std::size_t max_nesting);
 
   /// Brackets and directives match in what this gives. Ends early after too many errors. Throws ScannerFailure.
   [[nodiscard]] Token next();
@@ -30,22 +32,27 @@ class TokenStream {
   /// ScannerFailure.
   void skip_mistake();
 
-  /// The last token does not stand in the text: what is wrong there was reported.
+  /// The last token does not stand in the text: what is wrong there was complained of.
   [[nodiscard]] bool is_mending() const { return mending_; }
+  /// What was wrong, where the last token stands for that; may be null.
+  [[nodiscard]] const Complaint* last_complaint() const { return last_complaint_; }
 
  private:
+  [[nodiscard]] Token scan();
   [[nodiscard]] Token take();
   [[nodiscard]] Token take_from_text();
   void skip_deprecation();
-  void read_macro();
-  void set_aside_unbalanced_body();
-  [[nodiscard]] std::optional<Token> check_body(std::size_t begin) const;
 
   [[nodiscard]] Token send();
   [[nodiscard]] Token finish();
-  void close_all(const std::vector<Opening>& openings);
-  void report_unclosed(const std::vector<Opening>& unclosed, const Token& found);
-  void report_stray(const Token& token);
+  void follow(Token token);
+  [[nodiscard]] bool is_passed_over(const Token& token);
+  [[nodiscard]] bool is_too_deep(const Token& token);
+  void close_all(const std::vector<Opening>& openings, const Complaint* complaint);
+  [[nodiscard]] const Complaint* complain_unclosed(const Verdict& verdict, const Token& found);
+  void complain_half_split(const Opening& directive);
+  void complain_stray(const Token& token);
+  [[nodiscard]] std::string name_of(const Opening& macro) const;
 
   struct Arranged {
     Token token;
@@ -53,15 +60,18 @@ class TokenStream {
   };
 
   Lexer& lexer_;
+  DiagnosticSink& scanned_;
   const SymbolTable& symbols_;
-  Arena& arena_;
-  DiagnosticSink& sink_;
+  Complaints& complaints_;
   std::size_t max_nesting_;
   Nesting nesting_;
-  std::deque<Token> ahead_;        ///< read from the text but not yet followed: the rest of a macro
-  std::deque<Arranged> arranged_;  ///< ready for the parser
-  SourceSpan last_span_;           ///< of the last token of the text
-  std::size_t depth_before_ = 0;   ///< of the nesting, before the last token
+  std::deque<Token> ahead_;         ///< read from the text but not yet followed
+  std::deque<Arranged> arranged_;   ///< ready for the parser
+  std::vector<Token> passed_over_;  ///< misspelt directives, for the messages of what they leave unmatched
+  SourceSpan last_span_;            ///< of the last token of the text
+  std::size_t depth_before_ = 0;    ///< of the nesting, before the last token
+  const Complaint* last_complaint_ = nullptr;
+  bool begins_stretch_ = false;  ///< the last token shapes a directive
   bool mending_ = false;
   bool skipping_ = false;
   bool too_deep_ = false;

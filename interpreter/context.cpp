@@ -66,6 +66,32 @@ void Context::warn(SourceSpan span, std::string message, std::string hint) {
   sink_.report({Severity::warning, span, std::move(message), std::move(hint), {}, chain()});
 }
 
+void Context::tell(const grammar::Complaint& complaint) {
+  if (!told_.insert(&complaint).second) return;
+  Diagnostic diagnostic = complaint.diagnostic;
+  if (!complaint.is_error()) return warn(diagnostic.span, std::move(diagnostic.message), std::move(diagnostic.hint));
+  diagnostic.chain = chain();
+  sink_.report(std::move(diagnostic));
+  if (sink_.is_full()) throw Stopped{};
+}
+
+void Context::meet(const grammar::Error& node) {
+  const grammar::Complaint* complaint = node.complaint;
+  if (complaint && !complaint->is_error()) return tell(*complaint);
+  for (; complaint; complaint = complaint->next) tell(*complaint);
+  if (!node.gives_up) return;
+  // Without a complaint of its own, one was told before; a scene must not go on as if nothing were wrong.
+  if (!node.complaint && !sink_.has_errors()) error(node.span, "this cannot be read");
+  throw Failed{};
+}
+
+void Context::tell_rest() {
+  if (sink_.has_errors()) return;
+  for (const grammar::Unit& unit : loader.units()) {
+    for (const grammar::Complaint* complaint : unit.errors) tell(*complaint);
+  }
+}
+
 void Context::report_out_of_memory() {
   sink_.report({Severity::error, {}, "there is no memory left for the scene", {}, {}, {}});
 }

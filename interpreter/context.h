@@ -80,10 +80,13 @@ class Context {
   void error(SourceSpan span, std::string message, std::string hint = {});
   /// Reports, once for each place and text: a loop may warn a million times.
   void warn(SourceSpan span, std::string message, std::string hint = {});
-  /// Something that could not be parsed is reached: an error, unless reading it reported it already.
-  void report_unparsed(const grammar::Error& node) {
-    if (!node.message.empty()) error(node.span, std::string(node.message));
-  }
+  /// What is wrong with the text is reached: tells it, once, and fails where it stands for what could not be parsed.
+  void meet(const grammar::Error& node);
+  /// Tells a complaint about the text, unless that was done.
+  void tell(const grammar::Complaint& complaint);
+  /// At the end: tells what is wrong with the texts for certain, unless errors were told. What is skipped with --lenient
+  /// is not executed.
+  void tell_rest();
   /// The allocator gave up before the limit was reached.
   void report_out_of_memory();
   /// "`media` is not supported": an error, or with --lenient a warning. The caller skips the thing.
@@ -156,6 +159,7 @@ class Context {
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
 
   DiagnosticSink& sink_;
+  std::set<const grammar::Complaint*> told_;  ///< of the texts' own complaints
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< said already
   std::size_t depth_ = 0;
   std::uint64_t turns_ = 0;

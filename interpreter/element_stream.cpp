@@ -14,7 +14,7 @@ using grammar::NodeKind;
 namespace {
 
 /// Out of line, because every element passes by.
-[[gnu::noinline]] void report_unparsed(Context& context, const grammar::Error& node) { context.report_unparsed(node); }
+[[gnu::noinline]] void meet(Context& context, const grammar::Error& node) { context.meet(node); }
 
 }  // namespace
 
@@ -131,7 +131,7 @@ void ElementStream::advance() {
       case NodeKind::comma: yield(ElementKind::comma, node); break;
       case NodeKind::semicolon: yield(ElementKind::semicolon, node); break;
       case NodeKind::break_: break_out(context_, base_, node); break;
-      case NodeKind::error: report_unparsed(context_, as<grammar::Error>(node)); break;
+      case NodeKind::error: meet(context_, as<grammar::Error>(node)); break;
       default: execute(context_, node); break;
     }
   }

@@ -48,6 +48,7 @@ void run(Context& context, const grammar::Unit& unit) {
   try {
     bind_predeclared(context);
     read_scene(context, unit);
+    context.tell_rest();
   } catch (const Stopped&) {
     // Reported where it was thrown.
   } catch (const std::bad_alloc&) {

@@ -136,7 +136,7 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
     case NodeKind::call: return evaluate_call(context, as<grammar::Call>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
     case NodeKind::function: return make_function(context, as<grammar::Function>(node));
-    case NodeKind::error: context.report_unparsed(as<grammar::Error>(node)); throw Failed{};
+    case NodeKind::error: context.meet(as<grammar::Error>(node)); throw Failed{};
     default: {
       const Node* const items[] = {&node};
       return evaluate_items(context, Items(items), node.span);
@@ -200,12 +200,14 @@ Slot* find_slot_if_declared(Context& context, const Node& target) {
   if (target.kind == NodeKind::name) return context.scopes.find(as<grammar::Name>(target).name);
   if (target.kind == NodeKind::index)
     return find_element(context, as<grammar::Index>(target), /*may_be_undeclared=*/true);
-  throw Failed{};  // an error node: it was reported
+  context.meet(as<grammar::Error>(target));
+  throw Failed{};
 }
 
 Slot& find_slot(Context& context, const Node& target) {
   if (target.kind == NodeKind::index)
     return *find_element(context, as<grammar::Index>(target), /*may_be_undeclared=*/false);
+  if (target.kind == NodeKind::error) context.meet(as<grammar::Error>(target));
   if (target.kind != NodeKind::name) throw Failed{};
   const Symbol name = as<grammar::Name>(target).name;
   if (Slot* slot = context.scopes.find(name)) return *slot;

@@ -88,7 +88,7 @@ class Compiler {
       case NodeKind::call: return compile_call(as<grammar::Call>(node));
       case NodeKind::function_call: return compile_builtin(as<grammar::FunctionCall>(node));
       case NodeKind::dot: return compile_dot(as<grammar::Dot>(node));
-      case NodeKind::error: context_.report_unparsed(as<grammar::Error>(node)); throw Failed{};
+      case NodeKind::error: context_.meet(as<grammar::Error>(node)); throw Failed{};
       case NodeKind::vector: context_.fail(node.span, "a function computes with numbers; there are no vectors in it");
       case NodeKind::string: context_.fail(node.span, "a function computes with numbers, found a string");
       case NodeKind::array: context_.fail(node.span, "a function computes with numbers, found an array");

@@ -3,6 +3,9 @@
 #include "grammar/loader.h"
 #include "tests/golden/stages.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace isl::test {
 
 StageResult run_parse(const std::filesystem::path& scene) {
@@ -12,6 +15,11 @@ StageResult run_parse(const std::filesystem::path& scene) {
   DiagnosticSink sink;
   grammar::Loader loader(sources, symbols, arena, sink, {});
   const grammar::Unit* const unit = loader.load_scene(scene);
+  // Of branches and bodies too, in the order of the text.
+  std::vector<const grammar::Complaint*> complaints;
+  for (const grammar::Complaint& complaint : loader.complaints()) complaints.push_back(&complaint);
+  std::ranges::stable_sort(complaints, {}, [](const auto* complaint) { return complaint->diagnostic.span.begin; });
+  for (const grammar::Complaint* complaint : complaints) sink.report(complaint->diagnostic);
   StageResult result{!sink.has_errors(), {}};
   for (const Diagnostic& diagnostic : sink.diagnostics())
     result.text += cli::format_diagnostic(diagnostic, sources, false);

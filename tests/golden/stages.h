@@ -21,7 +21,7 @@ struct Stage {
 
 [[nodiscard]] std::span<const Stage> stages();
 
-/// Parses: the syntax tree.
+/// Parses: all that is wrong with the text, executed or not, then the syntax tree.
 [[nodiscard]] StageResult run_parse(const std::filesystem::path& scene);
 
 /// Evaluates: what #debug said, then the database. A scene whose name contains `_lenient` is read with --lenient.

@@ -23,8 +23,14 @@ class ParsedText {
   [[nodiscard]] std::string tokens() { return grammar::dump_tokens(sources_, unit_->span, symbols_); }
   [[nodiscard]] std::string_view text(SourceSpan span) const { return sources_.text(span); }
   [[nodiscard]] std::string_view name(grammar::Symbol symbol) const { return symbols_.text(symbol); }
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return sink_.diagnostics(); }
-  [[nodiscard]] std::size_t error_count() const { return sink_.error_count(); }
+  /// What loading has told, then the errors of the text that hold whatever is executed.
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const {
+    std::vector<Diagnostic> all = sink_.diagnostics();
+    for (const grammar::Complaint* complaint : unit_->errors) all.push_back(complaint->diagnostic);
+    return all;
+  }
+  /// The errors that hold whatever is executed.
+  [[nodiscard]] std::size_t error_count() const { return sink_.error_count() + unit_->errors.size(); }
   [[nodiscard]] grammar::LoadError last_error() const { return loader_.last_error(); }
 
  private:

@@ -63,18 +63,57 @@ TEST(Parser, KeepsQuietAboutBracketsThatWereMended) {
   }
 }
 
-TEST(Parser, SetsAsideAnUnbalancedMacroUntilItIsCalled) {
-  const ParsedText parsed("#macro Open() union { #end #macro Fine() A #end");
+TEST(Parser, KeepsAMistakeInABodyWhereItStands) {
+  const ParsedText parsed("#macro Open() union { #end #macro Wrong() A (1 +) B #end #macro Fine() A #end");
   EXPECT_EQ(parsed.error_count(), 0u);
-  const Macro& macro = as<Macro>(parsed.front());
-  ASSERT_EQ(macro.body.size(), 1u);
-  EXPECT_EQ(macro.body[0]->kind, NodeKind::error);
-  EXPECT_EQ(as<Error>(*macro.body[0]).message, "the body of macro `Open` does not close this `{`");
-  EXPECT_EQ(parsed.text(macro.body[0]->span), "{");
+  EXPECT_EQ(parsed.last_error(), LoadError::none);
+  const Items open = as<Macro>(*parsed.items()[0]).body;
+  ASSERT_EQ(open.size(), 1u);
+  const Items in_union = as<Block>(*open[0]).items;
+  ASSERT_EQ(in_union.size(), 1u);
+  const Error& unclosed = as<Error>(*in_union[0]);
+  ASSERT_NE(unclosed.complaint, nullptr);
+  EXPECT_EQ(unclosed.complaint->diagnostic.message, "the body of macro `Open` does not close this `{`");
+  EXPECT_EQ(parsed.text(unclosed.complaint->diagnostic.span), "{");
+  EXPECT_TRUE(unclosed.gives_up);
+  EXPECT_EQ(ParsedText("#macro Fine() A #end").tree(), "macro Fine ()\n  name A\n");
 }
 
-TEST(Parser, ReportsAMistakeInABalancedMacroAtOnce) {
-  EXPECT_EQ(ParsedText("#macro F() (1 +) #end").error_count(), 1u);
+TEST(Parser, PutsWhatTheScannerComplainsOfBeforeItsItem) {
+  const ParsedText parsed("#if (A) B, C $ + D #else E #end");
+  EXPECT_EQ(parsed.error_count(), 0u);
+  const Items then = as<If>(parsed.front()).then;
+  ASSERT_EQ(then.size(), 4u);
+  EXPECT_EQ(then[2]->kind, NodeKind::error);
+  EXPECT_FALSE(as<Error>(*then[2]).gives_up);
+  EXPECT_EQ(as<If>(parsed.front()).otherwise.size(), 1u);
+}
+
+TEST(Parser, TellsOfWhatIsWrongOutsideOfBodiesAtOnce) {
+  for (const char* const text : {"A $ B", "#if ($ A) B #end", "#if (A #end", "{", "#macro F( #end", "#if (A) B #end }"}) {
+    EXPECT_EQ(ParsedText(text).error_count(), 1u) << text;
+    EXPECT_EQ(ParsedText(text).last_error(), LoadError::syntax) << text;
+  }
+}
+
+TEST(Parser, AMistakeInOneBranchLeavesTheNextAlone) {
+  const ParsedText parsed("#if (A) 1 + #else * #end B");
+  EXPECT_EQ(parsed.error_count(), 0u);
+  const Items otherwise = as<If>(parsed.front()).otherwise;
+  ASSERT_FALSE(otherwise.empty());
+  ASSERT_EQ(otherwise[0]->kind, NodeKind::error);
+  ASSERT_NE(as<Error>(*otherwise[0]).complaint, nullptr);
+  EXPECT_EQ(parsed.items().size(), 2u);
+}
+
+TEST(Parser, LinksTheMistakesOfOneBody) {
+  const ParsedText parsed("#macro A() 1 + ; 2 * ; #end");
+  const Items body = as<Macro>(parsed.front()).body;
+  const Complaint* const first = as<Error>(*body[0]).complaint;
+  ASSERT_NE(first, nullptr);
+  ASSERT_NE(first->next, nullptr);
+  EXPECT_EQ(parsed.text(first->next->diagnostic.span), ";");
+  EXPECT_EQ(first->next->next, nullptr);
 }
 
 TEST(Parser, ReadsAnEmptyTextAsNoItems) { EXPECT_TRUE(ParsedText("").items().empty()); }

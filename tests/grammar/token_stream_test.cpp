@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <string>
 
 namespace isl::grammar {
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 class Stream {
  public:
   explicit Stream(std::string_view text)
-      : lexer_(text, 1, symbols_, arena_, sink_), tokens_(lexer_, symbols_, arena_, sink_, 100) {}
+      : lexer_(text, 1, symbols_, arena_, scanned_), tokens_(lexer_, scanned_, symbols_, complaints_, 100) {}
 
   std::string kinds() {
     std::string result;
@@ -25,12 +26,15 @@ class Stream {
       result += Parser::symbol_name(static_cast<Parser::symbol_kind_type>(token.kind));
     }
   }
-  [[nodiscard]] const DiagnosticSink& sink() const { return sink_; }
+  /// All complaints so far.
+  [[nodiscard]] const std::deque<Complaint>& said() const { return said_; }
 
  private:
   SymbolTable symbols_;
   Arena arena_;
-  DiagnosticSink sink_;
+  std::deque<Complaint> said_;
+  Complaints complaints_{said_, arena_};
+  DiagnosticSink scanned_;
   Lexer lexer_;
   TokenStream tokens_;
 };
@@ -38,39 +42,39 @@ class Stream {
 TEST(TokenStream, PassesOnWhatMatches) {
   Stream stream("{ ( [ ] ) #if ( ) #else #end }");
   EXPECT_EQ(stream.kinds(), "{ ( [ ] ) #if ( ) #else #end }");
-  EXPECT_FALSE(stream.sink().has_errors());
+  EXPECT_TRUE(stream.said().empty());
 }
 
 TEST(TokenStream, ClosesWhatIsOpenBeforeAnOuterCloser) {
   Stream stream("{ ( [ }");
-  EXPECT_EQ(stream.kinds(), "{ ( [ ] ) }");
-  ASSERT_EQ(stream.sink().error_count(), 1u);
-  EXPECT_EQ(stream.sink().diagnostics()[0].message, "expected `]` before `}`");
-  EXPECT_EQ(stream.sink().diagnostics()[0].notes.size(), 2u);
+  EXPECT_EQ(stream.kinds(), "{ ( [ unclosed bracket ] ) }");
+  ASSERT_EQ(stream.said().size(), 1u);
+  EXPECT_EQ(stream.said()[0].diagnostic.message, "expected `]` before `}`");
+  EXPECT_EQ(stream.said()[0].diagnostic.notes.size(), 2u);
 }
 
 TEST(TokenStream, ClosesWhatIsOpenAtTheEnd) {
   Stream stream("#while ( ) { (");
-  EXPECT_EQ(stream.kinds(), "#while ( ) { ( ) } #end");
-  EXPECT_EQ(stream.sink().error_count(), 1u);
+  EXPECT_EQ(stream.kinds(), "#while ( ) { ( unclosed bracket ) } #end");
+  EXPECT_EQ(stream.said().size(), 1u);
 }
 
 TEST(TokenStream, LeavesOutClosersOfNothing) {
   Stream stream("} #end { ) } #else");
   EXPECT_EQ(stream.kinds(), "{ }");
-  EXPECT_EQ(stream.sink().error_count(), 4u);
+  EXPECT_EQ(stream.said().size(), 4u);
 }
 
 TEST(TokenStream, DoesNotLetABracketCloseAcrossADirective) {
   Stream stream("{ #if ( ) } #end }");
   EXPECT_EQ(stream.kinds(), "{ #if ( ) #end }");
-  EXPECT_EQ(stream.sink().error_count(), 1u);
+  EXPECT_EQ(stream.said().size(), 1u);
 }
 
 TEST(TokenStream, AllowsABlockThatBothBranchesOpen) {
-  Stream stream("#if ( ) { #else { #end }");
-  EXPECT_EQ(stream.kinds(), "#if ( ) { #else { #end }");
-  EXPECT_FALSE(stream.sink().has_errors());
+  Stream stream("#if ( ) union { #else merge { #end }");
+  EXPECT_EQ(stream.kinds(), "#if ( ) word { #else word { #end }");
+  EXPECT_TRUE(stream.said().empty());
 }
 
 TEST(TokenStream, GivesOperatorsOfAFunctionTheirOwnKinds) {
@@ -81,10 +85,36 @@ TEST(TokenStream, GivesOperatorsOfAFunctionTheirOwnKinds) {
       "number < number");
 }
 
-TEST(TokenStream, SetsAsideOnlyTheBodyOfAnUnbalancedMacro) {
+TEST(TokenStream, MendsAMacrosBodyWithinIt) {
   Stream stream("#macro A ( B ) { #if ( ) } #end #end C");
-  EXPECT_EQ(stream.kinds(), "#macro identifier ( identifier ) unbalanced macro body #end identifier");
-  EXPECT_FALSE(stream.sink().has_errors());
+  EXPECT_EQ(stream.kinds(), "#macro identifier ( identifier ) { #if ( ) #end unclosed bracket } #end identifier");
+  ASSERT_EQ(stream.said().size(), 2u);
+  EXPECT_EQ(stream.said()[1].diagnostic.message, "the body of macro `A` does not close this `{`");
+}
+
+TEST(TokenStream, ClosesAMacrosParametersWithinIt) {
+  Stream stream("#macro A ( #end C");
+  EXPECT_EQ(stream.kinds(), "#macro identifier ( unclosed bracket ) #end identifier");
+  ASSERT_EQ(stream.said().size(), 1u);
+  EXPECT_EQ(stream.said()[0].diagnostic.message, "expected `)` before `#end`");
+}
+
+TEST(TokenStream, LetsOneBranchAloneOpenABlock) {
+  Stream stream("#if ( ) union { #else C #end D");
+  EXPECT_EQ(stream.kinds(), "#if ( ) word { #else identifier #end identifier");
+  ASSERT_EQ(stream.said().size(), 1u);
+  EXPECT_EQ(stream.said()[0].diagnostic.message, "expected `}` before `#else`");
+}
+
+TEST(TokenStream, TakesAMisspeltDirectiveForTheNearestOutsideOfDirectivesOnly) {
+  Stream outside("#whlie ( ) #end");
+  EXPECT_EQ(outside.kinds(), "#while ( ) #end");
+  EXPECT_EQ(outside.said().size(), 1u);
+  Stream inside("#if ( ) #whlie ( ) #end #end");
+  EXPECT_EQ(inside.kinds(), "#if ( ) ( ) #end");
+  ASSERT_EQ(inside.said().size(), 2u);
+  ASSERT_EQ(inside.said()[1].diagnostic.notes.size(), 1u);
+  EXPECT_EQ(inside.said()[1].diagnostic.notes[0].message, "this is no directive; did you mean `#while`?");
 }
 
 TEST(TokenStream, PassesOverDeprecationMarks) {
@@ -94,9 +124,14 @@ TEST(TokenStream, PassesOverDeprecationMarks) {
 
 TEST(TokenStream, LimitsNesting) {
   Stream stream(std::string(101, '{'));
-  EXPECT_EQ(stream.kinds().size(), 100 * 2 + 100 * 2 - 1u);
-  ASSERT_EQ(stream.sink().error_count(), 1u);
-  EXPECT_THAT(stream.sink().diagnostics()[0].message, HasSubstr("100"));
+  EXPECT_EQ(stream.kinds().size(), 100 * 2 + 100 * 2 - 1 + std::string_view(" unclosed bracket").size());
+  ASSERT_EQ(stream.said().size(), 1u);
+  EXPECT_THAT(stream.said()[0].diagnostic.message, HasSubstr("100"));
+}
+
+TEST(TokenStream, LeavesOutBracketsThatAreTooDeepWithinADirective) {
+  Stream stream("#if ( ) " + std::string(200, '{') + " #end C");
+  EXPECT_THAT(stream.kinds(), testing::EndsWith("} #end identifier"));
 }
 
 }  // namespace

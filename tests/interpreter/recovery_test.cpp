@@ -31,6 +31,24 @@ TEST(Recovery, AFailedDeclarationKeepsItsUsesSilent) {
   EXPECT_EQ(scene.messages(), "error: undeclared identifier `B`\n");
 }
 
+TEST(Recovery, MistakesOfAllKindsComeInTheOrderOfExecution) {
+  EXPECT_EQ(EvaluatedText("sphere { 0, A } box { 0, 1 + } sphere { 0, B } union {").messages(),
+            "error: undeclared identifier `A`\n"
+            "error: unexpected `}`, expected an expression\n"
+            "error: undeclared identifier `B`\n"
+            "error: unexpected end of file, expected `}`\n");
+}
+
+TEST(Recovery, AMistakeWithinAnUnclosedBlockIsToldInsteadOfTheBrace) {
+  EXPECT_EQ(EvaluatedText("sphere { 0, 1 pigment { color rgb x finish { phong 1 } }").messages(),
+            "error: unexpected `finish {` in `pigment`\n");
+}
+
+TEST(Recovery, AMistakeThatIsExecutedOftenIsToldOnce) {
+  EXPECT_EQ(EvaluatedText("#macro A() #if (1) 1 $ #end #end #for (I, 1, 3) #declare B = A(); #end").messages(),
+            "error: unexpected character `$`\n");
+}
+
 TEST(Recovery, ScopesOfCallsInProgressEndWithAnError) {
   const EvaluatedText scene(
       "#macro M(X) #local L = 1; sphere { X, Missing } #end M(0) #debug str(defined(X) + defined(L), 0, 0)");

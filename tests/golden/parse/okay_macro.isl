@@ -4,4 +4,3 @@
     sphere { vrotate(Radius*x, I*Step*y), 0.1 }
   #end
 #end
-#macro Half() sphere { 0, #end
