@@ -90,7 +90,8 @@ TEST(Parser, PutsWhatTheScannerComplainsOfBeforeItsItem) {
 }
 
 TEST(Parser, TellsOfWhatIsWrongOutsideOfBodiesAtOnce) {
-  for (const char* const text : {"A $ B", "#if ($ A) B #end", "#if (A #end", "{", "#macro F( #end", "#if (A) B #end }"}) {
+  for (const char* const text :
+       {"A $ B", "#if ($ A) B #end", "#if (A #end", "{", "#macro F( #end", "#if (A) B #end }"}) {
     EXPECT_EQ(ParsedText(text).error_count(), 1u) << text;
     EXPECT_EQ(ParsedText(text).last_error(), LoadError::syntax) << text;
   }

@@ -8,7 +8,9 @@ namespace {
 
 TEST(Recovery, GoesOnWithTheNextStatement) {
   const EvaluatedText scene("sphere { 0, A } sphere { 0, 1 } sphere { 0, B }");
-  EXPECT_EQ(scene.messages(), "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `B`, expected a radius\n");
+  EXPECT_EQ(
+      scene.messages(),
+      "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `B`, expected a radius\n");
   EXPECT_EQ(scene.database().solids.size(), 1u);
 }
 
@@ -19,8 +21,9 @@ TEST(Recovery, ALoopWithAnErrorIsGivenUp) {
 }
 
 TEST(Recovery, ABranchWithAnErrorIsGivenUpWhereverItStands) {
-  EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end sphere { 0, C }").messages(),
-            "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `C`, expected a radius\n");
+  EXPECT_EQ(
+      EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end sphere { 0, C }").messages(),
+      "error: undeclared identifier `A`, expected a radius\nerror: undeclared identifier `C`, expected a radius\n");
   EXPECT_EQ(EvaluatedText("#if (1) sphere { 0, A } sphere { 0, B } #end").messages(),
             "error: undeclared identifier `A`, expected a radius\n");
 }
@@ -33,9 +36,9 @@ TEST(Recovery, AFailedDeclarationKeepsItsUsesSilent) {
 
 TEST(Recovery, MistakesOfAllKindsComeInTheOrderOfExecution) {
   EXPECT_EQ(EvaluatedText("sphere { 0, A } box { 0, 1 + } sphere { 0, B } union {").messages(),
-            "error: undeclared identifier `A`\n"
+            "error: undeclared identifier `A`, expected a radius\n"
             "error: unexpected `}`, expected an expression\n"
-            "error: undeclared identifier `B`\n"
+            "error: undeclared identifier `B`, expected a radius\n"
             "error: unexpected end of file, expected `}`\n");
 }
 

@@ -1,4 +1,4 @@
-// POV-Ray 3.7 accepts each line, with the same values.
+// POV-Ray 3.7 accepts each line with the same values, but for the branch in an argument of a macro, which it refuses.
 #declare V = <#if (0) } , 7 #else 1 #end, 2, 3>;
 #declare A = #if (0) 5 5 5 } #else 6; #end
 #declare B = #switch (2) #case (1) ( #break #case (2) 7; #break #else it's #end

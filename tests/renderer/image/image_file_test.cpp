@@ -109,7 +109,8 @@ TEST(ImageFile, integer_formats_have_the_bits_asked_for) {
       EXPECT_EQ(file.spec.format, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16) << format;
       EXPECT_EQ(std::lround(file.values[0] * (bits == 8 ? 255 : 65535)), bits == 8 ? 188 : 48192) << format;
     }
-    EXPECT_TRUE(encode_image(image, format, {}).bytes == encode_image(image, format, {.metadata = {}, .bits = 16}).bytes);
+    EXPECT_TRUE(encode_image(image, format, {}).bytes ==
+                encode_image(image, format, {.metadata = {}, .bits = 16}).bytes);
   }
   EXPECT_EQ(through_file(image, "jpg", {.metadata = {}, .bits = 8}).spec.format, OIIO::TypeDesc::UINT8);
 }
