@@ -39,7 +39,9 @@ std::string explain(int code) { return std::generic_category().message(code); }
 }  // namespace
 
 std::string shown_name(std::string_view name) {
-  return name.size() <= kShownNameBytes ? std::string(name) : std::string(name.substr(0, kShownNameBytes)) + "…";
+  // A name that goes on in the next line is a string whose quote is missing: its first line says enough.
+  const std::size_t length = std::min(kShownNameBytes, name.find_first_of("\r\n"));
+  return name.size() <= length ? std::string(name) : std::string(name.substr(0, length)) + "…";
 }
 
 FileAccess::FileAccess(std::vector<fs::path> search_path, const std::vector<fs::path>& write_folders)

@@ -223,6 +223,11 @@ void ScanState::escape(std::string_view text) {
 }
 
 Token ScanState::close_string() {
+  // POV-Ray reads such strings, but nearly always a quote is missing, and the mistake shows where the next string begins.
+  const std::string_view lines = text_between(string_begin_, end_);
+  if (!is_cut_off_ && lines.find_first_of("\r\n") != std::string_view::npos)
+    sink_.warning({string_begin_, string_begin_ + 1}, "this string goes on over several lines",
+                  "if that is not meant, a `\"` is missing at the end of this line");
   Token token{.kind = Kind::TOK_STRING, .span = {string_begin_, end_}};
   const std::uint32_t text_end = begin_;
   token.literal.raw = text_between(string_begin_ + 1, text_end);

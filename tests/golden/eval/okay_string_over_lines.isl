@@ -1,0 +1,3 @@
+// POV-Ray accepts it; here it gets a remark where it begins.
+#debug "one
+two\n"
