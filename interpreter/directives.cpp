@@ -39,13 +39,21 @@ bool skip_semicolon(Context& context) {
   if (frame.next != frame.end && (*frame.next)->kind == NodeKind::semicolon) context.spare_semicolon = *frame.next;
 }
 
-/// As in POV-Ray, a number's declaration may end with two semicolons, the second also behind the end of a macro: so
+/// The semicolon of a declaration. As in POV-Ray, that of a number may end with two, the second also behind the end of a macro: so
 /// `#declare A = M();` can be read where M has a semicolon of its own, and `M();` where M ends by declaring.
-void skip_second_semicolon(Context& context) {
+bool skip_semicolons(Context& context, bool is_numeric) {
   Frame& frame = context.frames.back();
-  if (frame.next == frame.end) return spare_semicolon_of_caller(context);
-  if ((*frame.next)->kind == NodeKind::semicolon) [[unlikely]]
-    ++frame.next;
+  const Node* const* next = frame.next;
+  if (next == frame.end || (*next)->kind != NodeKind::semicolon) return false;
+  frame.next = ++next;
+  if (!is_numeric) return true;
+  if (next != frame.end) {
+    if ((*next)->kind == NodeKind::semicolon) [[unlikely]]
+      ++frame.next;
+  } else if (frame.kind == Frame::Kind::macro) [[unlikely]] {
+    spare_semicolon_of_caller(context);
+  }
+  return true;
 }
 
 // ---- #declare -------------------------------------------------------------------------------------------------------
@@ -93,12 +101,15 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     bool terminated = false;
     Value value;
     evaluate_declared(context, node, value, terminated);
-    if (!terminated) terminated = skip_semicolon(context);
+    if (terminated) {
+      if (value.is_numeric()) skip_semicolon(context);
+    } else {
+      terminated = skip_semicolons(context, value.is_numeric());
+    }
     if (!terminated && value.is_numeric() && context.version.number() >= 3.5) [[unlikely]] {
       context.error({node.span.end, node.span.end},
                     fmt::format("a `;` is missing after the declaration of {}", describe(value)));
     }
-    if (terminated && value.is_numeric()) skip_second_semicolon(context);
     Slot& slot = declared_slot(context, node);
     if (slot.value.kind() == ValueKind::function) {
       context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
