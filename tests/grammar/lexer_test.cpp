@@ -39,9 +39,13 @@ TEST(Lexer, KeepsBothReadingsOfAString) {
 }
 
 TEST(Lexer, TakesEveryEndOfALineInAStringForALineFeed) {
-  for (const std::string end : {"\n", "\r", "\r\n", "\n\r"})
-    EXPECT_EQ(as<String>(ParsedText("\"a" + end + "b\"").front()).text, "a\nb");
-  EXPECT_EQ(as<String>(ParsedText("\"a\r\rb\"").front()).text, "a\n\nb");
+  // The remark about the lines stands before the string.
+  const auto text = [](const std::string& string) {
+    const ParsedText parsed(string);
+    return std::string(as<String>(*parsed.items().back()).text);
+  };
+  for (const std::string end : {"\n", "\r", "\r\n", "\n\r"}) EXPECT_EQ(text("\"a" + end + "b\""), "a\nb");
+  EXPECT_EQ(text("\"a\r\rb\""), "a\n\nb");
 }
 
 TEST(Lexer, EndsACommentWithItsLine) {
