@@ -40,8 +40,8 @@ bool skip_semicolon(Context& context) {
 }
 
 /// The semicolon of a declaration. As in POV-Ray, that of a number may end with two, the second also behind the end of
-/// a macro: so
-/// `#declare A = M();` can be read where M has a semicolon of its own, and `M();` where M ends by declaring.
+/// a macro: so `#declare A = M();` can be read where M has a semicolon of its own, and `M();` where M ends by
+/// declaring.
 bool skip_semicolons(Context& context, bool is_numeric) {
   Frame& frame = context.frames.back();
   const Node* const* next = frame.next;
