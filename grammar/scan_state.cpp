@@ -223,7 +223,8 @@ void ScanState::escape(std::string_view text) {
 }
 
 Token ScanState::close_string() {
-  // POV-Ray reads such strings, but nearly always a quote is missing, and the mistake shows where the next string begins.
+  // POV-Ray reads such strings, but nearly always a quote is missing, and the mistake shows where the next string
+  // begins.
   const std::string_view lines = text_between(string_begin_, end_);
   if (!is_cut_off_ && lines.find_first_of("\r\n") != std::string_view::npos)
     sink_.warning({string_begin_, string_begin_ + 1}, "this string goes on over several lines",
