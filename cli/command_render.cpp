@@ -47,7 +47,7 @@ OutputProblem check_places(const RenderCommand& command, const std::vector<fs::p
   return problem;
 }
 
-/// Of every text that the scene is made of, from its own on, in the order in which they were read.
+/// One hash over all texts of the scene: its own first, then the others in the order in which they were read.
 std::uint64_t scene_hash(const grammar::SourceMap& sources, std::uint32_t begin) {
   ContentHash hash;
   while (sources.position(begin).line != 0) {

@@ -31,7 +31,7 @@ struct IniAnimation {
     return static_cast<int>(std::clamp<double>(frame, initial_frame, final_frame));
   }
 
-  /// What POV-Ray calls the final frame within a scene: where the clock would be at its end.
+  /// The value of `final_frame` for the scene: the frame at which the clock reaches its end.
   [[nodiscard]] int end_frame() const { return final_frame + (is_cyclic ? 1 : 0); }
   [[nodiscard]] double clock_delta() const { return (final_clock - initial_clock) / (end_frame() - initial_frame); }
   [[nodiscard]] double clock_of(int frame) const { return initial_clock + (frame - initial_frame) * clock_delta(); }
@@ -41,7 +41,7 @@ struct IniAnimation {
     return fmt::format("{:0{}}", frame, fmt::formatted_size("{}", final_frame));
   }
 
-  /// What the scene may ask for besides its frame and clock.
+  /// The variables that a scene can read besides its frame and clock.
   [[nodiscard]] std::vector<Define> variables() const {
     return {{"initial_frame", static_cast<double>(initial_frame)},
             {"final_frame", static_cast<double>(end_frame())},

@@ -57,7 +57,7 @@ class IniReader {
     while (begin < end) begin = skip_blanks(read_setting(begin, end), end);
   }
 
-  /// Where a comment begins, or the line ends, without the blanks before.
+  /// The end of the line's content: it excludes a comment and the blanks before it.
   [[nodiscard]] std::size_t end_of_content(std::size_t begin, std::size_t end) const {
     char quote = '\0';
     std::size_t place = begin;

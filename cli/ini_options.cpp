@@ -42,7 +42,7 @@ class IniTranslation {
     finish_bits();
     finish_antialiasing();
     finish_crop();
-    // What the command line sets counts more than the file, so it comes later; its folders are searched first.
+    // Settings of the command line override those of the file, so they come later; its folders are searched first.
     scene_.defines.insert(scene_.defines.begin(), defines_.begin(), defines_.end());
     scene_.include_paths.insert(scene_.include_paths.end(), folders_.begin(), folders_.end());
     std::ranges::stable_sort(remarks_, {}, &IniRemark::begin);
@@ -250,7 +250,7 @@ class IniTranslation {
     if (bits_ && is_png && !is_said_("--bits")) picture_.bits = *bits_ <= 8 ? 8 : 16;
   }
 
-  /// Where the file says nothing, isl's own default stays: it costs little and looks better.
+  /// A file without a setting for antialiasing leaves isl's own default: it costs little and looks better.
   void finish_antialiasing() {
     if (is_said_("--aa") || is_said_("--samples")) return;
     if (antialias_ && !*antialias_) {

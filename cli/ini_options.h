@@ -20,7 +20,7 @@ struct IniName {
 /// Empty where the name of a scene is none of an .ini file.
 [[nodiscard]] std::optional<IniName> ini_name(const std::filesystem::path& scene);
 
-/// Whether an option, such as `--size`, stands on the command line.
+/// Tells if an option, such as `--size`, stands on the command line.
 using IsSaid = std::function<bool(const std::string& option)>;
 
 /// Fills the options that are not said from the settings of `ini`, and notes its text in `scene.ini` with all there is

@@ -143,7 +143,7 @@ std::optional<Finished> parse(CLI::App& app, std::span<const std::string> argume
   }
 }
 
-/// Where the scene is an .ini file, its settings take the places of options that are not said.
+/// Reads the settings of a scene that is an .ini file. Options of the command line override them.
 std::optional<Finished> read_ini_file(const CLI::App& app, SceneOptions& scene, PictureOptions& picture) {
   constexpr std::size_t kMaxBytes = 1 << 20;  // beyond any settings
   const std::optional<IniName> name = ini_name(scene.scene);

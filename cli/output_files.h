@@ -1,4 +1,4 @@
-// Where the pictures go: names decided and places tried before a ray is traced, files written whole or not at all. An
+// Names and places of the pictures: decided and tried before a ray is traced; a file is written whole or not at all. An
 // output is a file's name, or `png:-` and the like for standard output.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the options of `isl render` that speak of files ask of one another: --output, --bits, --aov, --format.
+// Rules between the options of `isl render` about files: --output, --bits, --aov, --format.
 #pragma once
 
 #include "cli/options.h"
