@@ -90,6 +90,9 @@ struct Block : Node { Symbol word; SourceSpan word_span; Items items; };
 /// `[ items ]`, an entry of a map.
 struct Entry : Node { Items items; };
 
+/// `after` is the item before it in its list; null where it is the first.
+struct Semicolon : Node { const Node* after; };
+
 /// `array[2][3] { items }`.
 struct Array : Node { std::span<const Node* const> dimensions; bool initialised; Items items; };
 

@@ -60,7 +60,10 @@ class ParseState {
   Tree function(SourceSpan span, bool has_parameters, const SymbolList& parameters, const TreeList& size,
                 const TreeList& body);
   Tree comma(SourceSpan span) { return mark(NodeKind::comma, span); }
-  Tree semicolon(SourceSpan span) { return mark(NodeKind::semicolon, span); }
+  /// The semicolon that follows these items.
+  Tree semicolon(SourceSpan span, const TreeList& before) {
+    return make<Semicolon>(NodeKind::semicolon, span, 0, before.nodes.empty() ? nullptr : before.nodes.back());
+  }
 
   // Directives.
   Tree declare(SourceSpan span, bool local, Tree target, const TreeList& value);

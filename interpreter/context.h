@@ -60,8 +60,6 @@ class Context {
   OriginTable origins;
   LanguageVersion version;
   bool has_noise_generator = false;  ///< the scene says which
-  /// A second semicolon that the last declaration of a number may have, where it stands behind the end of a macro.
-  const grammar::Node* spare_semicolon = nullptr;
   /// What #default says now; what an object without a texture of its own gets.
   scene::Texture default_texture;
   bool has_default_texture = false;

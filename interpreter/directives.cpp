@@ -28,35 +28,6 @@ bool skip_semicolon(Context& context) {
   return true;
 }
 
-/// The semicolon that stands behind the end of the macros that end here, kept for whoever meets it.
-[[gnu::noinline]] void spare_semicolon_of_caller(Context& context) {
-  const auto is_left_at_its_end = [](const Frame& frame) {
-    return frame.next == frame.end && frame.kind == Frame::Kind::macro;
-  };
-  std::size_t i = context.frames.size() - 1;
-  while (i > 0 && is_left_at_its_end(context.frames[i])) --i;
-  const Frame& frame = context.frames[i];
-  if (frame.next != frame.end && (*frame.next)->kind == NodeKind::semicolon) context.spare_semicolon = *frame.next;
-}
-
-/// The semicolon of a declaration. As in POV-Ray, that of a number may end with two, the second also behind the end of
-/// a macro: so `#declare A = M();` can be read where M has a semicolon of its own, and `M();` where M ends by
-/// declaring.
-bool skip_semicolons(Context& context, bool is_numeric) {
-  Frame& frame = context.frames.back();
-  const Node* const* next = frame.next;
-  if (next == frame.end || (*next)->kind != NodeKind::semicolon) return false;
-  frame.next = ++next;
-  if (!is_numeric) return true;
-  if (next != frame.end) {
-    if ((*next)->kind == NodeKind::semicolon) [[unlikely]]
-      ++frame.next;
-  } else if (frame.kind == Frame::Kind::macro) [[unlikely]] {
-    spare_semicolon_of_caller(context);
-  }
-  return true;
-}
-
 // ---- #declare -------------------------------------------------------------------------------------------------------
 
 Value read_to_end(ElementStream& stream, bool& terminated) {
@@ -102,10 +73,11 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     bool terminated = false;
     Value value;
     evaluate_declared(context, node, value, terminated);
-    if (terminated) {
-      if (value.is_numeric()) skip_semicolon(context);
-    } else {
-      terminated = skip_semicolons(context, value.is_numeric());
+    if (!terminated) {
+      terminated = skip_semicolon(context);
+    } else if (value.is_numeric()) {
+      // The macro's own semicolon was the first of the two that a number's declaration may have (spare_semicolons.h).
+      skip_semicolon(context);
     }
     if (!terminated && value.is_numeric() && context.version.number() >= 3.5) [[unlikely]] {
       context.error({node.span.end, node.span.end},

@@ -4,6 +4,7 @@
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
 #include "interpreter/macro_calls.h"
+#include "interpreter/spare_semicolons.h"
 
 namespace isl::interpreter {
 
@@ -129,7 +130,9 @@ void ElementStream::advance() {
         element_.items = as<grammar::Entry>(node).items;
         break;
       case NodeKind::comma: yield(ElementKind::comma, node); break;
-      case NodeKind::semicolon: yield(ElementKind::semicolon, node); break;
+      case NodeKind::semicolon:
+        if (!is_spare(context_, as<grammar::Semicolon>(node))) yield(ElementKind::semicolon, node);
+        break;
       case NodeKind::break_: break_out(context_, base_, node); break;
       case NodeKind::error: meet(context_, as<grammar::Error>(node)); break;
       default: execute(context_, node); break;

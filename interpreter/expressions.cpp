@@ -79,7 +79,7 @@ void evaluate_name(Context& context, const grammar::Name& node, Value& result) {
   }
 }
 
-/// What a macro or directive yields, together with the semicolon that ends it: no coordinate, or several.
+/// What a macro or directive yields, together with the semicolons that end it: no coordinate, or several.
 template <class Append>
 [[gnu::noinline]] void follow_coordinates(Context& context, Items items, Append append) {
   const Node& node = *items[0];
@@ -103,9 +103,10 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
       append(evaluate_number(context, node));
       continue;
     }
-    const bool is_ended = i + 1 < coordinates.size() && coordinates[i + 1]->kind == NodeKind::semicolon;
-    follow_coordinates(context, coordinates.subspan(i, is_ended ? 2 : 1), append);
-    i += is_ended;
+    std::size_t end = i + 1;
+    while (end < coordinates.size() && coordinates[end]->kind == NodeKind::semicolon) ++end;
+    follow_coordinates(context, coordinates.subspan(i, end - i), append);
+    i = end - 1;
   }
 }
 

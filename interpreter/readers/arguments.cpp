@@ -217,7 +217,6 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   const Element next = stream.take();
   const bool is_named_block = next.is(ElementKind::block) && next.word != grammar::kNoSymbol;
   const SourceSpan span = is_named_block ? next.word_span : next.span;
-  if (next.is(ElementKind::semicolon) && next.node == context.spare_semicolon) return;
   const std::string where =
       stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
   if (is_unsupported(next)) return context.unsupported(span, context.text(next.word));

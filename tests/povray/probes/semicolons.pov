@@ -30,3 +30,15 @@ Say("after a string", strlen(Text))
 Say("a branch's", J)
 union { #declare K = Ended(); sphere { 0, K } sphere { x, #local L = Ended(); L } }
 Say("within an object", K)
+#macro Calls() Declares() #end
+Calls();
+Say("behind a macro that calls one that declares", C)
+#macro Hides() #local Text = 4; #end
+Hides();
+#declare V = <1, #declare S = 2;; S, Declares(); 3>;
+Say("two within a vector", V.x + 10*V.y + 100*V.z)
+#declare R = array[2];
+#declare R[1] = 3;;
+Say("two behind an element", R[1])
+union { sphere { 0, 1 } Declares(); #declare A = 2;; sphere { x, 1 } }
+Say("two within an object", A)
