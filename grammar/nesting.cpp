@@ -120,6 +120,7 @@ Verdict Nesting::close_bracket(TokenKind opener) {
     Verdict verdict;
     std::copy(open_.rbegin(), open_.rbegin() + static_cast<std::ptrdiff_t>(above),
               std::back_inserter(verdict.unclosed));
+    verdict.closed = open_[open_.size() - 1 - above].span.begin;
     open_.resize(open_.size() - above - 1);
     const bool ends_head = opener == Kind::TOK_LEFT_PARENTHESIS && !open_.empty() &&
                            opens_directive(open_.back().kind) && !open_.back().has_head;
@@ -132,12 +133,31 @@ Verdict Nesting::close_bracket(TokenKind opener) {
   return {.unclosed = {}, .stray = true};
 }
 
+namespace {
+
+/// The directive can go on with that token.
+bool can_divide(TokenKind divider, const Opening& directive) {
+  if (divider == Kind::TOK_END) return true;
+  if (directive.has_else) return false;
+  switch (directive.kind) {
+    case Kind::TOK_IF:
+    case Kind::TOK_IFDEF:
+    case Kind::TOK_IFNDEF: return divider == Kind::TOK_ELSE || divider == Kind::TOK_ELSEIF;
+    case Kind::TOK_SWITCH: return divider != Kind::TOK_ELSEIF;
+    default: return false;
+  }
+}
+
+}  // namespace
+
 Verdict Nesting::reach_directive(const Token& token) {
   const auto directive =
       std::find_if(open_.rbegin(), open_.rend(), [](const Opening& opening) { return opens_directive(opening.kind); });
   if (directive == open_.rend()) return {.unclosed = {}, .stray = true};
   const auto brackets = directive - open_.rbegin();
+  const bool misplaced = !can_divide(token.kind, *directive);
   if (token.kind == Kind::TOK_ELSEIF) directive->has_elseif = true;
+  if (token.kind == Kind::TOK_ELSE) directive->has_else = true;
   const bool opens_block =
       brackets == 1 && directive->kind == Kind::TOK_IF && !directive->has_elseif && has_just_opened_block();
   if (opens_block && token.kind == Kind::TOK_ELSE && !directive->is_split()) {
@@ -152,6 +172,7 @@ Verdict Nesting::reach_directive(const Token& token) {
     return {};
   }
   Verdict verdict;
+  verdict.misplaced = misplaced;
   std::copy(open_.rbegin(), directive, std::back_inserter(verdict.unclosed));
   open_.resize(open_.size() - static_cast<std::size_t>(brackets));
   if (token.kind == Kind::TOK_END) {

@@ -22,6 +22,7 @@ struct Opening {
   bool in_function = false;  ///< within the braces of a `function {}`: other precedences hold
   Symbol name = kNoSymbol;   ///< of a `#macro`
   bool has_elseif = false;   ///< of an `#if`
+  bool has_else = false;     ///< of a directive
   bool has_head = false;     ///< of a directive: its parenthesis was closed
   SourceSpan split_brace =
       {};  ///< of an `#if` whose first branch opens a block: `#if (c) merge { #else union { #end … }`
@@ -34,6 +35,10 @@ struct Opening {
 struct Verdict {
   /// Closing tokens to put before it, innermost first; they are taken off already.
   std::vector<Opening> unclosed;
+  /// Where the bracket stands that it closes.
+  std::optional<std::uint32_t> closed = std::nullopt;
+  /// `#else`, `#case` and the like in a directive that it cannot divide, or not any more.
+  bool misplaced = false;
   /// It closes nothing: leave it out.
   bool stray = false;
   /// The directive that it ends, where it is `#end`.

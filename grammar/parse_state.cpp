@@ -93,9 +93,14 @@ Tree ParseState::array(SourceSpan span, const TreeList& dimensions, bool initial
                      initialised, arena_.copy(items.nodes));
 }
 
-Tree ParseState::function(SourceSpan span, bool has_parameters, const SymbolList& parameters, const TreeList& size,
-                          const TreeList& body) {
-  return make<Function>(NodeKind::function, span, body.height, has_parameters, arena_.copy(parameters),
+Tree ParseState::function(SourceSpan span, const FunctionHead& head, const TreeList& body) {
+  if (head.mistake.node) return head.mistake;
+  return make<Function>(NodeKind::function, span, body.height, true, arena_.copy(head.parameters),
+                        std::span<const Node* const>(), arena_.copy(body.nodes));
+}
+
+Tree ParseState::function(SourceSpan span, const TreeList& size, const TreeList& body) {
+  return make<Function>(NodeKind::function, span, body.height, false, std::span<const Symbol>(),
                         arena_.copy(size.nodes), arena_.copy(body.nodes));
 }
 
@@ -135,9 +140,8 @@ Tree ParseState::for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tr
 Tree ParseState::switch_(SourceSpan span, Tree subject, const TreeList& before, const CaseList& cases, bool has_default,
                          const TreeList& otherwise) {
   if (!before.nodes.empty()) {
-    found_ = complaints_.error(before.nodes.front()->span,
-                               "expected `#case`, `#range` or `#end` after the parenthesis of `#switch`");
-    return mistake(span);
+    return mistake(span, complaints_.error(before.nodes.front()->span,
+                                           "expected `#case`, `#range` or `#end` after the parenthesis of `#switch`"));
   }
   return make<Switch>(NodeKind::switch_, span, highest({subject.height, cases.height, otherwise.height}), subject.node,
                       arena_.copy(cases.cases), has_default, arena_.copy(otherwise.nodes));
@@ -203,21 +207,15 @@ CaseList ParseState::with_case(CaseList list, SourceSpan span, SourceSpan clause
 
 // ---- Mistakes -------------------------------------------------------------------------------------------------------
 
-Tree ParseState::mistake(SourceSpan span) {
-  const Complaint* const complaint = std::exchange(found_, nullptr);
+Tree ParseState::mistake(SourceSpan span, const Complaint* complaint) {
   if (complaint) complaints_.claim(*complaint);
   return error(span, complaint, true);
 }
 
-ArgumentList ParseState::mistaken_argument(SourceSpan span) {
+ArgumentList ParseState::mistaken_argument(SourceSpan span, const Complaint* complaint) {
   TreeList argument;
-  argument.push(mistake(span));
+  argument.push(mistake(span, complaint));
   return with_argument({}, argument);
-}
-
-Tree ParseState::unclosed(SourceSpan span, const Complaint* complaint) {
-  found_ = complaint;
-  return mistake(span);
 }
 
 TreeList ParseState::part(TreeList items, SourceSpan range) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace isl::grammar {
 
@@ -57,8 +58,8 @@ class ParseState {
   Tree block(SourceSpan span, Symbol word, SourceSpan word_span, const TreeList& items);
   Tree entry(SourceSpan span, const TreeList& items);
   Tree array(SourceSpan span, const TreeList& dimensions, bool initialised, const TreeList& items);
-  Tree function(SourceSpan span, bool has_parameters, const SymbolList& parameters, const TreeList& size,
-                const TreeList& body);
+  Tree function(SourceSpan span, const FunctionHead& head, const TreeList& body);
+  Tree function(SourceSpan span, const TreeList& size, const TreeList& body);
   Tree comma(SourceSpan span) { return mark(NodeKind::comma, span); }
   /// The semicolon that follows these items.
   Tree semicolon(SourceSpan span, const TreeList& before) {
@@ -95,17 +96,20 @@ class ParseState {
   CaseList with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body);
 
   // Mistakes.
-  /// What stands for the mistake that was found last.
-  Tree mistake(SourceSpan span);
-  ArgumentList mistaken_argument(SourceSpan span);
-  Tree unclosed(SourceSpan span, const Complaint* complaint);
+  /// What was said of the mistake that was found last; null where that is nothing.
+  [[nodiscard]] const Complaint* found() { return std::exchange(found_, nullptr); }
+  /// What stands for a mistake.
+  Tree mistake(SourceSpan span, const Complaint* complaint);
+  ArgumentList mistaken_argument(SourceSpan span, const Complaint* complaint);
+  Tree unclosed(SourceSpan span, const Complaint* complaint) { return mistake(span, complaint); }
   /// The items of a text that is executed or not as a whole, each preceded by the complaints about it.
   TreeList part(TreeList items, SourceSpan range);
   /// False where no more errors are kept.
   [[nodiscard]] bool wants_syntax_error();
   void syntax_error(Parser::symbol_kind_type found, SourceSpan span,
                     std::span<const Parser::symbol_kind_type> expected);
-  /// The parser stumbles over what the token stream has complained of; null where that is told elsewhere.
+  /// The parser stumbles over what the token stream has complained of; null where that is told elsewhere, or nothing is
+  /// to be said.
   void known_error(const Complaint* complaint) { found_ = complaint; }
   /// What the parser itself cannot go on from.
   void failure(SourceSpan span, const std::string& message) {

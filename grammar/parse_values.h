@@ -39,4 +39,10 @@ struct CaseList {
 
 using SymbolList = std::vector<Symbol>;
 
+/// `function (a, b)`; with a mistake in it, what stands for that.
+struct FunctionHead {
+  SymbolList parameters;
+  Tree mistake;
+};
+
 }  // namespace isl::grammar

@@ -29,6 +29,40 @@ TokenKind in_function(TokenKind kind) {
   }
 }
 
+/// What follows a mistake within fewer right tokens may be of the same making.
+constexpr std::size_t kTokensOfDoubt = 3;
+
+/// Of a list of items, which the parser is in after any mistake, or of the bracket around the mistake.
+bool ends_items(TokenKind kind) {
+  switch (kind) {
+    case Kind::TOK_END_OF_FILE:
+    case Kind::TOK_RIGHT_BRACE:
+    case Kind::TOK_RIGHT_PARENTHESIS:
+    case Kind::TOK_RIGHT_BRACKET: return true;
+    default: return shapes_directive(kind) && !opens_directive(kind);
+  }
+}
+
+/// The parser can begin an item of a list with it, a comma and a semicolon being items, too.
+bool begins_item(TokenKind kind) {
+  switch (kind) {
+    case Kind::TOK_UNCLOSED:
+    case Kind::TOK_DOT:
+    case Kind::TOK_QUESTION:
+    case Kind::TOK_COLON:
+    case Kind::TOK_STAR:
+    case Kind::TOK_SLASH:
+    case Kind::TOK_AND:
+    case Kind::TOK_OR:
+    case Kind::TOK_GREATER:
+    case Kind::TOK_EQUAL:
+    case Kind::TOK_LESS_EQUAL:
+    case Kind::TOK_GREATER_EQUAL:
+    case Kind::TOK_NOT_EQUAL: return false;
+    default: return kind < Kind::TOK_FUNCTION_AND || kind > Kind::TOK_FUNCTION_NOT_EQUAL;
+  }
+}
+
 DiagnosticNote note_to_close(const Opening& opening) {
   return {opening.span, fmt::format("to close this `{}`", spelling(opening.kind))};
 }
@@ -86,11 +120,10 @@ void TokenStream::skip_deprecation() {
 // ---- To the parser --------------------------------------------------------------------------------------------------
 
 Token TokenStream::send() {
-  const Arranged first = arranged_.front();
+  last_ = arranged_.front();
   arranged_.pop_front();
-  mending_ = first.mended;
-  last_complaint_ = first.token.complaint;
-  return first.token;
+  ++sent_;
+  return last_.token;
 }
 
 /// Closers for what is left open. The parser first gets an UNCLOSED, which stands in the tree for the mistake.
@@ -99,7 +132,7 @@ void TokenStream::close_all(const std::vector<Opening>& openings, const Complain
   const SourceSpan place{last_span_.end, last_span_.end};
   arranged_.push_back({{.kind = Kind::TOK_UNCLOSED, .span = place, .complaint = complaint}, true});
   for (const Opening& opening : openings) {
-    arranged_.push_back({{.kind = closer_of(opening.kind), .span = place}, true});
+    arranged_.push_back({{.kind = closer_of(opening.kind), .span = place}, true, opening.span.begin});
   }
 }
 
@@ -150,7 +183,7 @@ void TokenStream::follow(Token token) {
   if (verdict.half_split) complain_half_split(*verdict.ended);
   begins_stretch_ = shapes_directive(token.kind);
   if (nesting_.in_function()) token.kind = in_function(token.kind);
-  arranged_.push_back({token, false});
+  arranged_.push_back({token, false, verdict.closed, verdict.misplaced});
 }
 
 Token TokenStream::finish() {
@@ -178,21 +211,42 @@ Token TokenStream::finish() {
   return send();
 }
 
+// ---- After mistakes -------------------------------------------------------------------------------------------------
+
+bool TokenStream::meet_mistake() {
+  wrong_in_turn_ = wrong_at_ == sent_ ? wrong_in_turn_ + 1 : 0;
+  wrong_at_ = sent_;
+  const bool may_follow = in_doubt_ && sent_ - right_since_ < kTokensOfDoubt;
+  in_doubt_ = true;
+  right_since_ = sent_;
+  return may_follow;
+}
+
 void TokenStream::skip_mistake() {
   const std::vector<Opening>& open = nesting_.open();
   const bool is_within = depth_before_ > 0 && open.size() >= depth_before_;
-  if (mending_ || !is_within) return;
+  skipped_ = false;
+  if (last_.mended || !is_within) return;
   const TokenKind kind = open[depth_before_ - 1].kind;
   if (kind != Kind::TOK_LEFT_PARENTHESIS && kind != Kind::TOK_LEFT_BRACKET) return;
-  const std::size_t depth = depth_before_;
+  const std::uint32_t opener = open[depth_before_ - 1].span.begin;
+  const Arranged wrong = last_;
+  const std::size_t sent = sent_;
   skipping_ = true;
-  Arranged closing;
   do {
-    closing.token = next();
-    closing.mended = mending_;
-  } while (nesting_.depth() >= depth);
+    static_cast<void>(next());
+  } while (last_.closes != opener && last_.token.kind != Kind::TOK_END_OF_FILE);
   skipping_ = false;
-  arranged_.push_front(closing);
+  skipped_ = true;
+  arranged_.push_front(std::exchange(last_, wrong));
+  sent_ = sent;
+}
+
+bool TokenStream::drops_wrong() {
+  const TokenKind kind = last_.token.kind;
+  const bool is_dropped = ends_items(kind) ? last_.misplaced : skipped_ || !begins_item(kind);
+  if (is_dropped) ++right_since_;
+  return is_dropped;
 }
 
 // ---- Complaints -----------------------------------------------------------------------------------------------------

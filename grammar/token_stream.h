@@ -13,6 +13,7 @@
 #include "grammar/token.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -28,14 +29,25 @@ class TokenStream {
   /// Brackets and directives match in what this gives. Ends early after too many errors. Throws ScannerFailure.
   [[nodiscard]] Token next();
 
-  /// The parser has just found the last token wrong: within `(` or `[`, the next one is what closes it. Throws
-  /// ScannerFailure.
+  /// The parser has just found the last token wrong. True where that may follow from the mistake before: fewer than
+  /// three tokens were right since then, and no statement ended.
+  [[nodiscard]] bool meet_mistake();
+  /// And then: within `(` or `[`, the next token is what closes it. Throws ScannerFailure.
   void skip_mistake();
+  /// The token that was wrong means nothing to the parser now either.
+  [[nodiscard]] bool drops_wrong();
+  /// It was found wrong more often than there is anything to give up because of it.
+  [[nodiscard]] bool is_stuck() const { return wrong_in_turn_ > sent_; }
+  /// A statement has ended: what is wrong after it does not follow from what was before.
+  void end_statement() {
+    right_since_ = sent_;
+    in_doubt_ = false;
+  }
 
   /// The last token does not stand in the text: what is wrong there was complained of.
-  [[nodiscard]] bool is_mending() const { return mending_; }
+  [[nodiscard]] bool is_mending() const { return last_.mended; }
   /// What was wrong, where the last token stands for that; may be null.
-  [[nodiscard]] const Complaint* last_complaint() const { return last_complaint_; }
+  [[nodiscard]] const Complaint* last_complaint() const { return last_.token.complaint; }
 
  private:
   [[nodiscard]] Token scan();
@@ -55,8 +67,10 @@ class TokenStream {
   [[nodiscard]] std::string name_of(const Opening& macro) const;
 
   struct Arranged {
-    Token token;
-    bool mended;
+    Token token = {};
+    bool mended = false;
+    std::optional<std::uint32_t> closes = {};  ///< where the bracket stands that it closes
+    bool misplaced = false;                    ///< as Verdict::misplaced
   };
 
   Lexer& lexer_;
@@ -70,10 +84,15 @@ class TokenStream {
   std::vector<Token> passed_over_;  ///< misspelt directives, for the messages of what they leave unmatched
   SourceSpan last_span_;            ///< of the last token of the text
   std::size_t depth_before_ = 0;    ///< of the nesting, before the last token
-  const Complaint* last_complaint_ = nullptr;
-  bool begins_stretch_ = false;  ///< the last token shapes a directive
-  bool mending_ = false;
+  Arranged last_;                   ///< what the parser has
+  std::size_t sent_ = 0;            ///< so many tokens the parser has been given
+  std::size_t wrong_at_ = 0;        ///< sent_ when the parser last found one wrong
+  std::size_t wrong_in_turn_ = 0;   ///< so often it found the same one wrong again
+  std::size_t right_since_ = 0;     ///< the tokens after so many were right
+  bool in_doubt_ = false;           ///< a mistake was met, and no statement has ended since
+  bool begins_stretch_ = false;     ///< the last token shapes a directive
   bool skipping_ = false;
+  bool skipped_ = false;  ///< what is left of the bracket with the last mistake
   bool too_deep_ = false;
 };
 

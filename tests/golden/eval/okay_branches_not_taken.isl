@@ -14,6 +14,8 @@ b" /* #end /* */ */ // #end
 #if (0) #local 3 = ; #declare = #undef #version #default { #include #fopen #read ( #write #end
 #if (0) #if ( #else } #end #while #end #for #end #for (I #end #switch #end #switch (1) ; #end #ifdef #end #ifndef ( #end #end
 #if (0) #while (1) #else #end #end
+#if (0) #local ( #local #for (I #end #end
+#if (0) union { / #if (1) #else #else #end function ( #end
 #if (0) #macro A(1 + 2) #end #macro #end #macro B #end #end
 #if (0) #wile (1) #end
 #if (0) #include "nowhere.inc" #error "never" #break #end
