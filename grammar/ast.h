@@ -22,7 +22,7 @@ enum class NodeKind : std::uint8_t {
   // Other elements.
   word, block, entry, array, function, comma, semicolon,
   // Directives.
-  declare, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
+  declare, declare_deprecated, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
   fopen, fclose, read, write,
   // What is wrong with the text.
   error,
@@ -107,10 +107,14 @@ struct Function : Node {
 
 // ---- Directives -----------------------------------------------------------------------------------------------------
 
+/// `once "remark"`; without a remark it is empty.
+struct Deprecation { bool once; std::string_view remark; };
+
 /// `#declare target = value` / `#local`. `value` is one expression, block, array, function or directive; a run of
 /// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions.
 /// A semicolon after it is an item of its own in the enclosing list.
-struct Declare : Node { bool local; const Node* target; Items value; };
+/// `#declare deprecated once "remark" target = value` is a node of its own kind and of this type.
+struct Declare : Node { bool local; Deprecation deprecation; const Node* target; Items value; };
 
 /// `#undef target`.
 struct Undef : Node { const Node* target; };

@@ -159,6 +159,17 @@ void TreeDump::directive(const Node& node) {
         this->node(*as<Declare>(node).target);
         items(as<Declare>(node).value);
       });
+    case NodeKind::declare_deprecated: {
+      const auto& declare = as<Declare>(node);
+      const Deprecation& deprecation = declare.deprecation;
+      return tree(
+          fmt::format("{} deprecated{}{}{}", declare.local ? "local" : "declare", deprecation.once ? " once" : "",
+                      deprecation.remark.empty() ? "" : " ", deprecation.remark),
+          [&] {
+            this->node(*declare.target);
+            items(declare.value);
+          });
+    }
     case NodeKind::undef: return part("undef", as<Undef>(node).target);
     case NodeKind::break_: return line("break");
     case NodeKind::macro:

@@ -105,8 +105,14 @@ Tree ParseState::function(SourceSpan span, const TreeList& size, const TreeList&
 }
 
 Tree ParseState::declare(SourceSpan span, bool local, Tree target, const TreeList& value) {
-  return make<Declare>(NodeKind::declare, span, highest({target.height, value.height}), local, target.node,
-                       arena_.copy(value.nodes));
+  return make<Declare>(NodeKind::declare, span, highest({target.height, value.height}), local, Deprecation{},
+                       target.node, arena_.copy(value.nodes));
+}
+
+Tree ParseState::declare_deprecated(SourceSpan span, bool local, Deprecation deprecation, Tree target,
+                                    const TreeList& value) {
+  return make<Declare>(NodeKind::declare_deprecated, span, highest({target.height, value.height}), local, deprecation,
+                       target.node, arena_.copy(value.nodes));
 }
 
 Tree ParseState::if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise) {

@@ -68,6 +68,7 @@ class ParseState {
 
   // Directives.
   Tree declare(SourceSpan span, bool local, Tree target, const TreeList& value);
+  Tree declare_deprecated(SourceSpan span, bool local, Deprecation deprecation, Tree target, const TreeList& value);
   Tree undef(SourceSpan span, Tree target) { return make<Undef>(NodeKind::undef, span, target.height, target.node); }
   Tree if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise);
   Tree ifdef(SourceSpan span, bool negated, Tree target, const TreeList& then, const TreeList& otherwise);

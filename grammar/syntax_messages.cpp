@@ -134,6 +134,7 @@ std::vector<std::string> fold(std::span<const SymbolKind> expected) {
       continue;
     if (has_directive && is_directive_start(kind)) continue;
     if (kind == Kind::S_SEMICOLON && has_directive) continue;
+    if (kind == Kind::S_DEPRECATED || kind == Kind::S_ONCE) continue;  // known to few, and meant by none who errs here
     // An operator within `function {}` is a token of its own with the same spelling.
     if (std::string idea = describe(kind); std::ranges::find(ideas, idea) == ideas.end())
       ideas.push_back(std::move(idea));

@@ -47,6 +47,8 @@ bool ends_items(TokenKind kind) {
 bool begins_item(TokenKind kind) {
   switch (kind) {
     case Kind::TOK_UNCLOSED:
+    case Kind::TOK_DEPRECATED:
+    case Kind::TOK_ONCE:
     case Kind::TOK_DOT:
     case Kind::TOK_QUESTION:
     case Kind::TOK_COLON:
@@ -93,28 +95,16 @@ Token TokenStream::scan() {
   return token;
 }
 
+/// `#declare deprecated once Name`: words that mean this only here.
 Token TokenStream::take() {
-  if (ahead_.empty()) return scan();
-  const Token token = ahead_.front();
-  ahead_.pop_front();
+  Token token = scan();
+  const bool may_be_deprecated = taken_ == Kind::TOK_DECLARE || taken_ == Kind::TOK_LOCAL;
+  if (may_be_deprecated && token.symbol == word::kw_deprecated)
+    token = {.kind = Kind::TOK_DEPRECATED, .span = token.span};
+  if (taken_ == Kind::TOK_DEPRECATED && token.symbol == word::kw_once)
+    token = {.kind = Kind::TOK_ONCE, .span = token.span};
+  taken_ = token.kind;
   return token;
-}
-
-Token TokenStream::take_from_text() {
-  const Token token = take();
-  if (token.kind == Kind::TOK_DECLARE || token.kind == Kind::TOK_LOCAL) skip_deprecation();
-  return token;
-}
-
-/// `#declare deprecated once "use that" Name = …`: what follows is declared, the remark is dropped.
-void TokenStream::skip_deprecation() {
-  Token token = take();
-  if (token.symbol == word::kw_deprecated) {
-    token = take();
-    if (token.symbol == word::kw_once) token = take();
-    if (token.kind == Kind::TOK_STRING) token = take();
-  }
-  ahead_.push_front(token);
 }
 
 // ---- To the parser --------------------------------------------------------------------------------------------------
@@ -142,7 +132,7 @@ Token TokenStream::next() {
     if (std::exchange(begins_stretch_, false)) complaints_.begin_stretch();
     complaints_.set_outside(nesting_.is_outside());
     if (too_deep_) return finish();
-    const Token token = take_from_text();
+    const Token token = take();
     if (token.kind == Kind::TOK_END_OF_FILE || complaints_.is_full()) return finish();
     if (!is_passed_over(token) && !is_too_deep(token)) follow(token);
     if (!too_deep_) last_span_ = token.span;

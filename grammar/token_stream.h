@@ -52,8 +52,6 @@ class TokenStream {
  private:
   [[nodiscard]] Token scan();
   [[nodiscard]] Token take();
-  [[nodiscard]] Token take_from_text();
-  void skip_deprecation();
 
   [[nodiscard]] Token send();
   [[nodiscard]] Token finish();
@@ -79,8 +77,8 @@ class TokenStream {
   Complaints& complaints_;
   std::size_t max_nesting_;
   Nesting nesting_;
-  std::deque<Token> ahead_;         ///< read from the text but not yet followed
-  std::deque<Arranged> arranged_;   ///< ready for the parser
+  TokenKind taken_ = Parser::token::TOK_END_OF_FILE;  ///< the kind of the last token of the text
+  std::deque<Arranged> arranged_;                     ///< ready for the parser
   std::vector<Token> passed_over_;  ///< misspelt directives, for the messages of what they leave unmatched
   SourceSpan last_span_;            ///< of the last token of the text
   std::size_t depth_before_ = 0;    ///< of the nesting, before the last token

@@ -1,5 +1,6 @@
 #include "interpreter/control.h"
 
+#include "interpreter/deprecated_names.h"
 #include "interpreter/expressions.h"
 
 #include <cmath>
@@ -35,7 +36,7 @@ bool has_turn(double value, double end, double step) {
   const double end = evaluate_number(context, *node.end);
   const double step = node.step ? evaluate_number(context, *node.step) : 1;
   if (std::abs(step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
-  context.scopes.local(node.variable).value.set_number(start);
+  used(context, context.scopes.local(node.variable), node.span).value.set_number(start);
   if (!has_turn(start, end, step)) return;
   context.count_turn(node.span);
   context.push(Frame::Kind::for_, node.body, &node, node.span).range = {end, step};
@@ -43,7 +44,7 @@ bool has_turn(double value, double end, double step) {
 
 bool continue_for(Context& context, Frame& frame) {
   const auto& node = as<grammar::For>(*frame.node);
-  Slot* const slot = context.scopes.find(node.variable);
+  Slot* const slot = without_wrapper(context.scopes.find(node.variable));
   if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` is not a number any more");
   const double value = slot->value.number() + frame.range.step;
   slot->value.set_number(value);

@@ -2,6 +2,7 @@
 
 #include "interpreter/arrays.h"
 #include "interpreter/control.h"
+#include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/files.h"
@@ -68,6 +69,15 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   return node.local ? context.scopes.local(name) : context.scopes.declare(name);
 }
 
+/// The slot to write to, where there is a function or the name is a deprecated one.
+[[gnu::noinline]] Slot& guarded_slot(Context& context, const grammar::Declare& node, Slot& declared) {
+  Slot& slot = used(context, declared, node.target->span);
+  if (slot.value.kind() == ValueKind::function) {
+    context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
+  }
+  return slot;
+}
+
 [[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
   try {
     bool terminated = false;
@@ -83,10 +93,10 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
       context.error({node.span.end, node.span.end},
                     fmt::format("a `;` is missing after the declaration of {}", describe(value)));
     }
-    Slot& slot = declared_slot(context, node);
-    if (slot.value.kind() == ValueKind::function) {
-      context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
-    }
+    Slot* target = &declared_slot(context, node);
+    if (target->value.kind() >= ValueKind::function) [[unlikely]]
+      target = &guarded_slot(context, node, *target);
+    Slot& slot = *target;
     if (value.kind() == ValueKind::array) [[unlikely]] {
       if (node.target->kind == NodeKind::index) check_array_nesting(context, value, node.span);
       // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
@@ -97,18 +107,32 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   } catch (const Failed&) {
     // The name becomes known all the same, so that each use of it is not one more error.
     if (node.target->kind == NodeKind::name) {
-      Slot& slot = declared_slot(context, node);
+      Slot& slot = *without_wrapper(&declared_slot(context, node));
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
     }
     skip_semicolon(context);
   }
 }
 
+[[gnu::noinline]] void declare_deprecated(Context& context, const grammar::Declare& node) {
+  if (node.target->kind != NodeKind::name) {
+    context.warn(node.target->span, "`deprecated` means nothing before an element of an array");
+    return declare(context, node);
+  }
+  const Slot* const before = context.scopes.find(as<grammar::Name>(*node.target).name);
+  declare(context, node);
+  // As in POV-Ray, what was declared before stays what it was.
+  Slot& slot = declared_slot(context, node);
+  if (&slot != before) deprecate(context, node, slot);
+}
+
 [[gnu::noinline]] void undefine(Context& context, const grammar::Undef& node) {
   if (node.target->kind == NodeKind::index) {
     if (Slot* slot = find_slot_if_declared(context, *node.target)) slot->value = Value();
   } else if (node.target->kind == NodeKind::name) {
-    context.scopes.undef(as<grammar::Name>(*node.target).name);
+    const grammar::Symbol name = as<grammar::Name>(*node.target).name;
+    static_cast<void>(used(context, context.scopes.find(name), node.target->span));
+    context.scopes.undef(name);
   }
   skip_semicolon(context);
 }
@@ -184,6 +208,7 @@ void execute(Context& context, const Node& node) {
     case NodeKind::for_:
     case NodeKind::switch_: return start_control(context, node);
     case NodeKind::declare: return declare(context, as<grammar::Declare>(node));
+    case NodeKind::declare_deprecated: return declare_deprecated(context, as<grammar::Declare>(node));
     case NodeKind::undef: return undefine(context, as<grammar::Undef>(node));
     case NodeKind::macro: return define_macro(context, as<grammar::Macro>(node));
     case NodeKind::include: return include(context, as<grammar::Include>(node));

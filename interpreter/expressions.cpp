@@ -2,6 +2,7 @@
 
 #include "interpreter/arrays.h"
 #include "interpreter/builtins/builtins.h"
+#include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/functions/functions.h"
 #include "interpreter/macro_calls.h"
@@ -35,6 +36,8 @@ namespace word = grammar::word;
 [[gnu::noinline]] void evaluate_other_name(Context& context, const grammar::Name& node, const Slot* slot,
                                            Value& result) {
   if (!slot) fail_undeclared(context, node.span, node.name);
+  if (slot->value.kind() == ValueKind::deprecated) [[unlikely]]
+    slot = &use_deprecated(context, *slot, node.span);
   if (slot->value.kind() <= ValueKind::poison) [[unlikely]] {
     if (slot->value.kind() == ValueKind::none)
       context.fail(node.span,
@@ -198,7 +201,7 @@ Value make_string(Context& context, std::string text, SourceSpan span) {
 }
 
 Slot* find_slot_if_declared(Context& context, const Node& target) {
-  if (target.kind == NodeKind::name) return context.scopes.find(as<grammar::Name>(target).name);
+  if (target.kind == NodeKind::name) return without_wrapper(context.scopes.find(as<grammar::Name>(target).name));
   if (target.kind == NodeKind::index)
     return find_element(context, as<grammar::Index>(target), /*may_be_undeclared=*/true);
   context.meet(as<grammar::Error>(target));
@@ -211,7 +214,7 @@ Slot& find_slot(Context& context, const Node& target) {
   if (target.kind == NodeKind::error) context.meet(as<grammar::Error>(target));
   if (target.kind != NodeKind::name) throw Failed{};
   const Symbol name = as<grammar::Name>(target).name;
-  if (Slot* slot = context.scopes.find(name)) return *slot;
+  if (Slot* slot = context.scopes.find(name)) return used(context, *slot, target.span);
   fail_undeclared(context, target.span, name);
 }
 

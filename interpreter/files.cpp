@@ -1,5 +1,6 @@
 #include "interpreter/files.h"
 
+#include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/file_output.h"
@@ -143,7 +144,8 @@ Value value_of(Context& context, const Datum& datum) {
 /// Where a value goes: what `#declare target` would write.
 Slot& target_slot(Context& context, const Node& target) {
   if (target.kind == NodeKind::index) return find_slot(context, target);
-  if (target.kind == NodeKind::name) return context.scopes.declare(as<grammar::Name>(target).name);
+  if (target.kind == NodeKind::name)
+    return used(context, context.scopes.declare(as<grammar::Name>(target).name), target.span);
   context.fail(target.span, "expected an identifier or an array element to read into");
 }
 

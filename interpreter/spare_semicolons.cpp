@@ -1,5 +1,6 @@
 #include "interpreter/spare_semicolons.h"
 
+#include "interpreter/expressions.h"
 #include "interpreter/shared_values.h"
 
 #include <cstddef>
@@ -12,13 +13,13 @@ using grammar::Items;
 using grammar::Node;
 using grammar::NodeKind;
 
-/// A declaration that is known to have had another value than a number does not. Nothing is known of an array's element,
-/// which is not looked up twice, and of a macro's local, which is gone by then.
+/// A declaration that is known to have had another value than a number does not. Nothing is known of an array's
+/// element, which is not looked up twice, and of a macro's local, which is gone by then.
 bool may_declare_number(Context& context, const Node* item, bool is_in_scope) {
-  if (!item || item->kind != NodeKind::declare) return false;
+  if (!item || (item->kind != NodeKind::declare && item->kind != NodeKind::declare_deprecated)) return false;
   const auto& declaration = as<grammar::Declare>(*item);
   if (declaration.target->kind != NodeKind::name || (declaration.local && !is_in_scope)) return true;
-  const Slot* const slot = context.scopes.find(as<grammar::Name>(*declaration.target).name);
+  const Slot* const slot = find_slot_if_declared(context, *declaration.target);
   return !slot || slot->value.kind() <= ValueKind::numeric;
 }
 

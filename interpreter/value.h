@@ -36,9 +36,11 @@ enum class ValueKind : std::uint8_t {
   rainbow,
   transform,
   camera,
-  function,
   spline,
   file,
+  // From here on a declaration of the name looks twice (directives.cpp).
+  function,
+  deprecated,  ///< a name's value is in another slot (interpreter/deprecated_names.h)
 };
 
 /// What messages call a kind: "number", "3-term vector", "string", …

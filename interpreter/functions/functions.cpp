@@ -1,5 +1,6 @@
 #include "interpreter/functions/functions.h"
 
+#include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/functions/compiler.h"
@@ -59,7 +60,7 @@ void check_parameters(Context& context, const grammar::Function& node) {
     const bool is_allowed = !grammar::is_reserved(name) || std::ranges::find(kAllowed, name) != std::end(kAllowed);
     if (!is_allowed)
       context.fail(node.span, fmt::format("`{}` is a reserved word; it cannot name a parameter", context.text(name)));
-    const Slot* const slot = context.scopes.find(name);
+    const Slot* const slot = without_wrapper(context.scopes.find(name));
     if (slot) {
       context.fail(
           node.span,

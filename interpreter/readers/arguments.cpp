@@ -2,6 +2,7 @@
 
 #include "grammar/suggest.h"
 #include "interpreter/arithmetic.h"
+#include "interpreter/deprecated_names.h"
 #include "interpreter/expressions.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/supported.h"
@@ -175,7 +176,7 @@ bool is_unsupported(const Element& element) {
 
 /// `Ball { translate x }` of a declared Ball: its name stands within the braces of what it is.
 void refuse_declared_block(Context& context, const Element& block) {
-  const Slot* const slot = context.scopes.find(block.word);
+  const Slot* const slot = without_wrapper(context.scopes.find(block.word));
   if (slot == nullptr || slot->value.kind() == ValueKind::none) return;
   if (slot->value.kind() == ValueKind::poison) throw Failed{};
   const std::string_view name = context.text(block.word);

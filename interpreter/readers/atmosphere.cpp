@@ -1,5 +1,6 @@
 #include "interpreter/readers/atmosphere.h"
 
+#include "interpreter/deprecated_names.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/maps.h"
@@ -29,7 +30,7 @@ template <class Declared>
 Ref<Declared> read_declared_name(ElementStream& stream, ValueKind kind, std::string_view what) {
   const Element first = stream.peek();
   if (!first.is(ElementKind::value) || first.node->kind != grammar::NodeKind::name) return {};
-  const Slot* const slot = stream.context().scopes.find(first.word);
+  const Slot* const slot = without_wrapper(stream.context().scopes.find(first.word));
   if (slot->value.is_numeric()) return {};
   const Value value = stream.take_value();
   if (value.kind() != kind) {

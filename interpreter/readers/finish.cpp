@@ -1,5 +1,6 @@
 #include "interpreter/readers/finish.h"
 
+#include "interpreter/deprecated_names.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/records.h"
@@ -64,7 +65,7 @@ constexpr grammar::Symbol kKnown[] = {word::kw_ambient,
 
 bool is_finish(const Context& context, const Element& element) {
   if (!element.is(ElementKind::value) || element.node->kind != grammar::NodeKind::name) return false;
-  const Slot* const slot = context.scopes.find(element.word);
+  const Slot* const slot = without_wrapper(context.scopes.find(element.word));
   return slot != nullptr && slot->value.kind() == ValueKind::finish;
 }
 

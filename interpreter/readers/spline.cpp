@@ -1,6 +1,7 @@
 #include "interpreter/readers/spline.h"
 
 #include "interpreter/arithmetic.h"
+#include "interpreter/deprecated_names.h"
 #include "interpreter/readers/arguments.h"
 #include "renderer/values/spline.h"
 
@@ -58,10 +59,10 @@ std::shared_ptr<const scene::Spline> read_spline(Context& context, const Element
   auto spline = std::make_shared<scene::Spline>();
   const Element first = stream.peek();
   if (first.is(ElementKind::value) && first.word != grammar::kNoSymbol) {
-    const Slot* const slot = context.scopes.find(first.word);
-    if (slot && slot->value.kind() == ValueKind::spline) {
+    Slot* const slot = context.scopes.find(first.word);
+    if (const Slot* const held = without_wrapper(slot); held && held->value.kind() == ValueKind::spline) {
       stream.drop();
-      *spline = *slot->value.as<SplineValue>().spline;
+      *spline = *used(context, *slot, first.span).value.as<SplineValue>().spline;
     }
   }
   if (const auto kind = accept_spline_kind(stream)) spline->kind = *kind;

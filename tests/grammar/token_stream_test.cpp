@@ -117,9 +117,10 @@ TEST(TokenStream, TakesAMisspeltDirectiveForTheNearestOutsideOfDirectivesOnly) {
   EXPECT_EQ(inside.said()[1].diagnostic.notes[0].message, "this is no directive; did you mean `#while`?");
 }
 
-TEST(TokenStream, PassesOverDeprecationMarks) {
-  Stream stream("#declare deprecated once \"use B\" A = 1");
-  EXPECT_EQ(stream.kinds(), "#declare identifier = number");
+TEST(TokenStream, KnowsDeprecationMarksInDeclarationsOnly) {
+  EXPECT_EQ(Stream("#declare deprecated once \"use B\" A = 1").kinds(),
+            "#declare deprecated once string identifier = number");
+  EXPECT_EQ(Stream("deprecated once #local A = once").kinds(), "word word #local identifier = word");
 }
 
 TEST(TokenStream, LimitsNesting) {
