@@ -99,19 +99,8 @@ void read_magnet(ElementStream& stream, Pattern& pattern) {
 
 void read_object_operand(ElementStream& stream, Pattern& pattern) {
   Context& context = stream.context();
-  const Element next = stream.peek();
-  Ref<ObjectValue> object;
-  if (next.is(ElementKind::block) && is_object_word(next.word)) {
-    stream.drop();
-    object = read_object(context, next);
-  } else if (next.is(ElementKind::value)) {
-    const Value value = stream.take_value();
-    if (value.kind() != ValueKind::object)
-      context.fail(next.span, fmt::format("expected an object, found {}", describe(value)));
-    object = Ref<ObjectValue>(&value.as<ObjectValue>());
-  } else {
-    fail_expected(stream, "an object");
-  }
+  const Ref<ObjectValue> object = read_child(stream);
+  if (!object) fail_expected(stream, "an object");
   scene::ObjectOperands operands;
   if (object->object.shape != scene::kNone) {
     operands.object = static_cast<std::uint32_t>(context.database.pattern_objects.size());
