@@ -1,5 +1,7 @@
 #include "grammar/syntax_messages.h"
 
+#include "grammar/newer_words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -182,6 +184,7 @@ std::string_view missing_bracket(SymbolKind found, std::span<const SymbolKind> e
 }  // namespace
 
 SyntaxMessage syntax_message(SymbolKind found, std::string_view text, std::span<const SymbolKind> expected) {
+  if (found == Kind::S_IDENTIFIER && is_newer_word(text)) return {newer_word_message(text), {}};
   SyntaxMessage result{.message = "unexpected " + describe_found(found, text), .hint = hint_for(found, text, expected)};
   const std::vector<std::string> ideas = fold(expected);
   if (!ideas.empty() && ideas.size() <= kMaxExpected) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -179,13 +180,16 @@ void TokenStream::follow(Token token) {
 Token TokenStream::finish() {
   const bool is_known = complaints_.is_full() || too_deep_;
   const std::vector<Opening> open(nesting_.open().rbegin(), nesting_.open().rend());
+  // That what is being skipped does not end is of the same making as the mistake in it.
+  const std::size_t skipped = skipping_from_ == 0 ? 0 : open.size() - std::min(open.size(), skipping_from_ - 1);
+  const std::span<const Opening> unclosed = std::span(open).subspan(skipped);
   const Complaint* complaint = nullptr;
-  if (!open.empty() && !is_known) {
+  if (!unclosed.empty() && !is_known) {
     Diagnostic diagnostic;
     diagnostic.span = {last_span_.end, last_span_.end};
-    diagnostic.message = fmt::format("unexpected end of file, expected `{}`", spelling(closer_of(open[0].kind)));
-    for (std::size_t i = 0; i < std::min(open.size(), kMaxOpenNotes); ++i) {
-      diagnostic.notes.push_back(note_to_close(open[i]));
+    diagnostic.message = fmt::format("unexpected end of file, expected `{}`", spelling(closer_of(unclosed[0].kind)));
+    for (std::size_t i = 0; i < std::min(unclosed.size(), kMaxOpenNotes); ++i) {
+      diagnostic.notes.push_back(note_to_close(unclosed[i]));
     }
     if (nesting_.innermost_directive() == nullptr) {
       complaint = complaints_.report(std::move(diagnostic));
@@ -222,11 +226,11 @@ void TokenStream::skip_mistake() {
   const std::uint32_t opener = open[depth_before_ - 1].span.begin;
   const Arranged wrong = last_;
   const std::size_t sent = sent_;
-  skipping_ = true;
+  skipping_from_ = depth_before_;
   do {
     static_cast<void>(next());
   } while (last_.closes != opener && last_.token.kind != Kind::TOK_END_OF_FILE);
-  skipping_ = false;
+  skipping_from_ = 0;
   skipped_ = true;
   arranged_.push_front(std::exchange(last_, wrong));
   sent_ = sent;
@@ -246,7 +250,7 @@ std::string TokenStream::name_of(const Opening& macro) const {
 }
 
 const Complaint* TokenStream::complain_unclosed(const Verdict& verdict, const Token& found) {
-  if (skipping_)
+  if (skipping_from_ > 0)
     return nullptr;  // a mistake within them was reported; that they are not closed either is of the same making
   const std::vector<Opening>& unclosed = verdict.unclosed;
   Diagnostic diagnostic;

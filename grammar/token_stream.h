@@ -89,8 +89,8 @@ class TokenStream {
   std::size_t right_since_ = 0;     ///< the tokens after so many were right
   bool in_doubt_ = false;           ///< a mistake was met, and no statement has ended since
   bool begins_stretch_ = false;     ///< the last token shapes a directive
-  bool skipping_ = false;
-  bool skipped_ = false;  ///< what is left of the bracket with the last mistake
+  std::size_t skipping_from_ = 0;   ///< how deep the bracket is whose rest is being skipped; 0 where none is
+  bool skipped_ = false;            ///< what is left of the bracket with the last mistake
   bool too_deep_ = false;
 };
 

@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace isl::interpreter {
 namespace {
 
@@ -27,6 +29,23 @@ bool skip_semicolon(Context& context) {
   if (frame.next == frame.end || (*frame.next)->kind != NodeKind::semicolon) return false;
   ++frame.next;
   return true;
+}
+
+/// The item can be the first of a statement, other than a name, which says too little.
+bool begins_statement(const Node& item) {
+  const bool is_directive = item.kind >= NodeKind::declare && item.kind != NodeKind::error;
+  const bool is_object = item.kind == NodeKind::block && grammar::is_reserved(as<grammar::Block>(item).word);
+  return is_directive || is_object || item.kind == NodeKind::call;
+}
+
+/// What is left of a statement with a mistake, such as the braces in `= dictionary { … };`, is no second mistake. Where
+/// another statement begins before there is a semicolon, it has none, and nothing is skipped.
+void skip_rest(Context& context) {
+  Frame& frame = context.frames.back();
+  const auto* const stop = std::find_if(frame.next, frame.end, [](const Node* item) {
+    return item->kind == NodeKind::semicolon || begins_statement(*item);
+  });
+  if (stop != frame.end && (*stop)->kind == NodeKind::semicolon) frame.next = stop + 1;
 }
 
 // ---- #declare -------------------------------------------------------------------------------------------------------
@@ -110,7 +129,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
       Slot& slot = *without_wrapper(&declared_slot(context, node));
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
     }
-    skip_semicolon(context);
+    skip_rest(context);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "interpreter/expressions.h"
 
+#include "grammar/newer_words.h"
 #include "interpreter/arrays.h"
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/deprecated_names.h"
@@ -8,7 +9,6 @@
 #include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
 #include "interpreter/readers/rvalue.h"
-#include "interpreter/readers/supported.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ namespace word = grammar::word;
 // Each kind of composite expression has its own function, kept out of line: the recursion's stack frames stay small.
 
 [[noreturn]] [[gnu::noinline]] void fail_undeclared(Context& context, SourceSpan span, Symbol name) {
-  if (is_newer_word(context.text(name))) context.fail(span, newer_word_message(context.text(name)));
+  if (grammar::is_newer_word(context.text(name))) context.fail(span, grammar::newer_word_message(context.text(name)));
   context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
 }
 

@@ -1,5 +1,6 @@
 #include "interpreter/readers/arguments.h"
 
+#include "grammar/newer_words.h"
 #include "grammar/suggest.h"
 #include "interpreter/arithmetic.h"
 #include "interpreter/deprecated_names.h"
@@ -39,8 +40,8 @@ namespace {
 /// Fails where the name is a word of POV-Ray 3.8 that no scene of 3.7 has.
 void refuse_newer_word(Context& context, const Element& element) {
   const std::string_view name = context.text(element.word);
-  if (!is_newer_word(name)) return;
-  context.fail(element.is(ElementKind::block) ? element.word_span : element.span, newer_word_message(name));
+  if (!grammar::is_newer_word(name)) return;
+  context.fail(element.is(ElementKind::block) ? element.word_span : element.span, grammar::newer_word_message(name));
 }
 
 /// The word whose block takes a declared name of that kind; empty where there is none.

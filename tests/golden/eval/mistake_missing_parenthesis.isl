@@ -1,0 +1,2 @@
+#declare Width = sin(pi/4;
+sphere { 0, Width }
