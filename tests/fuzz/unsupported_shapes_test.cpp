@@ -24,7 +24,7 @@ std::vector<std::string> unsupported_shapes() {
   return names;
 }
 
-/// What the braces hold is not read, be it right or wrong for the shape.
+/// The text within the braces is not read, be it right or wrong for the shape.
 constexpr std::string_view kShape = "{} {{ 4, <0, 1>, \"a\" scale 2 }}";
 
 constexpr std::string_view kPlaces[] = {
