@@ -131,6 +131,8 @@ def report(results):
                                 for word in r['isl']['render'][1].split(', '))
     print('  refused because of:', ', '.join(f'{word} {n}' for word, n in words.most_common(40)))
     for name, r in parsed.items():
+        if r['isl']['check'] != r['isl']['render']:
+            print(f"  check and render disagree: {name}: {r['isl']['check']} {r['isl']['render']}")
         for stage in ('check', 'render'):
             if r['isl'][stage][0] == 'failed':
                 print(f"  {stage} fails: {name}: {r['isl'][stage][1]}")

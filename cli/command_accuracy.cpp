@@ -95,7 +95,7 @@ ExitCode run(const AccuracyCommand& command) {
     }
   }
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
-  const DrawableScene drawable(session);
+  const DrawableScene drawable(session, PictureOptions().quality);
   if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
   if (command.scene.format == OutputFormat::text) print_problems(session);
 

@@ -1,6 +1,7 @@
-// `isl check`: everything short of rendering. Must start and end in a moment, so it loads no image library and compiles
+// `isl check`: everything short of rendering; what it accepts can be rendered. Must start and end in a moment, so it loads no image library and compiles
 // no scene.
 #include "cli/commands.h"
+#include "cli/drawable.h"
 #include "cli/report.h"
 #include "cli/scene_extent.h"
 #include "cli/scene_summary.h"
@@ -63,6 +64,8 @@ void print_json(Session& session, const SceneSummary& summary, const SceneExtent
 ExitCode run(const CheckCommand& command) {
   Session session(command.scene);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  const DrawableScene drawable(session, PictureOptions().quality);
+  if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
   const scene::Database& database = session.scene().database;
   const SceneSummary summary = summarise(database);
   const SceneExtent extent = extent_of(database);

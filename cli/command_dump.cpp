@@ -53,7 +53,7 @@ ExitCode run(const DumpCommand& command) {
   const bool has_result = code == ExitCode::done || (is_text_stage && code == ExitCode::scene_error);
   if (!has_result) return report_failure(session, code);
   std::optional<DrawableScene> drawable;
-  if (command.stage == DumpStage::grid) drawable.emplace(session);
+  if (command.stage == DumpStage::grid) drawable.emplace(session, PictureOptions().quality);
   if (drawable && drawable->is_refused()) return report_failure(session, ExitCode::scene_error);
   const std::string text = text_of(command, session, drawable ? &*drawable : nullptr);
   if (command.scene.format == OutputFormat::json) {

@@ -136,7 +136,7 @@ ExitCode run(const RenderCommand& command) {
   std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
   if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
-  const DrawableScene drawable(session);
+  const DrawableScene drawable(session, command.picture.quality);
   if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
   const SceneSummary summary = summarise(session.scene().database);
   warn_of_view(session, summary, extent_of(session.scene().database));

@@ -1,18 +1,31 @@
 #include "cli/drawable.h"
 
-#include "renderer/scene/unrendered.h"
+#include "renderer/effects/plan.h"
 
 #include <fmt/format.h>
 
 namespace isl::cli {
 namespace {
 
-Diagnostic complaint(const scene::Unrendered& thing, const interpreter::Origin& origin, bool lenient) {
+/// Says by what the scene makes use of a statement that stands elsewhere.
+void add_user(const Session& session, OriginId user, Diagnostic& diagnostic) {
+  if (user == OriginId{}) return;
+  const SourceSpan span = session.scene().origins.resolve(user).span;
+  const bool is_around = span.begin <= diagnostic.span.begin && diagnostic.span.end <= span.end;
+  if (span.empty() || is_around) return;
+  const std::string_view text = session.sources().text(span);
+  const bool is_name = !text.empty() && text.find_first_of(" {(\n\t") == std::string_view::npos;
+  diagnostic.notes.push_back({span, is_name ? fmt::format("it belongs to `{}`, which is used here", text)
+                                            : std::string("it belongs to this")});
+}
+
+Diagnostic complaint(const Session& session, const render::Request& request, bool lenient) {
+  const interpreter::Origin origin = session.scene().origins.resolve(request.origin);
   const std::string times =
-      thing.count > 1 ? fmt::format("{} times in the scene, this is the first", thing.count) : std::string();
+      request.count > 1 ? fmt::format("{} times in the scene, this is the first", request.count) : std::string();
   Diagnostic diagnostic{lenient ? Severity::warning : Severity::error,
                         origin.span,
-                        fmt::format("{} is not rendered yet", thing.what),
+                        fmt::format("{} is not rendered yet", request.what),
                         {},
                         {},
                         origin.chain};
@@ -22,22 +35,25 @@ Diagnostic complaint(const scene::Unrendered& thing, const interpreter::Origin& 
   } else {
     diagnostic.hint = fmt::format("{}{}`--lenient` leaves it out", times, times.empty() ? "" : "; ");
   }
+  add_user(session, request.used_by, diagnostic);
   return diagnostic;
 }
 
 }  // namespace
 
-DrawableScene::DrawableScene(Session& session) : whole_(session.scene().database) {
-  const std::vector<scene::Unrendered> things = scene::unrendered(whole_);
-  const bool lenient = session.options().lenient;
-  for (const scene::Unrendered& thing : things) {
-    if (session.sink().is_full()) break;
-    session.sink().report(complaint(thing, session.scene().origins.resolve(thing.origin), lenient));
+DrawableScene::DrawableScene(Session& session, int quality) : whole_(session.scene().database) {
+  const SceneOptions& options = session.options();
+  const render::Plan plan = render::plan_of(whole_, {.quality = quality, .without = options.without});
+  for (const render::PlannedEffect& refused : plan.refused) {
+    for (const render::Request& request : refused.requests) {
+      if (session.sink().is_full()) break;
+      session.sink().report(complaint(session, request, options.lenient));
+    }
   }
-  is_refused_ = !things.empty() && !lenient;
-  if (things.empty() || is_refused_) return;
+  is_refused_ = !plan.refused.empty() && !options.lenient;
+  if (is_refused_ || !render::must_leave_out(plan)) return;
   reduced_ = whole_;
-  scene::leave_out_unrendered(*reduced_);
+  render::leave_out(plan, *reduced_);
 }
 
 }  // namespace isl::cli

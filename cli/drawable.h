@@ -1,5 +1,5 @@
-// Between evaluating and rendering: what the renderer cannot draw yet is an error, or with --lenient left out with a
-// warning. `isl check` does not come here: it accepts all that the language has.
+// Between evaluating and rendering: what the renderer cannot draw yet is an error, or with --lenient left out with a warning.
+// Every command that renders, or tells whether a scene can be rendered, comes here.
 #pragma once
 
 #include "cli/session.h"
@@ -13,7 +13,7 @@ class DrawableScene {
  public:
   /// Tells the session's sink what cannot be drawn, each kind once, at its first place. Precondition: the session was
   /// evaluated.
-  explicit DrawableScene(Session& session);
+  DrawableScene(Session& session, int quality);
 
   /// Errors were told: there is nothing to render.
   [[nodiscard]] bool is_refused() const { return is_refused_; }

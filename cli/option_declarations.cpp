@@ -1,6 +1,8 @@
 #include "cli/option_declarations.h"
 
 #include "cli/version.h"
+#include "grammar/suggest.h"
+#include "renderer/effects/effect.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +71,25 @@ Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
   return layers;
 }
 
+Parsed<std::vector<std::string>> parse_effects(std::string_view text) {
+  std::vector<std::string_view> known;
+  for (const render::Effect& effect : render::all_effects()) known.push_back(effect.name);
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    if (std::ranges::find(known, name) == known.end()) {
+      const auto similar = grammar::closest(name, known);
+      return Parsed<std::vector<std::string>>::error(fmt::format(
+          "there is no effect `{}`; {}", name,
+          similar ? fmt::format("did you mean `{}`?", *similar) : fmt::format("there are {}", fmt::join(known, ", "))));
+    }
+    names.emplace_back(name);
+    begin = end + 1;
+  }
+  return names;
+}
+
 Parsed<int> parse_bits(const std::string& text) {
   if (text == "8") return 8;
   if (text == "16") return 16;
@@ -95,6 +116,19 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add_list(app, "-D,--define", "NAME=VALUE", "Set a number or string before the scene's first line", defines)
       ->group(group);
   app.add_flag("--lenient", scene.lenient, "What isl does not have is skipped with a warning, not an error")
+      ->group(group);
+  app.add_option_function<std::vector<std::string>>(
+         "--without",
+         [&scene](const std::vector<std::string>& lists) {
+           for (const std::string& list : lists) {
+             const auto names = parse_effects(list);
+             if (!names.ok()) throw BadValue{"--without", names.message()};
+             scene.without.insert(scene.without.end(), names.value().begin(), names.value().end());
+           }
+         },
+         "Leave these effects out, whatever calls for them; `isl plan SCENE` lists their names")
+      ->type_name("EFFECT,...")
+      ->allow_extra_args(false)
       ->group(group);
   add(app, "--clock", "T", "The variable clock [0]", number_from(-kUnbounded, kUnbounded), [&scene](double v) {
     scene.clock = v;
@@ -131,6 +165,12 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
       ->group(limits);
 }
 
+void add_quality(CLI::App& app, int& quality, const std::string& group) {
+  add(app, "--quality", "0..11", "POV-Ray's levels: up to 1 quick colours, from 4 shadows, from 8 reflection [9]",
+      integer_from(0, 11), [&quality](std::int64_t v) { quality = static_cast<int>(v); })
+      ->group(group);
+}
+
 void add_picture_options(CLI::App& app, PictureOptions& picture) {
   std::string group = "The picture";
   add_list(
@@ -158,9 +198,7 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   add(app, "--samples", "N", "Exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
       [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); })
       ->group(group);
-  add(app, "--quality", "0..11", "POV-Ray's levels: up to 1 quick colours, from 4 shadows [9]", integer_from(0, 11),
-      [&picture](std::int64_t v) { picture.quality = static_cast<int>(v); })
-      ->group(group);
+  add_quality(app, picture.quality, group);
   add(app, "--solver", "NAME",
       fmt::format("{}; of paper and iso, behind commas: {} [hermite]", solvers_text(), solver_switches_text()),
       parse_solver,
@@ -208,13 +246,14 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
 
   CLI::App* const render = app.add_subcommand("render", "Render a scene to image files");
   CLI::App* const check = app.add_subcommand("check", "Read and evaluate a scene; tell its problems and what it holds");
+  CLI::App* const plan = app.add_subcommand("plan", "List the effects that a scene calls for, and what is left out");
   CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
   CLI::App* const accuracy =
       app.add_subcommand("accuracy", "Measure what accuracy costs: error and time of one solver setting after the other");
   // Commands have taken over the footer; this one is the overview's.
   app.footer("`isl help COMMAND` lists the options of a command.\n\n" + std::string(kFooter));
   // Declaring options takes longer than reading a small scene, and only those of the command given are ever looked at.
-  for (CLI::App* const command : {render, check, dump, accuracy}) {
+  for (CLI::App* const command : {render, check, plan, dump, accuracy}) {
     if (command->get_name() != chosen) continue;
     command->allow_extras();  // so that our own messages name them
     add_scene_options(*command, raw.scene, raw.defines, raw.format);
@@ -224,6 +263,7 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
         [&scene](const PictureSize& v) { scene.size = v; })
         ->group("The picture");
     if (command == render) add_picture_options(*render, raw.picture);
+    if (command == plan) add_quality(*plan, raw.plan_quality, "The picture");
     if (command == accuracy) add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
     if (command == dump) dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
   }

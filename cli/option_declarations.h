@@ -22,6 +22,7 @@ struct BadValue {
 struct RawOptions {
   SceneOptions scene;
   PictureOptions picture;
+  int plan_quality = 9;
   AccuracyCommand accuracy;  ///< but for `scene`
   std::vector<std::string> settings;  ///< of `accuracy`
   std::vector<std::string> defines;
@@ -29,7 +30,7 @@ struct RawOptions {
   std::string stage;
 };
 
-/// Adds the commands render, check, dump and accuracy to `app`, and to the one named `chosen` its options; they fill
+/// Adds the commands to `app`, and to the one named `chosen` its options; they fill
 /// `raw`, which must outlive the parse.
 void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen);
 

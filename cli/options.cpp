@@ -19,7 +19,7 @@
 namespace isl::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> kCommands{"render", "check", "dump", "accuracy", "help"};
+constexpr std::array<std::string_view, 6> kCommands{"render", "check", "plan", "dump", "accuracy", "help"};
 
 /// Enough rays for the errors of a picture; a larger one only takes longer.
 constexpr PictureSize kAccuracySize{400, 300};
@@ -193,6 +193,7 @@ Command parse_command_line(std::span<const std::string> given) {
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
   if (auto finished = read_ini_file(command, scene, raw.picture)) return *std::move(finished);
   if (command.get_name() == "check") return CheckCommand{std::move(scene)};
+  if (command.get_name() == "plan") return PlanCommand{std::move(scene), raw.plan_quality};
   if (command.get_name() == "render") {
     if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);
     return RenderCommand{std::move(scene), std::move(raw.picture)};

@@ -38,6 +38,7 @@ struct SceneOptions {
   std::vector<Define> defines;
   interpreter::Limits limits;
   bool lenient = false;
+  std::vector<std::string> without;  ///< effects to do without, each known
   double clock = 0;
   bool clock_on = false;  ///< --clock or --frame was given
   int frame = 0;
@@ -74,6 +75,11 @@ struct CheckCommand {
   SceneOptions scene;
 };
 
+struct PlanCommand {
+  SceneOptions scene;
+  int quality = 9;
+};
+
 enum class DumpStage : std::uint8_t { tokens, ast, database, grid };
 
 struct DumpCommand {
@@ -97,7 +103,7 @@ struct Finished {
   std::string text;  ///< for standard output when `code` is done, else for standard error
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, AccuracyCommand, Finished>;
+using Command = std::variant<RenderCommand, CheckCommand, PlanCommand, DumpCommand, AccuracyCommand, Finished>;
 
 /// `arguments` are those after the program's name. Where the scene is an .ini file, that file is read.
 [[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);

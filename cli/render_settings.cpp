@@ -70,6 +70,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.render.samples = picture.samples;
   settings.render.aa = picture.aa_threshold;
   settings.render.quality = picture.quality;
+  settings.render.without = command.scene.without;
   settings.render.alpha = picture.alpha;
   if (picture.crop) {
     const auto& [x0, y0, x1, y1] = *picture.crop;
@@ -86,6 +87,7 @@ std::string canonical_options(const RenderCommand& command, const RenderSettings
   text +=
       picture.samples ? fmt::format(" --samples {}", *picture.samples) : fmt::format(" --aa {}", picture.aa_threshold);
   text += fmt::format(" --quality {}", picture.quality);
+  if (!command.scene.without.empty()) text += fmt::format(" --without {}", fmt::join(command.scene.without, ","));
   if (picture.alpha) text += " --alpha";
   if (picture.skeleton) text += " --skeleton";
   text += " --solver " + to_text(settings.solver);

@@ -16,7 +16,7 @@ std::size_t peak_bytes() {
 
 nlohmann::ordered_json names_of(const std::vector<render::PlannedEffect>& effects) {
   auto names = nlohmann::ordered_json::array();
-  for (const render::PlannedEffect& effect : effects) names.push_back(effect.name);
+  for (const render::PlannedEffect& planned : effects) names.push_back(planned.effect->name);
   return names;
 }
 
@@ -33,9 +33,11 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                       {"compile", times.compile},
                       {"trace", times.trace},
                       {"write", times.write}};
-  // Reflection and refraction are no effects yet: nothing ever asks for such a ray.
-  document["rays"] = {
-      {"camera", render.rays.camera}, {"shadow", render.rays.shadow}, {"reflection", 0}, {"refraction", 0}};
+  document["rays"] = {{"camera", render.paths.camera}, {"shadow", render.paths.shadow}};
+  for (const render::Effect& effect : render::all_effects()) {
+    if (!effect.rays.empty()) document["rays"][effect.rays] = render::spawned_rays(render.plan, render.paths, effect);
+  }
+  document["paths"] = {{"ended_by_level", render.paths.ended.by_level}, {"ended_by_weight", render.paths.ended.by_weight}};
   document["solver"] = {{"name", to_text(settings.solver)},
                         {"tolerance", settings.tolerance_text},
                         {"field_evaluations", render.counters.field_evaluations},

@@ -1,147 +1,96 @@
 #include "interpreter/prune.h"
 
-#include "interpreter/prune_textures.h"
+#include "interpreter/prune_column.h"
+#include "interpreter/prune_functions.h"
+#include "renderer/scene/edges.h"
 
+#include <array>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace isl::interpreter {
 namespace {
 
 using scene::Database;
-using scene::Object;
+
+constexpr std::size_t kColumnCount = std::tuple_size_v<decltype(scene::kColumns)>;
 
 class Pruner {
  public:
-  explicit Pruner(Database& database)
-      : database_(database),
-        blobs_(database.blobs.size()),
-        solids_(database.solids.size()),
-        polynomials_(database.polynomials.size()),
-        triangles_(database.triangles.size()),
-        polygons_(database.polygons.size()),
-        groups_(database.groups.size()),
-        transforms_(database.transforms.size()),
-        kernels_(database.kernels.size()),
-        textures_(database) {}
+  explicit Pruner(Database& database) : database_(database) {
+    for_each_column([this](auto& records, Column& places) { places.resize(records.size()); });
+  }
 
   void run() {
-    reach(database_.objects);
-    reach(database_.lights);
-    textures_.reach_world(transforms_);
-    // Groups hold groups, textures hold textures and a pattern may hold an object: lists of what is still to be looked
-    // at, so that depth costs no stack.
-    while (!pending_.empty() || textures_.advance(transforms_, [this](const Object& object) { reach(object); })) {
-      if (pending_.empty()) continue;
-      const std::uint32_t group = pending_.back();
+    scene::for_each_root(database_, [this](const auto& record) { follow(record); });
+    // Groups hold groups and textures hold textures: a list of what is still to be looked at, so that depth costs no stack.
+    while (!pending_.empty()) {
+      const Pending next = pending_.back();
       pending_.pop_back();
-      reach(database_.groups[group].children);
-      reach(database_.groups[group].lights);
+      next.follow(*this, next.record);
     }
-    blobs_.compact(database_.blobs);
-    solids_.compact(database_.solids);
-    polynomials_.compact(database_.polynomials);
-    triangles_.compact(database_.triangles);
-    polygons_.compact(database_.polygons);
-    groups_.compact(database_.groups);
-    transforms_.compact(database_.transforms);
-    kernels_.compact(database_.kernels);
-    textures_.compact(transforms_);
-    renumber(database_.objects);
-    renumber(database_.pattern_objects);
-    renumber(database_.lights);
-    for (scene::Group& group : database_.groups) {
-      renumber(group.children);
-      renumber(group.lights);
-    }
-    for (scene::Solid& solid : database_.solids) {
-      if (Column* const details = details_of(solid)) solid.detail = details->place(solid.detail);
-    }
-    for (scene::Blob& blob : database_.blobs) renumber(blob);
+    for_each_column([](auto& records, Column& places) { places.compact(records); });
+    scene::for_each_root(database_, [this](auto& record) { renumber(record); });
+    for_each_column([this](auto& records, Column& /*places*/) {
+      for (auto& record : records) renumber(record);
+    });
+    FunctionRenumberer functions([this](scene::Pattern& pattern) { renumber(pattern); },
+                                 [this](scene::Pigment& pigment) { renumber(pigment); });
+    for (scene::FunctionPointer& function : database_.functions) function = functions.renumbered(function);
   }
 
  private:
-  void reach(const std::vector<Object>& objects) {
-    for (const Object& object : objects) reach(object);
+  struct Pending {
+    void (*follow)(Pruner&, std::uint32_t);
+    std::uint32_t record;
+  };
+
+  template <class Visit>
+  void for_each_column(const Visit& visit) {
+    std::size_t i = 0;
+    scene::for_each_column([&](const auto& column) { visit(database_.*column.records, places_[i++]); });
   }
 
-  void reach(const Object& object) {
-    textures_.reach(object.texture);
-    textures_.reach(object.interior_texture);
-    textures_.reach(object.interior);
-    reach(object.clip);
-    reach(object.bound);
-    switch (object.kind) {
-      case Object::Kind::solid: reach_solid(object.shape); break;
-      case Object::Kind::group: reach(scene::GroupId{object.shape}); break;
-      case Object::Kind::blob:
-        if (blobs_.reach(object.shape)) reach(database_.blobs[object.shape]);
-        break;
+  template <class Id>
+  void reach(Id id) {
+    constexpr std::size_t kColumn = scene::column_of<Id>();
+    if (index(id) == scene::kNone || !places_[kColumn].reach(index(id))) return;
+    pending_.push_back({[](Pruner& self, std::uint32_t record) {
+                          self.follow((self.database_.*std::get<kColumn>(scene::kColumns).records)[record]);
+                        },
+                        index(id)});
+  }
+
+  /// Marks what the record refers to.
+  template <class Record>
+  void follow(const Record& record) {
+    if constexpr (scene::HasEdges<const Record>) {
+      scene::for_each_edge(record, [this](const auto& id) { reach(id); });
     }
   }
 
-  void reach(scene::GroupId group) {
-    if (group != scene::kNoGroup && groups_.reach(index(group))) pending_.push_back(index(group));
+  void follow(const scene::FunctionPointer& function) {
+    visit_records(function, {.pattern = [this](const scene::Pattern& pattern) { follow(pattern); },
+                             .pigment = [this](const scene::Pigment& pigment) { follow(pigment); }});
   }
 
-  void reach(const std::vector<scene::Light>& lights) {
-    for (const scene::Light& light : lights) reach(light.projected_through);
-  }
-
-  void reach_solid(std::uint32_t i) {
-    solids_.reach(i);
-    if (Column* const details = details_of(database_.solids[i])) details->reach(database_.solids[i].detail);
-  }
-
-  /// The column that holds what does not fit into the solid's own record; null where everything does.
-  Column* details_of(const scene::Solid& solid) {
-    if (scene::is_polynomial(solid.kind)) return &polynomials_;
-    if (scene::is_triangle(solid.kind)) return &triangles_;
-    return solid.kind == scene::SolidKind::polygon ? &polygons_ : nullptr;
-  }
-
-  void reach(const scene::Blob& blob) {
-    for (const scene::Component& component : blob.components) {
-      textures_.reach(component.texture);
-      if (component.transform != scene::kIdentity) transforms_.reach(index(component.transform));
-      kernels_.reach(index(component.kernel));
-    }
-  }
-
-  void renumber(std::vector<Object>& objects) {
-    for (Object& object : objects) {
-      const Column& column = object.kind == Object::Kind::solid  ? solids_
-                             : object.kind == Object::Kind::blob ? blobs_
-                                                                 : groups_;
-      object.shape = column.place(object.shape);
-      textures_.renumber(object.texture);
-      textures_.renumber(object.interior_texture);
-      textures_.renumber(object.interior);
-      renumber(object.clip);
-      renumber(object.bound);
-    }
-  }
-
-  void renumber(scene::GroupId& group) const {
-    if (group != scene::kNoGroup) group = scene::GroupId{groups_.place(index(group))};
-  }
-
-  void renumber(std::vector<scene::Light>& lights) const {
-    for (scene::Light& light : lights) renumber(light.projected_through);
-  }
-
-  void renumber(scene::Blob& blob) {
-    for (scene::Component& c : blob.components) {
-      textures_.renumber(c.texture);
-      if (c.transform != scene::kIdentity) c.transform = scene::TransformId{transforms_.place(index(c.transform))};
-      c.kernel = scene::KernelId{static_cast<std::uint16_t>(kernels_.place(index(c.kernel)))};
+  template <class Record>
+  void renumber(Record& record) {
+    if constexpr (scene::HasEdges<Record>) {
+      scene::for_each_edge(record, [this](auto& id) {
+        using Id = std::remove_reference_t<decltype(id)>;
+        if (index(id) == scene::kNone) return;
+        id = Id{static_cast<std::underlying_type_t<Id>>(places_[scene::column_of<Id>()].place(index(id)))};
+      });
     }
   }
 
   Database& database_;
-  Column blobs_, solids_, polynomials_, triangles_, polygons_, groups_, transforms_, kernels_;
-  TexturePruner textures_;
-  std::vector<std::uint32_t> pending_;
+  std::array<Column, kColumnCount> places_;  ///< in the order of scene::kColumns
+  std::vector<Pending> pending_;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace isl::interpreter {
 /// Which of a column's records are reached, then where each went.
 class Column {
  public:
-  explicit Column(std::size_t size) : places_(size, scene::kNone) {}
+  void resize(std::size_t size) { places_.assign(size, scene::kNone); }
 
   /// True the first time.
   bool reach(std::uint32_t i) {

@@ -15,12 +15,13 @@ namespace isl::interpreter {
 template <class Record>
 class RecordTable {
  public:
-  /// The index in `records` of one that is bitwise equal; appended if there is none.
+  /// The index in `records` of one that is bitwise equal but for its places; appended if there is none.
   [[nodiscard]] std::uint32_t find_or_add(const Record& record, std::vector<Record>& records) {
     // Neighbours in a scene mostly share theirs.
     if (last_ < records.size() && is_same(records[last_], record)) return last_;
     const auto next = static_cast<std::uint32_t>(records.size());
-    const std::size_t hash = std::hash<std::string_view>()(bytes(record));
+    const Record plain = without_places(record);
+    const std::size_t hash = std::hash<std::string_view>()(bytes(plain));
     const auto [first, end] = by_hash_.equal_range(hash);
     for (auto it = first; it != end; ++it) {
       if (is_same(records[it->second], record)) return last_ = it->second;
@@ -32,7 +33,8 @@ class RecordTable {
 
   /// Same bits: what differs in its padding or the sign of a zero alone is kept twice, and nothing else comes of it.
   [[nodiscard]] static bool is_same(const Record& a, const Record& b) {
-    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
+    const Record plain_a = without_places(a), plain_b = without_places(b);
+    return std::memcmp(&plain_a, &plain_b, sizeof(Record)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
   }
 
  private:

@@ -5,9 +5,17 @@
 #include "renderer/csg/shape_size.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/instance_grid.h"
+#include "renderer/tracer.h"
 
 namespace isl::render {
 namespace {
+
+/// The kinds of rays that an object is hidden from, as bits.
+unsigned hidden_from(const scene::Object& object) {
+  const auto bit = [](bool is_hidden, RayKind kind) { return is_hidden ? static_cast<unsigned>(kind) : 0; };
+  return bit(object.no_image, RayKind::image) | bit(object.no_reflection, RayKind::reflection) |
+         bit(object.no_shadow, RayKind::shadow);
+}
 
 /// Walks the tree of objects, composing transforms and handing textures down.
 class Flattener {
@@ -20,13 +28,13 @@ class Flattener {
     scene::Transform world_from_parent{};
     scene::TextureId texture = scene::kNoTexture;
     TextureSpace texture_space = kOuterSpace;
-    bool no_shadow = false;
+    std::uint8_t hidden_from = 0;
     bool is_inverse = false;
   };
 
   void add(const scene::Object& object, const Inherited& above) {
     Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
-                  above.no_shadow || object.no_shadow, above.is_inverse != object.inverse};
+                  static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)), above.is_inverse != object.inverse};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
     const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
     if (object.texture != scene::kNoTexture) {
@@ -43,7 +51,7 @@ class Flattener {
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
     compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind,
-                                   own.no_shadow,
+                                   own.hidden_from,
                                    is_placed,
                                    own.is_inverse && !is_csg,
                                    is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,

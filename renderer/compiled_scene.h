@@ -32,7 +32,7 @@ struct CompiledBlob {
 /// A solid, a blob or a combination of such that stands somewhere. Its number is its InstanceId.
 struct Instance {
   scene::Object::Kind kind;  ///< `group`: `shape` is the number of a CSG tree
-  bool no_shadow;
+  std::uint8_t hidden_from;  ///< kinds of rays that pass it by: the bits of RayKind
   bool is_placed;   ///< false: object space is world space
   bool is_inverse;  ///< its normals point inwards; a CSG tree knows that itself
   std::uint32_t shape;

@@ -16,9 +16,6 @@
 namespace isl::render {
 namespace {
 
-/// Samples a wave: enough for full vectors, small enough that a thread's workspace stays in its cache.
-constexpr std::size_t kWaveSize = 1024;
-
 /// Share of the progress bar that the first of two passes gets: a guess, since how much the second has to do is not
 /// known before.
 constexpr double kFirstPassShare = 0.4;
@@ -43,10 +40,10 @@ class Rendering {
         window_(clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options)),
         film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
-        wave_(database, tracer, plan,
-              CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
-                         options.height),
-              options.alpha, film_),
+        sampler_(database, tracer, plan,
+                 CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
+                            options.height),
+                 options.alpha, film_),
         progress_(options.progress) {}
 
   void run() {
@@ -75,12 +72,12 @@ class Rendering {
     RenderResult result;
     result.image = film_.develop(window_, options_.width, options_.height, options_.alpha);
     workspaces_.for_each([&](const Workspace& workspace) {
-      result.statistics.rays += workspace.counts;
-      result.statistics.counters += workspace.counters;
+      result.statistics.paths += workspace.paths.counts;
+      result.statistics.counters += workspace.paths.counters;
     });
     if (film_.rect().area() > 0) {
       result.statistics.samples_per_pixel =
-          static_cast<double>(result.statistics.rays.camera) / static_cast<double>(film_.rect().area());
+          static_cast<double>(result.statistics.paths.camera) / static_cast<double>(film_.rect().area());
     }
     result.complete = !skipped_;
     return result;
@@ -113,7 +110,7 @@ class Rendering {
       for (std::size_t i = first; i < last; ++i) {
         workspace.samples.push_back({pixel.x + 0.5 + pattern_[i].x, pixel.y + 0.5 + pattern_[i].y,
                                      static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y)), i == 0});
-        if (workspace.samples.size() == kWaveSize) flush(workspace);
+        if (workspace.samples.size() == kBatchSize) flush(workspace);
       }
     }
     flush(workspace);
@@ -121,7 +118,7 @@ class Rendering {
 
   void flush(Workspace& workspace) {
     if (workspace.samples.empty()) return;
-    wave_.trace(workspace.samples, workspace);
+    sampler_.trace(workspace.samples, workspace);
     workspace.samples.clear();
   }
 
@@ -129,7 +126,7 @@ class Rendering {
   PixelRect window_;
   Film film_;
   std::vector<SampleOffset> pattern_;
-  WaveRenderer wave_;
+  Sampler sampler_;
   Progress progress_;
   PerThread<Workspace> workspaces_;
   std::atomic<bool> skipped_ = false;
@@ -140,7 +137,7 @@ class Rendering {
 RenderResult render(const scene::Database& database, const Tracer& tracer, const RenderOptions& options) {
   ISL_CHECK(options.width >= 1 && options.height >= 1, "picture of {}x{}", options.width, options.height);
   ISL_CHECK(options.threads >= 0, "{} threads", options.threads);
-  Plan plan = plan_of(database, options.quality);
+  Plan plan = plan_of(database, {.quality = options.quality, .without = options.without});
   Rendering rendering(database, tracer, options, plan);
   const int threads = options.threads > 0 ? options.threads : default_thread_count();
   const auto begin = std::chrono::steady_clock::now();

@@ -4,7 +4,7 @@
 #include "renderer/effects/plan.h"
 #include "renderer/image/image.h"
 #include "renderer/image/tiles.h"
-#include "renderer/image/wave.h"
+#include "renderer/integrator/sampler.h"
 #include "renderer/tracer.h"
 
 #include <atomic>
@@ -21,7 +21,8 @@ struct RenderOptions {
   std::optional<int> samples;
   /// How much neighbouring pixels may differ, in any channel of display code (0 to 1), before both are sampled fully.
   double aa = 0.1;
-  int quality = 9;     ///< see plan_of
+  int quality = 9;     ///< PlanOptions::quality
+  std::vector<std::string> without;  ///< PlanOptions::without
   bool alpha = false;  ///< what the background would show is transparent
   std::optional<PixelRect>
       crop;  ///< only these pixels; clipped to the picture. They are the same as in the whole picture.
@@ -36,7 +37,7 @@ struct RenderOptions {
 inline constexpr int kAdaptiveSamples = 16;
 
 struct RenderStatistics {
-  RayCounts rays;
+  PathCounts paths;
   TraceCounters counters;
   double seconds = 0;  ///< from the first ray to the last
   int threads = 1;     ///< that could work

@@ -48,15 +48,15 @@ struct RivalSearch {
   }
 };
 
-void rival_first_hits(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
-                      std::span<Hit> hits, TraceMemory& memory, TraceCounters& counters) {
-  WorldTrace<RivalSearch> world(scene, settings, memory, counters);
+void rival_first_hits(const CompiledScene& scene, const SolverSettings& settings, RayKind kind,
+                      std::span<const Ray> rays, std::span<Hit> hits, TraceMemory& memory, TraceCounters& counters) {
+  WorldTrace<RivalSearch> world(scene, settings, kind, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
 }
 
 void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                       std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
-  WorldTrace<RivalSearch> world(scene, settings, memory, counters);
+  WorldTrace<RivalSearch> world(scene, settings, RayKind::shadow, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
 }
 

@@ -104,9 +104,9 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 
 bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name) != nullptr; }
 
-void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const {
+void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
-  impl_->loops->first_hits(impl_->scene, impl_->settings, rays, hits, thread_memory(), counters);
+  impl_->loops->first_hits(impl_->scene, impl_->settings, kind, rays, hits, thread_memory(), counters);
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {

@@ -28,6 +28,14 @@ struct RayStart {
   std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these (Hit::leaf)
 };
 
+/// What rays are traced for. Objects may be hidden from some kinds; the values are bits, so that one number says which.
+enum class RayKind : std::uint8_t {
+  image = 1,       ///< from the camera, with no reflection on the way
+  reflection = 2,  ///< with a reflection on the way from the camera
+  shadow = 4,
+  query = 0,  ///< of a question about the scene: meets all
+};
+
 /// A half-line in world space. The direction has unit length. A ray with NaN or infinite entries, or a zero direction,
 /// meets nothing.
 struct Ray {
@@ -131,7 +139,8 @@ class Tracer {
 
   /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
   /// solver, the thread may ask for surfaces (surface_at) of the hits until it asks for hits again, and no other may.
-  void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters) const;
+  void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
+                  RayKind kind = RayKind::image) const;
 
   /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;

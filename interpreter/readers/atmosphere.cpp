@@ -5,6 +5,7 @@
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/maps.h"
 #include "interpreter/readers/pigment.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/readers/warp.h"
 #include "interpreter/records.h"
@@ -80,6 +81,9 @@ constexpr FogRow kFogNumbers[] = {{word::kw_distance, &Fog::distance},
                                   {word::kw_turb_depth, &Fog::turbulence_depth},
                                   {word::kw_fog_offset, &Fog::offset},
                                   {word::kw_fog_alt, &Fog::altitude}};
+
+constexpr ItemWord<scene::FogItem> kFogPlaces[] = {{word::kw_fog_type, scene::FogItem::type},
+                                                   {word::kw_turbulence, scene::FogItem::turbulence}};
 
 void read_fog_type(ElementStream& stream, Fog& fog) {
   const SourceSpan span = stream.peek().span;
@@ -216,6 +220,7 @@ Fog read_fog(Context& context, const Element& block) {
   if (const auto named = read_declared_name<FogValue>(stream, ValueKind::fog, "a fog")) fog = named->fog;
   fog.origin = context.origin(block.span);
   while (!stream.peek().is(ElementKind::end)) {
+    note_place(context, stream.peek(), kFogPlaces, fog.said_at);
     if (read_fog_item(stream, fog)) continue;
     static constexpr grammar::Symbol kKnown[] = {word::kw_distance, word::kw_color,      word::kw_fog_type,
                                                  word::kw_fog_alt,  word::kw_fog_offset, word::kw_turbulence};

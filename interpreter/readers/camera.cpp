@@ -4,6 +4,7 @@
 #include "interpreter/readers/camera_pose.h"
 #include "interpreter/readers/focal_blur.h"
 #include "interpreter/readers/normal.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
 #include "renderer/scene/default_camera.h"
@@ -18,6 +19,7 @@ namespace isl::interpreter {
 namespace {
 
 using scene::Camera;
+using scene::CameraItem;
 using scene::CameraKind;
 using scene::Vec3;
 namespace word = grammar::word;
@@ -39,6 +41,9 @@ bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind =
 
 /// POV-Ray's, where a kind that bends rays has no `angle`.
 constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
+
+constexpr ItemWord<CameraItem> kPlaces[] = {{word::kw_aperture, CameraItem::blur},
+                                            {word::kw_normal, CameraItem::normal}};
 
 class CameraReader {
  public:
@@ -99,6 +104,7 @@ class CameraReader {
         word::kw_location, word::kw_look_at,   word::kw_angle,    word::kw_right,       word::kw_up,
         word::kw_sky,      word::kw_direction, word::kw_aperture, word::kw_focal_point, word::kw_blur_samples};
     const Element next = stream_.peek();
+    note_place(context_, next, kPlaces, camera_.said_at);
     if (next.is_block(word::kw_normal)) {
       stream_.drop();
       camera_.normal = read_normal(context_, next, camera_.normal);
@@ -135,6 +141,7 @@ class CameraReader {
   bool read_kind(grammar::Symbol name) {
     const auto* const row = std::ranges::find(kKinds, name, &KindWord::word);
     if (row == std::end(kKinds)) return false;
+    camera_.said_at[CameraItem::kind] = place_of(context_, stream_.peek());
     stream_.drop();
     camera_.kind = row->kind;
     camera_.cylinder_type = 0;

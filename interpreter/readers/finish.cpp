@@ -3,6 +3,7 @@
 #include "interpreter/deprecated_names.h"
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/records.h"
 
 #include <fmt/format.h>
@@ -46,6 +47,25 @@ struct FlagRow {
 
 constexpr FlagRow kFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy},
                               {word::kw_use_alpha, &Finish::use_alpha}};
+
+using scene::FinishItem;
+
+/// `albedo` stands within these items, and `fresnel` and `exponent` within a block of reflection.
+constexpr ItemWord<FinishItem> kPlaces[] = {{word::kw_ambient, FinishItem::ambient},
+                                            {word::kw_emission, FinishItem::emission},
+                                            {word::kw_diffuse, FinishItem::diffuse},
+                                            {word::kw_phong, FinishItem::phong},
+                                            {word::kw_specular, FinishItem::specular},
+                                            {word::kw_metallic, FinishItem::metallic},
+                                            {word::kw_reflection, FinishItem::reflection},
+                                            {word::kw_reflection_exponent, FinishItem::exponent},
+                                            {word::kw_irid, FinishItem::irid},
+                                            {word::kw_crand, FinishItem::crand},
+                                            {word::kw_conserve_energy, FinishItem::conserve_energy},
+                                            {word::kw_use_alpha, FinishItem::use_alpha}};
+
+constexpr ItemWord<FinishItem> kReflectionPlaces[] = {{word::kw_fresnel, FinishItem::fresnel},
+                                                      {word::kw_exponent, FinishItem::exponent}};
 
 constexpr grammar::Symbol kKnown[] = {word::kw_ambient,
                                       word::kw_emission,
@@ -115,6 +135,7 @@ void read_reflection_block(Context& context, const Element& block, Finish& finis
     if (stream.accept_comma() || starts_colour(stream.peek())) reflection.maximum = read_colour(stream);
   }
   while (!stream.peek().is(ElementKind::end)) {
+    note_place(context, stream.peek(), kReflectionPlaces, finish.said_at);
     switch (static_cast<word::Index>(stream.peek().word)) {
       case word::kIndex_fresnel:
         stream.drop();
@@ -227,10 +248,12 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
     if (value.kind() != ValueKind::finish)
       context.fail(span, fmt::format("expected a finish or its items, found {}", describe(value)));
     finish = value.as<FinishValue>().finish;
+    finish.named_at = context.origin(span);
   }
   while (!stream.peek().is(ElementKind::end)) {
     if (is_finish(context, stream.peek()))
       context.fail(stream.peek().span, "the name of a declared finish comes first in its block, before other items");
+    note_place(context, stream.peek(), kPlaces, finish.said_at);
     if (!read_item(stream, finish)) refuse(stream, kKnown);
   }
   return finish;

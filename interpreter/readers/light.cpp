@@ -4,6 +4,7 @@
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/objects.h"
 #include "interpreter/readers/solid_draft.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/transforms.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 using scene::AreaLight;
 using scene::Light;
+using scene::LightItem;
 using scene::LightKind;
 namespace word = grammar::word;
 
@@ -31,6 +33,7 @@ class LightReader {
     stream_.accept_comma();
     light_.colour = read_colour(stream_);
     while (!stream_.peek().is(ElementKind::end)) {
+      note_place(context_, stream_.peek(), kPlaces, light_.said_at);
       if (!read_item()) refuse(stream_, kKnown);
     }
     finish();
@@ -43,6 +46,13 @@ class LightReader {
       word::kw_spotlight,  word::kw_cylinder,   word::kw_parallel,          word::kw_area_light,    word::kw_radius,
       word::kw_falloff,    word::kw_tightness,  word::kw_point_at,          word::kw_fade_distance, word::kw_fade_power,
       word::kw_shadowless, word::kw_looks_like, word::kw_projected_through, word::kw_translate,     word::kw_rotate};
+
+  static constexpr ItemWord<LightItem> kPlaces[] = {{word::kw_spotlight, LightItem::kind},
+                                                    {word::kw_cylinder, LightItem::kind},
+                                                    {word::kw_parallel, LightItem::parallel},
+                                                    {word::kw_area_light, LightItem::area},
+                                                    {word::kw_fade_distance, LightItem::fade},
+                                                    {word::kw_projected_through, LightItem::projected_through}};
 
   bool read_item() {
     if (const std::optional<scene::Transform> transform = read_transform(stream_)) {

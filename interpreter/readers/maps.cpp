@@ -6,6 +6,7 @@
 #include "interpreter/readers/default_maps.h"
 #include "interpreter/readers/normal.h"
 #include "interpreter/readers/pigment.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/texture.h"
 #include "interpreter/records.h"
 
@@ -67,17 +68,18 @@ double read_value(ElementStream& stream, EntryValue value) {
   return number;
 }
 
-/// A colour whose first expression may have been taken already.
-Colour read_entry_colour(ElementStream& stream) {
-  if (!stream.peek().is(ElementKind::value)) return read_colour(stream);
+/// A colour and its place.
+scene::Pigment read_entry_colour(ElementStream& stream) {
   const Element next = stream.peek();
+  const OriginId place = place_of(stream.context(), next);
+  if (!next.is(ElementKind::value)) return {.colour = read_colour(stream), .said_at = place};
   const Value value = stream.take_value();
   const bool is_vector = next.node->kind == grammar::NodeKind::vector;
   if (!value.is_numeric() || is_vector) {
     stream.context().fail(next.span, fmt::format("expected a colour, found {}", describe(value)),
                           is_vector ? "write `rgb` before it" : "");
   }
-  return to_colour(read_colour_after(stream, value));
+  return {.colour = to_colour(read_colour_after(stream, value)), .said_at = place};
 }
 
 /// `[v colour]`, or POV-Ray 1's `[v1, v2 color A color B]`.
@@ -91,16 +93,17 @@ void read_colour_entry(ElementStream& stream, PigmentMap& map) {
       if (!found.is_numeric()) {
         stream.context().fail(next.span, fmt::format("expected a colour, found {}", describe(found)));
       }
-      map.push_back({value, {to_colour(read_colour_after(stream, found))}});
+      const OriginId place = place_of(stream.context(), next);
+      map.push_back({value, {.colour = to_colour(read_colour_after(stream, found)), .said_at = place}});
       return;
     }
     second = found.number();
     stream.accept_comma();
   }
-  map.push_back({value, {read_entry_colour(stream)}});
+  map.push_back({value, read_entry_colour(stream)});
   if (!second) return;
   stream.accept_comma();
-  map.push_back({*second, {read_entry_colour(stream)}});
+  map.push_back({*second, read_entry_colour(stream)});
 }
 
 void read_pigment_entry(ElementStream& stream, PigmentMap& map, EntryValue kind) {

@@ -2,6 +2,7 @@
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/colour.h"
 #include "interpreter/readers/objects.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/surface.h"
 #include "interpreter/readers/transform.h"
 
@@ -14,6 +15,7 @@ namespace isl::interpreter {
 namespace {
 
 using scene::Object;
+using scene::ObjectItem;
 using scene::SolidKind;
 namespace word = grammar::word;
 
@@ -34,6 +36,11 @@ constexpr Flag kFlags[] = {{word::kw_no_shadow, &Object::no_shadow},
                            {word::kw_no_image, &Object::no_image},
                            {word::kw_no_reflection, &Object::no_reflection},
                            {word::kw_double_illuminate, &Object::double_illuminate}};
+
+constexpr ItemWord<ObjectItem> kPlaces[] = {{word::kw_no_image, ObjectItem::no_image},
+                                            {word::kw_no_reflection, ObjectItem::no_reflection},
+                                            {word::kw_double_illuminate, ObjectItem::double_illuminate},
+                                            {word::kw_interior_texture, ObjectItem::interior_texture}};
 
 bool read_flag(ElementStream& stream, ObjectDraft& draft) {
   const grammar::Symbol name = stream.peek().word;
@@ -169,6 +176,7 @@ bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
     move(draft, *transform);
     return true;
   }
+  note_place(stream.context(), stream.peek(), kPlaces, draft.object.said_at);
   if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return true;
   if (stream.peek().is(ElementKind::block)) return read_clips(stream, draft);
   if (!stream.peek().is(ElementKind::word)) return false;

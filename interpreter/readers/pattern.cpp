@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/arguments.h"
 #include "interpreter/readers/pattern_operands.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/readers/warp.h"
 #include "interpreter/records.h"
@@ -141,6 +142,7 @@ bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, 
   const Element next = stream.peek();
   if (is_function(next)) {
     set_kind(draft, PatternKind::function, Wave::ramp);
+    draft.pattern.said_at = place_of(context, next);
     draft.pattern.operands = scene::FunctionOperands{read_function_operand(stream)};
     return true;
   }
@@ -149,6 +151,7 @@ bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, 
   check_host(context, next, row->kind, host);
   stream.drop();
   set_kind(draft, row->kind, row->wave);
+  draft.pattern.said_at = place_of(context, next);
   if (!next.is(ElementKind::block)) {
     if (row->read) row->read(stream, draft.pattern);
     if (row->list > 0 && read_list) read_list(stream, row->kind, row->list);

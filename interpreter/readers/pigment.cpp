@@ -5,6 +5,7 @@
 #include "interpreter/readers/default_maps.h"
 #include "interpreter/readers/maps.h"
 #include "interpreter/readers/pattern.h"
+#include "interpreter/readers/said_at.h"
 #include "interpreter/readers/transform.h"
 #include "interpreter/records.h"
 
@@ -73,7 +74,7 @@ class PigmentReader {
         draft_.pattern.uv_mapping = true;
       }
     } else if (value.is_numeric() && first.node->kind != grammar::NodeKind::vector) {
-      set_colour(to_colour(read_colour_after(stream_, value)));
+      set_colour(to_colour(read_colour_after(stream_, value)), first);
     } else {
       context_.fail(first.span, fmt::format("expected a pigment or colour, found {}", describe(value)),
                     value.is_numeric() ? "write `rgb` before it" : "");
@@ -84,7 +85,7 @@ class PigmentReader {
   bool read_type() {
     const Element next = stream_.peek();
     if (next.is(ElementKind::word) && is_colour_word(next.word)) {
-      set_colour(read_colour(stream_));
+      set_colour(read_colour(stream_), next);
       return true;
     }
     if (!starts_pattern(next)) return false;
@@ -115,7 +116,7 @@ class PigmentReader {
     }
     const bool is_plain = record_ ? draft_.pattern.kind == PatternKind::plain : pigment_.is_plain();
     if (is_plain && next.is(ElementKind::word) && is_colour_word(next.word)) {
-      set_colour(read_colour(stream_));
+      set_colour(read_colour(stream_), next);
       return true;
     }
     if (starts_pattern(next)) {
@@ -144,12 +145,14 @@ class PigmentReader {
     record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block, entry_value(kind));
   }
 
-  void set_colour(const scene::Colour& colour) {
+  void set_colour(const scene::Colour& colour, const Element& element) {
+    const OriginId place = place_of(context_, element);
     if (record_) {
       draft_.pattern.kind = PatternKind::plain;
+      draft_.pattern.said_at = place;
       record_->colour = colour;
     } else {
-      pigment_ = Pigment{colour};
+      pigment_ = Pigment{.colour = colour, .said_at = place};
     }
   }
 
@@ -166,7 +169,8 @@ class PigmentReader {
     if (!record_) return pigment_;
     PatternedPigment& record = *record_;
     const PatternKind kind = draft_.pattern.kind;
-    if (kind == PatternKind::plain && !record.quick_colour) return Pigment{record.colour};
+    if (kind == PatternKind::plain && !record.quick_colour)
+      return Pigment{.colour = record.colour, .said_at = draft_.pattern.said_at};
     if (kind == PatternKind::average && record.map == scene::kNoPigmentMap) {
       context_.fail(stream_.span(), "`average` needs a `pigment_map`");
     }

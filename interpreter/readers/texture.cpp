@@ -63,11 +63,17 @@ class TextureReader {
       switch (value.kind()) {
         case ValueKind::texture:
           texture_ = value.as<TextureValue>().texture;
+          texture_.named_at = context_.origin(span);
           is_texture = true;
           break;
         case ValueKind::pigment: texture_.pigment = value.as<PigmentValue>().pigment; break;
         case ValueKind::normal: texture_.normal = value.as<NormalValue>().id; break;
-        case ValueKind::finish: texture_.finish = finish_id(context_, value.as<FinishValue>().finish); break;
+        case ValueKind::finish: {
+          scene::Finish finish = value.as<FinishValue>().finish;
+          finish.named_at = context_.origin(span);
+          texture_.finish = finish_id(context_, finish);
+          break;
+        }
         default: context_.fail(span, fmt::format("expected a texture or its items, found {}", describe(value)));
       }
     }

@@ -17,10 +17,9 @@ void add_shadow_rays(const scene::Database& database, const Tracer& tracer, cons
   tracer.surface_at(ray, hit, point);
   const Vec3 normal = turned_to_viewer(point.normal, ray.direction);
   for (const scene::Light& light : database.lights) {
-    const Vec3 way = light.location - point.position;
-    const double distance = way.length();
-    if (light.shadowless || !(normal.dot(way) > 0)) continue;
-    shadows.push_back({point.position, way / distance, distance, ray.path_length + hit.t, hit.start()});
+    const LightSample sample = sample_light(light, point.position);
+    if (light.shadowless || !(normal.dot(sample.direction) > 0)) continue;
+    shadows.push_back({point.position, sample.direction, sample.distance, ray.path_length + hit.t, hit.start()});
   }
 }
 

@@ -1,32 +1,44 @@
-// Which effects a scene calls for. Asked once, before rendering: an effect that is not in the plan has no queue and
-// costs nothing. What else the plan is for: `isl plan` and --stats name the effects and what asked for them.
+// Which effects a scene calls for. Asked once, before anything is traced: the integrator runs the stages of the effects in the plan
+// and knows of no other, so what is left out costs nothing. `isl plan`, the statistics and the refusals read the same lists.
 #pragma once
 
-#include "renderer/scene/database.h"
+#include "renderer/effects/effect.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isl::render {
 
-/// An effect by name, why it is called for or left out (lower case, no full stop), and what in the scene asked for it;
-/// no origin where nothing in particular did.
 struct PlannedEffect {
-  std::string name;
-  std::string reason;
-  OriginId origin;
+  const Effect* effect = nullptr;
+  std::vector<Request> requests;  ///< the statements that call for it
+  std::string reason;             ///< why it is left out; lower case, no full stop
 };
 
 struct Plan {
-  bool plain_colours = false;  ///< the quality asks for pigments as they are, without any light
-  bool lighting = false;       ///< some light shines: diffuse light
-  bool shadows = false;        ///< some light throws shadows and something can stand in its way
-  bool highlights = false;     ///< some texture has phong or specular, and a light makes them
-  std::vector<PlannedEffect> called_for;
-  std::vector<PlannedEffect> left_out;
+  std::vector<PlannedEffect> called_for;  ///< rendered
+  std::vector<PlannedEffect> left_out;    ///< not called for, beyond the quality, or excluded
+  std::vector<PlannedEffect> refused;     ///< called for, and not rendered yet
+
+  /// Whether the effect is rendered.
+  [[nodiscard]] bool has(std::string_view name) const;
 };
 
-/// `quality` as POV-Ray's +Q: 0 and 1 plain pigments only; 2 and 3 light without shadows; 4 and up everything.
-[[nodiscard]] Plan plan_of(const scene::Database& database, int quality = 9);
+/// How many rays an effect spawned in a rendering.
+[[nodiscard]] std::uint64_t spawned_rays(const Plan& plan, const PathCounts& counts, const Effect& effect);
+
+struct PlanOptions {
+  int quality = 9;                   ///< as POV-Ray's +Q: each effect says from where on it has it
+  std::vector<std::string> without = {};  ///< names of effects to render without, whatever calls for them
+};
+
+[[nodiscard]] Plan plan_of(const scene::Database& database, const PlanOptions& options = {});
+
+/// Whether the database has to change before the plan is rendered: it calls for what is refused or excluded.
+[[nodiscard]] bool must_leave_out(const Plan& plan);
+
+/// Changes the database so.
+void leave_out(const Plan& plan, scene::Database& database);
 
 }  // namespace isl::render

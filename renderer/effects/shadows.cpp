@@ -1,27 +1,39 @@
-#include "renderer/effects/shadows.h"
+// Shadows: light counts only where nothing stands in its way. The queue of shadow rays is the integrator's
+// (paths/shadow_queue.h); this record says when there is one.
+#include "renderer/effects/effect.h"
+#include "renderer/effects/light_requests.h"
+
+#include <algorithm>
 
 namespace isl::render {
+namespace {
 
-void ShadowQueue::clear() {
-  rays_.clear();
-  light_.clear();
-  samples_.clear();
+bool can_throw_shadow(const scene::Database& database, const scene::Object& object) {
+  if (object.no_shadow) return false;
+  if (object.kind != scene::Object::Kind::group) return true;
+  const std::vector<scene::Object>& children = database.groups[object.shape].children;
+  return std::ranges::any_of(children, [&](const scene::Object& child) { return can_throw_shadow(database, child); });
 }
 
-void ShadowQueue::push(std::uint32_t sample, const LightArrival& arrival, const Vec3& position, RayStart start,
-                       double path_length) {
-  rays_.push_back({position, arrival.direction, arrival.distance, path_length, start});
-  light_.push_back(arrival.colour);
-  samples_.push_back(sample);
-}
+}  // namespace
 
-void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, TraceCounters& counters) {
-  if (rays_.empty()) return;
-  occluded_.resize(rays_.size());
-  tracer.occlusions(rays_, occluded_, counters);
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    if (occluded_[i] == 0) colours[samples_[i]] += light_[i];
-  }
+Effect shadows() {
+  return {.name = "shadows",
+          .summary = "light is stopped by what stands in its way",
+          .from_quality = 4,
+          .find =
+              [](const SceneUse& use, Requests& requests, std::string_view& reason) {
+                const scene::Database& database = use.database();
+                reason = "no object throws a shadow";
+                const bool has_occluder = std::ranges::any_of(
+                    database.objects, [&](const scene::Object& object) { return can_throw_shadow(database, object); });
+                if (!has_occluder) return;
+                reason = "no light throws shadows";
+                for (const Use<scene::Light>& light : use.lights()) {
+                  if (is_full(*light.record)) requests.add("a light that throws shadows", light.user);
+                }
+              },
+          .stages = {.shadows = true}};
 }
 
 }  // namespace isl::render

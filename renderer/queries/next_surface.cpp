@@ -44,7 +44,7 @@ class Walk {
   [[nodiscard]] Hit hit_of(const Ray& ray) const {
     Hit hit;
     TraceCounters unread;
-    tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), unread);
+    tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), unread, RayKind::query);
     return hit;
   }
   [[nodiscard]] static Vec3 point_of(const Ray& ray, const Hit& hit) { return ray.origin + ray.direction * hit.t; }

@@ -4,6 +4,7 @@
 #include "base/source_span.h"
 #include "renderer/scene/colour.h"
 #include "renderer/scene/pigment.h"
+#include "renderer/scene/said_at.h"
 #include "renderer/scene/warp.h"
 
 #include <vector>
@@ -18,6 +19,9 @@ struct SkySphere {
   OriginId origin{};
 };
 
+/// Items whose places are kept.
+enum class FogItem : std::uint8_t { type, turbulence, count };
+
 struct Fog {
   enum class Kind : std::uint8_t { constant, ground };
   Kind kind = Kind::constant;
@@ -28,6 +32,7 @@ struct Fog {
   double offset = 0;    ///< ground: below this height the fog is constant
   double altitude = 0;  ///< ground: how fast it thins out above
   Vec3 up{0, 1, 0};     ///< of unit length
+  SaidAt<FogItem> said_at{};
   OriginId origin{};
 };
 

@@ -4,6 +4,7 @@
 #include "base/source_span.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/pigment.h"
+#include "renderer/scene/said_at.h"
 #include "renderer/scene/transform.h"
 
 #include <cstdint>
@@ -33,6 +34,9 @@ struct FocalBlur {
       bokeh{};  ///< over the lens, x and y from 0 to 1: how bright it shines there; none: evenly, round
 };
 
+/// Items whose places are kept.
+enum class CameraItem : std::uint8_t { kind, blur, normal, count };
+
 /// A camera after look_at, angle and sky have been applied. perspective: the ray through image coordinates (u, v), u
 /// and v from −½ to ½, right and up, goes along direction + u·right + v·up. orthographic: it starts at location +
 /// u·right + v·up and goes along direction. The other kinds bend rays by their angles and take the three vectors as
@@ -48,6 +52,7 @@ struct Camera {
   double vertical_angle = 0;  ///< of a spherical camera, radians
   std::optional<FocalBlur> blur{};
   NormalId normal = kNoNormal;  ///< bends rays as bumps at the image's point (u, v) would
+  SaidAt<CameraItem> said_at{};
   OriginId origin{};
 };
 

@@ -1,70 +1,68 @@
 #include "renderer/scene/coordinate_textures.h"
 
+#include "renderer/scene/edges.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <variant>
+#include <optional>
 
 namespace isl::scene {
 namespace {
 
-/// Each record is looked at once. A record never refers to itself, however far round: it is made after what it names.
+/// A record asks if it says `uv_mapping` or refers to one that asks. Each is looked at once; it never refers to itself,
+/// however far round, since it is made after what it names.
 class Walk {
  public:
   explicit Walk(const Database& database)
       : database_(database),
-        textures_(database.textures.size(), Answer::unknown),
-        pigments_(database.pigments.size(), Answer::unknown),
-        normals_(database.normals.size(), Answer::unknown) {}
+        textures_(database.textures.size()),
+        pigments_(database.pigments.size()),
+        normals_(database.normals.size()) {}
 
-  bool asks(const Texture& texture) {
-    if (texture.uv_mapping != 0 || asks(texture.pigment) || asks(texture.normal)) return true;
-    if (texture.below != kNoTexture && asks(texture.below)) return true;
-    if (texture.pattern == kNoTexturePattern) return false;
-    const TexturePattern& record = database_.texture_patterns[index(texture.pattern)];
-    if (asks(record.pattern)) return true;
-    return record.map != kNoTextureMap && any_of(database_.texture_maps[index(record.map)], &TextureEntry::texture);
-  }
+  bool asks(const Texture& texture) { return texture.uv_mapping != 0 || edge_asks(texture); }
 
   bool asks(TextureId id) {
     return id != kNoTexture && known(textures_[index(id)], [&] { return asks(database_.textures[index(id)]); });
   }
 
  private:
-  enum class Answer : std::uint8_t { unknown, no, yes };
+  using Answer = std::optional<bool>;
 
   template <class Ask>
   static bool known(Answer& answer, const Ask& ask) {
-    if (answer == Answer::unknown) answer = ask() ? Answer::yes : Answer::no;
-    return answer == Answer::yes;
+    if (!answer) answer = ask();
+    return *answer;
   }
 
-  template <class Entry, class Member>
-  bool any_of(const std::vector<Entry>& map, Member Entry::*member) {
-    return std::ranges::any_of(map, [&](const Entry& entry) { return asks(entry.*member); });
+  template <class Record>
+  bool edge_asks(const Record& record) {
+    bool found = false;
+    for_each_edge(record, [&](const auto& id) { found = found || asks(id); });
+    return found;
   }
 
-  bool asks(const Pattern& pattern) {
-    if (pattern.uv_mapping) return true;
-    const auto* const inner = std::get_if<PigmentOperands>(&pattern.operands);
-    return inner != nullptr && asks(Pigment{.pattern = inner->pigment});
+  /// A record with a pattern.
+  template <class Record>
+  bool patterned_asks(const Record& record) {
+    return record.pattern.uv_mapping || edge_asks(record);
   }
 
-  bool asks(const Pigment& pigment) {
-    if (pigment.is_plain()) return false;
-    return known(pigments_[index(pigment.pattern)], [&] {
-      const PatternedPigment& record = database_.pigments[index(pigment.pattern)];
-      if (asks(record.pattern)) return true;
-      return record.map != kNoPigmentMap && any_of(database_.pigment_maps[index(record.map)], &PigmentEntry::pigment);
-    });
+  bool asks(PigmentId id) {
+    return id != kPlainColour && known(pigments_[index(id)], [&] { return patterned_asks(database_.pigments[index(id)]); });
   }
-
   bool asks(NormalId id) {
-    if (id == kNoNormal) return false;
-    return known(normals_[index(id)], [&] {
-      const Normal& record = database_.normals[index(id)];
-      if (asks(record.pattern)) return true;
-      return record.map != kNoNormalMap && any_of(database_.normal_maps[index(record.map)], &NormalEntry::normal);
-    });
+    return id != kNoNormal && known(normals_[index(id)], [&] { return patterned_asks(database_.normals[index(id)]); });
+  }
+  bool asks(TexturePatternId id) {
+    return id != kNoTexturePattern && patterned_asks(database_.texture_patterns[index(id)]);
+  }
+  bool asks(TextureMapId id) { return id != kNoTextureMap && edge_asks(database_.texture_maps[index(id)]); }
+  bool asks(PigmentMapId id) { return id != kNoPigmentMap && edge_asks(database_.pigment_maps[index(id)]); }
+  bool asks(NormalMapId id) { return id != kNoNormalMap && edge_asks(database_.normal_maps[index(id)]); }
+  /// Finishes, transforms, images, functions and the objects of patterns know nothing of the surface.
+  template <class Id>
+  bool asks(Id /*id*/) {
+    return false;
   }
 
   const Database& database_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/scene/colour.h"
+#include "renderer/scene/said_at.h"
 
 #include <cstdint>
 
@@ -15,7 +16,25 @@ struct Reflection {
   double metallic = 0;
 };
 
-/// POV-Ray 3.7's defaults. Comparable byte by byte.
+/// Items whose places are kept.
+enum class FinishItem : std::uint8_t {
+  ambient,
+  emission,
+  diffuse,
+  phong,
+  specular,
+  metallic,
+  reflection,
+  fresnel,
+  exponent,
+  irid,
+  crand,
+  conserve_energy,
+  use_alpha,
+  count
+};
+
+/// POV-Ray 3.7's defaults. Comparable byte by byte once its places are taken away (without_places).
 struct Finish {
   Colour ambient{0.1, 0.1, 0.1};
   Colour emission{};
@@ -42,9 +61,24 @@ struct Finish {
   bool conserve_energy = false;
   bool use_alpha = false;  ///< highlights and reflections are as transparent as the pigment
   bool unused[2] = {};
+  SaidAt<FinishItem> said_at{};
+  OriginId named_at{};  ///< where the scene names the declared finish that it is, if it is one
 };
 
-static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * sizeof(double) + 8 * sizeof(bool),
+static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * sizeof(double) + 8 * sizeof(bool) +
+                                    sizeof(SaidAt<FinishItem>) + sizeof(OriginId),
               "no padding");
+
+[[nodiscard]] inline Finish without_places(Finish finish) {
+  finish.said_at = {};
+  finish.named_at = {};
+  return finish;
+}
+
+/// Whether it mirrors anything at any angle.
+[[nodiscard]] inline bool reflects(const Finish& finish) {
+  const auto shines = [](const Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; };
+  return shines(finish.reflection.minimum) || shines(finish.reflection.maximum);
+}
 
 }  // namespace isl::scene

@@ -23,6 +23,10 @@ enum class ImageId : std::uint32_t {};
 enum class InteriorId : std::uint32_t {};
 enum class TransformId : std::uint32_t {};
 enum class FunctionId : std::uint32_t {};
+enum class PolynomialId : std::uint32_t {};
+enum class TriangleId : std::uint32_t {};
+enum class PolygonId : std::uint32_t {};
+enum class PatternObjectId : std::uint32_t {};
 enum class KernelId : std::uint16_t {};
 
 inline constexpr TextureId kNoTexture{kNone};

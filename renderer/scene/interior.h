@@ -16,4 +16,6 @@ struct Interior {
   Colour fade_colour{};
 };
 
+[[nodiscard]] inline const Interior& without_places(const Interior& interior) { return interior; }
+
 }  // namespace isl::scene

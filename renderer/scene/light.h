@@ -4,6 +4,7 @@
 #include "base/source_span.h"
 #include "renderer/scene/colour.h"
 #include "renderer/scene/ids.h"
+#include "renderer/scene/said_at.h"
 #include "renderer/scene/transform.h"
 
 #include <cstdint>
@@ -27,6 +28,9 @@ struct AreaLight {
   static constexpr int kNotAdaptive = -1;  ///< every point always counts
 };
 
+/// Items whose places are kept.
+enum class LightItem : std::uint8_t { kind, parallel, area, fade, projected_through, count };
+
 struct Light {
   Vec3 location{0};
   Colour colour{1, 1, 1};
@@ -44,6 +48,7 @@ struct Light {
   bool media_attenuation = false;
   GroupId projected_through = kNoGroup;  ///< the light shines only where this lies between; in the light's own space …
   Transform world_from_projected{};      ///< … which this moves along with the light
+  SaidAt<LightItem> said_at{};
   OriginId origin{};
 };
 

@@ -11,6 +11,9 @@
 
 namespace isl::scene {
 
+/// Items whose places are kept.
+enum class ObjectItem : std::uint8_t { no_image, no_reflection, double_illuminate, interior_texture, count };
+
 /// Something placed: a shape and where it stands. Shapes are shared; placing one again costs an Object. Of a group,
 /// what is said here holds for every child too.
 struct Object {
@@ -31,6 +34,7 @@ struct Object {
   GroupId clip = kNoGroup;
   /// The same for what the scene promises to hold the object (`bounded_by`).
   GroupId bound = kNoGroup;
+  SaidAt<ObjectItem> said_at{};
   OriginId origin{};
 };
 

@@ -2,6 +2,7 @@
 // and textures choose from their maps. A record says which and with what operands; renderer/patterns evaluates it.
 #pragma once
 
+#include "base/source_span.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/warp.h"
 
@@ -174,6 +175,7 @@ struct Pattern {
   Turbulence turbulence;    ///< applied last of all, in the pattern's own space, wherever it was written
   std::vector<Warp> warps;  ///< in the order of writing: the point meets the last one first
   PatternOperands operands;
+  OriginId said_at{};
 };
 
 }  // namespace isl::scene

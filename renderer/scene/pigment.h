@@ -11,11 +11,11 @@
 namespace isl::scene {
 
 /// What a texture, a map and a list hold: a colour that is the same everywhere lies inline, all else is a number.
-/// Comparable byte by byte.
+/// Comparable byte by byte but for its place.
 struct Pigment {
   Colour colour{};                   ///< POV-Ray's default pigment is black
   PigmentId pattern = kPlainColour;  ///< else the colour says nothing
-  std::uint32_t unused = 0;          ///< so that there is no padding
+  OriginId said_at{};                ///< of a colour
 
   [[nodiscard]] bool is_plain() const { return pattern == kPlainColour; }
 };

@@ -17,7 +17,7 @@
 namespace isl::scene {
 
 /// Either a pigment with a normal and a finish, or (`pattern`) a choice of other textures. Equal ones share a record:
-/// comparable byte by byte.
+/// comparable byte by byte once its places are taken away (without_places).
 struct Texture {
   Pigment pigment{};
   NormalId normal = kNoNormal;
@@ -25,7 +25,7 @@ struct Texture {
   TexturePatternId pattern = kNoTexturePattern;  ///< else pigment, normal and finish say nothing
   TextureId below = kNoTexture;                  ///< the layer under this one
   std::uint32_t uv_mapping = 0;                  ///< 1: pigment and normal are evaluated at (u, v, 0) of the surface
-  std::uint32_t unused = 0;
+  OriginId named_at{};           ///< where the scene names the declared texture that it is, if it is one
 
   /// The same at every point of a surface, but for what the light does.
   [[nodiscard]] bool is_plain() const {
@@ -34,6 +34,12 @@ struct Texture {
 };
 
 static_assert(sizeof(Texture) == sizeof(Pigment) + 6 * sizeof(std::uint32_t), "no padding");
+
+[[nodiscard]] inline Texture without_places(Texture texture) {
+  texture.pigment.said_at = {};
+  texture.named_at = {};
+  return texture;
+}
 
 struct TextureEntry {
   double value = 0;  ///< as PigmentEntry's; of a material_map the index

@@ -1,8 +1,21 @@
-// POV-Ray 3.7's lighting of a surface point: what it shows by itself, and what one light adds where nothing is in
-// between. Does not ask whether anything is: that is effects/shadows.
+// POV-Ray 3.7's lighting of a surface point, term by term: what it shows by itself, and what one light adds where nothing is in
+// between. Which terms a scene has is decided by its effects. All of it runs once a point and light, so it is inline.
+//
+// The model, as observed of POV-Ray 3.7 (tests/renderer/shading keeps the observations):
+//   - The normal is turned to the viewer first, so a surface seen from its inside is lit from its inside.
+//   - A light with N·L ≤ 0 gives nothing, highlights included.
+//   - R is the view mirrored in the surface, and H is halfway between the ways to the light and to the eye.
+//   - Highlights take the light's colour, and the pigment's as far as the finish is metallic. They scale with neither diffuse nor
+//     brilliance.
+//   - A layer shows 1 − filter − transmit of its colour (less than nothing, if these are more than 1) and all of its highlights,
+//     and lets through the factor transmit + filter × colour of all that is below.
+//   - A `shadowless` light is a fill light: it makes no highlights.
+//   - A blob's blended material is the average of its textures' finished colours, not of their parameters. POV-Ray leaves out
+//     shares below its adc_bailout, 1/255, without making up for them; here they count, so that colours have no steps.
 #pragma once
 
 #include "renderer/shading/material.h"
+#include "renderer/shading/power.h"
 
 #include <span>
 
@@ -23,26 +36,67 @@ struct ShadingPoint {
   return normal.dot(view) > 0 ? -normal : normal;
 }
 
-/// What a light adds, and the way to it.
-struct LightArrival {
-  Rgb colour{0};        ///< zero when the light is behind the surface, or at the point itself
-  Vec3 direction{0};    ///< unit, from the point to the light
-  double distance = 0;  ///< to the light, in scene units
-
-  [[nodiscard]] bool is_dark() const { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
+/// The way from a point to a light. The distance is 0 at the light itself, which then lights nothing.
+struct LightSample {
+  Vec3 direction{0};  ///< unit, from the point to the light
+  double distance = 0;
 };
+
+/// The one sampler of lights: what pictures and measurements of shadow rays ask.
+[[nodiscard]] inline LightSample sample_light(const scene::Light& light, const Vec3& position) {
+  const Vec3 way = light.location - position;
+  const double distance = way.length();
+  if (!(distance > 0)) return {};
+  return {way / distance, distance};
+}
 
 // In these a share is the texture's weight times what the layers above it let through.
 
 /// Σ share × pigment: the point without light.
-[[nodiscard]] Rgb plain_colour(const ShadingPoint& point);
+[[nodiscard]] inline Rgb plain_colour(const ShadingPoint& point) {
+  Rgb colour(0);
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.let_through * lit.weight;
+  return colour;
+}
 
 /// Σ share × ambient × ambient_light × pigment.
-[[nodiscard]] Rgb ambient_colour(const ShadingPoint& point);
+[[nodiscard]] inline Rgb ambient_colour(const ShadingPoint& point) {
+  Rgb colour(0);
+  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.let_through * lit.material->ambient * lit.weight;
+  return colour;
+}
 
-/// Σ share × light colour × (diffuse (N·L)^brilliance pigment + phong (R·L)^phong_size + specular (N·H)^(1/roughness)),
-/// all zero unless N·L > 0; a shadowless light gives no highlights. `highlights` false: the caller knows that there are
-/// none.
-[[nodiscard]] LightArrival light_arrival(const ShadingPoint& point, const scene::Light& light, bool highlights);
+/// Σ share × diffuse (N·L)^brilliance × pigment, for N·L = incidence above 0.
+[[nodiscard]] inline Rgb diffuse_colour(const ShadingPoint& point, double incidence) {
+  Rgb colour(0);
+  for (const LitTexture& lit : point.textures) {
+    const Material& material = *lit.material;
+    colour += lit.pigment * lit.let_through * (material.diffuse * power(incidence, material.brilliance) * lit.weight);
+  }
+  return colour;
+}
+
+/// The cosines that highlights depend on; shared by all textures of a point.
+struct HighlightAngles {
+  double mirror = 0;   ///< R·L
+  double halfway = 0;  ///< N·H
+};
+
+[[nodiscard]] inline HighlightAngles highlight_angles(const ShadingPoint& point, const Vec3& to_light) {
+  const Vec3 mirrored = point.view - point.normal * (2 * point.normal.dot(point.view));
+  const Vec3 halfway = to_light - point.view;
+  const double length = halfway.length();
+  return {mirrored.dot(to_light), length > 0 ? halfway.dot(point.normal) / length : 0};
+}
+
+/// phong (R·L)^phong_size + specular (N·H)^(1/roughness), each where its cosine is above 0.
+[[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
+  double sum = 0;
+  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * power(angle.mirror, material.phong_size);
+  if (material.specular > 0 && angle.halfway > 0) {
+    sum += material.specular * power(angle.halfway, material.specular_exponent);
+  }
+  return sum;
+}
 
 }  // namespace isl::render

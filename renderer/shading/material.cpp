@@ -12,6 +12,10 @@ Material material_of(const scene::Texture& texture, const scene::Finish& finish,
   material.phong_size = finish.phong_size;
   material.specular = finish.specular;
   material.specular_exponent = finish.roughness == 0 ? 0 : 1 / finish.roughness;
+  material.metallic = finish.metallic;
+  const scene::Reflection& reflection = finish.reflection;
+  material.mirror = {scene::reflects(finish), rgb(reflection.minimum), rgb(reflection.maximum), reflection.falloff,
+                     reflection.metallic};
   return material;
 }
 

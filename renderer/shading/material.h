@@ -15,7 +15,16 @@ using Rgb = Imath::Color3<double>;
 
 [[nodiscard]] inline Rgb rgb(const scene::Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// A texture for POV-Ray's plain finish. Highlights are colourless: they take the light's colour.
+/// What a surface mirrors: from `minimum` seen head-on to `maximum` at grazing angles.
+struct Mirror {
+  bool reflects = false;
+  Rgb minimum{0}, maximum{0};
+  double falloff = 1;   ///< of the way from one to the other
+  double metallic = 0;  ///< how far it takes the pigment's colour
+};
+
+/// A texture's finish and, where it is the same everywhere, its pigment. Highlights take the light's colour, and that of the pigment
+/// as far as the finish is metallic.
 struct Material {
   Rgb pigment;  ///< the plain colour; says nothing where is_patterned
   Rgb ambient;  ///< finish ambient × ambient_light: the pigment's factor
@@ -26,6 +35,8 @@ struct Material {
   double phong_size = 40;
   double specular = 0;
   double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as POV-Ray has it
+  double metallic = 0;
+  Mirror mirror;
 
   [[nodiscard]] bool has_highlight() const { return phong > 0 || specular > 0; }
 };
@@ -34,6 +45,7 @@ struct Material {
 struct LitTexture {
   const Material* material;
   Rgb pigment;  ///< the colour at the point times how opaque it is; what quality 0 and 1 show, and the albedo layer
+  Rgb colour;   ///< the colour alone: what metal mirrors in
   double weight;
   Rgb let_through{1};  ///< by the layers above: a factor for all that the texture shows, highlights included
 };

@@ -24,8 +24,7 @@ Coordinates PointTextures::coordinates_of(const SurfacePlace& place, const Vec3&
   return skeleton_coordinates(database_, database_.blobs[place.shape], place.component, place.point, world);
 }
 
-void PointTextures::at(const SurfacePoint& point, std::vector<LitTexture>& lit) const {
-  lit.clear();
+void PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit) const {
   for (const TextureShare& share : point.textures) {
     values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
     Vec3 coordinates;
@@ -35,6 +34,11 @@ void PointTextures::at(const SurfacePoint& point, std::vector<LitTexture>& lit) 
     }
     add(share.texture, share.weight, share.place, environment, lit);
   }
+}
+
+scene::Colour PointTextures::pigment_colour(const scene::Pigment& pigment, const Vec3& point) const {
+  values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
+  return patterns_.pigment_colour(pigment, point, environment);
 }
 
 void PointTextures::add(scene::TextureId id, double weight, const Vec3& point, values::Environment& environment,
@@ -70,7 +74,7 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
     const scene::Texture& layer = database_.texture(id);
     const Material& material = materials_[id];
     if (layer.below == scene::kNoTexture && !material.is_patterned) {
-      lit.push_back({&material, material.pigment, weight, let_through});
+      lit.push_back({&material, material.pigment, material.pigment, weight, let_through});
       return;
     }
     const scene::Colour colour =
@@ -78,10 +82,10 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
             ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, environment), environment)
             : database_.colour(layer.pigment);
     if (layer.below == scene::kNoTexture) {
-      lit.push_back({&material, rgb(colour), weight, let_through});
+      lit.push_back({&material, rgb(colour), rgb(colour), weight, let_through});
       return;
     }
-    lit.push_back({&material, rgb(colour) * (1 - colour.filter - colour.transmit), weight, let_through});
+    lit.push_back({&material, rgb(colour) * (1 - colour.filter - colour.transmit), rgb(colour), weight, let_through});
     let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
     if (let_through == Rgb(0)) return;
     id = layer.below;

@@ -26,8 +26,11 @@ class PointTextures {
   PointTextures(const PointTextures&) = delete;
   PointTextures& operator=(const PointTextures&) = delete;
 
-  /// `lit` becomes what the point's shares are made of: at least one entry each, in their order, the top layer first.
-  void at(const SurfacePoint& point, std::vector<LitTexture>& lit) const;
+  /// Appends what the point's shares are made of: at least one entry each, in their order, the top layer first.
+  void append(const SurfacePoint& point, std::vector<LitTexture>& lit) const;
+
+  /// Of a pigment that is on no surface, such as the sky's.
+  [[nodiscard]] scene::Colour pigment_colour(const scene::Pigment& pigment, const Vec3& point) const;
 
   /// (u, v) of a place on a shape; `world` is the same point in the world.
   [[nodiscard]] Coordinates coordinates_of(const SurfacePlace& place, const Vec3& world) const;

@@ -31,10 +31,16 @@ namespace HWY_NAMESPACE {
 template <class Search>
 class WorldTrace {
  public:
-  WorldTrace(const CompiledScene& scene, const SolverSettings& settings, TraceMemory& memory, TraceCounters& counters)
-      : scene_(scene), settings_(settings), memory_(memory), counters_(counters), faces_(scene, blob_gradient()) {}
+  WorldTrace(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, TraceMemory& memory,
+             TraceCounters& counters)
+      : scene_(scene),
+        settings_(settings),
+        memory_(memory),
+        counters_(counters),
+        kind_(static_cast<std::uint8_t>(kind)),
+        faces_(scene, blob_gradient()) {}
 
-  /// With `any`, the first thing found that throws a shadow ends the search, and only whether there is one is told.
+  /// With `any`, the first thing found ends the search, and only whether there is one is told.
   [[nodiscard]] Hit trace(const Ray& ray, bool any) {
     Hit best;
     best.t = ray.t_max;
@@ -120,7 +126,7 @@ class WorldTrace {
       for (std::size_t i = 0; i < rays.size(); ++i) {
         if ((open >> i & 1) != 0 && meet(index, rays[i], any, hits[i])) met |= 1u << i;
       }
-    } else if (!(any && instance.no_shadow)) {
+    } else if (!is_hidden(instance)) {
       BlobRay blob_rays[kPacket];
       BlobHit blob_hits[kPacket];
       for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
@@ -132,6 +138,8 @@ class WorldTrace {
     }
     return any ? open & ~met : open;
   }
+
+  [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
 
   /// The ray in the space of an instance that is a blob.
   [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
@@ -185,7 +193,7 @@ class WorldTrace {
   /// Whether the instance is met before `best`, which then is the new hit.
   bool meet(std::uint32_t index, const Ray& ray, bool any, Hit& best) {
     const Instance& instance = scene_.instances[index];
-    if (any && instance.no_shadow) return false;
+    if (is_hidden(instance)) return false;
     if (instance.kind == scene::Object::Kind::blob) {
       const BlobRay blob_ray = in_blob(index, ray, any, best);
       const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
@@ -274,6 +282,7 @@ class WorldTrace {
   const SolverSettings& settings_;
   TraceMemory& memory_;
   TraceCounters& counters_;
+  std::uint8_t kind_;  ///< the bit of RayKind
   std::array<std::uint32_t, 16> recent_;  ///< a mailbox: what the ray has met in the cells behind it
   RayFaces faces_;
 };

@@ -123,7 +123,7 @@ TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({}), HasSubstr("no command"));
   EXPECT_THAT(refusal({"rendr", "a.isl"}), HasSubstr("did you mean `render`?"));
   EXPECT_THAT(refusal({"a.isl"}), HasSubstr("isl render a.isl"));
-  EXPECT_THAT(refusal({"plan", "a.isl"}), HasSubstr("unknown command `plan`"));
+  EXPECT_THAT(refusal({"plant", "a.isl"}), HasSubstr("did you mean `plan`?"));
   EXPECT_THAT(refusal({"render"}), HasSubstr("no scene given"));
   EXPECT_THAT(refusal({"render", "a.isl", "b.isl"}), HasSubstr("`b.isl`"));
   EXPECT_THAT(refusal({"render", "a.isl", "--tolerence", "1"}), HasSubstr("did you mean `--tolerance`?"));

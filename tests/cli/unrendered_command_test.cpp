@@ -1,5 +1,4 @@
-// What is read and cannot be drawn yet: an error of `isl render` at its place, a warning with --lenient, nothing to
-// `isl check`.
+// What is read and cannot be drawn yet: an error of `isl render` and `isl check` at its place, a warning with --lenient.
 #include "tests/cli/program_fixture.h"
 
 namespace isl::test {
@@ -23,7 +22,7 @@ class Unrendered : public ProgramTest {
 TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:1: error: `spotlight` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:28: error: `spotlight` is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `light_group` is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
   EXPECT_THAT(result.err, HasSubstr("Ring"));
@@ -37,8 +36,14 @@ TEST_F(Unrendered, IsLeftOutWithAWarningWhereTheUserIsLenient) {
   EXPECT_TRUE(exists("scene.png"));
 }
 
-TEST_F(Unrendered, IsNoMatterOfCheck) {
+TEST_F(Unrendered, IsToldByCheckInTheSameWords) {
   const ProcessResult result = run({"check", "scene.isl"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, run({"render", "scene.isl", "-s", "32x24"}).err);
+}
+
+TEST_F(Unrendered, IsNoMatterWhereItIsLeftOut) {
+  const ProcessResult result = run({"check", "scene.isl", "--without", "spotlight,light_group"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("rendered")));
   EXPECT_THAT(result.out, HasSubstr("3 primitives, 3 solids, 1 light"));

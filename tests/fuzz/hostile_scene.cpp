@@ -11,7 +11,7 @@
 #include "renderer/queries/faint.h"
 #include "renderer/queries/object_queries.h"
 #include "renderer/render.h"
-#include "renderer/scene/unrendered.h"
+#include "renderer/effects/plan.h"
 #include "renderer/tracer.h"
 #include "tests/fuzz/hostile_text.h"
 
@@ -101,7 +101,7 @@ void summarise(const scene::Database& database) {
 }
 
 void draw(scene::Database& database, const std::atomic<bool>& stop) {
-  scene::leave_out_unrendered(database);
+  render::leave_out(render::plan_of(database), database);
   render::TracerOptions tracing;
   tracing.pixel_angle = render::pixel_angle(database.camera.value_or(scene::Camera{}), kWidth, kHeight);
   const render::Tracer tracer(database, tracing);
@@ -138,7 +138,7 @@ SceneVerdict try_scene(std::string_view text, const std::filesystem::path& folde
       verdict.is_accepted = !sink.has_errors() && has_readable_settings(scene.database.settings);
       if (verdict.is_accepted) {
         summarise(scene.database);
-        verdict.is_rendered = lenient || scene::unrendered(scene.database).empty();
+        verdict.is_rendered = lenient || render::plan_of(scene.database).refused.empty();
         if (cli::summarise(scene.database).primitives() > kMostDrawn) verdict.is_rendered = false;
         if (verdict.is_rendered) draw(scene.database, stop);
       }

@@ -70,12 +70,11 @@ TEST_F(ProgramMutations, EndWithinTheContract) {
     EXPECT_EQ(errors_without_place(render.err), "") << about;
     EXPECT_EQ(render.exit_code == kDone, exists("picture.png")) << render.exit_code << ", " << about;
     EXPECT_LE(files().size(), 2u) << "more than the scene and its picture, " << about;
-    // What check refuses, render does.
-    EXPECT_FALSE(check.exit_code != kDone && render.exit_code == kDone) << about;
+    EXPECT_EQ(check.exit_code, render.exit_code) << "check refuses what render refuses, " << about;
     rendered += render.exit_code == kDone;
   }
   fmt::print("{} scenes: {} accepted, {} rendered\n", count, accepted, rendered);
-  EXPECT_GT(accepted, count / 10);
+  EXPECT_GT(accepted, count / 20);
   EXPECT_GT(rendered, count / 20);
 }
 

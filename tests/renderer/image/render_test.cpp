@@ -75,7 +75,7 @@ TEST(Render, a_white_furnace_is_white) {
             {.ambient = {1, 1, 1}, .diffuse = 0});
   const RenderResult result = rendered(database, small());
   for (const double value : result.image.rgba) ASSERT_EQ(value, 1);
-  EXPECT_EQ(result.statistics.rays.shadow, 0u);
+  EXPECT_EQ(result.statistics.paths.shadow, 0u);
   EXPECT_EQ(result.statistics.samples_per_pixel, 1) << "nothing differs, so nothing is refined";
 }
 
@@ -97,7 +97,7 @@ TEST(Render, is_the_same_whatever_the_threads_and_the_order_of_tiles) {
         EXPECT_EQ(other.image.layers.normal, reference.image.layers.normal);
         EXPECT_EQ(other.image.layers.primitive, reference.image.layers.primitive);
         EXPECT_EQ(other.image.layers.samples, reference.image.layers.samples);
-        EXPECT_EQ(other.statistics.rays.shadow, reference.statistics.rays.shadow);
+        EXPECT_EQ(other.statistics.paths.shadow, reference.statistics.paths.shadow);
         EXPECT_EQ(other.statistics.counters.cells, reference.statistics.counters.cells);
       }
     }
@@ -131,7 +131,7 @@ TEST(Render, refines_edges_only_and_never_beyond_sixteen) {
     EXPECT_TRUE(count == 1 || count == 16);
     rays += count;
   }
-  EXPECT_EQ(rays, result.statistics.rays.camera);
+  EXPECT_EQ(rays, result.statistics.paths.camera);
   const auto count_at = [&](int x, int y) { return result.image.layers.samples[result.image.window.index(x, y)]; };
   EXPECT_EQ(count_at(0, 0), 1u) << "background";
   EXPECT_EQ(count_at(35, 25), 1u) << "the middle of the sphere";
@@ -160,7 +160,7 @@ TEST(Render, traces_exactly_the_samples_asked_for) {
   RenderOptions options = small(33, 21);
   options.samples = 5;
   const RenderResult result = rendered(povray_solids(), options);
-  EXPECT_EQ(result.statistics.rays.camera, 33u * 21u * 5u);
+  EXPECT_EQ(result.statistics.paths.camera, 33u * 21u * 5u);
 }
 
 TEST(Render, antialiasing_of_an_edge_is_its_coverage) {
@@ -281,7 +281,7 @@ TEST(Render, an_empty_crop_is_an_empty_picture) {
   options.crop = PixelRect{500, 500, 600, 600};
   const RenderResult result = rendered(povray_solids(), options);
   EXPECT_TRUE(result.image.rgba.empty());
-  EXPECT_EQ(result.statistics.rays.camera, 0u);
+  EXPECT_EQ(result.statistics.paths.camera, 0u);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Seen seen_at(const scene::Database& database, double x, double y) {
   Seen seen;
   if (hit.is_miss()) return seen;
   tracer.surface_at(ray, hit, seen.point);
-  PointTextures(database).at(seen.point, seen.lit);
+  PointTextures(database).append(seen.point, seen.lit);
   return seen;
 }
 

@@ -6,6 +6,7 @@
 //     roughness .1 } } sphere { 1.2*y - .2*z, 1, -.7  pigment { rgb <.1, .9, .2> } finish { ambient .1 diffuse .6 } } }
 // seen from −5 z, light_source { <2, 3, -5> rgb <.5, .7, .9> }, in linear 16 bits.
 #include "renderer/shading/lighting.h"
+#include "tests/renderer/shading/lit_point.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -72,11 +73,11 @@ TEST(BlendedMaterial, is_the_mean_of_finished_colours) {
   std::vector<LitTexture> textures;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Material& material = materials[scene::TextureId(i)];
-    textures.push_back({&material, material.pigment, std::abs(kComponents[i].field(position)) / total});
+    textures.push_back({&material, material.pigment, material.pigment, std::abs(kComponents[i].field(position)) / total});
   }
   const Vec3 view(0, 0, 1);
   const ShadingPoint point{position, turned_to_viewer(-gradient.normalized(), view), view, textures};
-  const Rgb colour = ambient_colour(point) + light_arrival(point, light, true).colour;
+  const Rgb colour = ambient_colour(point) + lit_by(light, point);
   EXPECT_NEAR(colour.x * 65535, 16128, 2);
   EXPECT_NEAR(colour.y * 65535, 8714, 2);
   EXPECT_NEAR(colour.z * 65535, 16044, 2);

@@ -2,6 +2,7 @@
 // 0.6, 0.8>, light colour rgb <0.5, 0.7, 0.9>, ambient 0; assumed_gamma 1, File_Gamma=1.0, 16 bits, rounded to 5
 // digits.
 #include "renderer/shading/lighting.h"
+#include "tests/renderer/shading/lit_point.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +27,9 @@ class Plane {
     const MaterialTable materials(database_);
     const Vec3 view(0, 0, 1);
     const Material& material = materials[scene::TextureId(0)];
-    const std::vector<LitTexture> textures = {{&material, material.pigment, 1}};
+    const std::vector<LitTexture> textures = {{&material, material.pigment, material.pigment, 1}};
     const ShadingPoint point{{0, 0, 0}, turned_to_viewer(normal, view), view, textures};
-    return light_arrival(point, light_, true).colour;
+    return lit_by(light_, point);
   }
 
   Vec3 normal{0, 0, -1};
@@ -113,7 +114,7 @@ TEST(Lighting, ambient_is_the_finishs_times_the_scenes_times_the_pigment) {
   database.default_texture = isl::test::plain_texture(database, {0.4, 0.6, 0.8}, {.ambient = {0.1, 0.2, 0.3}});
   const MaterialTable materials(database);
   const Material& material = materials[scene::kNoTexture];
-  const std::vector<LitTexture> textures{{&material, material.pigment, 1}};
+  const std::vector<LitTexture> textures{{&material, material.pigment, material.pigment, 1}};
   const Rgb colour = ambient_colour({{}, {0, 0, -1}, {0, 0, 1}, textures});
   expect_colour(colour, 0.02, 0.12, 0.48);
 }

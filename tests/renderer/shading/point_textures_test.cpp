@@ -2,6 +2,7 @@
 #include "renderer/shading/point_textures.h"
 
 #include "renderer/shading/lighting.h"
+#include "tests/renderer/shading/lit_point.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ class Point {
     SurfacePoint point;
     point.position = position;
     point.textures = {{texture, 1, position}};
-    textures_.at(point, lit_);
+    textures_.append(point, lit_);
     shading_ = {position, {0, 0, -1}, {0, 0, 1}, lit_};
   }
   [[nodiscard]] const std::vector<LitTexture>& lit() const { return lit_; }
@@ -82,7 +83,7 @@ TEST(PointTextures, HighlightsOfLayersAreAddedUp) {
     scene::Light light;
     light.location = {2, 3, -10};
     light.colour = {1, 0.9, 0.8};
-    return light_arrival(Point(database, top, {-0.025, 0.025, 0}).shading(), light, true).colour;
+    return lit_by(light, Point(database, top, {-0.025, 0.025, 0}).shading());
   };
   expect_colour(lit({}), 0.7305, 0.6151, 0.5091);
   expect_colour(lit({{1, 0.5, 0.25, 0.5, 0}}), 0.9546, 0.5783, 0.394);

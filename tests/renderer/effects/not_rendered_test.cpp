@@ -1,14 +1,16 @@
-#include "renderer/scene/unrendered.h"
+// Effects that the renderer does not draw yet: found wherever a scene says them, and gone once they are left out.
+#include "renderer/effects/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace isl::scene {
+namespace isl::render::test {
 namespace {
 
+using namespace scene;  // NOLINT: the records that make up a scene
 using testing::ElementsAre;
 
-Object object(Object::Kind kind, std::uint32_t shape, std::uint32_t origin = 0) {
+scene::Object object(Object::Kind kind, std::uint32_t shape, std::uint32_t origin = 0) {
   Object result;
   result.kind = kind;
   result.shape = shape;
@@ -16,13 +18,22 @@ Object object(Object::Kind kind, std::uint32_t shape, std::uint32_t origin = 0) 
   return result;
 }
 
+std::vector<Request> refused(const Database& database) {
+  std::vector<Request> requests;
+  for (const PlannedEffect& planned : plan_of(database).refused)
+    requests.insert(requests.end(), planned.requests.begin(), planned.requests.end());
+  return requests;
+}
+
 std::vector<std::string> names(const Database& database) {
   std::vector<std::string> result;
-  for (const Unrendered& thing : unrendered(database)) result.push_back(thing.what);
+  for (const Request& request : refused(database)) result.push_back(request.what);
   return result;
 }
 
-TEST(Unrendered, IsNothingWhereEverythingIsDrawn) {
+void leave_out(Database& database) { leave_out(plan_of(database), database); }
+
+TEST(NotRendered, IsNothingWhereEverythingIsDrawn) {
   Database database;
   database.camera.emplace();
   database.lights.resize(1);
@@ -39,33 +50,48 @@ TEST(Unrendered, IsNothingWhereEverythingIsDrawn) {
   EXPECT_THAT(names(database), ElementsAre());
 }
 
-TEST(Unrendered, TellsEachKindOnceWithItsFirstPlaceAndHowOften) {
+TEST(NotRendered, TellsEachKindOnceWithItsFirstPlaceAndHowOften) {
   Database database;
   database.solids.resize(1);
   database.objects = {object(Object::Kind::solid, 0, 7), object(Object::Kind::solid, 0, 8),
                       object(Object::Kind::solid, 0, 9)};
-  database.objects[0].no_image = database.objects[2].no_image = true;
-  database.objects[1].double_illuminate = true;
-  const std::vector<Unrendered> things = unrendered(database);
+  database.objects[0].double_illuminate = database.objects[2].double_illuminate = true;
+  database.objects[1].interior_texture = TextureId{0};
+  database.textures.resize(1);
+  const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 2u);
-  EXPECT_EQ(things[0].what, "`no_image`");
+  EXPECT_EQ(things[0].what, "`double_illuminate`");
   EXPECT_EQ(things[0].origin, OriginId{7});
   EXPECT_EQ(things[0].count, 2u);
-  EXPECT_EQ(things[1].what, "`double_illuminate`");
+  EXPECT_EQ(things[1].what, "`interior_texture`");
 }
 
-TEST(Unrendered, LooksIntoEachSharedGroupOnce) {
+TEST(NotRendered, LooksIntoEachSharedGroupOnce) {
   Database database;
   database.solids.resize(1);
   Object hidden = object(Object::Kind::solid, 0, 5);
-  hidden.no_image = true;
+  hidden.double_illuminate = true;
   database.groups = {{.children = {hidden}},
                      {.operation = Operation::subtract, .children = {hidden}}};
   database.objects = {object(Object::Kind::group, 0), object(Object::Kind::group, 0), object(Object::Kind::group, 1)};
-  const std::vector<Unrendered> things = unrendered(database);
+  const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 1u);
-  EXPECT_EQ(things[0].what, "`no_image`");
+  EXPECT_EQ(things[0].what, "`double_illuminate`");
   EXPECT_EQ(things[0].count, 2u);
+}
+
+TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
+  Database database;
+  database.finishes = {{.irid = 1}};
+  database.finishes[0].said_at[FinishItem::irid] = OriginId{3};
+  database.textures = {{.finish = FinishId{0}, .named_at = OriginId{4}}};
+  database.solids.resize(1);
+  database.objects = {object(Object::Kind::solid, 0, 5)};
+  database.objects[0].texture = TextureId{0};
+  const std::vector<Request> things = refused(database);
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_EQ(things[0].origin, OriginId{3});
+  EXPECT_EQ(things[0].used_by, OriginId{4});
 }
 
 /// Everything that is on the list, once.
@@ -78,8 +104,9 @@ Database everything() {
   database.lights = {light, {.kind = LightKind::cylinder}};
   database.camera->normal = NormalId{0};
   database.normals.resize(1);
-  database.sky_sphere.emplace();
   database.fogs.resize(2);
+  database.fogs[0].kind = Fog::Kind::ground;
+  database.fogs[1].turbulence.amount = {1, 1, 1};
   database.rainbows.resize(1);
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
                        {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
@@ -87,11 +114,11 @@ Database everything() {
   database.finishes = {{.emission = {1, 0, 0},
                         .diffuse_back = 1,
                         .phong = 1,
-                        .metallic = 1,
-                        .reflection = {.maximum = {0, 1, 0}},
+                        .reflection = {.maximum = {0, 1, 0}, .exponent = 2},
                         .irid = 1,
                         .crand = 1,
-                        .phong_albedo = true}};
+                        .phong_albedo = true,
+                        .fresnel = true}};
   database.pigments.resize(1);
   database.pigments[0].pattern.kind = PatternKind::image_map;
   database.pigments[0].map = PigmentMapId{0};
@@ -105,7 +132,7 @@ Database everything() {
   database.groups = {{.is_light_group = true, .lights = {{}}}};
   database.objects.push_back(object(Object::Kind::group, 0));
   Object odd = object(Object::Kind::solid, 0);
-  odd.no_image = odd.double_illuminate = true;
+  odd.double_illuminate = true;
   odd.interior_texture = odd.texture = TextureId{0};
   database.objects.push_back(odd);
   for (std::uint32_t texture = 1; texture < 3; ++texture) {
@@ -115,29 +142,29 @@ Database everything() {
   return database;
 }
 
-TEST(Unrendered, NothingOfItIsThereAfterItWasLeftOut) {
+TEST(NotRendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 27u);
-  leave_out_unrendered(database);
+  EXPECT_EQ(names(database).size(), 26u);
+  leave_out(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
   EXPECT_EQ(database.textures[2].pigment.colour, (Colour{0.5, 0.5, 0})) << "the first of what the pattern chooses from";
 }
 
-TEST(Unrendered, OfLayersTheLowestAloneMustNotLetLightThrough) {
+TEST(NotRendered, OfLayersTheLowestAloneMustNotLetLightThrough) {
   Database database;
   database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {{.transmit = 1}}}};
   database.default_texture = {.pigment = {{.filter = 1}}, .below = TextureId{0}};
   EXPECT_THAT(names(database), ElementsAre());
   database.default_texture.below = TextureId{1};
   EXPECT_THAT(names(database), ElementsAre("a transparent pigment"));
-  leave_out_unrendered(database);
+  leave_out(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour.transmit, 0);
   EXPECT_EQ(database.default_texture.pigment.colour.filter, 1);
 }
 
-TEST(Unrendered, WhatAPatternChoosesIsLookedInto) {
+TEST(NotRendered, WhatAPatternChoosesIsLookedInto) {
   Database database;
   database.finishes = {{.irid = 1}};
   database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {{.transmit = 1}}, .finish = FinishId{0}}};
@@ -149,7 +176,7 @@ TEST(Unrendered, WhatAPatternChoosesIsLookedInto) {
   EXPECT_THAT(names(database), ElementsAre("a transparent pigment", "`irid`"));
 }
 
-TEST(Unrendered, APatternThatNeedsOnlyThePointIsDrawn) {
+TEST(NotRendered, APatternThatNeedsOnlyThePointIsDrawn) {
   Database database;
   database.pigments.resize(3);
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -168,7 +195,7 @@ TEST(Unrendered, APatternThatNeedsOnlyThePointIsDrawn) {
   EXPECT_THAT(in_use(2), ElementsAre("a transparent pigment")) << "in a map of a map";
 }
 
-TEST(Unrendered, APlainPigmentMayHaveAPreviewColourToo) {
+TEST(NotRendered, APlainPigmentMayHaveAPreviewColourToo) {
   Database database;
   database.pigments = {{.pattern = {}, .colour = {1, 0, 0}, .quick_colour = Colour{0, 1, 0}}};
   database.textures = {{.pigment = {.pattern = PigmentId{0}}}};
@@ -179,4 +206,4 @@ TEST(Unrendered, APlainPigmentMayHaveAPreviewColourToo) {
 }
 
 }  // namespace
-}  // namespace isl::scene
+}  // namespace isl::render::test

@@ -1,0 +1,43 @@
+// Objects that some rays pass by. Rays know what they are traced for (RayKind), and the tracer asks the object's flags; these records
+// say which scenes have such objects.
+#include "renderer/effects/effect.h"
+
+namespace isl::render {
+namespace {
+
+using scene::Object;
+
+/// The effect of a flag of objects. `what`: the flag as the language calls it.
+Effect hiding(std::string_view name, std::string_view summary, std::string_view what, bool Object::*flag,
+              scene::ObjectItem item) {
+  return {.name = name,
+          .summary = summary,
+          .find =
+              [=](const SceneUse& use, Requests& requests, std::string_view& reason) {
+                reason = "every object is seen";
+                for (const Use<Object>& object : use.objects()) {
+                  if (object.record->*flag) requests.add(what, object.record->said_at[item], object.user);
+                }
+              },
+          .leave_out =
+              [=](scene::Database& database) {
+                for (Object& object : database.objects) object.*flag = false;
+                for (scene::Group& group : database.groups) {
+                  for (Object& child : group.children) child.*flag = false;
+                }
+              }};
+}
+
+}  // namespace
+
+Effect no_image() {
+  return hiding("no_image", "objects that only reflections and shadows show", "`no_image`", &Object::no_image,
+                scene::ObjectItem::no_image);
+}
+
+Effect no_reflection() {
+  return hiding("no_reflection", "objects that reflections do not show", "`no_reflection`", &Object::no_reflection,
+                scene::ObjectItem::no_reflection);
+}
+
+}  // namespace isl::render

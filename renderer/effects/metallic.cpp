@@ -1,0 +1,44 @@
+// Metal: highlights take the pigment's colour, less so at grazing angles (shading/metallic.h).
+#include "renderer/effects/effect.h"
+#include "renderer/shading/metallic.h"
+
+#include <algorithm>
+
+namespace isl::render {
+namespace {
+
+class MetallicStage final : public Stage<LightWork> {
+ public:
+  explicit MetallicStage(const StageContext& /*context*/) {}
+
+  void run(LightWork& work) const override {
+    if (work.shine.empty()) return;  // highlights are left out
+    auto shine = work.shine.begin();
+    for (const LitPoint& lit : work.lit) {
+      for (const LitTexture& texture : work.block.points[lit.point].textures) {
+        const double amount = texture.material->metallic;
+        if (amount != 0) *shine *= metallic_tint(amount, lit.incidence, texture.colour);
+        ++shine;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Effect metallic() {
+  return {.name = "metallic",
+          .summary = "highlights in the metal's own colour",
+          .from_quality = 2,
+          .find =
+              [](const SceneUse& use, Requests& requests, std::string_view& reason) {
+                reason = "no finish with a highlight is metallic";
+                for (const Use<scene::Finish>& finish : use.finishes()) {
+                  const bool has_highlight = finish.record->phong > 0 || finish.record->specular > 0;
+                  if (has_highlight && finish.record->metallic != 0) requests.add("`metallic`", finish.record->said_at[scene::FinishItem::metallic], finish.user);
+                }
+              },
+          .stages = {.shine = make_stage<MetallicStage, LightWork>}};
+}
+
+}  // namespace isl::render

@@ -1,0 +1,189 @@
+#include "renderer/effects/not_rendered.h"
+
+#include <algorithm>
+
+namespace isl::render {
+namespace {
+
+using scene::Camera;
+using scene::CameraItem;
+using scene::CameraKind;
+using scene::Database;
+using scene::Fog;
+using scene::FogItem;
+using scene::Group;
+using scene::Light;
+using scene::LightItem;
+using scene::LightKind;
+using scene::Object;
+using scene::ObjectItem;
+
+/// An effect by something that one kind of record says.
+template <class Record>
+struct Row {
+  std::string_view name, summary;
+  std::string_view what;  ///< as the language calls it, for refusals
+  OriginId (*word)(const Record&);
+  bool (*is_used)(const Record&);
+  void (*leave_out)(Record&);
+};
+
+/// The place of an item.
+template <class Record, auto item>
+OriginId said(const Record& record) {
+  return record.said_at[item];
+}
+
+/// A camera that bends rays or sends them side by side shows what a perspective one of its vectors shows, more or less.
+template <CameraKind kind>
+constexpr Row<Camera> camera_kind(std::string_view name, std::string_view what) {
+  return {name, "rays that leave the camera in another way than in perspective", what, said<Camera, CameraItem::kind>,
+          [](const Camera& camera) { return camera.kind == kind; },
+          [](Camera& camera) { camera.kind = CameraKind::perspective; }};
+}
+
+constexpr Row<Camera> kCameraRows[] = {
+    camera_kind<CameraKind::orthographic>("orthographic", "an `orthographic` camera"),
+    camera_kind<CameraKind::fisheye>("fisheye", "a `fisheye` camera"),
+    camera_kind<CameraKind::ultra_wide_angle>("ultra_wide_angle", "an `ultra_wide_angle` camera"),
+    camera_kind<CameraKind::omnimax>("omnimax", "an `omnimax` camera"),
+    camera_kind<CameraKind::panoramic>("panoramic", "a `panoramic` camera"),
+    camera_kind<CameraKind::cylinder>("cylinder_camera", "a `cylinder` camera"),
+    camera_kind<CameraKind::spherical>("spherical", "a `spherical` camera"),
+    {"focal_blur", "what is out of focus is blurred", "focal blur", said<Camera, CameraItem::blur>,
+     [](const Camera& camera) { return camera.blur.has_value(); }, [](Camera& camera) { camera.blur.reset(); }},
+    {"camera_normal", "bumps in the lens", "`normal` of a camera", said<Camera, CameraItem::normal>,
+     [](const Camera& camera) { return camera.normal != scene::kNoNormal; },
+     [](Camera& camera) { camera.normal = scene::kNoNormal; }},
+};
+
+constexpr Row<Light> kLightRows[] = {
+    {"spotlight", "light within a cone", "`spotlight`", said<Light, LightItem::kind>,
+     [](const Light& light) { return light.kind == LightKind::spotlight; },
+     [](Light& light) { light.kind = LightKind::point; }},
+    {"cylinder_light", "light within a cylinder", "a `cylinder` of light", said<Light, LightItem::kind>,
+     [](const Light& light) { return light.kind == LightKind::cylinder; },
+     [](Light& light) { light.kind = LightKind::point; }},
+    {"parallel", "light in one direction", "`parallel`", said<Light, LightItem::parallel>, [](const Light& light) { return light.parallel; },
+     [](Light& light) { light.parallel = false; }},
+    {"area_light", "light of many points, with soft shadows", "`area_light`", said<Light, LightItem::area>,
+     [](const Light& light) { return light.area.has_value(); }, [](Light& light) { light.area.reset(); }},
+    {"fading_light", "light that fades with the distance", "`fade_distance`", said<Light, LightItem::fade>,
+     [](const Light& light) { return light.fade_distance > 0 && light.fade_power > 0; },
+     [](Light& light) { light.fade_distance = light.fade_power = 0; }},
+    {"projected_through", "light that shines through an object only", "`projected_through`", said<Light, LightItem::projected_through>,
+     [](const Light& light) { return light.projected_through != scene::kNoGroup; },
+     [](Light& light) { light.projected_through = scene::kNoGroup; }},
+};
+
+// `hollow` is not here: it changes fog, which asks for it itself.
+constexpr Row<Object> kObjectRows[] = {
+    {"double_illuminate", "light from behind lights a surface too", "`double_illuminate`", said<Object, ObjectItem::double_illuminate>,
+     [](const Object& object) { return object.double_illuminate; },
+     [](Object& object) { object.double_illuminate = false; }},
+    {"interior_texture", "another texture on the inside of a surface", "`interior_texture`", said<Object, ObjectItem::interior_texture>,
+     [](const Object& object) { return object.interior_texture != scene::kNoTexture; },
+     [](Object& object) { object.interior_texture = scene::kNoTexture; }},
+};
+
+constexpr Row<Group> kGroupRows[] = {
+    {"light_group", "lights that shine on some objects only", "`light_group`", [](const Group&) { return OriginId{}; },
+     [](const Group& group) { return group.is_light_group; }, [](Group& group) { group.is_light_group = false; }},
+};
+
+bool is_ground(const Fog& fog) { return fog.kind == Fog::Kind::ground; }
+bool is_turbulent(const Fog& fog) { return !is_ground(fog) && fog.turbulence.amount != scene::Vec3(0); }
+
+Effect camera_effect(const Row<Camera>& row) {
+  return {.name = row.name,
+          .summary = row.summary,
+          .find =
+              [&row](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
+                const std::optional<Camera>& camera = use.database().camera;
+                if (camera && row.is_used(*camera)) requests.add(row.what, row.word(*camera), camera->origin);
+              },
+          .leave_out =
+              [&row](Database& database) {
+                if (database.camera && row.is_used(*database.camera)) row.leave_out(*database.camera);
+              }};
+}
+
+template <class Record>
+void leave_out(const Row<Record>& row, std::vector<Record>& records) {
+  for (Record& record : records) {
+    if (row.is_used(record)) row.leave_out(record);
+  }
+}
+
+/// `uses`: where SceneUse has the records; `leave_out_all` leaves the row out of all of them.
+template <class Record, class Uses, class LeaveOut>
+Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) {
+  return {.name = row.name,
+          .summary = row.summary,
+          .find =
+              [&row, uses](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
+                for (const Use<Record>& record : (use.*uses)()) {
+                  if (row.is_used(*record.record)) requests.add(row.what, row.word(*record.record), record.user);
+                }
+              },
+          .leave_out = [&row, leave_out_all](Database& database) { leave_out_all(row, database); }};
+}
+
+/// Fogs that say something which is not drawn.
+Effect fog_effect(std::string_view name, std::string_view summary, std::string_view what, FogItem item,
+                  bool (*is_used)(const Fog&)) {
+  return {.name = name,
+          .summary = summary,
+          .from_quality = 9,
+          .find =
+              [=](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
+                for (const Fog& fog : use.database().fogs) {
+                  if (is_used(fog)) requests.add(what, fog.said_at[item], fog.origin);
+                }
+              },
+          .leave_out = [=](Database& database) { std::erase_if(database.fogs, is_used); }};
+}
+
+}  // namespace
+
+void add_world_not_rendered(std::vector<Effect>& effects) {
+  for (const Row<Camera>& row : kCameraRows) effects.push_back(camera_effect(row));
+  for (const Row<Light>& row : kLightRows) {
+    effects.push_back(record_effect(row, &SceneUse::lights, [](const Row<Light>& light_row, Database& database) {
+      leave_out(light_row, database.lights);
+      for (Group& group : database.groups) leave_out(light_row, group.lights);
+    }));
+  }
+  for (const Row<Object>& row : kObjectRows) {
+    effects.push_back(record_effect(row, &SceneUse::objects, [](const Row<Object>& object_row, Database& database) {
+      leave_out(object_row, database.objects);
+      for (Group& group : database.groups) leave_out(object_row, group.children);
+    }));
+  }
+  for (const Row<Group>& row : kGroupRows) {
+    effects.push_back(record_effect(
+        row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) { leave_out(group_row, database.groups); }));
+  }
+  effects.push_back(fog_effect("ground_fog", "fog that thins out with the height", "`fog_type 2`", FogItem::type, is_ground));
+  effects.push_back(fog_effect("turbulent_fog", "fog in wisps", "`turbulence` of a fog",
+                               FogItem::turbulence, is_turbulent));
+  effects.push_back({.name = "rainbow",
+                     .summary = "rainbows",
+                     .from_quality = 9,
+                     .find =
+                         [](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
+                           for (const scene::Rainbow& rainbow : use.database().rainbows)
+                             requests.add("`rainbow`", rainbow.origin);
+                         },
+                     .leave_out = [](Database& database) { database.rainbows.clear(); }});
+}
+
+std::vector<Effect> effects_not_rendered() {
+  std::vector<Effect> effects;
+  add_world_not_rendered(effects);
+  add_surfaces_not_rendered(effects);
+  for (Effect& effect : effects) effect.is_rendered = false;
+  return effects;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,215 @@
+#include "renderer/integrator/integrator.h"
+
+#include "renderer/queries/inside.h"
+
+#include <algorithm>
+
+namespace isl::render {
+namespace {
+
+/// Shadow rays after which the queue is traced before the batch's last point, so that a scene of thousands of lights needs no
+/// more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the lights.
+constexpr std::size_t kLongestShadowQueue = 8192;
+
+/// As POV-Ray weighs colours to one number.
+double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
+
+/// Whether the camera stands in something that keeps fog out. Precondition of asking: there is fog.
+bool is_in_solid(const scene::Database& database) {
+  const PatternInsides insides(database);
+  const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
+  return std::ranges::any_of(database.objects, [&](const scene::Object& object) {
+    return !object.hollow && insides.is_inside(object, eye);
+  });
+}
+
+template <class Work>
+void add(MakeStage<Work> make, const StageContext& context, std::vector<std::unique_ptr<const Stage<Work>>>& stages) {
+  if (make) stages.push_back(make(context));
+}
+
+}  // namespace
+
+Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background)
+    : database_(database), tracer_(tracer), textures_(database) {
+  const StageContext context{database, tracer, textures_};
+  for (const PlannedEffect& planned : plan.called_for) {
+    const StageMakers& make = planned.effect->stages;
+    add(make.along, context, along_);
+    add(make.miss, context, miss_);
+    add(make.own_light, context, own_light_);
+    add(make.diffuse, context, diffuse_);
+    add(make.shine, context, shine_);
+    add(make.spawn, context, spawn_);
+    shadows_ |= make.shadows;
+  }
+  if (!along_.empty()) camera_in_solid_ = is_in_solid(database);
+  const scene::Colour& background = database.settings.background;
+  if (transparent_background) {
+    background_alpha_ = 0;
+  } else {
+    background_ = rgb(background) * (1 - background.transmit);
+  }
+}
+
+void Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
+  PathBatch& batch = memory.levels.front().batch;
+  batch.entries.assign(batch.rays.size(), {.in_solid = camera_in_solid_});
+  for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
+  memory.colours.assign(batch.size(), Rgb(0));
+  memory.alphas.assign(batch.size(), 1);
+  memory.counts.camera += batch.size();
+  run_level(0, memory, observer);
+}
+
+void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const {
+  PathBatch& batch = memory.levels[level].batch;
+  batch.hits.assign(batch.size(), Hit{});
+  if (batch.size() != 0) tracer_.first_hits(batch.rays, batch.hits, memory.counters, batch.entries.front().kind);
+  if (!along_.empty()) {
+    AlongWork work{batch, memory.colours};
+    run(along_, work);
+  }
+  see_background(level, batch, memory);
+  shade_surfaces(level, memory, observer);
+  trace_shadows(memory);
+  trace_children(level, memory);
+}
+
+void Integrator::see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const {
+  memory.misses.clear();
+  for (std::uint32_t i = 0; i < batch.size(); ++i) {
+    if (batch.hits[i].is_miss()) memory.misses.push_back(i);
+  }
+  if (!miss_.empty()) {
+    MissWork work{batch,  memory.misses, background_, background_alpha_, memory.colours,
+                  level == 0 ? std::span<double>(memory.alphas) : std::span<double>()};
+    return run(miss_, work);
+  }
+  for (const std::uint32_t i : memory.misses) {
+    const PathEntry& path = batch.entries[i];
+    memory.colours[path.sample] += path.factor * background_;
+    // What fog hides of a transparent background is opaque.
+    if (level == 0 && background_alpha_ == 0) memory.alphas[path.sample] = along_.empty() ? 0 : 1 - gray(path.factor);
+  }
+}
+
+void Integrator::shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const {
+  PathMemory::Level& at = memory.levels[level];
+  at.children.clear();
+  memory.block.clear();
+  for (std::uint32_t i = 0; i < at.batch.size(); ++i) {
+    if (at.batch.hits[i].is_miss()) continue;
+    memory.block.paths.push_back(i);
+    if (memory.block.paths.size() < kBlockSize) continue;
+    fill_block(at.batch, memory, observer);
+    shade_block(level, memory);
+    memory.block.clear();
+  }
+  if (memory.block.paths.empty()) return;
+  fill_block(at.batch, memory, observer);
+  shade_block(level, memory);
+}
+
+void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const {
+  memory.textures.clear();
+  memory.texture_ends.clear();
+  for (const std::uint32_t i : memory.block.paths) {
+    const Ray& ray = batch.rays[i];
+    SurfacePoint& surface = memory.surface;
+    tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
+    const std::size_t first = memory.textures.size();
+    textures_.append(surface, memory.textures);
+    memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
+    ShadingPoint& point =
+        memory.block.points.emplace_back(surface.position, turned_to_viewer(surface.normal, ray.direction), ray.direction,
+                                         std::span<const LitTexture>());
+    if (observer == nullptr) continue;
+    point.textures = std::span(memory.textures).subspan(first);
+    observer->see(i, batch.hits[i], surface, point);
+  }
+  // Only now do the textures stay where they are.
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < memory.block.points.size(); ++i) {
+    memory.block.points[i].textures = std::span(memory.textures).subspan(begin, memory.texture_ends[i] - begin);
+    begin = memory.texture_ends[i];
+  }
+}
+
+void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
+  PathMemory::Level& at = memory.levels[level];
+  SurfaceWork own{at.batch, memory.block, memory.colours};
+  run(own_light_, own);
+  if (!diffuse_.empty() || !shine_.empty()) {
+    for (const scene::Light& light : database_.lights) {
+      light_block(at.batch, light, memory);
+      if (memory.shadows.size() >= kLongestShadowQueue) trace_shadows(memory);
+    }
+  }
+  if (spawn_.empty()) return;
+  SpawnWork work{at.batch, memory.block, at.children, memory.counts.ended};
+  memory.counts.spawned.resize(spawn_.size());
+  for (std::size_t i = 0; i < spawn_.size(); ++i) {
+    const std::size_t before = at.children.size();
+    spawn_[i]->run(work);
+    memory.counts.spawned[i] += at.children.size() - before;
+  }
+}
+
+void Integrator::light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const {
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < memory.block.points.size(); ++i) {
+    const ShadingPoint& point = memory.block.points[i];
+    const LightSample sample = sample_light(light, point.position);
+    const double incidence = point.normal.dot(sample.direction);
+    if (incidence > 0) memory.lit[count++] = {i, sample, incidence, Rgb(0)};
+  }
+  memory.shine.clear();
+  const std::span<LitPoint> lit_points = std::span(memory.lit).first(count);
+  LightWork work{memory.block, light, lit_points, memory.shine};
+  run(diffuse_, work);
+  if (!light.shadowless) run(shine_, work);
+  const Rgb light_colour = rgb(light.colour);
+  const bool is_shadowed = shadows_ && !light.shadowless;
+  auto shine = memory.shine.begin();
+  for (LitPoint& lit : lit_points) {
+    const ShadingPoint& point = memory.block.points[lit.point];
+    if (!memory.shine.empty()) {
+      for (const LitTexture& texture : point.textures) lit.colour += texture.let_through * (*shine++ * texture.weight);
+    }
+    const std::uint32_t at = memory.block.paths[lit.point];
+    const PathEntry& path = batch.entries[at];
+    const Rgb colour = path.factor * (lit.colour * light_colour);
+    if (colour == Rgb(0)) continue;
+    if (!is_shadowed) {
+      memory.colours[path.sample] += colour;
+      continue;
+    }
+    const Hit& hit = batch.hits[at];
+    memory.shadows.push(path.sample,
+                        {point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t, hit.start()},
+                        colour);
+  }
+}
+
+void Integrator::trace_shadows(PathMemory& memory) const {
+  memory.shadows.resolve(tracer_, memory.colours, memory.counters);
+  memory.counts.shadow += memory.shadows.size();
+  memory.shadows.clear();
+}
+
+void Integrator::trace_children(std::size_t level, PathMemory& memory) const {
+  if (memory.levels[level].children.size() == 0) return;
+  if (memory.levels.size() <= level + 1) memory.levels.emplace_back();
+  PathBatch& next = memory.levels[level + 1].batch;
+  memory.levels[level].children.for_each([&](const PathBatch& children) {
+    for (std::size_t first = 0; first < children.size(); first += kBatchSize) {
+      const std::size_t last = std::min(children.size(), first + kBatchSize);
+      next.clear();
+      for (std::size_t i = first; i < last; ++i) next.push(children.rays[i], children.entries[i]);
+      run_level(level + 1, memory, nullptr);
+    }
+  });
+}
+
+}  // namespace isl::render

@@ -1,0 +1,101 @@
+// Paths in batches: a batch of camera rays → hits → what lies along the rays and behind them → blocks of surface points, their own
+// light and that of the lights → shadow rays → rays that surfaces send on, a level deeper each time → colours of the samples. One
+// batch is one thread's work from beginning to end; its memory is kept for the next and stays in the cache.
+//
+// The integrator runs the stages of the effects in the plan (effects/stages.h) and knows none of them. It recurses over batches, at
+// most max_trace_level deep, and never over single rays.
+#pragma once
+
+#include "renderer/effects/plan.h"
+#include "renderer/paths/shadow_queue.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+/// Segments traced together: enough for full vectors, small enough that a thread's memory stays in its second-level cache.
+inline constexpr std::size_t kBatchSize = 1024;
+
+/// Points shaded together: their textures and what a light gives them fit the first-level cache.
+inline constexpr std::size_t kBlockSize = 64;
+
+/// Memory of one thread.
+struct PathMemory {
+  struct Level {
+    PathBatch batch;
+    ChildQueues children;
+  };
+  std::deque<Level> levels{1};  ///< 0 is the camera's; a deeper level stays where it is while others are made
+  std::vector<Rgb> colours;  ///< by sample, in the scene's working space
+  std::vector<double> alphas;
+  ShadowQueue shadows;
+  std::vector<std::uint32_t> misses;
+  SurfaceBlock block;
+  SurfacePoint surface;
+  std::vector<LitTexture> textures;  ///< of the block's points
+  std::vector<std::uint32_t> texture_ends;
+  std::array<LitPoint, kBlockSize> lit;
+  Shine shine;
+  PathCounts counts;
+  TraceCounters counters;
+
+  /// To be filled before each call of Integrator::trace.
+  [[nodiscard]] std::vector<Ray>& camera_rays() { return levels.front().batch.rays; }
+};
+
+/// Told what camera rays meet first, for layers: the point is null for a miss.
+class SurfaceObserver {
+ public:
+  virtual ~SurfaceObserver() = default;
+  /// Of the batch's camera ray number `ray`.
+  virtual void see(std::uint32_t ray, const Hit& hit, const SurfacePoint& surface, const ShadingPoint& point) = 0;
+};
+
+/// What all batches of a rendering share; immutable. Everything referred to must outlive it.
+class Integrator {
+ public:
+  Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background);
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+
+  /// Traces camera rays, memory.camera_rays(); memory.colours[i] and memory.alphas[i] are then what number i sees. `observer` may
+  /// be null.
+  void trace(PathMemory& memory, SurfaceObserver* observer) const;
+
+ private:
+  void run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
+  void see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const;
+  void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
+  void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
+  void shade_block(std::size_t level, PathMemory& memory) const;
+  void light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const;
+  void trace_shadows(PathMemory& memory) const;
+  void trace_children(std::size_t level, PathMemory& memory) const;
+
+  template <class Work>
+  using Stages = std::vector<std::unique_ptr<const Stage<Work>>>;
+  template <class Work>
+  static void run(const Stages<Work>& stages, Work& work) {
+    for (const auto& stage : stages) stage->run(work);
+  }
+
+  const scene::Database& database_;
+  const Tracer& tracer_;
+  PointTextures textures_;
+  Stages<AlongWork> along_;
+  Stages<MissWork> miss_;
+  Stages<SurfaceWork> own_light_;
+  Stages<LightWork> diffuse_, shine_;
+  Stages<SpawnWork> spawn_;
+  bool shadows_ = false;
+  Rgb background_{0};
+  double background_alpha_ = 1;
+  bool camera_in_solid_ = false;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,37 @@
+#include "renderer/integrator/sampler.h"
+
+namespace isl::render {
+namespace {
+
+/// Keeps what the centre samples of pixels see in the film's layers.
+class LayerKeeper final : public SurfaceObserver {
+ public:
+  LayerKeeper(std::span<const CameraSample> samples, const WorkingSpace& space, Film& film)
+      : samples_(samples), space_(space), film_(film) {}
+
+  void see(std::uint32_t ray, const Hit& hit, const SurfacePoint& surface, const ShadingPoint& point) override {
+    const CameraSample& sample = samples_[ray];
+    if (sample.is_centre) film_.set_surface(sample.pixel, {&hit, &surface, space_.to_linear(plain_colour(point))});
+  }
+
+ private:
+  std::span<const CameraSample> samples_;
+  const WorkingSpace& space_;
+  Film& film_;
+};
+
+}  // namespace
+
+void Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace) const {
+  PathMemory& paths = workspace.paths;
+  std::vector<Ray>& rays = paths.camera_rays();
+  rays.clear();
+  for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
+  LayerKeeper keeper(samples, working_space_, film_);
+  integrator_.trace(paths, film_.aovs().any_of_surface() ? &keeper : nullptr);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    film_.add_sample(samples[i].pixel, working_space_.to_linear(paths.colours[i]), paths.alphas[i]);
+  }
+}
+
+}  // namespace isl::render

@@ -1,0 +1,49 @@
+// Samples of pixels → camera rays → the film: the integrator's work on one batch, for one thread.
+#pragma once
+
+#include "renderer/image/camera.h"
+#include "renderer/image/film.h"
+#include "renderer/image/tiles.h"
+#include "renderer/image/transfer.h"
+#include "renderer/integrator/integrator.h"
+
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+/// One camera ray to trace: a raster position in pixels from the picture's top left corner, and where the result goes.
+struct CameraSample {
+  double x = 0, y = 0;
+  std::uint32_t pixel = 0;  ///< of the film
+  bool is_centre = false;   ///< the pixel's first sample, which fills the layers
+};
+
+/// Memory of one thread, and its counts. `pixels` and `samples` are for whoever makes the batches.
+struct Workspace {
+  std::vector<Pixel> pixels;
+  std::vector<CameraSample> samples;
+  PathMemory paths;
+};
+
+/// Immutable but for the film. Everything referred to must outlive it.
+class Sampler {
+ public:
+  Sampler(const scene::Database& database, const Tracer& tracer, const Plan& plan, const CameraRays& camera,
+          bool transparent_background, Film& film)
+      : integrator_(database, tracer, plan, transparent_background),
+        camera_(camera),
+        working_space_(database.settings),
+        film_(film) {}
+
+  /// Traces the samples and adds them to the film in their order. A pixel must not be in two threads' batches at a time.
+  void trace(std::span<const CameraSample> samples, Workspace& workspace) const;
+
+ private:
+  Integrator integrator_;
+  CameraRays camera_;
+  WorkingSpace working_space_;
+  Film& film_;
+};
+
+}  // namespace isl::render

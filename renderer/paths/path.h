@@ -1,0 +1,88 @@
+// Paths from the eye into the scene: rays that wait to be traced together, and what each path knows besides its ray. Rays stay
+// what the tracer needs; whatever an effect has to remember from one surface to the next stands in PathEntry.
+#pragma once
+
+#include "renderer/shading/material.h"
+#include "renderer/tracer.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+/// A segment of a path. Light is linear in what comes back along it, so every term adds factor × term to its sample.
+struct PathEntry {
+  Rgb factor{1};            ///< how much of what comes along the ray reaches the eye; in the scene's working space
+  double weight = 1;        ///< POV-Ray's estimate of that share: below adc_bailout a path ends
+  std::uint32_t sample = 0; ///< of the batch of camera samples: whose colour it adds to
+  std::uint16_t level = 1;  ///< segments of the path so far, this one included
+  RayKind kind = RayKind::image;
+  bool in_solid = false;    ///< the segment runs in something that is not `hollow`, which keeps fog out
+};
+
+/// Segments of one kind that are traced together; hits[i] is where rays[i] ends.
+struct PathBatch {
+  std::vector<Ray> rays;
+  std::vector<PathEntry> entries;
+  std::vector<Hit> hits;
+
+  [[nodiscard]] std::size_t size() const { return rays.size(); }
+  void clear() {
+    rays.clear();
+    entries.clear();
+    hits.clear();
+  }
+  void push(const Ray& ray, const PathEntry& entry) {
+    rays.push_back(ray);
+    entries.push_back(entry);
+  }
+};
+
+/// Segments that wait for the next level, apart by kind, so that each batch is of one.
+class ChildQueues {
+ public:
+  void push(const Ray& ray, const PathEntry& entry) { of(entry.kind).push(ray, entry); }
+  [[nodiscard]] std::size_t size() const { return image_.size() + reflection_.size(); }
+  void clear() {
+    image_.clear();
+    reflection_.clear();
+  }
+  /// Calls visit(batch) with the queue of each kind.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    visit(image_);
+    visit(reflection_);
+  }
+
+ private:
+  PathBatch& of(RayKind kind) { return kind == RayKind::reflection ? reflection_ : image_; }
+
+  PathBatch image_, reflection_;
+};
+
+/// Paths that a limit ended.
+struct EndedPaths {
+  std::uint64_t by_level = 0;   ///< max_trace_level
+  std::uint64_t by_weight = 0;  ///< adc_bailout
+};
+
+/// Rays traced, by what they were for.
+struct PathCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t shadow = 0;
+  std::vector<std::uint64_t> spawned;  ///< by effect of the plan that spawns rays, in the plan's order
+  EndedPaths ended;
+
+  PathCounts& operator+=(const PathCounts& other) {
+    camera += other.camera;
+    shadow += other.shadow;
+    spawned.resize(std::max(spawned.size(), other.spawned.size()));
+    for (std::size_t i = 0; i < other.spawned.size(); ++i) spawned[i] += other.spawned[i];
+    ended.by_level += other.ended.by_level;
+    ended.by_weight += other.ended.by_weight;
+    return *this;
+  }
+};
+
+}  // namespace isl::render

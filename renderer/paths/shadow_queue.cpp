@@ -1,0 +1,21 @@
+#include "renderer/paths/shadow_queue.h"
+
+namespace isl::render {
+
+void ShadowQueue::grow() {
+  constexpr std::size_t kFirst = 1024;
+  const std::size_t room = rays_.empty() ? kFirst : 2 * rays_.size();
+  rays_.resize(room);
+  lights_.resize(room);
+}
+
+void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, TraceCounters& counters) {
+  if (size_ == 0) return;
+  occluded_.resize(size_);
+  tracer.occlusions(std::span(rays_).first(size_), occluded_, counters);
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (occluded_[i] == 0) colours[lights_[i].sample] += lights_[i].colour;
+  }
+}
+
+}  // namespace isl::render

@@ -1,0 +1,47 @@
+// The queue of shadow rays: light that arrives unless something stands in its way. Filled block by block of surface points,
+// light by light, so that neighbours in the queue look the same way.
+#pragma once
+
+#include "renderer/paths/path.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+/// Memory is kept from batch to batch.
+class ShadowQueue {
+ public:
+  void clear() { size_ = 0; }
+
+  /// Light `colour` for a sample, if nothing lies on `ray`, which leads from a surface to the light.
+  void push(std::uint32_t sample, const Ray& ray, const Rgb& colour) {
+    if (size_ == rays_.size()) grow();
+    rays_[size_] = ray;
+    lights_[size_] = {colour, sample};
+    ++size_;
+  }
+
+  /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do
+  /// not depend on the order in which the tracer works.
+  void resolve(const Tracer& tracer, std::span<Rgb> colours, TraceCounters& counters);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  struct Light {
+    Rgb colour;
+    std::uint32_t sample;
+  };
+
+  void grow();
+
+  // Longer than what they hold, so that one check makes room in both.
+  std::vector<Ray> rays_;
+  std::vector<Light> lights_;
+  std::size_t size_ = 0;
+  std::vector<std::uint8_t> occluded_;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,27 @@
+#include "renderer/shading/metallic.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace isl::render::test {
+namespace {
+
+TEST(RightAngles, AreTheArcCosineToTheBoundOfTheFormula) {
+  for (int i = 0; i <= 10'000; ++i) {
+    const double x = i / 10'000.0;
+    EXPECT_NEAR(right_angles(x) * (std::numbers::pi / 2), std::acos(x), 2.2e-8) << x;
+  }
+}
+
+TEST(MetallicTint, IsTheColourHeadOnAndWhiteAtGrazingAngles) {
+  const Rgb colour(0.2, 0.4, 0.6);
+  EXPECT_NEAR(metallic_tint(1, 1, colour).x, 0.2, 1e-6);
+  EXPECT_NEAR(metallic_tint(1, 0, colour).x, 1, 1e-6);
+  EXPECT_NEAR(metallic_tint(0.5, 1, colour).z, 0.8, 1e-6);
+  EXPECT_EQ(metallic_tint(0, 0.3, colour), Rgb(1));
+}
+
+}  // namespace
+}  // namespace isl::render::test

@@ -1,0 +1,147 @@
+// Effects in whole pictures: what POV-Ray 3.7 shows in the middle of them (assumed_gamma 1, linear values, five digits), and
+// closed forms.
+#include "tests/renderer/integrator/rendered_text.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace isl::test {
+namespace {
+
+using render::Rgb;
+
+constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } ";
+/// Straight on, and at 60 degrees to the normal of z = 0, through the origin.
+constexpr const char* kStraight = "camera { location -5*z direction z right x up y } ";
+constexpr const char* kAt60 = "camera { location -5*<.8660254037844387, 0, .5> look_at 0 right x up y } ";
+constexpr const char* kBackground = "background { rgb <.8, .4, .2> } ";
+
+std::string plane(const char* finish, const char* colour = "<.2, .4, .6>") {
+  return fmt::format("plane {{ -z, 0 pigment {{ rgb {} }} finish {{ ambient 0 diffuse 0 {} }} }} ", colour, finish);
+}
+
+std::string light_at(double degrees) {
+  const double a = degrees * std::acos(-1.0) / 180;
+  return fmt::format("light_source {{ 1e6*<{}, 0, {}> rgb 1 }} ", std::sin(a), -std::cos(a));
+}
+
+void expect_middle(const std::string& scene, double red, double green, double blue, double tolerance = 2.5e-5) {
+  const Rgb colour = middle_of(rendered(kHead + scene).image);
+  EXPECT_NEAR(colour.x, red, tolerance) << scene;
+  EXPECT_NEAR(colour.y, green, tolerance) << scene;
+  EXPECT_NEAR(colour.z, blue, tolerance) << scene;
+}
+
+TEST(Metallic, highlights_are_povrays) {
+  expect_middle(kStraight + light_at(30) + plane("phong .9 phong_size 10"), .21358, .21358, .21358);
+  expect_middle(kStraight + light_at(30) + plane("phong .9 phong_size 10 metallic"), .04475, .08696, .12917);
+  expect_middle(kStraight + light_at(30) + plane("specular .9 roughness .1"), .63633, .63633, .63633);
+  expect_middle(kStraight + light_at(60) + plane("specular .9 roughness .1 metallic .5"), .13321, .15329, .17339);
+}
+
+TEST(Reflection, follows_the_angle_as_povrays_does) {
+  const std::string view = std::string(kAt60) + kBackground;
+  expect_middle(view + plane("reflection { .1, .9 }"), .4, .2, .1);
+  expect_middle(view + plane("reflection { .1, .9 falloff 3 }"), .16, .08, .04);
+  expect_middle(view + plane("reflection { .5 metallic }"), .09897, .08711, .06236);
+  expect_middle(view + plane("reflection rgb <1, .5, 0>"), .8, .2, 0);
+}
+
+TEST(Reflection, ends_at_max_trace_level) {
+  const auto mirrors = [](int level) {
+    return fmt::format(
+        "global_settings {{ max_trace_level {} }} camera {{ location 0 direction z right x up y }} "
+        "#default {{ pigment {{ rgb 1 }} finish {{ ambient .3 diffuse 0 reflection .5 }} }} plane {{ -z, -1 }} plane {{ z, -1 }} ",
+        level);
+  };
+  expect_middle(mirrors(1), .3, .3, .3);
+  expect_middle(mirrors(2), .45, .45, .45);
+  expect_middle(mirrors(3), .525, .525, .525);
+  expect_middle(mirrors(5), .58125, .58125, .58125);
+}
+
+TEST(Reflection, ends_below_adc_bailout) {
+  const std::string mirrors =
+      "camera { location 0 direction z right x up y } #default { pigment { rgb 1 } finish { ambient .3 diffuse 0 reflection .1 } } "
+      "plane { -z, -1 } plane { z, -1 } ";
+  expect_middle("global_settings { adc_bailout .05 max_trace_level 20 } " + mirrors, .33, .33, .33);
+  expect_middle("global_settings { adc_bailout .005 max_trace_level 20 } " + mirrors, .333, .333, .333);
+}
+
+TEST(Reflection, is_counted) {
+  const auto result = rendered(std::string(kHead) + kAt60 + kBackground + plane("reflection .5"), 4);
+  EXPECT_THAT(result.statistics.paths.spawned, testing::ElementsAre(16u));
+  render::RenderOptions without;
+  without.without = {"reflection"};
+  const auto left_out = rendered(std::string(kHead) + kAt60 + kBackground + plane("reflection .5"), 4, without);
+  EXPECT_THAT(left_out.statistics.paths.spawned, testing::IsEmpty());
+  EXPECT_EQ(middle_of(left_out.image), Rgb(0));
+}
+
+TEST(Fog, is_povrays) {
+  const auto wall = [](const char* fogs) {
+    return fmt::format("camera {{ location -10*z direction z right x up y }} {} plane {{ -z, 0 pigment {{ rgb <.2, .4, .6> }} "
+                       "finish {{ ambient 1 diffuse 0 }} }} ",
+                       fogs);
+  };
+  expect_middle(wall("fog { distance 10 rgb <1, .8, .6> }"), .7057, .65284, .6);
+  expect_middle(wall("fog { distance 10 rgbf <1, .8, .6, .5> }"), .7057, .63813, .55586);
+  expect_middle(wall("fog { distance 10 rgbft <1, .8, .6, .5, .5> }"), .6, .58, .54);
+  expect_middle(wall("fog { distance 10 rgb <1, .8, .6> } fog { distance 20 rgb <0, 1, 0> }"), .67675, .98842, .51315,
+                2e-3);
+}
+
+TEST(Fog, hides_the_background_and_stays_out_of_solids) {
+  const std::string fog = std::string(kStraight) + "background { rgb <0, 0, 1> } fog { distance 10 rgb <1, .5, 0> } ";
+  expect_middle(fog, 1, .5, 0);
+  expect_middle(fog + "sphere { -5*z, 1000 pigment { rgb .5 } finish { ambient 1 diffuse 0 } }", .5, .5, .5);
+  expect_middle(fog + "sphere { -5*z, 1000 pigment { rgb .5 } finish { ambient 1 diffuse 0 } hollow }", 1, .5, 0, 1e-4);
+}
+
+TEST(SkySphere, lays_its_pigments_over_the_background) {
+  const std::string sky =
+      "background { rgb <1, 0, 0> } sky_sphere { pigment { rgbt <0, 1, 0, .5> } pigment { rgbft <0, .4, 1, .25, .25> } } ";
+  expect_middle(kStraight + sky, .125, .375, .5);
+}
+
+TEST(SkySphere, before_version_3_7_dims_layers_without_colouring_them) {
+  const std::string view = std::string("#version 3.6; background { rgb <1, .5, .25> } ") + kStraight;
+  constexpr double kByte = 1.0 / 255;  // POV-Ray's values are of eight bits
+  expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbf <.4, .6, .8, .5> } }", .302, .502, .702, kByte);
+  expect_middle(view + "sky_sphere { pigment { rgbft <.4, .6, .8, .2, .1> } pigment { rgbft <.8, .6, .4, .3, .4> } }", .4941,
+                .5059, .5255, kByte);
+  expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbft <0, 0, 0, .2, .1> } "
+                       "pigment { rgbft <0, 0, 0, .3, .4> } }",
+                .0196, .0392, .0588, kByte);
+  expect_middle(view + "sky_sphere { pigment { rgbf <.4, .6, .8, .5> } }", .4, .451, .502, kByte);
+}
+
+TEST(SkySphere, is_looked_up_by_the_direction) {
+  const std::string sky = "sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } } } ";
+  expect_middle("camera { location <7, 8, 9> look_at <7, 8.5, 9.866025403784> right x up y } " + sky, .5, .5, .5);
+  // A mirror tilted by 15 degrees sends a ray along z up by 30.
+  expect_middle("camera { location 0 direction z right x up y } " + sky +
+                    "plane { <0, .25881904510252074, -.9659258262890683>, -2 finish { ambient 0 diffuse 0 reflection 1 } } ",
+                .5, .5, .5);
+}
+
+TEST(HiddenObjects, are_seen_by_the_rays_that_they_are_not_hidden_from) {
+  // A red ball before the mirror, and a green one behind the camera which the mirror shows.
+  const auto scene = [](const char* front, const char* back) {
+    return fmt::format(
+        "camera {{ location -5*z direction z right .01*x up .01*y }} #default {{ finish {{ ambient 1 diffuse 0 }} }} "
+        "plane {{ -z, 0 pigment {{ rgb 0 }} finish {{ reflection 1 }} }} sphere {{ -2*z, .5 pigment {{ rgb x }} {} }} "
+        "sphere {{ -9*z, .5 pigment {{ rgb y }} {} }} ",
+        front, back);
+  };
+  expect_middle(scene("", ""), 1, 0, 0);
+  expect_middle(scene("no_image", ""), 1, 0, 0);  // the mirror shows its back
+  expect_middle(scene("no_image no_reflection", ""), 0, 1, 0);
+  expect_middle(scene("no_image no_reflection", "no_image"), 0, 1, 0);
+  expect_middle(scene("no_image no_reflection", "no_reflection"), 0, 0, 0);
+}
+
+}  // namespace
+}  // namespace isl::test

@@ -1,0 +1,20 @@
+// What one light adds to a point where nothing is in between: the terms of shading/lighting.h put together as pictures do.
+#pragma once
+
+#include "renderer/shading/lighting.h"
+
+namespace isl::render::test {
+
+[[nodiscard]] inline Rgb lit_by(const scene::Light& light, const ShadingPoint& point) {
+  const LightSample sample = sample_light(light, point.position);
+  const double incidence = point.normal.dot(sample.direction);
+  if (!(incidence > 0)) return Rgb(0);
+  Rgb colour = diffuse_colour(point, incidence);
+  if (!light.shadowless) {
+    const HighlightAngles angle = highlight_angles(point, sample.direction);
+    for (const LitTexture& lit : point.textures) colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
+  }
+  return colour * rgb(light.colour);
+}
+
+}  // namespace isl::render::test
