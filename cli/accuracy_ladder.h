@@ -3,8 +3,8 @@
 
 #include "cli/options.h"
 #include "cli/solver_setting.h"
+#include "renderer/rays/tracer_options.h"
 #include "renderer/scene/database.h"
-#include "renderer/tracer.h"
 
 #include <vector>
 

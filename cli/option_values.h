@@ -2,7 +2,7 @@
 // out; knows nothing of which option asks, so that the same readers serve the command line and `global_settings`.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/rays/tracer_options.h"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/option_values.h"
-#include "renderer/tracer.h"
+#include "renderer/rays/tracer_options.h"
 
 #include <string>
 #include <string_view>

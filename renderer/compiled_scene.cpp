@@ -5,7 +5,7 @@
 #include "renderer/csg/shape_size.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/instance_grid.h"
-#include "renderer/tracer.h"
+#include "renderer/rays/ray.h"
 
 namespace isl::render {
 namespace {

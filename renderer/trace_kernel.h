@@ -5,9 +5,11 @@
 #include "renderer/csg/csg_search.h"
 #include "renderer/fields/lane_memory.h"
 #include "renderer/fields/packet_memory.h"
+#include "renderer/rays/ray.h"
+#include "renderer/rays/surface_point.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_memory.h"
-#include "renderer/tracer.h"
 
 #include <span>
 #include <vector>

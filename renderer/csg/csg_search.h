@@ -4,6 +4,7 @@
 #include "renderer/compiled_scene.h"
 #include "renderer/csg/csg_state.h"
 #include "renderer/csg/ray_faces.h"
+#include "renderer/rays/ray.h"
 #include "renderer/solvers/blob_ray.h"
 
 #include <cstdint>

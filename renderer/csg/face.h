@@ -12,7 +12,7 @@
 #pragma once
 
 #include "renderer/compiled_scene.h"
-#include "renderer/tracer.h"
+#include "renderer/rays/ray.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "renderer/csg/face.h"
+#include "renderer/rays/ray.h"
 #include "renderer/solids/solid.h"
 
 #include <vector>

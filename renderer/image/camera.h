@@ -2,8 +2,8 @@
 // edge, so its centre is at x + ½, y + ½; image coordinates are u = x/width − ½ to the right and v = ½ − y/height up.
 #pragma once
 
+#include "renderer/rays/ray.h"
 #include "renderer/scene/database.h"
-#include "renderer/tracer.h"
 
 #include <algorithm>
 

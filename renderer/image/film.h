@@ -3,8 +3,9 @@
 #pragma once
 
 #include "renderer/image/image.h"
+#include "renderer/rays/ray.h"
+#include "renderer/rays/surface_point.h"
 #include "renderer/shading/material.h"
-#include "renderer/tracer.h"
 
 #include <array>
 

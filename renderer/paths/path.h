@@ -2,8 +2,8 @@
 // what the tracer needs; whatever an effect has to remember from one surface to the next stands in PathEntry.
 #pragma once
 
+#include "renderer/rays/ray.h"
 #include "renderer/shading/material.h"
-#include "renderer/tracer.h"
 
 #include <algorithm>
 #include <cstdint>

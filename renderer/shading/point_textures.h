@@ -4,10 +4,10 @@
 
 #include "renderer/patterns/patterns.h"
 #include "renderer/queries/pattern_insides.h"
+#include "renderer/rays/surface_point.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/shading/material.h"
 #include "renderer/surface_coordinates.h"
-#include "renderer/tracer.h"
 
 #include <vector>
 

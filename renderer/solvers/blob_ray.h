@@ -2,9 +2,9 @@
 // scene around it. Everything is in the blob's space; t means the same as in the world, the direction need not be normalised.
 #pragma once
 
+#include "renderer/rays/tracer_options.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
-#include "renderer/tracer.h"
 
 #include <cstdint>
 #include <limits>

@@ -12,6 +12,7 @@
 
 #include "renderer/compiled_scene.h"
 #include "renderer/grid/grid_walk-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/hermite-inl.h"
 #include "renderer/solvers/maximum-inl.h"

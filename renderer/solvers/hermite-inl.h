@@ -29,6 +29,7 @@
 #endif
 
 #include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/cubic.h"
 

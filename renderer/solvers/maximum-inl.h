@@ -13,6 +13,7 @@
 #endif
 
 #include "renderer/compiled_scene.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/hermite-inl.h"
 
 #include <algorithm>

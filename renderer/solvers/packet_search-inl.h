@@ -10,6 +10,7 @@
 
 #include "renderer/compiled_scene.h"
 #include "renderer/grid/packet_walk-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cell_search-inl.h"
 #include "renderer/solvers/packet_solver-inl.h"
 #include "renderer/trace_kernel.h"

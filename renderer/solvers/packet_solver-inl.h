@@ -11,8 +11,8 @@
 #endif
 
 #include "renderer/fields/packet_lanes-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/hermite-inl.h"
-#include "renderer/tracer.h"
 
 #include <cstdint>
 

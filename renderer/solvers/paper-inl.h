@@ -17,6 +17,7 @@
 
 #include "renderer/compiled_scene.h"
 #include "renderer/grid/grid_walk-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_fields-inl.h"
 #include "renderer/solvers/paper_memory.h"

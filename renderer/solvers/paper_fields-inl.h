@@ -13,6 +13,7 @@
 
 #include "renderer/compiled_scene.h"
 #include "renderer/fields/kernels/kernels-inl.h"
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_memory.h"
 #include "renderer/solvers/paper_support.h"

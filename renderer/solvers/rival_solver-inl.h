@@ -16,6 +16,7 @@
 #define ISL_RENDERER_SOLVERS_RIVAL_SOLVER_INL_H_
 #endif
 
+#include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/hermite-inl.h"
 
 #include <algorithm>

@@ -1,0 +1,38 @@
+// A hit as shading sees it: position, normal, and the textures with their shares.
+#pragma once
+
+#include "renderer/scene/ids.h"
+#include "renderer/scene/objects.h"
+#include "renderer/scene/transform.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+using scene::Vec3;
+
+/// Where on a shape a point is: what its coordinates (u, v) follow from.
+struct SurfacePlace {
+  scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
+  std::uint32_t shape = scene::kNone;                     ///< index into the database's solids or blobs
+  std::uint32_t component = 0;                            ///< of a blob: index into its components
+  Vec3 point{0};                                          ///< in the shape's space
+};
+
+/// A texture and its share of the material at a point; the shares of a point add up to one. The components of a blob
+/// that have a texture in common share it, unless it asks where on each component the point is.
+struct TextureShare {
+  scene::TextureId texture;
+  double weight;
+  Vec3 place{0};  ///< the point, in the space that the texture lives in
+  SurfacePlace surface{};
+};
+
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 normal;                         ///< outward, unit length, in world space
+  std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point
+};
+
+}  // namespace isl::render

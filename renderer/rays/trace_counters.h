@@ -1,0 +1,24 @@
+// Counters of the work that tracing did.
+#pragma once
+
+#include <cstdint>
+
+namespace isl::render {
+
+/// Work done, for --stats. Merged over threads; sums do not depend on their order.
+struct TraceCounters {
+  std::uint64_t field_evaluations = 0;
+  std::uint64_t uncertified_steps = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t shading_evaluations = 0;  ///< of fields at points found, for normals and textures
+
+  TraceCounters& operator+=(const TraceCounters& other) {
+    field_evaluations += other.field_evaluations;
+    uncertified_steps += other.uncertified_steps;
+    cells += other.cells;
+    shading_evaluations += other.shading_evaluations;
+    return *this;
+  }
+};
+
+}  // namespace isl::render
