@@ -1,8 +1,8 @@
 #include "renderer/compiled_scene.h"
 
 #include "renderer/csg/csg_builder.h"
-#include "renderer/csg/face.h"
 #include "renderer/csg/shape_size.h"
+#include "renderer/csg/spread.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/instance_grid.h"
 #include "renderer/rays/ray.h"

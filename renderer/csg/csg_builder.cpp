@@ -1,7 +1,7 @@
 #include "renderer/csg/csg_builder.h"
 
-#include "renderer/csg/face.h"
 #include "renderer/csg/shape_size.h"
+#include "renderer/csg/spread.h"
 #include "renderer/extents/solid_support.h"
 #include "renderer/solids/solid.h"
 

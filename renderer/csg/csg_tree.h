@@ -6,6 +6,7 @@
 // intersection is a merge of inverses.
 #pragma once
 
+#include "renderer/csg/spread.h"
 #include "renderer/scene/database.h"
 
 #include <ImathBox.h>
@@ -19,14 +20,6 @@ namespace isl::render {
 /// world, or the tree's group), all else the number of a space that a group in between handed down with the texture.
 using TextureSpace = std::uint32_t;
 inline constexpr TextureSpace kOwnSpace = 0xFFFFFFFF, kOuterSpace = 0xFFFFFFFE;
-
-/// No face of a shape is rounded by more than kRounding (csg/face.h) times at(the largest coordinate of a point's
-/// reach).
-struct Spread {
-  double factor = 1, size = 0;
-
-  [[nodiscard]] double at(double reach) const { return factor * reach + size; }
-};
 
 struct CsgNode {
   /// `unite` differs from `merge` by the surfaces inside, which stay.

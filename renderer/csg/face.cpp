@@ -9,16 +9,6 @@ namespace {
 using scene::Object;
 
 Vec3 absolute(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// Frobenius norm of the linear part: no vector is stretched by more.
-double norm(const scene::Matrix& m) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) sum += m[i][j] * m[i][j];
-  }
-  return std::sqrt(sum);
-}
 
 struct Shape {
   Object::Kind kind;
@@ -55,7 +45,7 @@ Face face_of_shape(const CompiledScene& scene, const Shape& shape, const Surface
 Face outwards(const Face& face, const scene::Transform& outer_from_inner) {
   const Vec3 normal = outer_from_inner.normal(face.normal);
   const double length = normal.length();
-  if (!(length > 0)) return {Vec3(0), face.rounding * norm(outer_from_inner.matrix)};
+  if (!(length > 0)) return {Vec3(0), face.rounding * frobenius_norm(outer_from_inner.matrix)};
   return {normal / length, face.rounding / length};
 }
 
@@ -91,16 +81,6 @@ Face face_of(const CompiledScene& scene, const Hit& hit, const Vec3& point, cons
           ? face_of(scene, scene.trees[instance.shape].leaves[hit.leaf], piece, local, local_reach, gradient)
           : face_of_shape(scene, {instance.kind, instance.shape, instance.size}, piece, local, local_reach, gradient);
   return instance.is_placed ? outwards(face, map) : face;
-}
-
-/// |n|·e ≤ √3 (largest reach + size) for every normal.
-Spread spread_of_shape(double size) { return {std::sqrt(3.0), std::sqrt(3.0) * size}; }
-
-Spread spread_through(const scene::Transform& map, const Spread& inner) {
-  const Vec3 offset(map.inverse[3][0], map.inverse[3][1], map.inverse[3][2]);
-  // No coordinate of a vector is stretched by more than √3 norm; distances come back multiplied by at most the norm.
-  const double in = std::sqrt(3.0) * norm(map.inverse), out = norm(map.matrix);
-  return {out * inner.factor * in, out * inner.at(largest(offset))};
 }
 
 }  // namespace isl::render

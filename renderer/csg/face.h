@@ -12,18 +12,13 @@
 #pragma once
 
 #include "renderer/compiled_scene.h"
+#include "renderer/csg/spread.h"
 #include "renderer/rays/ray.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace isl::render {
-
-inline constexpr double kRounding = 0x1p-47;
-/// Where a ray meets a surface under a smaller angle, no surface that bends is known any better: quotients end here.
-inline constexpr double kGrazing = 0x1p-24;
-/// Crossings of two faces that lie within their rounding are no farther apart than this times Spread::at().
-inline constexpr double kNear = kRounding / kGrazing;
 
 struct Face {
   Vec3 normal{0};       ///< unit length; zero where it is not known
@@ -68,10 +63,5 @@ struct SurfacePiece {
 /// Where a ray hits an instance, or the part of the surface that it hits at another point; in the world.
 [[nodiscard]] Face face_of(const CompiledScene& scene, const Hit& hit, const Vec3& point, const Vec3& reach,
                            const BlobGradient& gradient);
-
-/// The spread of a shape whose numbers are of that size.
-[[nodiscard]] Spread spread_of_shape(double size);
-/// The same shape's around its place.
-[[nodiscard]] Spread spread_through(const scene::Transform& outer_from_inner, const Spread& inner);
 
 }  // namespace isl::render

@@ -1,0 +1,34 @@
+#include "renderer/csg/spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::render {
+
+using scene::Vec3;
+
+namespace {
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+double frobenius_norm(const scene::Matrix& m) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) sum += m[i][j] * m[i][j];
+  }
+  return std::sqrt(sum);
+}
+
+/// |n|·e ≤ √3 (largest reach + size) for every normal.
+Spread spread_of_shape(double size) { return {std::sqrt(3.0), std::sqrt(3.0) * size}; }
+
+Spread spread_through(const scene::Transform& map, const Spread& inner) {
+  const Vec3 offset(map.inverse[3][0], map.inverse[3][1], map.inverse[3][2]);
+  // No coordinate of a vector is stretched by more than √3 norm; distances come back multiplied by at most the norm.
+  const double in = std::sqrt(3.0) * frobenius_norm(map.inverse), out = frobenius_norm(map.matrix);
+  return {out * inner.factor * in, out * inner.at(largest(offset))};
+}
+
+}  // namespace isl::render
