@@ -5,8 +5,8 @@
 #include "renderer/csg/csg_search.h"
 #include "renderer/fields/lane_memory.h"
 #include "renderer/fields/packet_memory.h"
+#include "renderer/fields/point/blob_point.h"
 #include "renderer/rays/ray.h"
-#include "renderer/rays/surface_point.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
 #include "renderer/solvers/paper_memory.h"
@@ -15,24 +15,6 @@
 #include <vector>
 
 namespace isl::render {
-
-/// Weighted textures and the gradient of a blob at a point: what shading needs.
-struct BlobPoint {
-  Vec3 gradient{0};  ///< of F, in the blob's space
-  /// |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own. Of each place the component is set.
-  std::vector<TextureShare> shares;
-  std::uint64_t evaluations = 0;  ///< of fields, for this point
-};
-
-/// Which components of a blob may share their texture: not those that look it up in places of their own.
-struct ShareRule {
-  const scene::CoordinateTextures* coordinate_textures;
-  scene::TextureId other;  ///< what kNoTexture stands for
-
-  [[nodiscard]] bool may_share(scene::TextureId texture) const {
-    return !coordinate_textures->has(texture == scene::kNoTexture ? other : texture);
-  }
-};
 
 /// What a thread reuses from ray to ray.
 struct TraceMemory {

@@ -1,0 +1,153 @@
+// Sums of fields at a point: the value, the gradient, and each texture's share.
+// ∇f = A φ′(v) ∇v with ∇v = 2 scale (p − c)/r(u)², c the nearest sphere's centre (the envelope theorem again); a
+// component of its own space has its gradient brought back by the inverse transpose.
+#if defined(ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
+#undef ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
+#endif
+
+#include "renderer/fields/component_table.h"
+#include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/kernels/kernels-inl.h"
+#include "renderer/fields/point/blob_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// v and half its gradient for up to eight components.
+struct PointLanes {
+  alignas(64) double v[kOctet], gx[kOctet], gy[kOctet], gz[kOctet], amplitude[kOctet];
+};
+
+inline void set_point_lane(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& point,
+                           PointLanes& lanes, std::uint32_t lane) {
+  const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
+  const Vec3 p = map ? map->inverse_point(point) : point;
+  const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
+  const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
+  lanes.v[lane] = half_gradient.dot(foot.offset);
+  const Vec3 gradient = map ? map->normal(half_gradient) : half_gradient;
+  lanes.gx[lane] = gradient.x;
+  lanes.gy[lane] = gradient.y;
+  lanes.gz[lane] = gradient.z;
+  lanes.amplitude[lane] = table.amplitude[item];
+}
+
+/// A sum of fields and its gradient.
+struct PointSums {
+  Octet value, gx, gy, gz;
+};
+
+/// The shares of a point, as they are added up.
+class ShareSums {
+ public:
+  ShareSums(const ShareRule& rule, std::vector<TextureShare>& shares) : rule_(rule), shares_(shares) {}
+
+  void clear() { shares_.clear(); }
+  void add(const ComponentTable& table, std::uint32_t item, double weight) {
+    const scene::TextureId texture = table.texture[item];
+    const auto has_texture = [&](const TextureShare& s) { return s.texture == texture; };
+    const auto share =
+        rule_.may_share(texture) ? std::find_if(shares_.begin(), shares_.end(), has_texture) : shares_.end();
+    if (share != shares_.end()) {
+      share->weight += weight;
+    } else {
+      shares_.push_back({texture, weight});
+      shares_.back().surface.component = table.source[item];
+    }
+  }
+
+ private:
+  const ShareRule& rule_;
+  std::vector<TextureShare>& shares_;
+};
+
+/// Convolved curves, whose gradient is no function of the nearest point.
+inline void add_point_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
+                             std::uint32_t count, const Vec3& point, PointSums& sums, ShareSums& shares) {
+  for (std::uint32_t i = 0; i < count; i += kOctet) {
+    alignas(64) double value[kOctet] = {}, gx[kOctet] = {}, gy[kOctet] = {}, gz[kOctet] = {};
+    for (std::uint32_t j = 0; j < std::min<std::uint32_t>(kOctet, count - i); ++j) {
+      const std::uint32_t item = items[i + j];
+      const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
+      const Vec3 p = map ? map->inverse_point(point) : point;
+      const CurveSample f = table.with_skeleton(
+          group, item, [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+      if (f.value == 0) continue;
+      value[j] = table.amplitude[item] * f.value;
+      const Vec3 gradient = (map ? map->normal(f.gradient) : f.gradient) * table.amplitude[item];
+      gx[j] = gradient.x;
+      gy[j] = gradient.y;
+      gz[j] = gradient.z;
+      shares.add(table, item, std::abs(value[j]));
+    }
+    sums.value = sums.value + load(value);
+    sums.gx = sums.gx + load(gx);
+    sums.gy = sums.gy + load(gy);
+    sums.gz = sums.gz + load(gz);
+  }
+}
+
+template <class Kernel>
+void add_point_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
+                     const std::uint32_t* items, std::uint32_t count, const Vec3& point, PointSums& sums,
+                     ShareSums& shares) {
+  for (std::uint32_t i = 0; i < count; i += kOctet) {
+    const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
+    PointLanes lanes;
+    for (std::uint32_t j = 0; j < kOctet; ++j)
+      set_point_lane(table, group, items[i + std::min(j, n - 1)], point, lanes, j);
+    for (std::uint32_t j = n; j < kOctet; ++j) lanes.v[j] = 2 * group.kernel.support;
+    const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
+    const OctetMask active = v < kernel.support();
+    const KernelValue phi = kernel.value_and_slope(v);
+    const Octet value = keep(active, amplitude * phi.value);
+    const Octet slope = keep(active, Octet(2.0) * amplitude * phi.slope);
+    sums.value = sums.value + value;
+    sums.gx = sums.gx + slope * load(lanes.gx);
+    sums.gy = sums.gy + slope * load(lanes.gy);
+    sums.gz = sums.gz + slope * load(lanes.gz);
+    alignas(64) double weights[kOctet];
+    store(abs(value), weights);
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (weights[j] != 0) shares.add(table, items[i + j], weights[j]);
+    }
+  }
+}
+
+/// `items` ascend.
+inline PointSums point_sums(const ComponentTable& table, std::span<const std::uint32_t> items, const Vec3& point,
+                            ShareSums& shares) {
+  PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
+  shares.clear();
+  const auto count = static_cast<std::uint32_t>(items.size());
+  for (std::uint32_t next = 0; next < count;) {
+    const FieldGroup& group = table.group_of(items[next]);
+    std::uint32_t last = next;
+    while (last < count && items[last] < group.end) ++last;
+    if (group.kernel.is_convolved) {
+      add_point_curves(table, group, items.data() + next, last - next, point, sums, shares);
+    } else {
+      with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+        add_point_group(kernel, table, group, items.data() + next, last - next, point, sums, shares);
+      });
+    }
+    next = last;
+  }
+  return sums;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
