@@ -11,10 +11,11 @@
 #endif
 
 #include "renderer/compiled_scene.h"
+#include "renderer/fields/ray_lanes-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
-#include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/cells/node-inl.h"
 #include "renderer/solvers/maximum-inl.h"
 
 #include <algorithm>

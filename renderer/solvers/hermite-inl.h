@@ -31,6 +31,7 @@
 #include "renderer/fields/ray_lanes-inl.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/blob_ray.h"
+#include "renderer/solvers/cells/node-inl.h"
 #include "renderer/solvers/cubic.h"
 
 #include <algorithm>
@@ -40,18 +41,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
-
-/// A place on the ray with the field there, seen from the side that the ray is on: value < 0 until the ray crosses.
-struct Node {
-  double t, value, slope;
-  double noise, slope_noise;  ///< how far rounding may have moved them
-};
-
-/// Lengths of intervals that are not halved any more, in units of t.
-struct Shortest {
-  double by_rounding;   ///< a pair of roots closer than this encloses a depth below the rounding of F
-  double by_tolerance;  ///< what nobody asked to tell apart; no less than by_rounding
-};
 
 class HermiteSolver {
  public:

@@ -13,8 +13,10 @@
 #endif
 
 #include "renderer/compiled_scene.h"
+#include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/grid/grid.h"
 #include "renderer/rays/trace_counters.h"
-#include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/cells/node-inl.h"
 
 #include <algorithm>
 #include <optional>

@@ -12,8 +12,8 @@
 #include "renderer/grid/packet_walk-inl.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cell_search-inl.h"
+#include "renderer/solvers/hermite-inl.h"
 #include "renderer/solvers/packet_solver-inl.h"
-#include "renderer/trace_kernel.h"
 
 #include <bit>
 #include <optional>
@@ -27,8 +27,9 @@ class PacketSearch {
   /// Whether rays can be searched together in this blob.
   [[nodiscard]] static bool takes(const CompiledBlob& blob) { return blob.grid.beyond == scene::kNone; }
 
-  PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory, TraceCounters& counters)
-      : blob_(blob), settings_(settings), memory_(memory), counters_(counters), fields_(memory.packet) {}
+  PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& lanes, PacketMemory& packet,
+               TraceCounters& counters)
+      : blob_(blob), settings_(settings), lanes_(lanes), counters_(counters), fields_(packet) {}
 
   /// hits[i] of rays[i] where bit i of `in_use` is set. The rays must stay where they are.
   void first_hits(const BlobRay* rays, std::uint32_t in_use, BlobHit* hits) {
@@ -53,7 +54,7 @@ class PacketSearch {
 
   /// Whether the ray meets the grid's box.
   bool begin(std::size_t lane, const BlobRay& ray) {
-    searches_[lane].emplace(blob_, settings_, memory_.lanes, counters_);
+    searches_[lane].emplace(blob_, settings_, lanes_, counters_);
     Search& search = *searches_[lane];
     const BoxSpan span = search.begin(ray);
     if (!(span.enter < span.leave)) return false;
@@ -115,7 +116,7 @@ class PacketSearch {
 
   const CompiledBlob& blob_;
   const SolverSettings& settings_;
-  TraceMemory& memory_;
+  LaneMemory& lanes_;
   TraceCounters& counters_;
   PacketLanes fields_;
 

@@ -16,8 +16,10 @@
 #define ISL_RENDERER_SOLVERS_RIVAL_SOLVER_INL_H_
 #endif
 
+#include "renderer/fields/ray_lanes-inl.h"
 #include "renderer/rays/trace_counters.h"
-#include "renderer/solvers/hermite-inl.h"
+#include "renderer/solvers/blob_ray.h"
+#include "renderer/solvers/cells/node-inl.h"
 
 #include <algorithm>
 #include <cmath>
