@@ -5,7 +5,7 @@
 #include "cli/report.h"
 #include "grammar/dump.h"
 #include "renderer/scene/dump_json.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -16,7 +16,7 @@
 #include "renderer/accuracy/measured_layers.h"
 #include "renderer/image/layer_picture.h"
 #include "renderer/render.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

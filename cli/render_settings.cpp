@@ -1,6 +1,6 @@
 #include "cli/render_settings.h"
 
-#include "renderer/image/camera.h"
+#include "renderer/film/camera.h"
 #include "renderer/scene/default_camera.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "cli/options.h"
 #include "renderer/render.h"
 #include "renderer/scene/database.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <string>
 

@@ -5,9 +5,9 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
-#include "renderer/image/adaptive.h"
-#include "renderer/image/progress.h"
-#include "renderer/image/sample_pattern.h"
+#include "renderer/film/adaptive.h"
+#include "renderer/film/progress.h"
+#include "renderer/film/sample_pattern.h"
 #include "renderer/scene/default_camera.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "renderer/effects/plan.h"
+#include "renderer/film/tiles.h"
 #include "renderer/image/image.h"
-#include "renderer/image/tiles.h"
 #include "renderer/integrator/sampler.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <atomic>
 #include <functional>

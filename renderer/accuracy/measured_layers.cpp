@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "renderer/accuracy/ray_errors.h"
-#include "renderer/image/camera.h"
+#include "renderer/film/camera.h"
 #include "renderer/scene/default_camera.h"
 
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include "base/parallel.h"
 #include "renderer/accuracy/ray_measures.h"
-#include "renderer/image/progress.h"
+#include "renderer/film/progress.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,8 +2,8 @@
 
 #include "base/check.h"
 #include "renderer/accuracy/ray_blocks.h"
-#include "renderer/image/camera.h"
-#include "renderer/image/tiles.h"
+#include "renderer/film/camera.h"
+#include "renderer/film/tiles.h"
 
 #include <array>
 #include <chrono>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/scene/camera.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <atomic>
 #include <cstdint>

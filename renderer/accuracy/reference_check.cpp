@@ -1,7 +1,7 @@
 #include "renderer/accuracy/reference_check.h"
 
 #include "base/parallel.h"
-#include "renderer/compiled_scene.h"
+#include "renderer/compiled/compiled_scene.h"
 #include "renderer/grid/field_classifier.h"
 
 #include <algorithm>

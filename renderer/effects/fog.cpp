@@ -2,7 +2,7 @@
 // transmit; the rest is the fog's colour. What gets through is tinted by the colour as far as its filter says. Several fogs
 // attenuate one after the other, and their colours add up, as in POV-Ray. Inside of what is not `hollow` there is no fog.
 #include "renderer/effects/effect.h"
-#include "renderer/shading/power.h"
+#include "renderer/numerics/power.h"
 
 #include <algorithm>
 #include <cmath>

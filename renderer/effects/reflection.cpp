@@ -5,8 +5,8 @@
 //
 // All layers and textures of a point mirror in the same direction, so their reflectivities add up to one ray.
 #include "renderer/effects/effect.h"
+#include "renderer/numerics/power.h"
 #include "renderer/shading/metallic.h"
-#include "renderer/shading/power.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "renderer/paths/path.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/point_textures.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <memory>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/scene/database.h"
-#include "renderer/surface_coordinates.h"
+#include "renderer/solids/surface_coordinates.h"
 
 #include <cstdint>
 

@@ -1,7 +1,8 @@
-// The sparse nested grid: where on a ray there is anything to solve. A brick of 4×4×4 cubic cells, any of which may be a brick of
-// smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is classified
-// when the grid is built (grid/blob_grid.cpp for fields, grid/instance_grid.cpp for placed things), and a cell's list is
-// complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as Amanatides and Woo 1987.
+// The sparse nested grid: where on a ray there is anything to solve. A brick of 4×4×4 cubic cells, any of which may be
+// a brick of smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is
+// classified when the grid is built (grid/blob_grid.cpp for fields, compiled/instance_grid.cpp for placed things), and
+// a cell's list is complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as
+// Amanatides and Woo 1987.
 #pragma once
 
 #include "renderer/scene/ids.h"

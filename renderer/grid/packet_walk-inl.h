@@ -14,9 +14,9 @@
 #define ISL_RENDERER_GRID_PACKET_WALK_INL_H_
 #endif
 
-#include "renderer/fields/octet-inl.h"
-#include "renderer/fields/ray_packet.h"
+#include "renderer/fields/packet/ray_packet.h"
 #include "renderer/grid/grid.h"
+#include "renderer/simd/octet-inl.h"
 
 #include <bit>
 #include <cstdint>

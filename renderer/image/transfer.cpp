@@ -1,6 +1,6 @@
 #include "renderer/image/transfer.h"
 
-#include "renderer/shading/power.h"
+#include "renderer/numerics/power.h"
 
 #include <algorithm>
 #include <cmath>

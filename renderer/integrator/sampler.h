@@ -1,9 +1,9 @@
 // Samples of pixels → camera rays → the film: the integrator's work on one batch, for one thread.
 #pragma once
 
-#include "renderer/image/camera.h"
-#include "renderer/image/film.h"
-#include "renderer/image/tiles.h"
+#include "renderer/film/camera.h"
+#include "renderer/film/film.h"
+#include "renderer/film/tiles.h"
 #include "renderer/image/transfer.h"
 #include "renderer/integrator/integrator.h"
 

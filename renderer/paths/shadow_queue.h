@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/paths/path.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <cstddef>
 #include <span>

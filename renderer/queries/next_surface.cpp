@@ -1,6 +1,6 @@
 #include "renderer/queries/next_surface.h"
 
-#include "renderer/csg/face.h"
+#include "renderer/trace/face.h"
 
 #include <span>
 

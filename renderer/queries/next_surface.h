@@ -1,7 +1,7 @@
 // The next surface of an object behind a point that may itself lie on it: what `trace` answers.
 //
 // A point that `trace` gave lies on a surface but for rounding, and a ray from there may cross that surface at once.
-// Where it lies is known no better than the face's rounding (csg/face.h), computed from the coordinates of the point
+// Where it lies is known no better than the face's rounding (trace/face.h), computed from the coordinates of the point
 // and of the object alone: a ray that comes from far away is taken up again near what it hits, so that the way it came
 // does not count.
 //   - A surface that lies no farther than 4 roundings from the start is the start itself, and is passed: the walk goes
@@ -17,7 +17,7 @@
 // rounding at a distance of up to two sizes of its coordinates. Sixteen leaves as much again between the two rules.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <optional>
 

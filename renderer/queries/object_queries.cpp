@@ -3,7 +3,7 @@
 #include "renderer/queries/inside.h"
 #include "renderer/queries/next_surface.h"
 #include "renderer/queries/subset.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 
 namespace isl::render {
 

@@ -1,7 +1,7 @@
 // Solver names, tolerances, and all other options of a tracer.
 #pragma once
 
-#include "renderer/solvers/paper_switches.h"
+#include "renderer/rays/paper_switches.h"
 
 #include <cstdint>
 #include <string>
@@ -25,7 +25,7 @@ enum class SolverName : std::uint8_t {
 /// Whether it is the published solver or one of its kin, which has its switches.
 [[nodiscard]] inline bool is_published(SolverName name) { return name == SolverName::paper || name == SolverName::iso; }
 
-/// Whether it is another way of finding a root in a cell, for comparison (solvers/rival_solver-inl.h).
+/// Whether it is another way of finding a root in a cell, for comparison (solvers/baselines/rival_solver-inl.h).
 [[nodiscard]] inline bool is_rival(SolverName name) { return name >= SolverName::interval; }
 
 /// A length along the ray: in pixels of the ray's own footprint, or in scene units.

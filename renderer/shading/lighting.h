@@ -14,8 +14,8 @@
 //     shares below its adc_bailout, 1/255, without making up for them; here they count, so that colours have no steps.
 #pragma once
 
+#include "renderer/numerics/power.h"
 #include "renderer/shading/material.h"
-#include "renderer/shading/power.h"
 
 #include <span>
 

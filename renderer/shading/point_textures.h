@@ -7,7 +7,7 @@
 #include "renderer/rays/surface_point.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/shading/material.h"
-#include "renderer/surface_coordinates.h"
+#include "renderer/solids/surface_coordinates.h"
 
 #include <vector>
 

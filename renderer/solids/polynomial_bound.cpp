@@ -7,7 +7,7 @@
 // has no such c, and an even one the same values on opposite faces.
 #include "renderer/solids/polynomial_bound.h"
 
-#include "renderer/solids/bernstein.h"
+#include "renderer/numerics/bernstein.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/scene/solids.h"
-#include "renderer/surface_coordinates.h"
+#include "renderer/solids/surface_coordinates.h"
 
 namespace isl::render {
 

@@ -12,7 +12,7 @@
 // there is no other root, and its slope tells the side.
 #pragma once
 
-#include "renderer/solids/sign_bracket.h"
+#include "renderer/numerics/sign_bracket.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 //
 // With m the larger and k the smaller of |x|, |y|, ρ = (k/m)ᵖ: r = m (1 + ρ)^(1/p), which neither overflows nor
 // vanishes for any p, and ∂r/∂m = (r/m)/(1 + ρ), ∂r/∂k = (r/k) ρ/(1 + ρ).
-#include "renderer/shading/power.h"
+#include "renderer/numerics/power.h"
 #include "renderer/solids/kinds.h"
 #include "renderer/solids/split_search.h"
 

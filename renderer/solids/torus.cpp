@@ -11,8 +11,8 @@
 // For r > R (a spindle) f is also zero on the lemon within, which bounds nothing, and touches zero where the axis meets
 // the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
 // and a norm), goes to split_search.h.
+#include "renderer/numerics/polynomial_roots.h"
 #include "renderer/solids/kinds.h"
-#include "renderer/solids/polynomial_roots.h"
 #include "renderer/solids/split_search.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Who may include whom (CONTRIBUTING.md, "Layout"): the data flow goes one way, and every part can be read without the
-// next.
+// next. Within renderer/ and cli/ the ordered lists of their folders, which their CMakeLists.txt hold, are the rule.
 #include "tests/support/source_folder.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,9 +28,6 @@ const std::vector<Rule>& rules() {
   static const std::vector<Rule> kRules{
       {"base/", {"base/"}},
       {"grammar/", {"base/", "grammar/"}},
-      {"renderer/scene/", {"base/", "renderer/scene/"}},
-      {"renderer/values/", {"base/", "renderer/scene/", "renderer/values/"}},
-      {"renderer/patterns/", {"base/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
       {"renderer/", {"base/", "renderer/"}},
       {"interpreter/", {"base/", "grammar/", "interpreter/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
       {"cli/", {"base/", "cli/", "grammar/", "interpreter/", "renderer/"}},
@@ -42,6 +40,52 @@ bool starts_with_any(const std::string& path, const std::vector<std::string>& pr
     if (path.starts_with(prefix)) return true;
   }
   return false;
+}
+
+/// The folders of a part, each of which may include itself and those before it. Files of the part itself, which is the
+/// last of its own folders, may include all of them.
+class OrderedFolders {
+ public:
+  /// Reads `set(variable …)` from the part's CMakeLists.txt.
+  OrderedFolders(const std::string& part, const std::string& variable) : part_(part) {
+    std::ifstream file(fs::path(ISL_SOURCE_DIR) / part / "CMakeLists.txt");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::string head = "set(" + variable;
+    if (const std::size_t begin = text.find(head); begin != std::string::npos) {
+      std::istringstream words(text.substr(begin + head.size(), text.find(')', begin) - begin - head.size()));
+      for (std::string folder; words >> folder;) folders_.push_back(part + "/" + folder);
+    }
+    folders_.push_back(part);
+  }
+
+  [[nodiscard]] bool has(const std::string& file) const { return file.starts_with(part_ + "/"); }
+  [[nodiscard]] bool is_listed(const std::string& file) const { return place_of(file) < folders_.size(); }
+  [[nodiscard]] bool may_include(const std::string& file, const std::string& other) const {
+    return place_of(other) <= place_of(file);
+  }
+  [[nodiscard]] const std::vector<std::string>& folders() const { return folders_; }
+
+ private:
+  [[nodiscard]] std::size_t place_of(const std::string& file) const {
+    const std::string folder = fs::path(file).parent_path();
+    return static_cast<std::size_t>(std::find(folders_.begin(), folders_.end(), folder) - folders_.begin());
+  }
+
+  std::string part_;
+  std::vector<std::string> folders_;
+};
+
+const std::vector<OrderedFolders>& ordered_parts() {
+  static const std::vector<OrderedFolders> kParts{OrderedFolders("renderer", "ISL_RENDERER_FOLDERS")};
+  return kParts;
+}
+
+/// Whether the order of folders, where both files are of a part that has one, lets the one include the other.
+bool is_in_order(const std::string& file, const std::string& other) {
+  for (const OrderedFolders& part : ordered_parts()) {
+    if (part.has(file) && part.has(other)) return part.is_listed(file) && part.may_include(file, other);
+  }
+  return true;
 }
 
 /// What an #include line names, with its opening bracket or quote: `"cli/options.h`; "" for any other line.
@@ -68,34 +112,51 @@ std::string complaint(const std::string& file, std::size_t line_number, const st
   }
   if (name.front() != '"') return "";
   for (const Rule& rule : rules()) {
-    if (file.starts_with(rule.part)) return starts_with_any(bare, rule.allowed) ? "" : message;
+    if (!file.starts_with(rule.part)) continue;
+    return starts_with_any(bare, rule.allowed) && is_in_order(file, bare) ? "" : message;
   }
   return "";
 }
 
-std::vector<std::string> complaints_of_tree(const fs::path& root, std::size_t& files) {
-  std::vector<std::string> found;
+/// The sources of the product, by their paths from the top folder on.
+std::vector<std::string> sources_of_tree() {
+  const fs::path root = ISL_SOURCE_DIR;
+  std::vector<std::string> files;
   for (const char* part : {"base", "grammar", "interpreter", "renderer", "cli"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension();
       if (!entry.is_regular_file() || !starts_with_any(extension, {".h", ".cpp", ".ll", ".yy", ".def"})) continue;
-      ++files;
-      std::ifstream text(entry.path());
-      std::size_t number = 0;
-      for (std::string line; std::getline(text, line);) {
-        std::string problem = complaint(fs::relative(entry.path(), root), ++number, line);
-        if (!problem.empty()) found.push_back(std::move(problem));
-      }
+      files.push_back(fs::relative(entry.path(), root));
     }
   }
-  return found;
+  return files;
 }
 
 TEST(IncludeRules, HoldInTheWholeTree) {
-  std::size_t files = 0;
-  const std::vector<std::string> found = complaints_of_tree(ISL_SOURCE_DIR, files);
-  EXPECT_GT(files, 50u) << "the scan missed the sources";
+  const std::vector<std::string> files = sources_of_tree();
+  EXPECT_GT(files.size(), 50u) << "the scan missed the sources";
+  std::vector<std::string> found;
+  for (const std::string& file : files) {
+    std::ifstream text(fs::path(ISL_SOURCE_DIR) / file);
+    std::size_t number = 0;
+    for (std::string line; std::getline(text, line);) {
+      std::string problem = complaint(file, ++number, line);
+      if (!problem.empty()) found.push_back(std::move(problem));
+    }
+  }
   EXPECT_EQ(found, std::vector<std::string>{});
+}
+
+TEST(IncludeRules, EveryFolderIsListedAndEveryListedFolderHasSources) {
+  const std::vector<std::string> files = sources_of_tree();
+  for (const OrderedFolders& part : ordered_parts()) {
+    EXPECT_GT(part.folders().size(), 3u) << part.folders().back() << "/CMakeLists.txt has no list of folders";
+    for (const std::string& file : files) EXPECT_TRUE(!part.has(file) || part.is_listed(file)) << file;
+    for (const std::string& folder : part.folders()) {
+      const auto is_in = [&folder](const std::string& file) { return fs::path(file).parent_path() == folder; };
+      EXPECT_TRUE(std::any_of(files.begin(), files.end(), is_in)) << folder;
+    }
+  }
 }
 
 TEST(IncludeRules, ForbidLookingForwardAndSideways) {
@@ -105,13 +166,20 @@ TEST(IncludeRules, ForbidLookingForwardAndSideways) {
   EXPECT_TRUE(is_forbidden("grammar/parser.yy", "#include \"interpreter/value.h\""));
   EXPECT_TRUE(is_forbidden("grammar/ast.h", "#include \"renderer/scene/database.h\""));
   EXPECT_TRUE(is_forbidden("renderer/render.cpp", "  # include \"grammar/ast.h\""));
-  EXPECT_TRUE(is_forbidden("renderer/scene/database.h", "#include \"renderer/tracer.h\""));
-  EXPECT_TRUE(is_forbidden("interpreter/evaluate.cpp", "#include \"renderer/tracer.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/scene/database.h", "#include \"renderer/trace/tracer.h\""));
+  EXPECT_TRUE(
+      is_forbidden("renderer/compiled/compiled_scene.h", "#include \"renderer/solvers/published/paper_memory.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/fields/component_table.h", "#include \"renderer/fields/ray/lane_memory.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/integrator/integrator.h", "#include \"renderer/render.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/unlisted/file.h", "#include \"renderer/scene/ids.h\""));
+  EXPECT_TRUE(is_forbidden("interpreter/evaluate.cpp", "#include \"renderer/trace/tracer.h\""));
   EXPECT_TRUE(is_forbidden("renderer/shading/light.cpp", "#include <OpenImageIO/imageio.h>"));
   EXPECT_TRUE(is_forbidden("renderer/image/image_file.cpp", "#include <png.h>"));
   EXPECT_FALSE(is_forbidden("renderer/image/exr_plugin.cpp", "#include <OpenEXR/ImfHeader.h>"));
   EXPECT_FALSE(is_forbidden("renderer/image/image_plugin.cpp", "#include <OpenImageIO/imageio.h>"));
-  EXPECT_FALSE(is_forbidden("cli/session.cpp", "#include \"grammar/loader.h\""));
+  EXPECT_FALSE(is_forbidden("renderer/trace/tracer.cpp", "#include \"renderer/scene/database.h\""));
+  EXPECT_FALSE(is_forbidden("renderer/fields/ray/lane_memory.h", "#include \"renderer/fields/component_table.h\""));
+  EXPECT_FALSE(is_forbidden("cli/main.cpp", "#include \"grammar/loader.h\""));
   EXPECT_FALSE(is_forbidden("interpreter/evaluate.cpp", "#include <vector>"));
 }
 

@@ -7,12 +7,12 @@
 #include "cli/solver_choice.h"
 #include "grammar/loader.h"
 #include "interpreter/evaluate.h"
-#include "renderer/image/camera.h"
+#include "renderer/effects/plan.h"
+#include "renderer/film/camera.h"
 #include "renderer/queries/faint.h"
 #include "renderer/queries/object_queries.h"
 #include "renderer/render.h"
-#include "renderer/effects/plan.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 #include "tests/fuzz/hostile_text.h"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 // hits.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 #include "tests/reference/reference_tracer.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A render::Tracer as the tests of this folder ask it: in batches for the comparison, ray by ray for closed forms.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 

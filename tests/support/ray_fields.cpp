@@ -1,6 +1,6 @@
 #include "tests/support/ray_fields.h"
 
-#include "renderer/fields/ray_lanes-inl.h"
+#include "renderer/fields/ray/ray_lanes-inl.h"
 #include "renderer/grid/grid.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The inner loops' view of one component along a ray (renderer/fields/ray_lanes-inl.h), compiled once for all tests that
-// look at it: it takes the compiler as long as a hundred other files of tests do. Compiled for the baseline target; that
-// all vector widths give the same bits is tests/renderer/solvers/simd_targets_test.cpp's to show.
+// The inner loops' view of one component along a ray (renderer/fields/ray/ray_lanes-inl.h), compiled once for all tests
+// that look at it: it takes the compiler as long as a hundred other files of tests do. Compiled for the baseline
+// target; that all vector widths give the same bits is tests/renderer/trace/simd_targets_test.cpp's to show.
 #pragma once
 
 #include "renderer/fields/branches.h"

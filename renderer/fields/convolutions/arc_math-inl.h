@@ -17,7 +17,7 @@
 #define ISL_RENDERER_FIELDS_CONVOLUTIONS_ARC_MATH_INL_H_
 #endif
 
-#include "renderer/fields/octet-inl.h"
+#include "renderer/simd/octet-inl.h"
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,8 @@ using Chord = one::Chord<double>;
 using RingView = one::RingView<double>;
 
 constexpr double kPi = 3.14159265358979323846;
-/// Rounding is below 16 units in the last place of the terms (tests/renderer/fields/convolution_integrals_test.cpp).
+/// Rounding is below 16 units in the last place of the terms
+/// (tests/renderer/fields/convolutions/convolution_integrals_test.cpp).
 constexpr double kRounding = 0x1p-48;
 
 /// What a chord or a ring's view is worth.

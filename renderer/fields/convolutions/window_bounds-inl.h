@@ -7,7 +7,7 @@
 #define ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOW_BOUNDS_INL_H_
 #endif
 
-#include "renderer/fields/octet-inl.h"
+#include "renderer/simd/octet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {

@@ -19,8 +19,8 @@
 #define ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
 #endif
 
-#include "renderer/fields/bisection.h"
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
+#include "renderer/numerics/bisection.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {

@@ -17,8 +17,8 @@
 #define ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
 #endif
 
-#include "renderer/fields/exp-inl.h"
 #include "renderer/fields/kernels/kernel_bounds-inl.h"
+#include "renderer/simd/exp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {

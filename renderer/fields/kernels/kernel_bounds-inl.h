@@ -14,7 +14,7 @@
 #endif
 
 #include "renderer/fields/kernels/kernel_constants.h"
-#include "renderer/fields/octet-inl.h"
+#include "renderer/simd/octet-inl.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "renderer/fields/kernels/kernel_constants.h"
 
 #include "base/check.h"
-#include "renderer/fields/convolutions/curve_constants.h"
+#include "renderer/fields/kernels/curve_constants.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 
 namespace isl::render {

@@ -6,12 +6,12 @@
 #define ISL_RENDERER_FIELDS_KERNELS_KERNELS_INL_H_
 #endif
 
-#include "renderer/fields/convolutions/sheet_cauchy-inl.h"
 #include "renderer/fields/kernels/cauchy-inl.h"
 #include "renderer/fields/kernels/cubic-inl.h"
 #include "renderer/fields/kernels/gaussian-inl.h"
 #include "renderer/fields/kernels/metaball-inl.h"
 #include "renderer/fields/kernels/quartic-inl.h"
+#include "renderer/fields/kernels/sheet_cauchy-inl.h"
 #include "renderer/fields/kernels/soft-inl.h"
 
 HWY_BEFORE_NAMESPACE();

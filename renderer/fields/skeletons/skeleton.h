@@ -15,7 +15,7 @@
 #pragma once
 
 #include "renderer/scene/fields.h"
-#include "renderer/surface_coordinates.h"
+#include "renderer/solids/surface_coordinates.h"
 
 #include <ImathBox.h>
 

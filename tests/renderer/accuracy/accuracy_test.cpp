@@ -1,7 +1,7 @@
 // What is told of errors, and what proves a reference: neither may praise what is wrong.
 #include "renderer/accuracy/comparison.h"
 #include "renderer/accuracy/measured_layers.h"
-#include "renderer/image/camera.h"
+#include "renderer/film/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/queries/inside.h"
-#include "renderer/tracer.h"
+#include "renderer/trace/tracer.h"
 #include "tests/renderer/solids/membership.h"
 
 #include <span>

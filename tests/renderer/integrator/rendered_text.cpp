@@ -1,6 +1,6 @@
 #include "tests/renderer/integrator/rendered_text.h"
 
-#include "renderer/image/camera.h"
+#include "renderer/film/camera.h"
 #include "tests/interpreter/evaluated_text.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,61 @@
+// Gradient and material weights of a blob at a point, from the list of the cell that holds it.
+#if defined(ISL_RENDERER_COMPILED_BLOB_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_COMPILED_BLOB_POINT_INL_H_
+#undef ISL_RENDERER_COMPILED_BLOB_POINT_INL_H_
+#else
+#define ISL_RENDERER_COMPILED_BLOB_POINT_INL_H_
+#endif
+
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/fields/point/point_sums-inl.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+[[nodiscard]] inline std::span<const std::uint32_t> items_of(const CompiledBlob& blob, const ItemList& list) {
+  return {blob.grid.items.data() + list.first, list.count};
+}
+
+/// Of a cell with several sums, the components of the greatest one.
+[[nodiscard]] inline std::span<const std::uint32_t> greatest_items(const CompiledBlob& blob, std::uint32_t cell_index,
+                                                                   const Vec3& point, const ShareRule& rule,
+                                                                   BlobPoint& result) {
+  ShareSums shares(rule, result.shares);
+  const Cell cell = blob.grid.cells[cell_index];
+  const std::uint32_t count = blob.grid.list_count(cell);
+  std::uint32_t greatest = 0;
+  double greatest_value = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; count > 1 && i < count; ++i) {
+    const std::span<const std::uint32_t> items = items_of(blob, blob.grid.list(cell, i));
+    result.evaluations += items.size();
+    const double value = sum(point_sums(blob.components, items, point, shares).value);
+    if (value > greatest_value) greatest = i, greatest_value = value;
+  }
+  if (count == 0) return {};
+  return items_of(blob, blob.grid.list(cell, greatest));
+}
+
+inline void set_blob_point(const CompiledBlob& blob, std::span<const std::uint32_t> items, const Vec3& point,
+                           const ShareRule& rule, BlobPoint& result) {
+  ShareSums shares(rule, result.shares);
+  const PointSums sums = point_sums(blob.components, items, point, shares);
+  result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
+  result.evaluations += items.size();
+}
+
+inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const Vec3& point, const ShareRule& rule,
+                       BlobPoint& result) {
+  result.evaluations = 0;
+  set_blob_point(blob, greatest_items(blob, cell_index, point, rule, result), point, rule, result);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

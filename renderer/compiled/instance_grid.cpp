@@ -1,0 +1,102 @@
+#include "renderer/compiled/instance_grid.h"
+
+#include "renderer/grid/grid_builder.h"
+#include "renderer/solids/solid.h"
+
+#include <cmath>
+#include <limits>
+
+namespace isl::render {
+namespace {
+
+/// Cells are laid out by sizes, centres and margins of boxes that hold several of these: sums of at most eight
+/// coordinates, which must not overflow. What reaches farther is kept outside the grid, as what has no end.
+constexpr double kFarthest = std::numeric_limits<double>::max() / 16;
+
+bool is_finite(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(box.min[axis]) <= kFarthest && std::abs(box.max[axis]) <= kFarthest)) return false;
+  }
+  return true;
+}
+
+Box local_bounds(const CompiledScene& scene, const Instance& instance) {
+  switch (instance.kind) {
+    case scene::Object::Kind::blob: return scene.blobs[instance.shape].bounds();
+    case scene::Object::Kind::group: return scene.trees[instance.shape].bounds;
+    case scene::Object::Kind::solid: break;
+  }
+  return bounds(scene.solids[instance.shape], scene.details);
+}
+
+Box endless_box() {
+  const Vec3 far(std::numeric_limits<double>::infinity());
+  return Box(-far, far);
+}
+
+Box world_bounds(const CompiledScene& scene, const Instance& instance) {
+  const Box box = local_bounds(scene, instance);
+  if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
+  Box world;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                 corner & 4 ? box.max.z : box.min.z);
+    world.extendBy(instance.world_from_object.point(p));
+  }
+  // A corner that overflowed is infinite or no number, which a box leaves out.
+  return is_finite(world) ? world : endless_box();
+}
+
+class BoxClassifier {
+ public:
+  explicit BoxClassifier(const std::vector<Box>& boxes) : boxes_(boxes) {}
+
+  CellKind classify(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
+    kept.clear();
+    for (const std::uint32_t item : items) {
+      if (boxes_[item].intersects(box)) kept.push_back(item);
+    }
+    return kept.empty() ? CellKind::empty : CellKind::leaf;
+  }
+
+  static void list(const Box&, const std::vector<std::uint32_t>& kept, ListSink& lists) { lists.add(kept); }
+
+  [[nodiscard]] Box item_bounds(std::uint32_t item) const { return boxes_[item]; }
+
+  /// A cell smaller than the smallest thing in it separates nothing any more.
+  [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
+    if (kept.size() <= kShortList) return false;
+    double least = size;
+    for (const std::uint32_t item : kept) {
+      const Vec3 extent = boxes_[item].size();
+      least = std::min(least, std::max({extent.x, extent.y, extent.z}));
+    }
+    return size > least;
+  }
+
+ private:
+  static constexpr std::size_t kShortList = 3;
+  const std::vector<Box>& boxes_;
+};
+
+}  // namespace
+
+void build_instance_grid(CompiledScene& scene) {
+  std::vector<Box> boxes(scene.instances.size());
+  scene.bounds = {};
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Box box = world_bounds(scene, scene.instances[i]);
+    if (box.isEmpty()) continue;  // a blob without a surface
+    if (!is_finite(box)) {
+      scene.unbounded.push_back(i);
+      continue;
+    }
+    boxes[i] = box;
+    scene.bounds.extendBy(box);
+    scene.bounded.push_back(i);
+  }
+  BoxClassifier classifier(boxes);
+  scene.grid = GridBuilder(classifier).build(scene.bounds, scene.bounded);
+}
+
+}  // namespace isl::render

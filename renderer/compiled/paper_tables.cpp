@@ -1,0 +1,41 @@
+#include "renderer/compiled/paper_tables.h"
+
+#include <map>
+
+namespace isl::render {
+namespace {
+
+/// φ falls with v: the place where amplitude · φ passes the threshold, between neighbouring doubles.
+IsoLevel iso_level(const KernelConstants& kernel, double amplitude, double threshold) {
+  if (!(amplitude * kernel_profile(kernel, 0) > threshold)) return {};
+  double inside = 0, outside = kernel.support;
+  for (double middle = 0.5 * outside; middle > inside && middle < outside; middle = inside + 0.5 * (outside - inside)) {
+    (amplitude * kernel_profile(kernel, middle) > threshold ? inside : outside) = middle;
+  }
+  return {inside, amplitude * kernel_slope(kernel, inside)};
+}
+
+}  // namespace
+
+PaperTables make_paper_tables(const ComponentTable& table, bool iso) {
+  PaperTables tables;
+  if (iso) tables.iso.resize(table.size());
+  for (const FieldGroup& group : table.groups) {
+    auto& profile = tables.profiles.emplace_back();
+    if (group.kernel.is_convolved) continue;
+    for (int i = 0; i < PaperTables::kSteps; ++i) {
+      profile[static_cast<std::size_t>(i)] =
+          kernel_profile(group.kernel, group.kernel.support * i / PaperTables::kSteps);
+    }
+    if (!iso || group.skeleton == scene::Skeleton::plane || group.skeleton == scene::Skeleton::sheet) continue;
+    std::map<double, IsoLevel> known;  // of components of a kind there are few strengths
+    for (std::uint32_t item = group.begin; item < group.end; ++item) {
+      const auto [level, is_new] = known.try_emplace(table.amplitude[item]);
+      if (is_new) level->second = iso_level(group.kernel, table.amplitude[item], table.threshold);
+      tables.iso[item] = level->second;
+    }
+  }
+  return tables;
+}
+
+}  // namespace isl::render

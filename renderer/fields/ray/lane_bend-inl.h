@@ -1,0 +1,90 @@
+// Between which values the second derivative F″ of a cell's sum stays along an interval of a ray: the sum of what the
+// fields' kernels and windows bound, each with 0 as well where the interval reaches beyond its support or off its
+// piece. Where f is only C¹ (at borders of pieces and supports, junctions of kernels) F″ jumps between bounded values,
+// both of which are enclosed: so F′ is the integral of something in the range, and F′(t) − F′(s) = (t − s)·[range].
+//
+// For solvers that bound the change of a slope: Kalra and Barr's G, the inclusions of Aydinlilar and Zanni.
+#if defined(ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_
+#undef ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_
+#endif
+
+#include "renderer/fields/branches.h"
+#include "renderer/fields/convolutions/curve_remainder-inl.h"
+#include "renderer/fields/ray/lane_sums-inl.h"
+#include "renderer/fields/ray/lane_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class LaneBend {
+ public:
+  LaneBend(const LaneMemory& memory, double t0, double t1) : m_(memory), t0_(t0), t1_(t1), low_(0.0), high_(0.0) {}
+
+  /// Of F″.
+  [[nodiscard]] HWY_NOINLINE FieldRange range() {
+    visit_lanes(m_, *this);
+    return {sum(low_), sum(high_)};
+  }
+
+  /// The range of f″ of lanes that are no quadratics, amplitude apart.
+  template <class Kernel, class Bounds>
+  [[nodiscard]] static HWY_INLINE OctetRange of_shape(const Kernel& kernel, const Bounds& v) {
+    const SecondAndFourth f = v.compose(kernel);
+    return with_zero(v.greatest < kernel.support(), {f.low, f.high});
+  }
+  /// The same of convolved curves. The integral's ends move, but add nothing to f″ (curve_remainder-inl.h).
+  template <class Window, class Curve>
+  [[nodiscard]] static HWY_INLINE OctetRange of_curve(const Window& window, const Curve& lanes, double t0, double t1) {
+    const CurveStretch c = lanes.stretch(t0, t1);
+    const WindowBounds b = window.bounds(c.y_least, c.e2, c.speed2);
+    const Octet length = window.effective_length(c.length, c.y_least, c.spread);
+    const OctetMask counts = c.y_least < Octet(1.0);
+    const OctetRange f = sound({length * b.second_low, length * b.second_high});
+    return {keep(counts, f.low), keep(counts, f.high)};
+  }
+
+  // What visit_lanes (lane_walk-inl.h) finds.
+
+  template <class Kernel>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
+    const QuadraticLanes lane = load_quadratic(m_, i);
+    const OnPiece piece(m_, run, i, lane.middle, t0_, t1_, 0);
+    const Octet near = piece.near(), far = piece.far();
+    const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
+    const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
+    const SecondAndFourth f = kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room));
+    add(scaled((u_near < room) & piece.any & (lane.kappa > Octet(0.0)), lane.amplitude,
+               with_zero(piece.whole & (u_far < room), {f.low, f.high})));
+  }
+
+  template <class Kernel, class Shape>
+  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
+    const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
+    add(scaled(v.least < kernel.support(), lanes.amplitude, of_shape(kernel, v)));
+  }
+
+  template <class Window, class Curve>
+  HWY_INLINE void add_curve(const Window& window, const Curve& lanes) {
+    add(scaled(Octet(0.0) <= Octet(0.0), lanes.amplitude, of_curve(window, lanes, t0_, t1_)));
+  }
+
+ private:
+  HWY_INLINE void add(const OctetRange& r) {
+    low_ = low_ + r.low;
+    high_ = high_ + r.high;
+  }
+
+  const LaneMemory& m_;
+  double t0_, t1_;
+  Octet low_, high_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,80 @@
+// Between which values the sum of a cell's fields stays on an interval of a ray: every field falls with the distance
+// from its skeleton, so its least and greatest values follow from the greatest and least distances. Coarser than the
+// cubic of solvers/certified/hermite-inl.h where that converges, but true where that knows nothing: about the pole of a
+// hard Cauchy, whose fourth derivative is beyond any bound of use.
+//
+// Rounding of the ray's position is met by widening: a point at t may be computed four half units of t away, along the
+// ray and across it.
+#if defined(ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
+#undef ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
+#endif
+
+#include "renderer/fields/ray/lane_sums-inl.h"
+#include "renderer/fields/ray/lane_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class LaneRange {
+ public:
+  LaneRange(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
+
+  [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
+    visit_lanes(m_, *this);
+    return sums_.total();
+  }
+
+  // What visit_lanes (lane_walk-inl.h) finds.
+
+  template <class Kernel>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
+    const QuadraticLanes lane = load_quadratic(m_, i);
+    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
+    const Octet near = piece.near(), far = piece.far();
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
+    const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
+    add(kernel, lane.amplitude, nearest * nearest + lane.kappa * near * near,
+        farthest * farthest + lane.kappa * far * far, piece.whole, piece.any);
+  }
+
+  template <class Kernel, class Shape>
+  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
+    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
+    const OctetMask all = v.least <= v.least;
+    add(kernel, lanes.amplitude, v.least, v.greatest, all, all);
+  }
+
+  template <class Window, class Curve>
+  HWY_INLINE void add_curve(const Window& window, const Curve& lanes) {
+    add_between(lanes.amplitude, Octet(0.0), lanes.most(window, on_.t0, on_.t1));
+  }
+
+ private:
+  /// v between `least` and `greatest`; with less than the `whole` of the interval on this piece, 0 as well.
+  template <class Kernel>
+  HWY_INLINE void add(const Kernel& kernel, const Octet& amplitude, const Octet& least, const Octet& greatest,
+                      const OctetMask& whole, const OctetMask& counts) {
+    const Octet high = keep(counts & (least < kernel.support()), kernel.value(least));
+    const Octet low = keep(counts & whole & (greatest < kernel.support()), kernel.value(greatest));
+    add_between(amplitude, low, high);
+  }
+
+  HWY_INLINE void add_between(const Octet& amplitude, const Octet& low, const Octet& high) {
+    const Octet one = amplitude * low, other = amplitude * high;
+    sums_.add({min(one, other), max(one, other)});
+  }
+
+  const LaneMemory& m_;
+  WidenedInterval on_;
+  RangeSums sums_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

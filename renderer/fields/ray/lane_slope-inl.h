@@ -1,0 +1,95 @@
+// Between which values the derivative F′ of a cell's sum stays along an interval of a ray. Its greatest size is the
+// directional Lipschitz bound of the interval; where it has one sign, F has no more than one root.
+//
+// Quadratics in interval arithmetic: f′ = φ′(v)·v′ with v′ = 2κτ exact between its ends, and φ′ between its values at
+// the least and the greatest v, all kernels being convex (kernel_bounds-inl.h). Cones, circles and convolved curves by
+// the mean value, f′(m) ± h/2 · max|f″|, m the middle, and the first two no steeper than max|φ′| max|v′|.
+//
+// Rounding of the ray's position is met as in lane_range-inl.h.
+#if defined(ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_
+#undef ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_
+#endif
+
+#include "renderer/fields/ray/lane_bend-inl.h"
+#include "renderer/fields/ray/lane_sums-inl.h"
+#include "renderer/fields/ray/lane_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class LaneSlope {
+ public:
+  LaneSlope(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
+
+  /// Of F′.
+  [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
+    visit_lanes(m_, *this);
+    return sums_.total();
+  }
+
+  // What visit_lanes (lane_walk-inl.h) finds.
+
+  template <class Kernel>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
+    const QuadraticLanes lane = load_quadratic(m_, i);
+    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
+    const Octet near = piece.near(), far = piece.far();
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
+    const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
+    const Octet steep = slope_of(kernel, nearest * nearest + lane.kappa * near * near);
+    const Octet flat = slope_of(kernel, farthest * farthest + lane.kappa * far * far);
+    const Octet two_kappa = lane.kappa + lane.kappa;
+    const Octet from = two_kappa * piece.a, to = two_kappa * piece.b;
+    const OctetRange f{min(steep * to, flat * to), max(steep * from, flat * from)};
+    sums_.add(scaled(piece.any, lane.amplitude, with_zero(piece.whole, f)));
+  }
+
+  template <class Kernel, class Shape>
+  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
+    const LanePoint p = lanes.at(middle(), run.kernel->scale);
+    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
+    const Octet steepest = v.steepest(kernel);
+    const OctetRange by_bend = about(slope_of(kernel, p.v) * p.slope, LaneBend::of_shape(kernel, v));
+    sums_.add(scaled(v.least < kernel.support(), lanes.amplitude,
+                     {max(by_bend.low, Octet(0.0) - steepest), min(by_bend.high, steepest)}));
+  }
+
+  template <class Window, class Curve>
+  HWY_INLINE void add_curve(const Window& window, Curve lanes) {
+    const Octet amplitude = lanes.amplitude;
+    lanes.amplitude = Octet(1.0);
+    const CurvePoint p = lanes.at(window, middle());
+    const Octet noise = Octet(0x1p-48) * p.slope_terms;
+    const OctetRange r = about(p.slope, LaneBend::of_curve(window, lanes, on_.t0, on_.t1));
+    sums_.add(scaled(amplitude <= amplitude, amplitude, {r.low - noise, r.high + noise}));
+  }
+
+ private:
+  /// φ′ ≤ 0, and 0 beyond the support.
+  template <class Kernel>
+  [[nodiscard]] static HWY_INLINE Octet slope_of(const Kernel& kernel, const Octet& v) {
+    return keep(v < kernel.support(), kernel.value_and_slope(v).slope);
+  }
+
+  [[nodiscard]] HWY_INLINE Octet middle() const { return Octet(on_.t0 + 0.5 * (on_.t1 - on_.t0)); }
+
+  /// What f′ can be within half the interval's width of where it is this.
+  [[nodiscard]] HWY_INLINE OctetRange about(const Octet& slope, const OctetRange& bend) const {
+    const Octet spread = Octet(0.5 * (on_.t1 - on_.t0)) * max(abs(bend.low), abs(bend.high));
+    return {slope - spread, slope + spread};
+  }
+
+  const LaneMemory& m_;
+  WidenedInterval on_;
+  RangeSums sums_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

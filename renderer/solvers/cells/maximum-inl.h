@@ -1,0 +1,157 @@
+// The search through a cell where the field is the greatest of several sums (CellKind::choice): each sum is solved as if it
+// were alone, by the solver that finds roots in other cells, so that the edges of the maximum are never met.
+//
+// From outside, the ray crosses where the first of the sums does. From inside, it follows one sum that is above the
+// threshold to where that one leaves, then goes on with another that is still above there; where none is, it crosses.
+// A ray that starts on the surface starts on those sums that are the greatest there, to the last bit that rounding
+// leaves; it is inside if it enters any of them.
+#if defined(ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_
+#undef ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_
+#endif
+
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/fields/ray/ray_lanes-inl.h"
+#include "renderer/grid/grid.h"
+#include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/cells/node-inl.h"
+
+#include <algorithm>
+#include <optional>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// Which side of the surface a ray is on.
+enum class Side { unknown, outside, inside };
+
+/// Whether a ray that starts on the surface of `fields` goes in: by the slope there or, where that is lost in rounding (a
+/// tangent ray), by the curvature.
+[[nodiscard]] inline bool leaves_inwards(const RayLanes& fields, const Node& start) {
+  if (std::abs(start.slope) > start.slope_noise) return start.slope > 0;
+  return fields.curvature(start.t) > 0;
+}
+
+/// A stretch of a ray in a cell.
+struct MaximumQuery {
+  Vec3 origin, direction;
+  double t0, t1;
+  bool starts_here;  ///< on the surface, at t0
+  bool any;
+};
+
+template <class Solver>
+class MaximumSolver {
+ public:
+  MaximumSolver(const CompiledBlob& blob, const Cell& cell, const MaximumQuery& query,
+                const typename Solver::Lengths& lengths, typename Solver::Fields& fields, TraceCounters& counters)
+      : blob_(blob), cell_(cell), query_(query), lengths_(lengths), fields_(fields), counters_(counters) {}
+
+  /// Where the ray changes sides in (t0, t1], or at t0 if it is not on the side it is said to be on. Makes an unknown side
+  /// known.
+  [[nodiscard]] std::optional<double> first_crossing(Side& side) {
+    if (query_.starts_here) {
+      greatest_at_start_ = greatest_at(query_.t0);
+      side = Side::outside;
+      for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+        if (is_on_surface(i) && leaves_inwards(fields_, node_of(i, query_.t0))) side = Side::inside;
+      }
+    } else if (side == Side::unknown) {
+      const Greatest greatest = greatest_at(query_.t0);
+      side = greatest.node.value > greatest.node.noise ? Side::inside : Side::outside;
+    }
+    return side == Side::inside ? leave() : enter();
+  }
+
+ private:
+  struct Greatest {
+    std::uint32_t index = 0;
+    Node node{0, -std::numeric_limits<double>::infinity(), 0, 0, 0};
+  };
+
+  void lay_out(std::uint32_t i) {
+    const ItemList list = blob_.grid.list(cell_, i);
+    fields_.set_up(blob_.components, blob_.grid.items.data() + list.first, list.count, query_.origin, query_.direction,
+                   query_.t0, query_.t1);
+  }
+  /// Leaves the sum's fields laid out.
+  [[nodiscard]] Node node_of(std::uint32_t i, double t) {
+    lay_out(i);
+    return Solver(fields_, 1, lengths_, counters_).node(t);
+  }
+  [[nodiscard]] Greatest greatest_at(double t) {
+    Greatest greatest;
+    for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+      if (const Node node = node_of(i, t); node.value > greatest.node.value) greatest = {i, node};
+    }
+    return greatest;
+  }
+  /// Whether the sum is one that the ray starts on. Lays it out.
+  [[nodiscard]] bool is_on_surface(std::uint32_t i) {
+    if (!query_.starts_here) return false;
+    const Node node = node_of(i, query_.t0), &top = greatest_at_start_.node;
+    return node.value >= top.value - (node.noise + top.noise);
+  }
+
+  [[nodiscard]] std::optional<double> enter() {
+    std::optional<double> nearest;
+    for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+      const bool is_start = is_on_surface(i);
+      lay_out(i);
+      if (fields_.upper_bound() < 0 && !is_start) continue;
+      Solver solver(fields_, 1, lengths_, counters_);
+      Node from = solver.node(query_.t0);
+      if (is_start) from.value = 0;
+      const Node to = solver.node(nearest.value_or(query_.t1));
+      const std::optional<double> t = solver.first_root(from, to, is_start, query_.any);
+      if (t && !(nearest && *nearest <= *t)) nearest = t;
+      if (nearest && query_.any) break;
+    }
+    return nearest;
+  }
+
+  [[nodiscard]] std::optional<double> leave() {
+    // A ray that is out in the end has left, wherever that was.
+    if (query_.any) {
+      if (const Greatest last = greatest_at(query_.t1); last.node.value < -last.node.noise) return query_.t1;
+    }
+    double t = query_.t0;
+    std::uint32_t followed = query_.starts_here ? first_entered() : greatest_at(t).index;
+    bool is_start = query_.starts_here;
+    while (true) {
+      lay_out(followed);
+      Solver solver(fields_, -1, lengths_, counters_);
+      Node from = solver.node(t);
+      if (is_start) from.value = 0;
+      const std::optional<double> left = solver.first_root(from, solver.node(query_.t1), is_start, false);
+      if (!left) return std::nullopt;
+      t = *left;
+      const Greatest greatest = greatest_at(t);
+      if (greatest.index == followed || !(greatest.node.value > greatest.node.noise)) return t;
+      followed = greatest.index;
+      is_start = false;
+    }
+  }
+  [[nodiscard]] std::uint32_t first_entered() {
+    std::uint32_t i = 0;
+    while (!(is_on_surface(i) && leaves_inwards(fields_, node_of(i, query_.t0)))) ++i;
+    return i;
+  }
+
+  const CompiledBlob& blob_;
+  const Cell& cell_;
+  const MaximumQuery& query_;
+  const typename Solver::Lengths& lengths_;
+  typename Solver::Fields& fields_;
+  TraceCounters& counters_;
+  Greatest greatest_at_start_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,255 @@
+// The certified solver: the first root of F − T on a stretch of a ray, and the proof that none lies before it.
+//
+// On an interval of width h the true values and slopes at its ends give one cubic for the whole sum of fields, in Bernstein form
+//   b₀ = F₀,  b₁ = F₀ + hF′₀/3,  b₂ = F₁ − hF′₁/3,  b₃ = F₁,
+// and the fields' own bounds (RayLanes::remainder) a band E around it that F cannot leave. So:
+//   max b + E < 0                      no root: the hull of the control points holds the cubic;
+//   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
+//   otherwise                          halve the interval with a true node; E falls sixteenfold. Where E has fallen below the
+//                                      rounding of F, or the interval is shorter than what counts, and nothing is decided: split
+//                                      where a skeleton's nearest feature changes, as F does there beside the core of a hard
+//                                      component; the ranges of the fields may show that F stays on its side. Else the cubic is
+//                                      all that can be known: its own first root is taken, and counted as uncertified.
+// A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the quotient
+// Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R vanishes twice at either
+// end, and |R″| ≤ 43 E wherever f is at least C¹ (32 E where it is smooth, 128/3 E by Peano's kernel of osc f″, 29 E by that of
+// osc f‴), so |R|/u ≤ 43/2 E min(u, (1 − u)²/u), which the coefficients 0, 14 E, 0 bound. Rounding δ of F₁ adds u(3 − 2u)δ, that
+// is 0, 3/2 δ, δ; and δ′ of the slopes hδ′₀, hδ′₁/2, 0. Neither touches c₀, whose sign is what the side was told by: that a
+// tangent ray does not come back at once is as certain as for any other. Where F″ > 0, 6 min(bⱼ − 2bⱼ₊₁ + bⱼ₊₂) being above its
+// own band, Q rises (h²∫ vF″(uv) dv > 0) and has one root: the ray is back. No offset, and so neither acne nor leaks.
+// The root is polished on the true field by Newton steps kept in a bracket, down to the rounding of F itself.
+//
+// Sherstyuk 1999 (Hermite interpolants along rays); Aydinlilar and Zanni 2023 (forward inclusion, here of third order);
+// Farouki and Rajan 1987 (Bernstein form).
+#if defined(ISL_RENDERER_SOLVERS_CERTIFIED_HERMITE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_CERTIFIED_HERMITE_INL_H_
+#undef ISL_RENDERER_SOLVERS_CERTIFIED_HERMITE_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_CERTIFIED_HERMITE_INL_H_
+#endif
+
+#include "renderer/fields/ray/ray_lanes-inl.h"
+#include "renderer/numerics/cubic.h"
+#include "renderer/rays/blob_ray.h"
+#include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/cells/node-inl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class HermiteSolver {
+ public:
+  using Fields = RayLanes;
+  using Lengths = Shortest;
+  /// h²|F″ − p″| on an interval is no greater than this times E.
+  static constexpr double kBendBand = 43;
+  /// Rounding moves F by no less than this share of the bound on it: of its n + 16 half units in the last place one or two are
+  /// there in the mean, and n is seldom above 100.
+  static constexpr double kRoundingOfNoise = 1.0 / 64;
+  /// What the driver hands to every solver; `distance`: of t = 0 from the eye.
+  [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {
+    return shortest;
+  }
+
+  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals that are `shortest` are decided by the signs at
+  /// their ends and counted as uncertified.
+  HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)
+      : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
+
+  void turn_inside() { side_ = -1; }
+
+  [[nodiscard]] Node node(double t) {
+    const FieldAt f = fields_.at(t);
+    counters_.field_evaluations += fields_.field_count();
+    return {t, side_ * f.value, side_ * f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
+  }
+
+  /// The first t in (a.t, b.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t, leaving to the side
+  /// it is on, and that root is not looked for. `any`: a crossing is all that is asked, its place may be rough.
+  [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
+    // Right ends of what is still to be searched, the nearest on top. Each halving adds one; what is too short to be halved is
+    // split at borders of pieces, from the first on, which adds one more. Below 2⁻⁶⁰ of the whole lie places next to t = 0 only:
+    // a ray that grazes a plane's field takes 10⁹ radii to pass it.
+    const double share = 0x1p-60 * (last.t - a.t);
+    least_ = {.by_rounding = std::max(shortest_.by_rounding, share), .by_tolerance = std::max(shortest_.by_tolerance, share)};
+    Node ends[kMostHalvings + 1];
+    int top = 0;
+    ends[0] = last;
+    while (top >= 0) {
+      const Node& b = ends[top];
+      switch (judge(a, b, a_is_root, any)) {
+        case Verdict::none:
+          a = b;
+          a_is_root = false;
+          --top;
+          break;
+        case Verdict::at_start: return a.t;
+        case Verdict::one: return any ? b.t : polish(a, b, root_of_rising(a, b));
+        case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
+        case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
+        case Verdict::unclear: ends[++top] = node(split_); break;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Of the quotient by a known root: the band of c₁, over E.
+  static constexpr double kMiddleBand = 14;
+  enum class Verdict { none, at_start, one, back, in_cubic, unclear };
+  static constexpr int kMostHalvings = 64;
+
+  [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
+    const double h = b.t - a.t;
+    // Only a change of sign beyond the rounding is a crossing: a touch is none.
+    const bool crossed = b.value > b.noise;
+    if (any && crossed) return Verdict::one;
+    if (!a_is_root && a.value > a.noise) return Verdict::at_start;
+    const double noise = std::max(a.noise, b.noise), slope_noise = std::max(a.slope_noise, b.slope_noise);
+    const Remainder e = fields_.remainder(a.t, b.t);
+    const Bernstein p = cubic(a, b);
+    if (a_is_root) {
+      const Quotient c = quotient(a, b);
+      const bool leaves = c.c0 <= h * a.slope_noise;
+      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.noise + 0.5 * h * b.slope_noise < 0 && c.c2 + b.noise < 0) {
+        return Verdict::none;
+      }
+      const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);
+      if (leaves && crossed && bend > kBendBand * e.value + 12 * b.noise + 6 * h * slope_noise) {
+        most_bend_ = most_bend(p, e, b.noise, h * slope_noise);
+        return Verdict::back;
+      }
+    } else {
+      if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
+      const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
+      const double fall = 3 * std::max({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
+      const double band = h * (e.slope + slope_noise);
+      if (rise > band) {
+        most_bend_ = most_bend(p, e, noise, h * slope_noise);
+        return crossed ? Verdict::one : Verdict::none;
+      }
+      if (fall < -band) return Verdict::none;
+    }
+    const double middle = a.t + 0.5 * h;
+    // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
+    const bool is_exact = e.value <= std::min(a.noise, b.noise);
+    // Where the cubic is the field there is nothing to be gained but by it: a bulge above the rounding between ends below.
+    const bool bulges = !a_is_root && !crossed && std::max(p.b1, p.b2) > noise + h * slope_noise;
+    if ((!is_exact || bulges) && middle > a.t && middle < b.t) {
+      split_ = middle;
+      // A grazing ray may be back at once: where it starts the tolerance tells nothing.
+      if (h > (a_is_root ? least_.by_rounding : least_.by_tolerance)) return Verdict::unclear;
+      if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
+        split_ = *border;
+        return Verdict::unclear;
+      }
+    }
+    const Bernstein known = a_is_root ? quotient(a, b).raised() : p;
+    // Where the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, is one root
+    // (variation diminishes): of an exact piece that begins flat, of a grazing ray that is back at once.
+    if (is_exact && crossed) {
+      const double band = (a_is_root ? kMiddleBand : 1) * e.value + noise + h * slope_noise;
+      if (known.b0 < -band && known.b3 > band && !(known.b1 > -band && known.b2 < band)) return Verdict::in_cubic;
+    }
+    if (!crossed && !a_is_root && stays_on_side(a.t, b.t)) return Verdict::none;
+    ++counters_.uncertified_steps;
+    if (crossed) return Verdict::in_cubic;
+    // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as
+    // through the very middle of a hard component, knows nothing.
+    if (!is_exact) return Verdict::none;
+    if (first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
+      return Verdict::in_cubic;
+    }
+    return Verdict::none;
+  }
+
+  /// By the fields' ranges alone: through the middle of a hard component, where no cubic fits.
+  [[nodiscard]] bool stays_on_side(double t0, double t1) const {
+    const FieldRange f = fields_.range(t0, t1);
+    return side_ > 0 ? f.high < 0 : f.low > 0;
+  }
+
+  struct Bernstein {
+    double b0, b1, b2, b3;
+  };
+  [[nodiscard]] static Bernstein cubic(const Node& a, const Node& b) {
+    const double third = (b.t - a.t) * (1.0 / 3);
+    return {a.value, a.value + third * a.slope, b.value - third * b.slope, b.value};
+  }
+  /// h²|F″| on the interval of the cubic is no greater; `slope_noise` is per interval.
+  [[nodiscard]] static double most_bend(const Bernstein& p, const Remainder& e, double noise, double slope_noise) {
+    const double of_cubic = 6 * std::max(std::abs(p.b0 - 2 * p.b1 + p.b2), std::abs(p.b1 - 2 * p.b2 + p.b3));
+    return of_cubic + kBendBand * e.value + 12 * noise + 6 * slope_noise;
+  }
+  struct Quotient {
+    double c0, c1, c2;
+
+    /// The same as a cubic.
+    [[nodiscard]] Bernstein raised() const { return {c0, (c0 + 2 * c1) * (1.0 / 3), (2 * c1 + c2) * (1.0 / 3), c2}; }
+  };
+  /// The cubic over its root at a.
+  [[nodiscard]] static Quotient quotient(const Node& a, const Node& b) {
+    const double h = b.t - a.t;
+    return {h * a.slope, 1.5 * (b.value - h * b.slope * (1.0 / 3)), b.value};
+  }
+
+  /// The root of an interval too short, or too close to rounding, to be certain of: the cubic's own, then two Newton steps.
+  [[nodiscard]] double root_in_cubic(const Node& a, const Node& b, bool a_is_root) {
+    double t = first_in(a_is_root ? quotient(a, b).raised() : cubic(a, b), a, b);
+    for (int i = 0; i < 2; ++i) {
+      const Node n = node(t);
+      const double next = t - n.value / n.slope;
+      if (!(next > a.t && next <= b.t) || std::abs(n.value) <= n.noise) break;
+      t = next;
+    }
+    return t;
+  }
+
+  [[nodiscard]] static double first_in(const Bernstein& p, const Node& a, const Node& b) {
+    return a.t + (b.t - a.t) * std::min(1.0, first_crossing_of_cubic(p.b0, p.b1, p.b2, p.b3));
+  }
+  [[nodiscard]] static double root_of_rising(const Node& a, const Node& b) {
+    const Bernstein p = cubic(a, b);
+    return a.t + (b.t - a.t) * root_of_rising_cubic(p.b0, p.b1, p.b2, p.b3);
+  }
+
+  /// a.value ≤ 0 < b.value, with one root between, and t for a first guess: Newton on the true field inside the bracket, until F
+  /// is within its rounding or will be: behind a step s of Newton's F is F″s²/2. Between a and b most_bend_ bounds F″.
+  [[nodiscard]] double polish(Node a, Node b, double t) {
+    const double half_bend = 0.5 * most_bend_ / ((b.t - a.t) * (b.t - a.t));
+    // Bisection alone would need 64 steps; Newton's, once they contract, three or four.
+    for (int i = 0; i < kMostHalvings; ++i) {
+      t = std::clamp(t, a.t, b.t);
+      const Node n = node(t);
+      (n.value > 0 ? b : a) = n;
+      double next = t - n.value / n.slope;
+      const bool newton = next > a.t && next < b.t;
+      // Within the rounding of F one more step still gains a digit, and a second one none.
+      if (std::abs(n.value) <= n.noise) return newton ? next : t;
+      if (newton && half_bend * (next - t) * (next - t) <= kRoundingOfNoise * n.noise) return next;
+      if (!newton) next = a.t + 0.5 * (b.t - a.t);
+      if (next == t || !(next > a.t && next < b.t)) return t;
+      t = next;
+    }
+    return t;
+  }
+
+  const RayLanes& fields_;
+  double side_;
+  Shortest shortest_;
+  Shortest least_ = shortest_;  ///< of the search that goes on
+  double split_ = 0;  ///< where the interval judged unclear is to be parted
+  double most_bend_ = 0;  ///< of the interval judged to have one root: h²|F″| is no greater
+  TraceCounters& counters_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

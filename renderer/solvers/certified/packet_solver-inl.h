@@ -1,0 +1,195 @@
+// HermiteSolver (hermite-inl.h) for eight rays in one cell at once, a ray in every lane: the same nodes, the same cubic with its
+// band, the same proofs and the same polish. It decides what is decided by a proof and leaves the rest, intervals that have come
+// down to rounding or to what nobody asked to tell apart, to the other, which knows what to do there.
+//
+// Where an interval is clear, the next one is as long again; with nodes at the price of one for eight rays none is kept.
+#if defined(ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_
+#undef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_
+#endif
+
+#include "renderer/fields/packet/packet_lanes-inl.h"
+#include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/certified/hermite-inl.h"
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// What a cell holds for each of eight rays.
+struct PacketRoots {
+  std::uint32_t found = 0;      ///< bit i: ray i crosses the surface at t[i]
+  std::uint32_t undecided = 0;  ///< bit i: there is no telling here
+  alignas(64) double t[kPacket];
+};
+
+class PacketSolver {
+ public:
+  PacketSolver(const PacketLanes& fields, TraceCounters& counters) : fields_(fields), counters_(counters) {}
+
+  /// The first crossings of rays that come from outside, in those lanes only. Intervals no longer than `least` are left
+  /// undecided. `any`: a crossing is all that is asked, its place may be rough.
+  void first_roots(const OctetMask& lanes, const Octet& t0, const Octet& t1, const Octet& least, bool any,
+                   PacketRoots& roots) {
+    roots.found = roots.undecided = 0;
+    searched_ = lanes;
+    Node a = node(t0), b = node(t1);
+    Node from = a, to = b;  // the brackets of roots
+    Octet bend(0.0);        // there
+    OctetMask bracketed = no_lane(), found = no_lane();
+    Octet root = t0;
+    // A search that goes on for longer hugs the surface: 64 halvings and as many steps back.
+    for (int i = 0; i < 2 * kMostHalvings; ++i) {
+      if (any) {
+        const OctetMask across = searched_ & (b.value > b.noise);
+        to = select(across, b, to);
+        bracketed = bracketed | across;
+        searched_ = and_not(across, searched_);
+        if (none(searched_)) break;
+      }
+      const Verdicts verdict = judge(a, b, least);
+      if (const OctetMask at_start = searched_ & verdict.at_start; !none(at_start)) {
+        root = select(at_start, a.t, root);
+        found = found | at_start;
+      }
+      if (const OctetMask one = searched_ & verdict.one; !none(one)) {
+        from = select(one, a, from);
+        to = select(one, b, to);
+        bend = select(one, verdict.bend, bend);
+        bracketed = bracketed | one;
+      }
+      const OctetMask goes_on = searched_ & verdict.none & (b.t < t1), splits = searched_ & verdict.splits;
+      roots.undecided |= bits(searched_ & verdict.undecided);
+      searched_ = goes_on | splits;
+      if (none(searched_)) break;
+      const Octet h = b.t - a.t;
+      a = select(goes_on, b, a);
+      b = node(select(goes_on, min(b.t + h, t1), verdict.split));
+    }
+    roots.undecided |= bits(searched_);
+    if (!none(bracketed)) {
+      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend), root);
+      found = found | bracketed;
+    }
+    roots.found = bits(found);
+    store(root, roots.t);
+  }
+
+ private:
+  static constexpr int kMostHalvings = 64;
+
+  struct Node {
+    Octet t, value, slope, noise, slope_noise;
+  };
+  [[nodiscard]] static HWY_INLINE Node select(const OctetMask& mask, const Node& yes, const Node& no) {
+    return {select(mask, yes.t, no.t), select(mask, yes.value, no.value), select(mask, yes.slope, no.slope),
+            select(mask, yes.noise, no.noise), select(mask, yes.slope_noise, no.slope_noise)};
+  }
+  [[nodiscard]] static HWY_INLINE Octet select(const OctetMask& mask, const Octet& yes, const Octet& no) {
+    return HWY_NAMESPACE::select(mask, yes, no);
+  }
+
+  [[nodiscard]] HWY_INLINE Node node(const Octet& t) {
+    const PacketLanes::FieldAt f = fields_.at(t);
+    counters_.field_evaluations += static_cast<std::uint64_t>(sum(keep(searched_, fields_.field_count())));
+    return {t, f.value, f.slope, f.noise, f.slope_noise};
+  }
+
+  struct Verdicts {
+    OctetMask none, at_start, one, splits, undecided;
+    Octet split;  ///< where
+    Octet bend;   ///< h²|F″| is no greater
+  };
+
+  [[nodiscard]] HWY_INLINE Verdicts judge(const Node& a, const Node& b, const Octet& least) const {
+    const Octet zero(0.0), three(3.0);
+    const Octet h = b.t - a.t, third = h * Octet(1.0 / 3);
+    const OctetMask crossed = b.value > b.noise, at_start = a.value > a.noise;
+    const Octet noise = max(a.noise, b.noise), slope_noise = max(a.slope_noise, b.slope_noise);
+    const RemainderSums e = fields_.remainder(a.t, b.t);
+    const Octet b1 = a.value + third * a.slope, b2 = b.value - third * b.slope;
+    const OctetMask below = max(max(a.value, b1), max(b2, b.value)) + e.value + noise < zero;
+    const Octet d0 = b1 - a.value, d1 = b2 - b1, d2 = b.value - b2;
+    const Octet rise = three * min(d0, min(d1, d2)), fall = three * max(d0, max(d1, d2));
+    const Octet band = h * (e.slope + slope_noise);
+    const OctetMask rises = rise > band, falls = fall < zero - band;
+    const OctetMask clear = below | falls | (rises & (b.value <= b.noise));
+    const Octet middle = a.t + Octet(0.5) * h;
+    const OctetMask may_split = (e.value > min(a.noise, b.noise)) & (h > least) & (middle > a.t) & (middle < b.t);
+    Verdicts v;
+    v.at_start = at_start;
+    v.none = and_not(at_start, clear);
+    const OctetMask open = and_not(at_start | clear, all_lanes());
+    v.one = open & rises & crossed;
+    const OctetMask unclear = and_not(rises & crossed, open);
+    v.splits = unclear & may_split;
+    // E falls sixteenfold or more with every halving, and a proof wants it at a small part of F: from how far it is to go.
+    const Octet size = max(max(abs(a.value), abs(b.value)), max(abs(b1), abs(b2)));
+    const Octet share = select(e.value > Octet(16.0) * size, Octet(0.125), Octet(0.25));
+    v.split = a.t + h * select(e.value > size, share, Octet(0.5));
+    v.bend = Octet(6.0) * max(abs(d1 - d0), abs(d2 - d1)) + Octet(HermiteSolver::kBendBand) * e.value +
+             Octet(12.0) * noise + Octet(6.0) * h * slope_noise;
+    v.undecided = and_not(may_split, unclear);
+    return v;
+  }
+
+  /// The root of the cubic between a and b, which rises, in units of their distance: to a few digits, as the first guess for the
+  /// true one.
+  [[nodiscard]] static HWY_INLINE Octet rising_root(const Node& a, const Node& b) {
+    const Octet zero(0.0), one(1.0), third = (b.t - a.t) * Octet(1.0 / 3);
+    const Octet b1 = a.value + third * a.slope, b2 = b.value - third * b.slope;
+    Octet u = a.value / (a.value - b.value);
+    for (int i = 0; i < 3; ++i) {
+      const Octet v = one - u;
+      const Octet c0 = v * a.value + u * b1, c1 = v * b1 + u * b2, c2 = v * b2 + u * b.value;
+      const Octet d0 = v * c0 + u * c1, d1 = v * c1 + u * c2;
+      u = max(zero, min(one, u - (v * d0 + u * d1) / (Octet(3.0) * (d1 - d0))));
+    }
+    return select((u >= zero) & (u <= one), u, Octet(0.5));  // 0/0 is none
+  }
+
+  /// Newton on the true fields inside brackets a.value ≤ 0 < b.value that hold one root each, F rising all along and h²|F″|
+  /// being no greater than `bend`. It ends where F is within its rounding, or will be: behind a step s of Newton's F is
+  /// F″s²/2.
+  [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend) {
+    searched_ = lanes;
+    Octet low = a.t, high = b.t;
+    const Octet width = high - low;
+    Octet t = low + width * rising_root(a, b);
+    Octet result = t;
+    const Octet half_bend = Octet(0.5) * bend / (width * width);
+    // Otherwise as HermiteSolver::polish.
+    for (int i = 0; i < kMostHalvings && !none(searched_); ++i) {
+      const Node n = node(t);
+      const OctetMask above = n.value > Octet(0.0);
+      high = select(above, t, high);
+      low = select(above, low, t);
+      const Octet newton = t - n.value / n.slope;
+      const OctetMask is_within = (newton > low) & (newton < high);
+      const Octet step = newton - t;
+      const OctetMask will_be = half_bend * step * step <= Octet(HermiteSolver::kRoundingOfNoise) * n.noise;
+      const OctetMask done = (abs(n.value) <= n.noise) | (is_within & will_be);
+      const Octet halved = low + Octet(0.5) * (high - low);
+      const Octet next = select(is_within, newton, select(done, t, halved));
+      const OctetMask moves = and_not(done, (next > low) & (next < high) & ((next < t) | (next > t)));
+      result = select(searched_, select(moves | done, next, t), result);
+      searched_ = searched_ & moves;
+      t = next;
+    }
+    return result;
+  }
+
+  const PacketLanes& fields_;
+  TraceCounters& counters_;
+  OctetMask searched_;  ///< of rays that evaluations are for
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

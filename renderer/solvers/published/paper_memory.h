@@ -1,0 +1,124 @@
+// The working memory of the published solver, one a thread: the fields that a ray meets with their interpolants, and
+// what of them shading reuses.
+#pragma once
+
+#include "renderer/numerics/cubic.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+struct CompiledBlob;
+
+/// Value and slope at both ends of a stretch.
+struct HermiteSum {
+  double value0 = 0, slope0 = 0, value1 = 0, slope1 = 0;
+
+  HermiteSum& operator+=(const HermiteSum& other) {
+    value0 += other.value0;
+    slope0 += other.slope0;
+    value1 += other.value1;
+    slope1 += other.slope1;
+    return *this;
+  }
+};
+
+struct PaperMemory {
+  /// An end of an interpolant.
+  struct Node {
+    double t, value, slope;
+  };
+  /// A field on the ray: cubic Hermite interpolants between neighbouring nodes.
+  struct Field {
+    std::uint32_t item, branch;
+    std::uint32_t first_node, last_node;
+    std::uint32_t first_unknown, end_unknown;  ///< nodes that wait for their values
+    std::uint32_t piece;                       ///< the node at which the interpolant begins that the sweep has come to
+    double peak;                               ///< the field has no greater value on the ray; 0 for a negative one
+  };
+  /// A cell that the ray crosses, and where it leaves it.
+  struct VisitedCell {
+    double t1;
+    std::uint32_t index;
+  };
+  /// Of a hit: the fields that make the surface there, ascending, and their interpolants' values: `count` entries of
+  /// the two columns below.
+  struct Record {
+    const CompiledBlob* blob;
+    std::uint32_t first, count;
+  };
+
+  std::vector<Node> nodes;
+  std::vector<Field> fields;
+  std::vector<std::uint32_t> waiting, active;  ///< fields before the sweep, by where they begin; and those it is in
+  std::vector<std::uint32_t> overlapping;      ///< with the field that is looked at
+  std::vector<VisitedCell> cells;
+  std::vector<HermiteSum> branch_sums, sums;           ///< of one stretch: by branch; by selection, less the threshold
+  std::vector<std::vector<std::uint32_t>> selections;  ///< the branches of each sum, where the blob has maxima
+
+  std::vector<Record> records;
+  std::vector<std::uint32_t> record_items;
+  std::vector<double> record_values;
+  bool keeps_records = false;
+
+  /// Of what is searched from here on, the hits are shaded (`for_shading`) or not. The records of the last hits that
+  /// were to be shaded last until the next such.
+  void begin_batch(bool for_shading) {
+    keeps_records = for_shading;
+    if (!for_shading) return;
+    records.clear();
+    record_items.clear();
+    record_values.clear();
+  }
+
+  /// `keep`: what the last ray allocated.
+  void begin_ray(std::uint32_t components, bool keep) {
+    if (!keep) {
+      nodes = {};
+      fields = {};
+      waiting = {};
+      active = {};
+      overlapping = {};
+      cells = {};
+      branch_sums = {};
+      sums = {};
+      selections = {};
+    }
+    nodes.clear();
+    fields.clear();
+    waiting.clear();
+    active.clear();
+    cells.clear();
+    if (met_.size() < components || ray_ == 0xFFFFFFFFu) {
+      met_.assign(components, 0);
+      ray_ = 0;
+    }
+    ++ray_;
+  }
+  /// True the first time that this ray meets the component.
+  [[nodiscard]] bool meet(std::uint32_t component) {
+    if (met_[component] == ray_) return false;
+    met_[component] = ray_;
+    return true;
+  }
+
+  [[nodiscard]] HermiteSum piece_on(const Field& field, double from, double to) const {
+    const CubicPoint a = point_at(field, from), b = point_at(field, to);
+    return {a.value, a.slope, b.value, b.slope};
+  }
+  /// Of the interpolant that the sweep has come to.
+  [[nodiscard]] CubicPoint point_at(const Field& field, double t) const {
+    const Node &a = nodes[field.piece], &b = nodes[field.piece + 1];
+    const double h = b.t - a.t;
+    const CubicPoint p =
+        cubic_at(a.value, a.value + h * a.slope / 3, b.value - h * b.slope / 3, b.value, (t - a.t) / h);
+    return {p.value, p.slope / h};
+  }
+
+ private:
+  std::vector<std::uint32_t> met_;
+  std::uint32_t ray_ = 0;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,134 @@
+// What shading needs at a hit of the published solver, where it is not the product's own (compiled/blob_point-inl.h):
+//
+//   reuse   the search's interpolants of the fields at the hit weigh the textures, and only those fields are evaluated
+//           again, for the gradient;
+//   eq10    the normal is Σ fᵢ nᵢ, the fields' own unit normals weighted by their values: the paper's equation 10. It
+//           is the gradient's direction only where the fields' slopes are in the ratio of their values, and off by up
+//           to tens of degrees at joints. With reuse no kernel is evaluated at all.
+//
+// A component's own normal is the direction of ∇v, out of its skeleton; of a convolved curve that of its gradient,
+// which is an evaluation.
+#if defined(ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_
+#undef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_
+#else
+#define ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_
+#endif
+
+#include "base/check.h"
+#include "renderer/compiled/blob_point-inl.h"
+#include "renderer/solvers/published/paper_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+class Equation10 {
+ public:
+  /// `values` of the items, ascending; empty: to be evaluated.
+  Equation10(const CompiledBlob& blob, std::span<const std::uint32_t> items, std::span<const double> values,
+             const Vec3& point, const ShareRule& rule, BlobPoint& result)
+      : table_(blob.components),
+        items_(items),
+        values_(values),
+        point_(point),
+        result_(result),
+        shares_(rule, result.shares) {}
+
+  void add_up() {
+    shares_.clear();
+    for (std::size_t i = 0; i < items_.size();) {
+      const FieldGroup& group = table_.group_of(items_[i]);
+      std::size_t end = i + 1;
+      while (end < items_.size() && end - i < kOctet && items_[end] < group.end) ++end;
+      if (group.kernel.is_convolved) {
+        for (std::size_t j = i; j < end; ++j) add_curve(group, j);
+      } else {
+        add_octet(group, i, end);
+      }
+      i = end;
+    }
+    result_.gradient = -outward_;
+  }
+
+ private:
+  void add(std::size_t i, double value, const Vec3& normal) {
+    if (value == 0) return;
+    outward_ += normal.normalized() * value;
+    shares_.add(table_, items_[i], std::abs(value));
+  }
+
+  void add_curve(const FieldGroup& group, std::size_t i) {
+    const scene::Transform* map = group.is_mapped ? &table_.blob_from_component(group, items_[i]) : nullptr;
+    const Vec3 p = map ? map->inverse_point(point_) : point_;
+    const CurveSample f = table_.with_skeleton(
+        group, items_[i], [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+    ++result_.evaluations;
+    const double value = values_.empty() ? table_.amplitude[items_[i]] * f.value : values_[i];
+    add(i, value, -(map ? map->normal(f.gradient) : f.gradient));
+  }
+
+  void add_octet(const FieldGroup& group, std::size_t begin, std::size_t end) {
+    PointLanes lanes;
+    for (std::uint32_t j = 0; j < kOctet; ++j) {
+      set_point_lane(table_, group, items_[std::min(begin + j, end - 1)], point_, lanes, j);
+    }
+    alignas(64) double value[kOctet];
+    if (values_.empty()) {
+      const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
+      with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
+        store(keep(v < kernel.support(), amplitude * kernel.value(v)), value);
+      });
+      result_.evaluations += static_cast<std::uint32_t>(end - begin);
+    } else {
+      std::copy(values_.begin() + static_cast<std::ptrdiff_t>(begin),
+                values_.begin() + static_cast<std::ptrdiff_t>(end), value);
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      add(i, value[i - begin], {lanes.gx[i - begin], lanes.gy[i - begin], lanes.gz[i - begin]});
+    }
+  }
+
+  const ComponentTable& table_;
+  std::span<const std::uint32_t> items_;
+  std::span<const double> values_;
+  Vec3 point_;
+  BlobPoint& result_;
+  ShareSums shares_;
+  Vec3 outward_{0};
+};
+
+/// `records`: where the search left what it knows of the hit, `cell` being its number there; null where it was told to
+/// leave nothing, and `cell` is the grid's.
+inline void paper_point(const CompiledBlob& blob, std::uint32_t cell, const PaperMemory* records, bool eq10,
+                        const Vec3& point, const ShareRule& rule, BlobPoint& result) {
+  result.evaluations = 0;
+  if (records == nullptr) {
+    const std::span<const std::uint32_t> items = greatest_items(blob, cell, point, rule, result);
+    if (eq10) return Equation10(blob, items, {}, point, rule, result).add_up();
+    return set_blob_point(blob, items, point, rule, result);
+  }
+  ISL_CHECK(cell < records->records.size() && records->records[cell].blob == &blob,
+            "hit {} of {}: of an earlier batch, or of another thread", cell, records->records.size());
+  const PaperMemory::Record& record = records->records[cell];
+  const std::span<const std::uint32_t> items(records->record_items.data() + record.first, record.count);
+  const std::span<const double> values(records->record_values.data() + record.first, record.count);
+  if (eq10) return Equation10(blob, items, values, point, rule, result).add_up();
+  set_blob_point(blob, items, point, rule, result);
+  ShareSums shares(rule, result.shares);
+  shares.clear();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (values[i] != 0) shares.add(blob.components, items[i], std::abs(values[i]));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,62 @@
+// The first surface of a CSG tree along a ray.
+#pragma once
+
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/rays/blob_ray.h"
+#include "renderer/rays/ray.h"
+#include "renderer/trace/csg_state.h"
+#include "renderer/trace/ray_faces.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace isl::render {
+
+/// In the tree's space; t means the same as in the world.
+struct CsgRay {
+  Vec3 origin, direction;
+  double t_max = std::numeric_limits<double>::infinity();
+  std::uint32_t start_leaf = scene::kNone;  ///< whose surface the ray starts on, of this tree
+  std::uint8_t start_part = 0;              ///< which of its surfaces
+  double path_length = 0;                   ///< before t = 0, in world units
+  InstanceId instance = scene::kNone;       ///< that the tree is met as
+  const Ray* world = nullptr;               ///< the ray in the world
+};
+
+struct CsgHit {
+  double t = std::numeric_limits<double>::infinity();
+  std::uint32_t leaf = scene::kNone;
+  std::uint32_t cell = scene::kNone;  ///< of a blob
+  std::uint8_t part = 0;              ///< of a solid
+  bool from_inside = false;           ///< out of the whole; of a sheet, out of its back
+
+  [[nodiscard]] bool is_miss() const { return leaf == scene::kNone; }
+};
+
+/// The search for a blob's first crossing, which is compiled for several vector widths elsewhere.
+struct BlobSearch {
+  void* context;
+  BlobHit (*first_hit)(void* context, std::uint32_t blob, const BlobRay& ray);
+};
+
+/// A leaf passes between inside and outside, or the ray meets a sheet.
+struct CsgEvent {
+  double t;
+  std::uint32_t leaf;
+  std::uint32_t cell;
+  std::uint8_t part;
+};
+
+/// Kept from ray to ray.
+struct CsgMemory {
+  CsgState state;
+  std::vector<CsgEvent> events;  ///< a heap, the nearest first
+  std::vector<CsgEvent> group;   ///< those that are taken together
+  std::vector<std::uint8_t> shown;
+};
+
+[[nodiscard]] CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
+                                   const BlobSearch& blobs, CsgMemory& memory);
+
+}  // namespace isl::render

@@ -1,0 +1,48 @@
+// The inner loops, compiled once for every vector width and chosen at run time. See trace_kernel.cpp.
+#pragma once
+
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/fields/packet/packet_memory.h"
+#include "renderer/fields/point/blob_point.h"
+#include "renderer/fields/ray/lane_memory.h"
+#include "renderer/rays/blob_ray.h"
+#include "renderer/rays/ray.h"
+#include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/published/paper_memory.h"
+#include "renderer/trace/csg_search.h"
+
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+/// What a thread reuses from ray to ray.
+struct TraceMemory {
+  LaneMemory lanes;
+  PacketMemory packet;
+  PaperMemory paper;
+  CsgMemory csg;
+  BlobPoint point;
+};
+
+/// What rays are traced by.
+struct TraceLoops {
+  void (*first_hits)(const CompiledScene&, const SolverSettings&, RayKind, std::span<const Ray>, std::span<Hit>,
+                     TraceMemory&, TraceCounters&);
+  void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
+                     TraceCounters&);
+};
+
+struct TraceKernel {
+  const char* target;
+  TraceLoops loops;  ///< of the product's solver and the published one
+  void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
+  void (*paper_point)(const CompiledBlob&, std::uint32_t cell, const PaperMemory* records, bool eq10, const Vec3& point,
+                      const ShareRule&, BlobPoint&);
+};
+
+/// The kernel for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …). Null if the
+/// machine or the program lacks it.
+[[nodiscard]] const TraceKernel* trace_kernel(const std::string& target);
+
+}  // namespace isl::render

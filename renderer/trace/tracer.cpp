@@ -1,0 +1,167 @@
+#include "renderer/trace/tracer.h"
+
+#include "base/check.h"
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/compiled/grid_json.h"
+#include "renderer/solids/solid.h"
+#include "renderer/trace/cutaway.h"
+#include "renderer/trace/face.h"
+#include "renderer/trace/rival_kernel.h"
+#include "renderer/trace/trace_kernel.h"
+
+namespace isl::render {
+namespace {
+
+TraceMemory& thread_memory() {
+  static thread_local TraceMemory memory;
+  return memory;
+}
+
+BlobPoint& thread_blob_point() {
+  static thread_local BlobPoint point;
+  return point;
+}
+
+}  // namespace
+
+struct Tracer::Impl {
+  CompiledScene scene;
+  SolverSettings settings;
+  const TraceKernel* kernel = nullptr;
+  const TraceLoops* loops = nullptr;  ///< the kernel's, or a rival's
+
+  /// The normal of a solid or blob at a point in its own space, of any length; adds its textures there, of which `other` is
+  /// the one where it has none of its own.
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit, const Vec3& local,
+                std::vector<TextureShare>& textures, TraceCounters& counters) const {
+    if (kind == scene::Object::Kind::solid) {
+      textures.push_back(other);
+      textures.back().surface = {kind, shape, 0, local};
+      return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
+    }
+    BlobPoint& blob = thread_blob_point();
+    const ShareRule rule{&scene.coordinate_textures, other.texture};
+    if (is_published(settings.name)) {
+      const PaperMemory* const records = settings.paper.reuse ? &thread_memory().paper : nullptr;
+      kernel->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
+    } else {
+      kernel->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
+    }
+    counters.shading_evaluations += blob.evaluations;
+    double total = 0;
+    for (const TextureShare& share : blob.shares) total += share.weight;
+    for (const TextureShare& share : blob.shares) {
+      const bool is_own = share.texture != scene::kNoTexture;
+      textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place,
+                          {kind, shape, share.surface.component, local}});
+    }
+    // Only where the published solver takes a place far from every field for the surface.
+    if (textures.empty()) textures.push_back(other);
+    return -blob.gradient;
+  }
+};
+
+namespace {
+
+/// The whole of a surface in the texture of an instance.
+TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
+  const TextureSpace space = instance.texture_space;
+  const Vec3 place = space == kOwnSpace     ? local
+                     : space == kOuterSpace ? world
+                                            : scene.texture_spaces[space].inverse_point(world);
+  return {instance.texture, 1, place};
+}
+
+/// The same of a leaf of a tree, at a point in the tree's group's space. Precondition: it has one.
+TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
+  const TextureSpace space = leaf.texture_space;
+  const Vec3 place = space == kOwnSpace     ? leaf.group_from_leaf.inverse_point(point)
+                     : space == kOuterSpace ? point
+                                            : tree.texture_spaces[space].inverse_point(point);
+  return {leaf.texture, 1, place};
+}
+
+}  // namespace
+
+Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
+  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper,
+                      options.step, options.relaxation, options.packets};
+  const CellRule cells = is_published(options.solver) ? CellRule::none
+                         : options.octree             ? CellRule::lipschitz
+                                                      : CellRule::ranges;
+  impl_->scene = compile(database, {.cells = cells, .skeleton = options.skeleton});
+  if (is_published(options.solver)) {
+    const bool iso = options.solver == SolverName::iso;
+    for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
+  }
+  impl_->kernel = trace_kernel(options.simd);
+  ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
+  impl_->loops = is_rival(options.solver) ? rival_kernel(options.simd) : &impl_->kernel->loops;
+}
+
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+
+bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name) != nullptr; }
+
+void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
+  ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
+  impl_->loops->first_hits(impl_->scene, impl_->settings, kind, rays, hits, thread_memory(), counters);
+}
+
+void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
+  ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
+  impl_->loops->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
+}
+
+void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
+  ISL_DCHECK(!hit.is_miss());
+  const Instance& instance = impl_->scene.instances[hit.instance];
+  point.position = ray.origin + ray.direction * hit.t;
+  point.textures.clear();
+  const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
+  Vec3 normal;
+  if (instance.kind == scene::Object::Kind::group) {
+    const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
+    const CsgTree& tree = impl_->scene.trees[instance.shape];
+    TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
+    if (leaf.texture != scene::kNoTexture) {
+      texture = texture_of(tree, leaf, local);
+    } else if (texture.texture == scene::kNoTexture) {
+      if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local)) texture = texture_of(tree, *cut, local);
+    }
+    const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures, counters);
+    if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
+    if (leaf.is_inverse) normal = -normal;
+  } else {
+    const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, point.textures, counters);
+  }
+  if (instance.is_placed) normal = instance.world_from_object.normal(normal);
+  if (instance.is_inverse) normal = -normal;
+  const double length = normal.length();
+  // A gradient of zero on the surface (a saddle exactly at the threshold) has no normal; facing the ray is as good as any.
+  point.normal = length > 0 ? normal / length : -ray.direction;
+}
+
+Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const {
+  const BlobGradient gradient{impl_.get(),
+                              [](void* context, std::uint32_t blob, std::uint32_t cell, const Vec3& place) {
+                                const auto& self = *static_cast<Impl*>(context);
+                                if (is_published(self.settings.name)) return Vec3(0);
+                                BlobPoint& found = thread_blob_point();
+                                const ShareRule rule{&self.scene.coordinate_textures, scene::kNoTexture};
+                                self.kernel->blob_point(self.scene.blobs[blob], cell, place, rule, found);
+                                return found.gradient;
+                              }};
+  return face_of(impl_->scene, hit, point, reach, gradient);
+}
+
+std::size_t Tracer::grid_bytes() const { return impl_->scene.grid_bytes(); }
+
+std::string Tracer::grid_json() const { return render::grid_json(impl_->scene); }
+
+const char* Tracer::simd_target() const { return impl_->kernel->target; }
+
+}  // namespace isl::render

@@ -1,0 +1,58 @@
+// Rays against a compiled scene: the seam between finding surfaces (fields, grid, solvers, solids) and making pictures of
+// them (shading, effects, image). Rays come in batches, so that the inside may choose its own order and vector width.
+#pragma once
+
+#include "renderer/rays/ray.h"
+#include "renderer/rays/surface_point.h"
+#include "renderer/rays/trace_counters.h"
+#include "renderer/rays/tracer_options.h"
+#include "renderer/scene/database.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace isl::render {
+
+struct Face;  // trace/face.h
+
+/// A database made ready to be traced. Immutable; every member may be called from many threads.
+class Tracer {
+ public:
+  Tracer(const scene::Database& database, const TracerOptions& options);
+  ~Tracer();
+  Tracer(Tracer&&) noexcept;
+
+  /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
+  /// solver, the thread may ask for surfaces (surface_at) of the hits until it asks for hits again, and no other may.
+  void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
+                  RayKind kind = RayKind::image) const;
+
+  /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
+  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
+
+  /// Normal and materials where `ray` meets `hit`. Precondition: the hit is none of a miss.
+  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;
+  void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
+    TraceCounters unread;
+    surface_at(ray, hit, point, unread);
+  }
+
+  /// The face that was hit, at a point of the surface or near it, and how far rounding may have moved it. `reach` is
+  /// the point's (trace/face.h).
+  [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const;
+
+  /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
+  [[nodiscard]] static bool has_simd_target(const std::string& name);
+
+  [[nodiscard]] std::size_t grid_bytes() const;
+  [[nodiscard]] std::string grid_json() const;  ///< for `isl dump --stage grid`
+  [[nodiscard]] const char* simd_target() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,294 @@
+// One ray against everything: half-spaces, then the top-level grid's instances in order of the cells they stand in,
+// each in its own space. t is the same in all spaces, since directions are transformed and not normalised again.
+//
+// What coincides is told apart by trace/ray_faces.h: it is asked only about crossings close to the start or to one
+// another.
+#if defined(ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_
+#undef ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_
+#else
+#define ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_
+#endif
+
+#include "renderer/compiled/blob_point-inl.h"
+#include "renderer/grid/grid_walk-inl.h"
+#include "renderer/rays/blob_ray.h"
+#include "renderer/solids/solid.h"
+#include "renderer/trace/ray_faces.h"
+#include "renderer/trace/trace_kernel.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// `Search` has BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&), and
+/// for trace_packet() also takes_packets(const CompiledBlob&) and
+/// first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay*, std::uint32_t rays, BlobHit*).
+template <class Search>
+class WorldTrace {
+ public:
+  WorldTrace(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, TraceMemory& memory,
+             TraceCounters& counters)
+      : scene_(scene),
+        settings_(settings),
+        memory_(memory),
+        counters_(counters),
+        kind_(static_cast<std::uint8_t>(kind)),
+        faces_(scene, blob_gradient()) {}
+
+  /// With `any`, the first thing found ends the search, and only whether there is one is told.
+  [[nodiscard]] Hit trace(const Ray& ray, bool any) {
+    Hit best;
+    best.t = ray.t_max;
+    if (!is_sound(ray)) {
+      best.t = std::numeric_limits<double>::infinity();
+      return best;
+    }
+    for (const std::uint32_t instance : scene_.unbounded) {
+      if (meet(instance, ray, any, best) && any) return best;
+    }
+    const Grid& grid = scene_.grid;
+    if (scene_.bounded.size() <= kFewInstances) {
+      for (const std::uint32_t instance : scene_.bounded) {
+        if (meet(instance, ray, any, best) && any) return best;
+      }
+    } else if (!grid.is_empty()) {
+      const BoxSpan span = clip_to_box(grid.box, ray.origin, ray.direction, 0, best.t);
+      if (span.enter < span.leave) {
+        recent_.fill(scene::kNone);
+        walk(grid, ray.origin, ray.direction, span.enter, span.leave,
+             [&](std::uint32_t, const Cell& cell, double t0, double) HWY_ATTR {
+               if (t0 > best.t && t0 > last_that_counts(ray, best)) return true;
+               for (std::uint32_t i = 0; i < cell.count(); ++i) {
+                 const std::uint32_t instance = grid.items[cell.first + i];
+                 std::uint32_t& recent = recent_[instance % recent_.size()];
+                 if (recent == instance) continue;
+                 recent = instance;
+                 if (meet(instance, ray, any, best) && any) return true;
+               }
+               return false;
+             });
+      }
+    }
+    if (best.is_miss()) best.t = std::numeric_limits<double>::infinity();
+    if (faces_.has_kept()) {
+      best = faces_.first_declared(ray, best);
+      faces_.forget();
+    }
+    return best;
+  }
+
+  /// The same of up to kPacket rays at once: what is met is met by all of them, and blobs that can be are searched for them
+  /// together.
+  void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
+    if (scene_.bounded.size() > kFewInstances) {
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = trace(rays[i], any);
+      return;
+    }
+    std::uint32_t open = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = {};
+      if (!is_sound(rays[i])) continue;
+      hits[i].t = rays[i].t_max;
+      open |= 1u << i;
+    }
+    for (const auto* const list : {&scene_.unbounded, &scene_.bounded}) {
+      for (const std::uint32_t instance : *list) open = meet_packet(instance, rays, open, any, hits);
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
+    }
+    if (!faces_.has_kept()) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = faces_.first_declared(rays[i], hits[i]);
+    faces_.forget();
+  }
+
+ private:
+  /// Up to here a list is quicker than a grid.
+  static constexpr std::size_t kFewInstances = 3;
+
+  [[nodiscard]] static bool is_sound(const Ray& ray) {
+    const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
+    return std::isfinite(sum) && ray.direction.length2() > 0;
+  }
+
+  /// Lets the rays whose bit in `open` is set meet the instance; those that go on.
+  std::uint32_t meet_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
+    const Instance& instance = scene_.instances[index];
+    const bool is_packed =
+        instance.kind == scene::Object::Kind::blob && Search::takes_packets(scene_.blobs[instance.shape]);
+    std::uint32_t met = 0;
+    if (!is_packed) {
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((open >> i & 1) != 0 && meet(index, rays[i], any, hits[i])) met |= 1u << i;
+      }
+    } else if (!is_hidden(instance)) {
+      BlobRay blob_rays[kPacket];
+      BlobHit blob_hits[kPacket];
+      for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
+      Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((open >> i & 1) == 0 || blob_hits[i].is_miss()) continue;
+        if (take_blob(index, rays[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
+      }
+    }
+    return any ? open & ~met : open;
+  }
+
+  [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
+
+  /// The ray in the space of an instance that is a blob.
+  [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
+    const Instance& instance = scene_.instances[index];
+    Vec3 origin = ray.origin, direction = ray.direction;
+    if (instance.is_placed) {
+      origin = instance.world_from_object.inverse_point(origin);
+      direction = instance.world_from_object.inverse_vector(direction);
+    }
+    return {origin, direction, farthest(index, ray, any, best), ray.start.instance == index, any, ray.path_length};
+  }
+
+  /// How far an instance's hit can matter: behind the nearest, if it may coincide with it and was declared before.
+  [[nodiscard]] double farthest(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
+    if (any || best.is_miss() || best.instance < index) return best.t;
+    return best.t + faces_.nearness(best.instance, ray, best.t) + faces_.nearness(index, ray, best.t);
+  }
+
+  /// Takes what was found of a blob, which is no miss; whether that is the nearest. With `any`, its t is rough and
+  /// within t_max.
+  bool take_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray, BlobHit hit, Hit& best) {
+    const bool from_elsewhere = ray.start.instance != scene::kNone && ray.start.instance != index;
+    if (from_elsewhere && starts_on_blob(index, ray, blob_ray, hit)) {
+      BlobRay beyond = blob_ray;
+      beyond.starts_on_surface = true;
+      beyond.may_go_in = true;
+      hit = first_hit(scene_.blobs[scene_.instances[index].shape], beyond);
+      if (hit.is_miss()) return false;
+    }
+    const bool from_inside = hit.from_inside != scene_.instances[index].is_inverse;
+    return offer(ray, {hit.t, index, hit.cell, 0, from_inside, scene::kNone}, blob_ray.any, best);
+  }
+
+  /// Whether the ray's first crossing of a blob is a face that it starts on.
+  [[nodiscard]] HWY_NOINLINE bool starts_on_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray,
+                                                 BlobHit hit) {
+    const CompiledBlob& blob = scene_.blobs[scene_.instances[index].shape];
+    if (!blob.grid.box.intersects(blob_ray.origin) && blob.grid.beyond == scene::kNone) return false;
+    const double nearest = 2 * faces_.nearness(index, ray, 0);
+    if (blob_ray.any) {
+      // Its t is rough: the crossing is searched for where it matters.
+      BlobRay near = blob_ray;
+      near.any = false;
+      near.t_max = std::min(near.t_max, nearest);
+      hit = first_hit(blob, near);
+    }
+    return !hit.is_miss() && hit.t <= nearest &&
+           faces_.is_at_start(ray, {hit.t, index, hit.cell, 0, false, scene::kNone});
+  }
+
+  /// Whether the instance is met before `best`, which then is the new hit.
+  bool meet(std::uint32_t index, const Ray& ray, bool any, Hit& best) {
+    const Instance& instance = scene_.instances[index];
+    if (is_hidden(instance)) return false;
+    if (instance.kind == scene::Object::Kind::blob) {
+      const BlobRay blob_ray = in_blob(index, ray, any, best);
+      const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
+      return !hit.is_miss() && take_blob(index, ray, blob_ray, hit, best);
+    }
+    Vec3 origin = ray.origin, direction = ray.direction;
+    if (instance.is_placed) {
+      origin = instance.world_from_object.inverse_point(origin);
+      direction = instance.world_from_object.inverse_vector(direction);
+    }
+    const bool starts_here = ray.start.instance == index;
+    if (instance.kind == scene::Object::Kind::group) {
+      return meet_csg(index, ray, any,
+                      {origin, direction, farthest(index, ray, any, best), starts_here ? ray.start.leaf : scene::kNone,
+                       ray.start.part, ray.path_length, index, &ray},
+                      best);
+    }
+    const scene::Solid& solid = scene_.solids[instance.shape];
+    const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart, scene_.details);
+    const auto count = static_cast<std::size_t>(found.count);
+    std::size_t first = 0;
+    while (first < count && !(found.t[first] > 0)) ++first;
+    if (first == count) return false;
+    if (ray.start.instance != scene::kNone && !starts_here &&
+        found.t[first] <= faces_.nearness(index, ray, found.t[first])) {
+      first = faces_.pass_start(index, ray, found, first);
+      if (first == count) return false;
+    }
+    const double t = found.t[first];
+    const std::uint8_t part = found.part[first];
+    if (!(t < best.t) && !(t < farthest(index, ray, any, best))) return false;
+    const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
+    return offer(ray, {t, index, scene::kNone, part, from_inside, scene::kNone}, any, best);
+  }
+
+  bool meet_csg(std::uint32_t index, const Ray& ray, bool any, const CsgRay& csg_ray, Hit& best) {
+    const Instance& instance = scene_.instances[index];
+    const BlobSearch blobs{this, [](void* self, std::uint32_t blob, const BlobRay& blob_ray) {
+                             auto& world = *static_cast<WorldTrace*>(self);
+                             return world.first_hit(world.scene_.blobs[blob], blob_ray);
+                           }};
+    const CsgHit hit = first_csg_hit(scene_, scene_.trees[instance.shape], csg_ray, faces_, blobs, memory_.csg);
+    if (hit.is_miss()) return false;
+    return offer(ray, {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf}, any, best);
+  }
+
+  /// Makes a hit the best if it is the nearest. Of two the farther one is kept if it was declared before and may
+  /// coincide.
+  bool offer(const Ray& ray, const Hit& hit, bool any, Hit& best) {
+    if (any) {
+      best = hit;
+      return true;
+    }
+    const bool is_nearer = hit.t < best.t;
+    if (!best.is_miss() && (hit.instance < best.instance) != is_nearer) {
+      faces_.keep_if_near(ray, is_nearer ? hit : best, is_nearer ? best : hit);
+    }
+    if (is_nearer) best = hit;
+    return is_nearer;
+  }
+
+  /// Up to here a hit behind one that is nearer must be looked at.
+  [[nodiscard]] double last_that_counts(const Ray& ray, const Hit& best) const {
+    return best.is_miss() ? best.t : best.t + 2 * faces_.nearness(best.instance, ray, best.t);
+  }
+
+  [[nodiscard]] BlobGradient blob_gradient() {
+    return {this, [](void* self, std::uint32_t blob, std::uint32_t cell, const Vec3& point) {
+              auto& world = *static_cast<WorldTrace*>(self);
+              if (is_published(world.settings_.name)) return Vec3(0);
+              const ShareRule rule{&world.scene_.coordinate_textures, scene::kNoTexture};
+              blob_point(world.scene_.blobs[blob], cell, point, rule, world.memory_.point);
+              return world.memory_.point.gradient;
+            }};
+  }
+
+  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const Vec3& direction) const {
+    return normal_at(solid, part, point, scene_.details).dot(direction) > 0;
+  }
+
+  [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {
+    return Search::first_hit(blob, settings_, memory_, counters_, ray);
+  }
+
+  const CompiledScene& scene_;
+  const SolverSettings& settings_;
+  TraceMemory& memory_;
+  TraceCounters& counters_;
+  std::uint8_t kind_;  ///< the bit of RayKind
+  std::array<std::uint32_t, 16> recent_;  ///< a mailbox: what the ray has met in the cells behind it
+  RayFaces faces_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif

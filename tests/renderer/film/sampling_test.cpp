@@ -1,0 +1,119 @@
+// Where samples lie, which pixels get them, and in what order pixels are visited.
+#include "renderer/film/adaptive.h"
+#include "renderer/film/camera.h"
+#include "renderer/film/sample_pattern.h"
+#include "renderer/film/tiles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace isl::render::test {
+namespace {
+
+TEST(SamplePattern, begins_at_the_centre_and_visits_every_row_and_column_once) {
+  for (const int count : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 64, 100, 255, 1024}) {
+    const std::vector<SampleOffset> offsets = sample_pattern(count);
+    ASSERT_EQ(offsets.size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(offsets[0].x, 0);
+    EXPECT_EQ(offsets[0].y, 0);
+    std::set<long> columns, rows;
+    for (const SampleOffset& offset : offsets) {
+      EXPECT_TRUE(-0.5 <= offset.x && offset.x < 0.5 && -0.5 <= offset.y && offset.y < 0.5);
+      columns.insert(std::lround(offset.x * count));
+      rows.insert(std::lround(offset.y * count));
+    }
+    EXPECT_EQ(columns.size(), offsets.size());
+    EXPECT_EQ(rows.size(), offsets.size());
+  }
+}
+
+TEST(SamplePattern, of_16_keeps_its_points_apart) {
+  const std::vector<SampleOffset> offsets = sample_pattern(16);
+  double nearest = 1;
+  for (std::size_t i = 1; i < offsets.size(); ++i) {
+    const double x = offsets[i].x, y = offsets[i].y;
+    nearest = std::min(nearest, std::hypot(x, y));
+  }
+  EXPECT_NEAR(nearest, std::sqrt(10.0) / 16, 1e-12) << "the most that a 16-point lattice with odd generator allows";
+}
+
+TEST(Tiles, cover_every_pixel_once_in_any_order) {
+  const PixelRect rect{5, 3, 101, 70};
+  for (const TileOrder order : {TileOrder::rows, TileOrder::reversed, TileOrder::shuffled}) {
+    std::vector<int> seen(rect.area());
+    std::vector<Pixel> pixels;
+    for (const PixelRect& tile : tiles_of(rect, order)) {
+      pixels_of(tile, pixels);
+      for (const Pixel& pixel : pixels) {
+        ASSERT_TRUE(pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1);
+        ++seen[rect.index(pixel.x, pixel.y)];
+      }
+    }
+    for (const int count : seen) ASSERT_EQ(count, 1);
+  }
+  EXPECT_TRUE(tiles_of({4, 4, 4, 9}, TileOrder::rows).empty());
+}
+
+TEST(Tiles, are_shuffled_when_asked) {
+  const PixelRect rect{0, 0, 320, 320};
+  EXPECT_NE(tiles_of(rect, TileOrder::shuffled), tiles_of(rect, TileOrder::rows));
+}
+
+/// A film of one sample a pixel: linear greys.
+Film film_of(const PixelRect& rect, const std::vector<double>& greys) {
+  Film film(rect, {});
+  for (std::size_t i = 0; i < greys.size(); ++i) film.add_sample(i, Rgb(greys[i]), 1);
+  return film;
+}
+
+bool rough(const std::vector<double>& greys, int x, int y, double threshold) {
+  const PixelRect rect{0, 0, 3, 3};
+  const Film film = film_of(rect, greys);
+  DisplayedPass displayed(rect);
+  for (int row = 0; row < 3; ++row) displayed.fill_row(film, row);
+  return displayed.is_rough(x, y, threshold);
+}
+
+TEST(Adaptive, compares_with_all_eight_neighbours) {
+  for (std::size_t i = 0; i < 9; ++i) {
+    std::vector<double> greys(9, 0.2);
+    greys[i] = 0.9;
+    EXPECT_TRUE(rough(greys, 1, 1, 0.1));
+  }
+  EXPECT_FALSE(rough(std::vector<double>(9, 0.2), 1, 1, 0));
+  EXPECT_TRUE(rough(std::vector<double>(9, 0.2), 1, 1, -1)) << "a negative threshold takes every pixel";
+}
+
+TEST(Adaptive, judges_what_a_display_shows) {
+  // In light 0 and 0.02 are close; on a display they are codes 0 and 0.15.
+  std::vector<double> dark(9, 0.0);
+  dark[0] = 0.02;
+  EXPECT_TRUE(rough(dark, 1, 1, 0.1));
+  EXPECT_FALSE(rough(dark, 2, 2, 0.1)) << "not a neighbour";
+  std::vector<double> glaring(9, 3.0);
+  glaring[0] = 300;
+  EXPECT_FALSE(rough(glaring, 1, 1, 0.1)) << "both are white";
+}
+
+TEST(Camera, puts_pixel_centres_where_povray_does) {
+  const scene::Camera camera{{0, 0, 0}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}};
+  const CameraRays rays(camera, 4, 3);
+  // The ray through a pixel's centre meets z = 1 in whole and half units: POV-Ray's pictures of a gradient there say
+  // so.
+  const Vec3 first = rays.through(0.5, 0.5).direction;
+  EXPECT_NEAR(first.x / first.z, -1.5, 1e-15);
+  EXPECT_NEAR(first.y / first.z, 1.0, 1e-15);
+  const Vec3 last = rays.through(3.5, 2.5).direction;
+  EXPECT_NEAR(last.x / last.z, 1.5, 1e-15);
+  EXPECT_NEAR(last.y / last.z, -1.0, 1e-15);
+  EXPECT_NEAR(first.length(), 1, 1e-15);
+}
+
+TEST(Camera, knows_the_angle_of_a_pixel) {
+  EXPECT_NEAR(pixel_angle({{0, 0, 0}, {0, 0, 2}, {4, 0, 0}, {0, 3, 0}}, 400, 100), 0.005, 1e-15);
+}
+
+}  // namespace
+}  // namespace isl::render::test

@@ -1,0 +1,133 @@
+// Rays in packets find what they find one by one, and meet the same cells on the way.
+#include "renderer/trace/tracer.h"
+#include "tests/support/sphereflake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace isl::render {
+namespace {
+
+struct Traced {
+  std::vector<Hit> hits;
+  std::vector<std::uint8_t> occluded;
+  TraceCounters counters;
+};
+
+Traced traced(const scene::Database& database, bool packets, const std::vector<Ray>& rays) {
+  TracerOptions options;
+  options.packets = packets;
+  const Tracer tracer(database, options);
+  Traced result{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size()), {}};
+  tracer.first_hits(rays, result.hits, result.counters);
+  tracer.occlusions(rays, result.occluded, result.counters);
+  return result;
+}
+
+/// How many rays hit. `in_planes`: some begin in planes of the grid.
+int expect_same(const scene::Database& database, const std::vector<Ray>& rays, bool in_planes = false) {
+  const Traced alone = traced(database, false, rays), together = traced(database, true, rays);
+  int hits = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit &a = alone.hits[i], &b = together.hits[i];
+    EXPECT_EQ(a.is_miss(), b.is_miss()) << "ray " << i;
+    EXPECT_EQ(alone.occluded[i], together.occluded[i]) << "ray " << i;
+    if (a.is_miss() || b.is_miss()) continue;
+    ++hits;
+    // Both are Newton's, down to rounding; a grazing ray's slope is a thousandth of what it is in the mean.
+    EXPECT_NEAR(a.t, b.t, 1e-11 * (1 + a.t)) << "ray " << i;
+    EXPECT_EQ(a.from_inside, b.from_inside) << "ray " << i;
+  }
+  // Where a ray passes an edge within a rounding, one walk may take a cell in and the other not; so may those in a plane.
+  const double cells = static_cast<double>(alone.counters.cells);
+  EXPECT_NEAR(static_cast<double>(together.counters.cells), cells, (in_planes ? 0.05 : 1e-3) * cells + 8);
+  EXPECT_EQ(together.counters.uncertified_steps, alone.counters.uncertified_steps);
+  return hits;
+}
+
+/// Eight rays from about `eye`, apart by `spread`, for each of the targets.
+std::vector<Ray> bundles(std::mt19937_64& bits, int count, const Vec3& eye, double spread) {
+  const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+  const auto in_cube = [&] { return Vec3(2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1); };
+  std::vector<Ray> rays;
+  while (static_cast<int>(rays.size()) < count) {
+    const Vec3 target = in_cube() * 0.7;
+    for (int i = 0; i < 8; ++i) rays.push_back({eye, (target + in_cube() * spread - eye).normalized(), 4.5, 0, {}});
+  }
+  return rays;
+}
+
+scene::Database flake() {
+  return test::sphereflake(2, {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
+}
+
+TEST(Packets, FindWhatSingleRaysFindHoweverFarApartTheyAre) {
+  const scene::Database database = flake();
+  std::mt19937_64 bits(3);
+  for (const double spread : {1e-4, 1e-2, 0.1, 1.0}) {
+    SCOPED_TRACE(spread);
+    EXPECT_GT(expect_same(database, bundles(bits, 2000, {2.1, 1.3, 1.7}, spread)), 300);
+  }
+}
+
+TEST(Packets, TakeRaysOfAllDirectionsTogether) {
+  const scene::Database database = flake();
+  std::mt19937_64 bits(4);
+  EXPECT_GT(expect_same(database, bundles(bits, 2000, {0.9, 0.03, 0.01}, 2)), 300);
+}
+
+TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
+  const scene::Database database = flake();
+  std::vector<Ray> rays;
+  for (int i = 0; i < 40; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double towards : {-1.0, 1.0}) {
+        // Their origins in planes of the grid as well: its box is a round number about the origin.
+        Vec3 origin(0.05 * (i % 8) - 0.2, 0.05 * (i / 8) - 0.1, 0.03 * i - 0.6), direction(0);
+        direction[axis] = towards;
+        origin[axis] = i % 5 == 0 ? 0 : -2 * towards;
+        rays.push_back({origin, direction, 4.5, 0, {}});
+      }
+    }
+  }
+  EXPECT_GT(expect_same(database, rays, true), 100);
+}
+
+TEST(Packets, TakeEverySkeleton) {
+  std::mt19937_64 bits(5);
+  for (int which = 0; which < 6; ++which) {
+    for (const bool is_mapped : {false, true}) {
+      scene::Database database = flake();
+      scene::Blob& blob = database.blobs[0];
+      scene::Transform stretch;
+      stretch.matrix.setScale(Vec3(1, 1.5, 0.7));
+      stretch.inverse = stretch.matrix.inverse();
+      database.transforms.push_back(stretch);
+      for (int i = 0; i < 12; ++i) {
+        scene::Component c;
+        c.skeleton = static_cast<scene::Skeleton>(which);
+        c.a = Vec3(0.5 * std::sin(1.7 * i), 0.5 * std::cos(2.3 * i), 0.08 * i - 0.5);
+        c.b = c.skeleton == scene::Skeleton::circle ? Vec3(0, 0.6, 0.8) : c.a + Vec3(0.3, 0.1 * (i % 5), 0.2);
+        c.radius_a = 0.05;
+        c.radius_b = c.skeleton == scene::Skeleton::circle ? 0.2 : 0.02;
+        c.kernel = scene::KernelId{0};
+        if (is_mapped) c.transform = scene::TransformId{0};
+        if (c.skeleton == scene::Skeleton::triangle) {
+          c.corner = static_cast<std::uint32_t>(blob.corners.size());
+          blob.corners.push_back(c.a + Vec3(-0.1, 0.2, 0.3));
+        }
+        blob.components.push_back(c);
+        blob.origins.push_back({});
+      }
+      SCOPED_TRACE("skeleton " + std::to_string(which) + (is_mapped ? ", mapped" : ""));
+      EXPECT_GT(expect_same(database, bundles(bits, 800, {2.1, 1.3, 1.7}, 0.02)), 100);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isl::render
