@@ -1,6 +1,6 @@
 // The program: the command line as data, then the command that it names.
-#include "cli/commands.h"
-#include "cli/interrupt.h"
+#include "cli/commands/commands.h"
+#include "cli/output/interrupt.h"
 
 #include <csignal>
 #include <cstdio>

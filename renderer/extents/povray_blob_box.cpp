@@ -1,5 +1,5 @@
 // POV-Ray bounds a blob by the balls about its components' supports, whatever the threshold is: larger than the surface, and scenes
-// build on the numbers. By probing POV-Ray 3.7 (tests/cli/object_functions_test.cpp has its answers):
+// build on the numbers. By probing POV-Ray 3.7 (tests/cli/program/object_functions_test.cpp has its answers):
 //
 // A sphere is its own ball. A cylinder has three: one about each cap's end, and one about the middle part. A cylinder stands
 // along z from where it is turned by the shortest way. What is turned so, or distorted by a transform, has for its ball's radius

@@ -1,6 +1,6 @@
-// (u, v) of a sphere, a torus and a box, as POV-Ray 3.7 has them (tests/cli/povray_pictures_test.cpp compares); solids
-// and the skeletons of the same names share them. And what the skeletons that POV-Ray does not have are made of: an
-// angle about an axis. All in the shape's own space.
+// (u, v) of a sphere, a torus and a box, as POV-Ray 3.7 has them (tests/cli/program/povray_pictures_test.cpp compares);
+// solids and the skeletons of the same names share them. And what the skeletons that POV-Ray does not have are made of:
+// an angle about an axis. All in the shape's own space.
 #pragma once
 
 #include "renderer/scene/transform.h"

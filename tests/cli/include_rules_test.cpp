@@ -76,7 +76,8 @@ class OrderedFolders {
 };
 
 const std::vector<OrderedFolders>& ordered_parts() {
-  static const std::vector<OrderedFolders> kParts{OrderedFolders("renderer", "ISL_RENDERER_FOLDERS")};
+  static const std::vector<OrderedFolders> kParts{OrderedFolders("renderer", "ISL_RENDERER_FOLDERS"),
+                                                 OrderedFolders("cli", "ISL_CLI_FOLDERS")};
   return kParts;
 }
 
@@ -88,7 +89,7 @@ bool is_in_order(const std::string& file, const std::string& other) {
   return true;
 }
 
-/// What an #include line names, with its opening bracket or quote: `"cli/options.h`; "" for any other line.
+/// What an #include line names, with its opening bracket or quote: `"cli/options/options.h`; "" for any other line.
 std::string included(std::string_view line) {
   const auto skip_blanks = [&line] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
   skip_blanks();

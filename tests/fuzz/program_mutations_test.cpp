@@ -1,7 +1,7 @@
 // Mutated scenes through the built program, as a user runs it: `isl check` and a tiny `isl render` end with an exit
 // code of their contract and never by a signal, every error has a place, and a picture is there exactly where the exit
 // code says so. ISL_PROGRAM_MUTATIONS says how many scenes.
-#include "tests/cli/program_fixture.h"
+#include "tests/cli/program/program_fixture.h"
 #include "tests/fuzz/mutated_scenes.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "cli/diagnostic_printer.h"
+#include "cli/session/diagnostic_printer.h"
 #include "grammar/loader.h"
 #include "interpreter/evaluate.h"
 #include "renderer/scene/dump_json.h"

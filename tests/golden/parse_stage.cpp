@@ -1,4 +1,4 @@
-#include "cli/diagnostic_printer.h"
+#include "cli/session/diagnostic_printer.h"
 #include "grammar/dump.h"
 #include "grammar/loader.h"
 #include "tests/golden/stages.h"

@@ -1,7 +1,7 @@
 // Runs the program on a hostile scene within bounds of time and memory that the system enforces.
 #pragma once
 
-#include "tests/cli/program_fixture.h"
+#include "tests/cli/program/program_fixture.h"
 
 #include <chrono>
 #include <string>

@@ -1,0 +1,30 @@
+// The pictures of a report: the scene itself, and for each setting where it errs and where it costs.
+#pragma once
+
+#include "cli/accuracy/report.h"
+#include "renderer/image/false_colour.h"
+#include "renderer/image/image.h"
+
+#include <string>
+#include <vector>
+
+namespace isl::cli {
+
+/// One scale for all settings, so that their pictures compare.
+struct AccuracyScales {
+  render::ColourScale error;  ///< pixels
+  render::ColourScale cost;   ///< field evaluations of a ray
+};
+
+/// Pictures as `data:` addresses.
+struct AccuracyPictures {
+  AccuracyScales scales;
+  std::string scene;
+  std::vector<std::string> errors, costs;  ///< one a rung
+  std::string problem;                     ///< what went wrong (lower case, no full stop), or ""
+};
+
+/// `scene` is the rendered picture.
+[[nodiscard]] AccuracyPictures accuracy_pictures(const AccuracyReport& report, const render::Image& scene);
+
+}  // namespace isl::cli

@@ -1,0 +1,208 @@
+#include "cli/accuracy/report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+namespace isl::cli {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// What settings are judged by: the worst error, worse than any length where surfaces are missed or invented, and none
+/// better than the reference is known to be.
+double worst_of(const AccuracyReport& report, std::size_t i) {
+  const render::ErrorSummary& summary = report.comparison.settings[i].summary;
+  if (summary.missed + summary.false_surfaces > 0) return kNever;
+  return std::max(summary.worst_pixels, report.comparison.check.worst_pixels);
+}
+
+/// Settings that do the very same work, as hermite does where no ray needs its tolerance, are seen to differ by up to a
+/// hundredth: where their memory lies decides that much.
+constexpr double kSameTime = 0.02;
+
+bool is_quicker(const render::Measured& a, const render::Measured& b) {
+  return a.relative_time + std::max(a.time_spread + b.time_spread, kSameTime * b.relative_time) < b.relative_time;
+}
+
+/// Those of `rungs` that are as quick as the quickest of them. Being as quick is told from the quickest alone: it is
+/// not transitive.
+std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
+  const std::vector<render::Measured>& settings = report.comparison.settings;
+  const std::size_t first =
+      *std::ranges::min_element(rungs, {}, [&](std::size_t i) { return settings[i].relative_time; });
+  std::vector<std::size_t> result;
+  for (const std::size_t i : rungs) {
+    if (!is_quicker(settings[first], settings[i])) result.push_back(i);
+  }
+  return result;
+}
+
+/// The default if it is among them, else the first.
+std::size_t spokesman(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
+  const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].setting.is_default(); });
+  return found == rungs.end() ? rungs.front() : *found;
+}
+
+/// The rungs among `rungs` for which `wanted(i)` holds.
+template <class Wanted>
+std::vector<std::size_t> chosen(const std::vector<std::size_t>& rungs, const Wanted& wanted) {
+  std::vector<std::size_t> result;
+  std::ranges::copy_if(rungs, std::back_inserter(result), wanted);
+  return result;
+}
+
+std::vector<std::size_t> all_rungs(const AccuracyReport& report) {
+  std::vector<std::size_t> all(report.rungs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::string count_text(std::uint64_t count) { return count == 0 ? "-" : fmt::format("{}", count); }
+
+std::string length_text(double pixels) { return pixels == 0 ? "0" : fmt::format("{:.2g}", pixels); }
+
+std::string shadow_text(const render::Measured& measured) {
+  if (!measured.shadows) return {};
+  return fmt::format(" {:>7} {:>7}", count_text(measured.shadows->leaks), count_text(measured.shadows->false_shadows));
+}
+
+}  // namespace
+
+std::vector<bool> pareto_front(const AccuracyReport& report) {
+  std::vector<bool> front(report.rungs.size());
+  // From quick to slow: the most exact of the quickest, then what is more exact than that.
+  for (std::vector<std::size_t> left = all_rungs(report); !left.empty();) {
+    const std::vector<std::size_t> group = quickest(report, left);
+    double least = kNever;
+    for (const std::size_t i : group) least = std::min(least, worst_of(report, i));
+    front[spokesman(report, chosen(group, [&](std::size_t i) { return worst_of(report, i) == least; }))] = true;
+    left = chosen(left, [&](std::size_t i) { return worst_of(report, i) < least; });
+  }
+  return front;
+}
+
+std::string advice(const AccuracyReport& report) {
+  const std::vector<std::size_t> good =
+      chosen(all_rungs(report), [&](std::size_t i) { return worst_of(report, i) <= kAdvisedPixels; });
+  if (good.empty()) return fmt::format("No setting keeps every ray within {} of a pixel.", kAdvisedPixels);
+  const std::size_t best = spokesman(report, quickest(report, good));
+  const double worst = worst_of(report, best);
+  return fmt::format("For this view, {}{} is the cheapest setting whose worst error is under a tenth of a pixel ({}).",
+                     report.rungs[best].setting.options(), report.rungs[best].setting.is_default() ? " (the default)" : "",
+                     worst == 0 ? "none was found" : fmt::format("it is at most {} px", length_text(worst)));
+}
+
+std::string check_sentence(const render::ReferenceCheck& check) {
+  const std::uint64_t checked = check.rays - check.unchecked;
+  if (checked == 0) return "The reference has closed forms on this scene; interval arithmetic had no field to check.";
+  std::string text =
+      fmt::format("The reference was proven by interval arithmetic on {} of {} sampled rays", check.proven, checked);
+  if (check.worst_pixels > 0) text += fmt::format(", to within {:.1g} px", check.worst_pixels);
+  if (check.undecided > 0) text += fmt::format("; {} stayed undecided", check.undecided);
+  if (check.refuted > 0) text += fmt::format("; {} WERE REFUTED: please report this scene", check.refuted);
+  return text + ".";
+}
+
+std::string table_text(const AccuracyReport& report) {
+  const std::vector<bool> front = pareto_front(report);
+  std::string text =
+      fmt::format("{:<18} {:>6} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}\n", "", "time", "fields/ray",
+                  "median px", "99 % px", "worst px", "> 1 px", "missed", "false", "holes");
+  const bool has_shadows = report.comparison.settings.front().shadows.has_value();
+  if (has_shadows) text.insert(text.size() - 1, fmt::format(" {:>7} {:>7}", "leaks", "false s"));
+  for (std::size_t i = 0; i < report.rungs.size(); ++i) {
+    const render::Measured& measured = report.comparison.settings[i];
+    const render::ErrorSummary& s = measured.summary;
+    text += fmt::format(
+        "{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n", report.rungs[i].setting.name(),
+        measured.relative_time, measured.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
+        length_text(s.worst_pixels), count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
+        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].setting.is_default() ? " default" : "");
+  }
+  text += fmt::format(
+      "{}x{} camera rays; time relative to the default, median of rounds; * nothing is quicker and more exact\n",
+      report.size.width, report.size.height);
+  if (has_shadows) {
+    text +=
+        fmt::format("{} shadow rays, in the times; leaks: light where there is shadow, false s: the other way round\n",
+                    report.comparison.settings.front().shadows->rays);
+  }
+  return text + check_sentence(report.comparison.check) + "\n" + advice(report) + "\n";
+}
+
+std::string table_csv(const AccuracyReport& report) {
+  const std::vector<bool> front = pareto_front(report);
+  std::string text =
+      "setting,options,relative_time,time_spread,processor_seconds,rounds,field_evaluations_per_ray,solver_steps_per_"
+      "ray,"
+      "uncertified_steps,error_median_px,error_p99_px,error_worst_px,error_worst_units,beyond_pixel,missed,"
+      "false_surfaces,holes,shadow_rays,leaks,false_shadows,pareto\n";
+  for (std::size_t i = 0; i < report.rungs.size(); ++i) {
+    const render::Measured& m = report.comparison.settings[i];
+    const render::ErrorSummary& s = m.summary;
+    const render::ShadowSummary shadows = m.shadows.value_or(render::ShadowSummary{});
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].setting.name(),
+                        report.rungs[i].setting.options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
+                        m.evaluations_per_ray, m.solver_steps_per_ray, m.uncertified_steps, s.median_pixels,
+                        s.p99_pixels, s.worst_pixels, s.worst_units, s.beyond_pixel, s.missed, s.false_surfaces,
+                        s.holes, shadows.rays, shadows.leaks, shadows.false_shadows, front[i] ? 1 : 0);
+  }
+  return text;
+}
+
+nlohmann::ordered_json table_json(const AccuracyReport& report) {
+  const std::vector<bool> front = pareto_front(report);
+  auto settings = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < report.rungs.size(); ++i) {
+    const Rung& rung = report.rungs[i];
+    const render::Measured& m = report.comparison.settings[i];
+    const render::ErrorSummary& s = m.summary;
+    settings.push_back({{"setting", rung.setting.name()},
+                        {"options", rung.setting.options()},
+                        {"family", rung.setting.family()},
+                        {"default", rung.setting.is_default()},
+                        {"relative_time", m.relative_time},
+                        {"time_spread", m.time_spread},
+                        {"processor_seconds", m.processor_seconds},
+                        {"rounds", m.rounds},
+                        {"field_evaluations_per_ray", m.evaluations_per_ray},
+                        {"solver_steps_per_ray", m.solver_steps_per_ray},
+                        {"uncertified_steps", m.uncertified_steps},
+                        {"error",
+                         {{"median_px", s.median_pixels},
+                          {"p99_px", s.p99_pixels},
+                          {"worst_px", s.worst_pixels},
+                          {"worst_units", s.worst_units},
+                          {"beyond_pixel", s.beyond_pixel}}},
+                        {"missed", s.missed},
+                        {"false_surfaces", s.false_surfaces},
+                        {"holes", s.holes},
+                        {"pareto", static_cast<bool>(front[i])}});
+    if (m.shadows) {
+      settings.back()["shadows"] = {
+          {"rays", m.shadows->rays}, {"leaks", m.shadows->leaks}, {"false_shadows", m.shadows->false_shadows}};
+    }
+  }
+  const render::ReferenceCheck& check = report.comparison.check;
+  return {{"scene", report.scene},
+          {"command", report.command},
+          {"size", {report.size.width, report.size.height}},
+          {"settings", settings},
+          {"reference",
+           {{"options", "--solver exact"},
+            {"rays", check.rays},
+            {"proven", check.proven},
+            {"undecided", check.undecided},
+            {"refuted", check.refuted},
+            {"unchecked", check.unchecked},
+            {"within_px", check.worst_pixels}}},
+          {"advice", advice(report)},
+          {"seconds", report.comparison.seconds}};
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,42 @@
+// What `isl accuracy` found, in words and numbers: the table for a terminal, the same as CSV and JSON, and the advice.
+#pragma once
+
+#include "cli/accuracy/ladder.h"
+#include "renderer/accuracy/comparison.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace isl::cli {
+
+struct AccuracyReport {
+  std::string scene;    ///< as the user named it
+  std::string command;  ///< that makes this report again
+  PictureSize size;
+  std::vector<Rung> rungs;
+  render::Comparison comparison;  ///< settings[i] of rungs[i]
+};
+
+/// The worst error that the advice allows: a tenth of a pixel is less than what antialiasing can show.
+inline constexpr double kAdvisedPixels = 0.1;
+
+/// Rungs of the Pareto front, at least one: no other is both at least as quick and at least as exact, and better in one
+/// of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without. Times
+/// within each other's spread or two hundredths are equal, as are errors below what the reference is proven to; of
+/// equals the default or else the first stands for all.
+[[nodiscard]] std::vector<bool> pareto_front(const AccuracyReport& report);
+
+/// One sentence: the cheapest setting whose worst error is within kAdvisedPixels and that misses and invents nothing;
+/// the default where it is as quick as any.
+[[nodiscard]] std::string advice(const AccuracyReport& report);
+
+/// How far the reference can be trusted, in one sentence.
+[[nodiscard]] std::string check_sentence(const render::ReferenceCheck& check);
+
+[[nodiscard]] std::string table_text(const AccuracyReport& report);
+[[nodiscard]] std::string table_csv(const AccuracyReport& report);
+[[nodiscard]] nlohmann::ordered_json table_json(const AccuracyReport& report);
+
+}  // namespace isl::cli

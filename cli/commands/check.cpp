@@ -1,0 +1,82 @@
+// `isl check`: everything short of rendering; what it accepts can be rendered. Must start and end in a moment, so it loads no image library and compiles
+// no scene.
+#include "cli/commands/commands.h"
+
+#include "cli/session/drawable.h"
+#include "cli/session/report.h"
+#include "cli/session/used_files.h"
+#include "cli/summary/scene_extent.h"
+#include "cli/summary/scene_summary.h"
+#include "cli/summary/view_check.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace isl::cli {
+namespace {
+
+std::string counted(std::uint64_t count, std::string_view singular) {
+  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
+}
+
+std::string vector_text(const Imath::V3d& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); }
+
+void print_text(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
+  print_problems(session);
+  fmt::print("{}: {}", session.display_name(), counted(summary.primitives(), "primitive"));
+  if (summary.fields > 0) fmt::print(", {} in {}", counted(summary.fields, "field"), counted(summary.blobs, "blob"));
+  if (summary.solids > 0) fmt::print(", {}", counted(summary.solids, "solid"));
+  fmt::print(", {}, {}\n", counted(summary.lights, "light"), counted(summary.textures, "texture"));
+  if (!extent.box.isEmpty()) {
+    fmt::print("bounding box: {} to {}{}\n", vector_text(extent.box.min), vector_text(extent.box.max),
+               extent.unbounded ? ", planes left out" : "");
+    fmt::print("a camera that sees it: {}\n", suggest_camera(extent.box));
+  } else if (extent.unbounded) {
+    fmt::print("bounding box: none, there is only what has no end\n");
+  }
+  fmt::print("files:\n{}", files_table(session.used_files()));
+}
+
+nlohmann::ordered_json array_of(const Imath::V3d& v) { return {v.x, v.y, v.z}; }
+
+void print_json(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
+  nlohmann::ordered_json document;
+  document["diagnostics"] = problems_as_json(session);
+  document["scene"] = {
+      {"primitives", summary.primitives()}, {"fields", summary.fields}, {"blobs", summary.blobs},
+      {"solids", summary.solids},           {"lights", summary.lights}, {"textures", summary.textures}};
+  if (extent.box.isEmpty()) {
+    document["bounding_box"] = nullptr;
+    document["camera"] = nullptr;
+  } else {
+    document["bounding_box"] = {{"min", array_of(extent.box.min)}, {"max", array_of(extent.box.max)}};
+    document["camera"] = suggest_camera(extent.box);
+  }
+  document["unbounded"] = extent.unbounded;
+  document["files"] = files_json(session.used_files());
+  document["time"] = {{"parse", session.parse_seconds()}, {"evaluate", session.evaluate_seconds()}};
+  print_document(document);
+}
+
+}  // namespace
+
+ExitCode run(const CheckCommand& command) {
+  Session session(command.scene);
+  if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  const DrawableScene drawable(session, PictureOptions().quality);
+  if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
+  const scene::Database& database = session.scene().database;
+  const SceneSummary summary = summarise(database);
+  const SceneExtent extent = extent_of(database);
+  warn_of_view(session, summary, extent);
+  if (command.scene.format == OutputFormat::json) {
+    print_json(session, summary, extent);
+  } else {
+    print_text(session, summary, extent);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,69 @@
+// `isl dump`: one box of the data flow as text. What it prints is stable, so that golden tests can hold on to it.
+#include "cli/commands/commands.h"
+
+#include "cli/options/render_settings.h"
+#include "cli/session/drawable.h"
+#include "cli/session/report.h"
+#include "grammar/dump.h"
+#include "renderer/scene/dump_json.h"
+#include "renderer/trace/tracer.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+namespace isl::cli {
+namespace {
+
+/// `file:line:column` of what made a primitive; nothing for what has no place.
+nlohmann::ordered_json place_of(const Session& session, OriginId id) {
+  const grammar::SourcePosition place = session.sources().position(session.scene().origins.resolve(id).span.begin);
+  if (place.line == 0) return nullptr;
+  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+}
+
+std::string database_text(const Session& session) {
+  return scene::dump_json(session.scene().database, [&session](OriginId id) { return place_of(session, id); });
+}
+
+std::string grid_text(const DumpCommand& command, const scene::Database& database) {
+  const RenderSettings settings = render_settings({command.scene, {}}, database);
+  return render::Tracer(database, settings.tracer).grid_json() + "\n";
+}
+
+/// Precondition: `drawable` is given for the grid.
+std::string text_of(const DumpCommand& command, Session& session, const DrawableScene* drawable) {
+  switch (command.stage) {
+    case DumpStage::tokens: return grammar::dump_tokens(session.sources(), session.unit().span, session.symbols());
+    case DumpStage::ast: return grammar::dump_tree(session.unit().items, session.symbols());
+    case DumpStage::database: return database_text(session);
+    case DumpStage::grid: return grid_text(command, drawable->database());
+  }
+  return {};
+}
+
+}  // namespace
+
+ExitCode run(const DumpCommand& command) {
+  Session session(command.scene);
+  const bool is_text_stage = command.stage == DumpStage::tokens || command.stage == DumpStage::ast;
+  const ExitCode code = is_text_stage ? session.load_text() : session.evaluate();
+  // Tokens and trees of a text with mistakes are what one wants to see.
+  const bool has_result = code == ExitCode::done || (is_text_stage && code == ExitCode::scene_error);
+  if (!has_result) return report_failure(session, code);
+  std::optional<DrawableScene> drawable;
+  if (command.stage == DumpStage::grid) drawable.emplace(session, PictureOptions().quality);
+  if (drawable && drawable->is_refused()) return report_failure(session, ExitCode::scene_error);
+  const std::string text = text_of(command, session, drawable ? &*drawable : nullptr);
+  if (command.scene.format == OutputFormat::json) {
+    print_document({{"diagnostics", problems_as_json(session)}, {"dump", text}});
+  } else {
+    print_problems(session);
+    fmt::print("{}", text);
+  }
+  return code;
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,124 @@
+// `isl plan`: the effects that a scene calls for, the statements that call for each, and what is left out and why. Reads and
+// evaluates the scene; traces nothing.
+#include "cli/commands/commands.h"
+
+#include "cli/output/printable_text.h"
+#include "cli/session/report.h"
+#include "cli/session/session.h"
+#include "renderer/effects/plan.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace isl::cli {
+namespace {
+
+using render::Plan;
+using render::PlannedEffect;
+using render::Request;
+
+/// "scene.isl:12:3, in macro `Tree` at scene.isl:40:1"; empty where no statement is to be named.
+std::string place_of(const Session& session, OriginId id) {
+  const interpreter::Origin origin = session.scene().origins.resolve(id);
+  const auto text = [&](SourceSpan span) {
+    const grammar::SourcePosition at = session.sources().position(span.begin);
+    return fmt::format("{}:{}:{}", printable(at.file), at.line, at.column);
+  };
+  if (origin.span.begin == 0) return {};
+  std::string place = text(origin.span);
+  if (!origin.chain.empty()) {
+    const ExpansionFrame& outermost = origin.chain.back();
+    const char* const kind = outermost.kind == ExpansionFrame::Kind::macro ? "macro" : "file";
+    place += fmt::format(", in {} `{}` at {}", kind, printable(outermost.name), text(outermost.call));
+  }
+  return place;
+}
+
+std::string statement(const Session& session, const Request& request) {
+  std::string text = request.what;
+  if (const std::string place = place_of(session, request.origin); !place.empty()) text += " at " + place;
+  if (const std::string user = place_of(session, request.used_by); !user.empty()) text += ", used at " + user;
+  if (request.count > 1) text += fmt::format(", and {} more", request.count - 1);
+  return text;
+}
+
+struct Row {
+  std::string name;
+  std::vector<std::string> lines;
+};
+
+void print_rows(std::string_view title, const std::vector<Row>& rows) {
+  if (rows.empty()) return;
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, row.name.size());
+  fmt::print("{}\n", title);
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.lines.size(); ++i)
+      fmt::print("  {:<{}}  {}\n", i == 0 ? row.name : "", width, row.lines[i]);
+  }
+}
+
+void print_text(const Session& session, const Plan& plan) {
+  const auto rows = [&](const std::vector<PlannedEffect>& effects) {
+    std::vector<Row> result;
+    for (const PlannedEffect& planned : effects) {
+      Row& row = result.emplace_back(Row{std::string(planned.effect->name), {}});
+      if (!planned.reason.empty()) row.lines.push_back(planned.reason);
+      if (!planned.effect->is_rendered || planned.reason.empty()) {
+        for (const Request& request : planned.requests) row.lines.push_back(statement(session, request));
+      }
+    }
+    return result;
+  };
+  print_rows("called for", rows(plan.called_for));
+  print_rows("called for, and not rendered yet", rows(plan.refused));
+  // Nobody misses what is neither called for nor there.
+  std::vector<PlannedEffect> left_out = plan.left_out;
+  std::erase_if(left_out, [](const PlannedEffect& planned) { return !planned.effect->is_rendered && planned.requests.empty(); });
+  print_rows("left out", rows(left_out));
+}
+
+nlohmann::ordered_json as_json(const Session& session, const std::vector<PlannedEffect>& effects) {
+  auto list = nlohmann::ordered_json::array();
+  for (const PlannedEffect& planned : effects) {
+    nlohmann::ordered_json effect = {{"name", planned.effect->name}, {"summary", planned.effect->summary}};
+    if (!planned.reason.empty()) effect["reason"] = planned.reason;
+    auto requests = nlohmann::ordered_json::array();
+    for (const Request& request : planned.requests) {
+      nlohmann::ordered_json entry = {{"what", request.what}, {"count", request.count}};
+      const std::pair<const char*, OriginId> places[] = {{"place", request.origin}, {"used_at", request.used_by}};
+      for (const auto& [key, id] : places) {
+        const grammar::SourcePosition at = session.sources().position(session.scene().origins.resolve(id).span.begin);
+        if (at.line != 0) entry[key] = {{"file", at.file}, {"line", at.line}, {"column", at.column}};
+      }
+      requests.push_back(std::move(entry));
+    }
+    effect["requests"] = std::move(requests);
+    list.push_back(std::move(effect));
+  }
+  return list;
+}
+
+}  // namespace
+
+ExitCode run(const PlanCommand& command) {
+  Session session(command.scene);
+  if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  const Plan plan = render::plan_of(session.scene().database, {.quality = command.quality, .without = command.scene.without});
+  if (command.scene.format == OutputFormat::json) {
+    print_document({{"diagnostics", problems_as_json(session)},
+                    {"called_for", as_json(session, plan.called_for)},
+                    {"not_rendered", as_json(session, plan.refused)},
+                    {"left_out", as_json(session, plan.left_out)}});
+  } else {
+    print_problems(session);
+    print_text(session, plan);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,180 @@
+// `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
+#include "cli/commands/commands.h"
+
+#include "base/content_hash.h"
+#include "cli/options/render_settings.h"
+#include "cli/output/closing_line.h"
+#include "cli/output/interrupt.h"
+#include "cli/output/output_files.h"
+#include "cli/output/progress.h"
+#include "cli/output/stopwatch.h"
+#include "cli/output/version.h"
+#include "cli/session/drawable.h"
+#include "cli/session/report.h"
+#include "cli/session/used_files.h"
+#include "cli/summary/statistics.h"
+#include "cli/summary/view_check.h"
+#include "renderer/accuracy/measured_layers.h"
+#include "renderer/image/layer_picture.h"
+#include "renderer/render.h"
+#include "renderer/trace/tracer.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isl::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExitCode tell(const OutputProblem& problem) {
+  print_error(problem.message);
+  return problem.code;
+}
+
+/// Before the scene is read: a slip in a name should not cost an hour of rendering.
+OutputProblem check_places(const RenderCommand& command, const std::vector<fs::path>& files) {
+  std::vector<fs::path> all = files;
+  for (const LayerFile& layer : layer_files(files, command.picture.layers)) all.push_back(layer.file);
+  OutputProblem problem = check_outputs(all);
+  if (problem.none() && !command.picture.statistics.empty()) problem = check_place(command.picture.statistics);
+  return problem;
+}
+
+/// One hash over all texts of the scene: its own first, then the others in the order in which they were read.
+std::uint64_t scene_hash(const grammar::SourceMap& sources, std::uint32_t begin) {
+  ContentHash hash;
+  while (sources.position(begin).line != 0) {
+    const std::string_view text = sources.text({begin, std::numeric_limits<std::uint32_t>::max()});
+    hash.add(text);
+    begin += static_cast<std::uint32_t>(text.size()) + 1;  // each file owns one offset past its last byte
+  }
+  return hash.value();
+}
+
+render::ImageFileOptions file_options(const RenderCommand& command, const RenderSettings& settings,
+                                      const Session& session) {
+  render::ImageFileOptions options;
+  options.bits = command.picture.bits;
+  options.metadata = {
+      {"Software", fmt::format("isl {}", kVersion)},
+      {"isl:Scene", session.name()},
+      {"isl:SceneHash", fmt::format("{:016x}", scene_hash(session.sources(), session.unit().span.begin))},
+      {"isl:Files", files_text(session.used_files())},
+      {"isl:Options", canonical_options(command, settings)}};
+  return options;
+}
+
+struct Picture {
+  render::RenderResult result;
+  double compile_seconds = 0;
+  std::size_t grid_bytes = 0;
+};
+
+Picture make_picture(const RenderCommand& command, RenderSettings settings, const scene::Database& database) {
+  Picture picture;
+  const Stopwatch compiling;
+  const render::Tracer tracer(database, settings.tracer);
+  picture.compile_seconds = compiling.seconds();
+  picture.grid_bytes = tracer.grid_bytes();
+
+  const bool shows_bar = isatty(STDERR_FILENO) != 0 && !command.picture.quiet;
+  ProgressBar bar(shows_bar ? stderr : nullptr);
+  // Rendering shades and samples pixels several times; measuring only finds first hits, one or two a pixel.
+  const bool measures = settings.render.aovs.any_measured();
+  const double render_share = measures ? 0.7 : 1;
+  settings.render.progress = [&](double done) { bar.update(render_share * done); };
+  settings.render.stop = &interrupt_flag();
+  picture.result = render::render(database, tracer, settings.render);
+  if (measures) {
+    const bool complete = render::measure_layers(
+        database, settings.tracer, tracer, settings.render.aovs, settings.render.threads, settings.render.stop,
+        [&](double done) { bar.update(render_share + (1 - render_share) * done); }, picture.result.image);
+    picture.result.complete = picture.result.complete && complete;
+  }
+  return picture;
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(display_name(file));
+  return names;
+}
+
+/// The last word: what was written, and how long it took.
+void tell_result(const RenderCommand& command, Session& session, const std::vector<fs::path>& files,
+                 const render::Image& image, bool complete, const nlohmann::ordered_json& statistics, double seconds) {
+  if (command.scene.format == OutputFormat::json) {
+    print_document({{"diagnostics", problems_as_json(session)},
+                    {"outputs", names_of(files)},
+                    {"complete", complete},
+                    {"statistics", statistics}});
+  } else if (!complete) {
+    const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
+    fmt::print(stderr, "isl: interrupted; {}\n", files.empty() ? "nothing is written" : "what is done is in " + names);
+  } else if (!command.picture.quiet) {
+    fmt::print(stderr, "{}\n", closing_line(names_of(files), image, seconds));
+  }
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  const Stopwatch whole;
+  Session session(command.scene);
+  if (!command.picture.simd.empty() && !render::Tracer::has_simd_target(command.picture.simd)) {
+    print_error(
+        fmt::format("--simd: this machine has no `{}`, or the program was built without it", command.picture.simd));
+    return ExitCode::command_line_error;
+  }
+  std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
+  if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
+  if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
+  const DrawableScene drawable(session, command.picture.quality);
+  if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
+  const SceneSummary summary = summarise(session.scene().database);
+  warn_of_view(session, summary, extent_of(session.scene().database));
+  if (command.scene.format == OutputFormat::text) print_problems(session);
+
+  const scene::Database& database = drawable.database();
+  const RenderSettings settings = render_settings(command, database);
+  const Picture picture = make_picture(command, settings, database);
+  const bool complete = picture.result.complete;
+  if (!complete) files = partial_names(files);
+  const render::Image& image = picture.result.image;
+  const Stopwatch writing;
+  render::ImageFileOptions options = file_options(command, settings, session);
+  options.threads = picture.result.statistics.threads;
+  OutputWriter writer(std::move(options));
+  for (const fs::path& file : files) writer.add(file, image);
+  for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
+    writer.add(layer.file, render::layer_picture(image, layer.layer));
+    files.push_back(layer.file);
+  }
+  if (const OutputProblem problem = writer.finish(); !problem.none()) return tell(problem);
+
+  const PhaseTimes times{.parse = session.parse_seconds(),
+                         .evaluate = session.evaluate_seconds(),
+                         .compile = picture.compile_seconds,
+                         .trace = picture.result.statistics.seconds,
+                         .write = writing.seconds()};
+  const MemoryUse memory{.database_bytes = database_bytes(database), .grid_bytes = picture.grid_bytes};
+  const nlohmann::ordered_json statistics =
+      statistics_json(summarise(database), times, settings, memory, picture.result.statistics);
+  tell_result(command, session, files, image, complete, statistics, whole.seconds());
+  if (!complete) return ExitCode::interrupted;
+  if (!command.picture.statistics.empty()) {
+    const OutputProblem unwritten = write_text(command.picture.statistics, statistics.dump(2) + "\n");
+    if (!unwritten.none()) return tell(unwritten);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace isl::cli

@@ -1,0 +1,111 @@
+// The command line as data. Reads the arguments, and the .ini file that they name; checks what can be checked without
+// touching another file; runs nothing.
+#pragma once
+
+#include "cli/options/ini_file.h"
+#include "cli/options/option_values.h"
+#include "cli/options/solver_setting.h"
+#include "cli/output/exit_code.h"
+#include "interpreter/evaluate.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace isl::cli {
+
+enum class OutputFormat : std::uint8_t { text, json };
+
+/// The .ini file that options were read from, and what there is to tell of it.
+struct IniText {
+  std::string name;  ///< as the user gave it
+  std::string text;
+  std::vector<IniRemark> remarks;
+};
+
+/// What every command that reads a scene takes.
+struct SceneOptions {
+  std::filesystem::path scene;  ///< "-" is standard input
+  std::optional<IniText> ini;
+  std::vector<std::filesystem::path> include_paths;
+  bool system_libraries = true;                      ///< POV-Ray's include files are searched last
+  std::vector<std::filesystem::path> write_folders;  ///< --allow-write
+  std::vector<Define> defines;
+  interpreter::Limits limits;
+  bool lenient = false;
+  std::vector<std::string> without;  ///< effects to do without, each known
+  double clock = 0;
+  bool clock_on = false;  ///< --clock or --frame was given
+  int frame = 0;
+  PictureSize size;            ///< scenes ask for image_width and image_height
+  bool is_size_known = false;  ///< --size was given, or the command makes the picture
+  OutputFormat format = OutputFormat::text;
+};
+
+/// What `isl render` takes besides. An empty optional means: not said, so the scene or the default decides.
+struct PictureOptions {
+  std::vector<std::filesystem::path> outputs;  ///< files, or `png:-`; empty: `<scene name>.png`
+  int bits = 0;                                ///< a channel of integer formats; 0: the format's own
+  int threads = 0;                             ///< 0: all cores
+  std::optional<int> samples;
+  double aa_threshold = 0.1;
+  int quality = 9;
+  bool alpha = false;
+  std::optional<SolverChoice> solver;
+  std::optional<render::Tolerance> tolerance;
+  bool skeleton = false;            ///< blobs as their skeleton models
+  std::string simd;                 ///< "": the best that the machine has
+  std::vector<std::string> layers;  ///< names of --aov, each once, in canonical order
+  std::optional<std::array<int, 4>> crop;
+  std::filesystem::path statistics;  ///< "": none
+  bool quiet = false;
+};
+
+struct RenderCommand {
+  SceneOptions scene;
+  PictureOptions picture;
+};
+
+struct CheckCommand {
+  SceneOptions scene;
+};
+
+struct PlanCommand {
+  SceneOptions scene;
+  int quality = 9;
+};
+
+enum class DumpStage : std::uint8_t { tokens, ast, database, grid };
+
+struct DumpCommand {
+  SceneOptions scene;
+  DumpStage stage = DumpStage::ast;
+};
+
+struct AccuracyCommand {
+  SceneOptions scene;
+  std::filesystem::path output;  ///< its files' name without extension; "": `<scene name>.accuracy`
+  int threads = 0;               ///< 0: all cores
+  std::vector<SolverSetting> settings;  ///< to compare; none: the ladder of accuracy/ladder.h
+  int repeats = 5;               ///< rounds of timing
+  bool skeleton = false;         ///< blobs as their skeleton models
+  bool shadows = false;          ///< the shadow rays of what is seen too
+};
+
+/// Nothing is left to do but to print: help, the version, or what is wrong with the arguments.
+struct Finished {
+  ExitCode code = ExitCode::done;
+  std::string text;  ///< for standard output when `code` is done, else for standard error
+};
+
+using Command = std::variant<RenderCommand, CheckCommand, PlanCommand, DumpCommand, AccuracyCommand, Finished>;
+
+/// `arguments` are those after the program's name. Where the scene is an .ini file, that file is read.
+[[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);
+
+}  // namespace isl::cli

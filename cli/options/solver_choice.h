@@ -1,0 +1,39 @@
+// The solver as the user names it: `hermite`, `paper:4`, `paper,no-reject,eq10`. Text in, choice or complaint out, and
+// back; serves the command line and `global_settings`.
+#pragma once
+
+#include "cli/options/option_values.h"
+#include "renderer/rays/tracer_options.h"
+
+#include <string>
+#include <string_view>
+
+namespace isl::cli {
+
+struct SolverChoice {
+  render::SolverName name = render::SolverName::hermite;
+  int interpolants = 2;             ///< of `paper:K`
+  render::PaperSwitches paper;      ///< of `paper` and `iso`
+  render::Tolerance step{1, true};  ///< of `march:STEP` and `climb:STEP`
+  double relaxation = 1;            ///< of `sphere:OMEGA`
+  bool octree = false;              ///< of `lg:octree`
+  bool single = false;              ///< of `hermite:single` and `exact:single`: rays one by one
+
+  friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
+};
+
+/// A name, for some a number behind a colon, and for `paper` and `iso` any number of switches behind
+/// commas: those of render::kPaperSwitches, of which a later one wins, and `plain`, which turns all off.
+[[nodiscard]] Parsed<SolverChoice> parse_solver(std::string_view text);
+
+/// The way back, as the user would write it: only those switches that differ from the solver's own, or behind `plain`
+/// those that are on, whichever are fewer.
+[[nodiscard]] std::string to_text(const SolverChoice& solver);
+
+/// The solvers and what may stand behind their colons, as a list for people.
+[[nodiscard]] std::string solvers_text();
+
+/// The switches, as a list for people.
+[[nodiscard]] std::string solver_switches_text();
+
+}  // namespace isl::cli

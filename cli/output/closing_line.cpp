@@ -1,0 +1,21 @@
+#include "cli/output/closing_line.h"
+
+#include "cli/output/printable_text.h"
+
+#include <fmt/format.h>
+
+namespace isl::cli {
+
+std::string closing_line(const std::vector<std::string>& names, const render::Image& image, double seconds) {
+  const int width = image.window.width(), height = image.window.height();
+  std::string size = fmt::format("{}x{}", width, height);
+  if (width != image.full_width || height != image.full_height) {
+    size += fmt::format(" of {}x{}", image.full_width, image.full_height);
+  }
+  // Hundredths of a second tell short runs apart and say nothing of long ones.
+  const int digits = seconds < 100 ? 2 : 0;
+  return fmt::format("isl: {}, {}, {:.{}f} s", printable(fmt::format("{}", fmt::join(names, ", "))), size, seconds,
+                     digits);
+}
+
+}  // namespace isl::cli

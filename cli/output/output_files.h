@@ -1,0 +1,77 @@
+// Names and places of the pictures: decided and tried before a ray is traced; a file is written whole or not at all. An
+// output is a file's name, or `png:-` and the like for standard output.
+#pragma once
+
+#include "cli/output/exit_code.h"
+#include "renderer/image/atomic_file.h"
+#include "renderer/image/image_file.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isl::cli {
+
+/// What is wrong with a choice of output files, and whose fault it is.
+struct OutputProblem {
+  ExitCode code = ExitCode::done;
+  std::string message;
+
+  [[nodiscard]] bool none() const { return code == ExitCode::done; }
+};
+
+/// `asked`, or `<scene name>.png` in the current folder.
+[[nodiscard]] std::vector<std::filesystem::path> output_files(const std::vector<std::filesystem::path>& asked,
+                                                              const std::string& scene_name);
+
+/// The format that an output's name asks for, or "".
+[[nodiscard]] std::string output_format(const std::filesystem::path& output);
+
+/// Formats known, no file twice, each place writable. Creates and changes nothing that stays.
+[[nodiscard]] OutputProblem check_outputs(const std::vector<std::filesystem::path>& files);
+
+/// Whether a file can be written there; for what is no picture.
+[[nodiscard]] OutputProblem check_place(const std::filesystem::path& file);
+
+/// A layer's own picture, beside the picture.
+struct LayerFile {
+  std::filesystem::path file;
+  std::string layer;
+};
+
+/// `NAME.LAYER.EXT` for every NAME.EXT that holds no layers itself, and every layer that has a picture.
+[[nodiscard]] std::vector<LayerFile> layer_files(const std::vector<std::filesystem::path>& files,
+                                                 const std::vector<std::string>& layers);
+
+/// `NAME.partial.EXT` for each `NAME.EXT`: where an interrupted picture goes. None for standard output, whose reader
+/// could not tell it from the whole one.
+[[nodiscard]] std::vector<std::filesystem::path> partial_names(const std::vector<std::filesystem::path>& files);
+
+/// As a message names it: the file, or standard output.
+[[nodiscard]] std::string display_name(const std::filesystem::path& output);
+
+/// The pictures of one run. All are encoded, written and synced before the first takes its place; after a failure the
+/// others are still written, since they may have taken long.
+class OutputWriter {
+ public:
+  explicit OutputWriter(render::ImageFileOptions options) : options_(std::move(options)) {}
+
+  void add(const std::filesystem::path& output, const render::Image& image);
+
+  /// Puts the files in their places, then writes to standard output. Tells the first thing that went wrong.
+  [[nodiscard]] OutputProblem finish();
+
+ private:
+  void note(std::string problem);
+
+  render::ImageFileOptions options_;
+  std::vector<render::StagedFile> staged_;
+  std::vector<unsigned char> standard_output_;
+  OutputProblem first_;
+};
+
+/// Replaces a text file as a whole.
+[[nodiscard]] OutputProblem write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace isl::cli

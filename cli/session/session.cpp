@@ -1,0 +1,128 @@
+#include "cli/session/session.h"
+
+#include "base/check.h"
+#include "cli/output/interrupt.h"
+#include "cli/output/stopwatch.h"
+#include "cli/session/scene_text.h"
+#include "cli/session/search_path.h"
+#include "renderer/queries/faint.h"
+#include "renderer/queries/object_queries.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace isl::cli {
+
+Session::Session(const SceneOptions& options)
+    : options_(options),
+      loader_(sources_, symbols_, arena_, sink_,
+              {.include_paths = include_search_path(options.include_paths, options.system_libraries),
+               .write_folders = options.write_folders,
+               .max_memory_bytes = options.limits.max_memory_bytes}) {
+  if (options.ini) tell(*options.ini);
+}
+
+void Session::tell(const IniText& ini) {
+  const std::optional<SourceSpan> text = sources_.add(ini.name, ini.text);
+  ISL_CHECK(text.has_value(), "{}", ini.text.size());
+  for (const IniRemark& remark : ini.remarks) {
+    const auto offset = [&](std::size_t place) { return text->begin + static_cast<std::uint32_t>(place); };
+    sink_.report({remark.severity, {offset(remark.begin), offset(remark.end)}, remark.message, remark.hint, {}, {}});
+  }
+}
+
+std::string Session::name() const { return options_.scene == "-" ? "stdin" : options_.scene.stem().string(); }
+
+std::string Session::display_name() const { return options_.scene == "-" ? "standard input" : options_.scene.string(); }
+
+const grammar::Unit& Session::unit() const {
+  ISL_CHECK(unit_ != nullptr);
+  return *unit_;
+}
+
+const interpreter::EvaluatedScene& Session::scene() const {
+  ISL_CHECK(scene_.has_value());
+  return *scene_;
+}
+
+ExitCode Session::load() {
+  if (sink_.has_errors()) return ExitCode::command_line_error;
+  for (const std::filesystem::path& folder : options_.write_folders) {
+    std::error_code error;
+    if (std::filesystem::is_directory(folder, error)) continue;
+    sink_.error({}, fmt::format("--allow-write: `{}` is not a folder", folder.string()));
+    return ExitCode::file_error;
+  }
+  const Stopwatch stopwatch;
+  unit_ = loader_.load_scene(options_.scene);
+  parse_seconds_ = stopwatch.seconds();
+  // Without a tree there was nothing to parse (missing, closed to us, or no text), or more than the limit allows.
+  if (unit_ == nullptr && loader_.last_error() != grammar::LoadError::too_large) return ExitCode::file_error;
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
+ExitCode Session::load_text() {
+  if (const ExitCode code = load(); code != ExitCode::done) return code;
+  for (const grammar::Complaint* complaint : unit_->errors) sink_.report(complaint->diagnostic);
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
+ExitCode Session::evaluate() {
+  if (const ExitCode code = load(); code != ExitCode::done) return code;
+  interpreter::EvaluateOptions options;
+  options.limits = options_.limits;
+  options.defines = options_.defines;
+  options.lenient = options_.lenient;
+  options.clock = options_.clock;
+  options.clock_on = options_.clock_on;
+  options.frame = options_.frame;
+  options.image_width = options_.size.width;
+  options.image_height = options_.size.height;
+  options.is_size_known = options_.is_size_known;
+  options.print_debug = print_scene_text;
+  options.stop = &interrupt_flag();
+  render::ObjectQueries queries;
+  options.queries = &queries;
+
+  const Stopwatch stopwatch;
+  scene_ = interpreter::evaluate(loader_, symbols_, *unit_, options, sink_);
+  evaluate_seconds_ = stopwatch.seconds();
+  if (interrupt_flag()) return ExitCode::interrupted;
+  if (!sink_.has_errors()) check_result();
+  return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
+}
+
+/// What only the whole scene can tell.
+void Session::check_result() {
+  const scene::Database& database = scene_->database;
+  warn_of_faint_components();
+  const scene::Settings& settings = database.settings;
+  const auto complain = [this](const auto& parsed, OriginId place) {
+    if (parsed.ok()) return;
+    const interpreter::Origin origin = scene_->origins.resolve(place);
+    sink_.report({Severity::error, origin.span, "global_settings: " + parsed.message(), {}, {}, origin.chain});
+  };
+  if (!settings.solver.empty()) complain(parse_solver(settings.solver), settings.solver_origin);
+  if (!settings.tolerance.empty()) complain(parse_tolerance(settings.tolerance), settings.tolerance_origin);
+  if (database.objects.empty()) sink_.warning({}, fmt::format("{} holds no object", display_name()));
+}
+
+void Session::warn_of_faint_components() {
+  const std::optional<render::FaintComponents> faint = render::faint_components(scene_->database);
+  if (!faint) return;
+  const interpreter::Origin origin = scene_->origins.resolve(faint->first);
+  const char* const what = faint->skeleton == scene::Skeleton::circle ? "`torus` is too small" : "`cylinder` is too short";
+  Diagnostic warning{Severity::warning,
+                     origin.span,
+                     fmt::format("this {} to have a surface by itself: convolved, it reaches {:.3g} of the threshold",
+                                 what, faint->greatest),
+                     {},
+                     {},
+                     origin.chain};
+  if (faint->count > 1) warning.hint = fmt::format("{} components do not, this is the first", faint->count);
+  sink_.report(std::move(warning));
+}
+
+}  // namespace isl::cli

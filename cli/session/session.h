@@ -1,0 +1,72 @@
+// One scene, read and evaluated once: what every command starts with. Owns everything that spans and symbols point
+// into.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "cli/options/options.h"
+#include "cli/output/exit_code.h"
+#include "grammar/arena.h"
+#include "grammar/loader.h"
+#include "grammar/source_map.h"
+#include "grammar/symbols.h"
+#include "interpreter/evaluate.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isl::cli {
+
+class Session {
+ public:
+  explicit Session(const SceneOptions& options);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Parses the scene's file and tells its errors, except those in branches and bodies, which only executing it reaches.
+  ExitCode load_text();
+
+  /// Parses the scene's file and executes it, which tells the errors that it reaches; `interrupted` after Ctrl-C.
+  ExitCode evaluate();
+
+  /// Precondition: one of the above got as far as a unit, evaluate() as far as a database.
+  [[nodiscard]] const grammar::Unit& unit() const;
+  [[nodiscard]] const interpreter::EvaluatedScene& scene() const;
+
+  [[nodiscard]] const SceneOptions& options() const { return options_; }
+  [[nodiscard]] DiagnosticSink& sink() { return sink_; }
+  [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
+  [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
+
+  /// What names the picture: the file's name without folder and extension; "stdin" for standard input.
+  [[nodiscard]] std::string name() const;
+  /// As the user gave it, for messages.
+  [[nodiscard]] std::string display_name() const;
+
+  /// Every file that the scene is made of, in the order of first use.
+  [[nodiscard]] const std::vector<grammar::UsedFile>& used_files() const { return loader_.used_files(); }
+
+  /// Seconds of parsing and executing; files included are read and parsed while evaluating.
+  [[nodiscard]] double parse_seconds() const { return parse_seconds_; }
+  [[nodiscard]] double evaluate_seconds() const { return evaluate_seconds_; }
+
+ private:
+  /// Anything but `done`: the file could not be read, or not be parsed.
+  ExitCode load();
+  void tell(const IniText& ini);
+  void check_result();
+  void warn_of_faint_components();
+
+  const SceneOptions& options_;
+  grammar::SourceMap sources_;
+  grammar::SymbolTable symbols_;
+  grammar::Arena arena_;
+  DiagnosticSink sink_;
+  grammar::Loader loader_;
+  const grammar::Unit* unit_ = nullptr;
+  std::optional<interpreter::EvaluatedScene> scene_;
+  double parse_seconds_ = 0;
+  double evaluate_seconds_ = 0;
+};
+
+}  // namespace isl::cli

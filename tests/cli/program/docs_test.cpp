@@ -1,0 +1,96 @@
+// Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/.
+// What such a block prints is what a block marked `text` says that follows it directly.
+#include "tests/cli/program/program_fixture.h"
+#include "tests/support/source_folder.h"
+
+#include <fstream>
+#include <optional>
+
+namespace isl::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CodeBlock {
+  std::string place;  ///< file:line
+  std::string text;
+  std::optional<std::string> output{};  ///< where the page shows what the scene prints
+};
+
+std::vector<CodeBlock> code_blocks_of(const fs::path& file) {
+  std::vector<CodeBlock> blocks;
+  std::ifstream text(file);
+  bool inside = false;             // of a block of any kind
+  std::string* content = nullptr;  // what the lines of a scene or an output are added to
+  bool follows_scene = false;      // nothing but empty lines lie between the last scene and here
+  std::size_t number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    const bool is_fence = line.starts_with("```");
+    if (inside && !is_fence) {
+      if (content) *content += line + "\n";
+    } else if (inside) {
+      follows_scene = content && content == &blocks.back().text;
+      content = nullptr;
+      inside = false;
+    } else if (is_fence) {
+      inside = true;
+      if (line == "```isl") {
+        blocks.push_back({file.filename().string() + ":" + std::to_string(number + 1), ""});
+        content = &blocks.back().text;
+      } else if (line == "```text" && follows_scene) {
+        content = &blocks.back().output.emplace();
+      }
+    } else if (!line.empty()) {
+      follows_scene = false;
+    }
+  }
+  return blocks;
+}
+
+std::vector<fs::path> files_below(const fs::path& folder, std::string_view extension) {
+  std::vector<fs::path> found;
+  if (!fs::exists(folder)) return found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == extension) found.push_back(entry.path());
+  }
+  return found;
+}
+
+class Docs : public ProgramTest {};
+
+TEST_F(Docs, CodeBlocksCanBeReadAndPrintWhatIsShown) {
+  std::vector<fs::path> pages = files_below(fs::path(ISL_SOURCE_DIR) / "docs", ".md");
+  pages.push_back(fs::path(ISL_SOURCE_DIR) / "README.md");
+  std::size_t count = 0, output_count = 0;
+  write("paper.png", "what docs/language.md takes a picture from; no picture is looked into here");
+  for (const fs::path& page : pages) {
+    for (const CodeBlock& block : code_blocks_of(page)) {
+      ++count;
+      // As JSON the problems go elsewhere, so that only #debug writes to standard error.
+      std::vector<std::string> arguments{"check", "--format", "json", write("block.isl", block.text)};
+      // The reference shows all that the language has, also what is not rendered yet. The README shows what works.
+      if (page.filename() != "README.md") arguments.emplace_back("--lenient");
+      const ProcessResult result = run(arguments);
+      EXPECT_EQ(result.exit_code, 0) << block.place << "\n" << result.out;
+      EXPECT_THAT(result.out, testing::Not(testing::HasSubstr("not supported"))) << block.place;
+      if (!block.output) continue;
+      ++output_count;
+      EXPECT_EQ(result.err, *block.output) << block.place;
+    }
+  }
+  EXPECT_GT(count, 0u) << "README.md shows a first scene";
+  EXPECT_GT(output_count, 0u) << "docs/language.md shows what scenes print";
+}
+
+TEST_F(Docs, ScenesCanBeRead) {
+  const std::vector<fs::path> scenes = files_below(fs::path(ISL_SOURCE_DIR) / "scenes", ".isl");
+  EXPECT_FALSE(scenes.empty());
+  for (const fs::path& scene : scenes) {
+    const ProcessResult result = run({"check", scene.string()});
+    EXPECT_EQ(result.exit_code, 0) << scene << "\n" << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace isl::test

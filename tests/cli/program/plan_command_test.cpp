@@ -1,0 +1,84 @@
+// `isl plan`: which effects a scene calls for, which statements do, and what is left out.
+#include "tests/cli/program/program_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+namespace isl::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class PlanCommand : public ProgramTest {
+ protected:
+  PlanCommand() {
+    write("metal.inc",
+          "#declare Metal = texture { pigment { rgb 1 }\n"
+          "  finish { specular 1 metallic\n"
+          "    reflection .5 irid { .2 } } }\n");
+    write("scene.isl",
+          "#include \"metal.inc\"\n"
+          "light_source { -9*z, rgb 1 }\n"
+          "sphere { 0, 1 texture { Metal } }\n"
+          "sphere { 2*x, 1 texture { Metal } }\n");
+  }
+};
+
+/// The entry of an effect in one of the lists of the document.
+json effect(const json& document, const char* list, const std::string& name) {
+  for (const json& entry : document.at(list)) {
+    if (entry.at("name") == name) return entry;
+  }
+  return nullptr;
+}
+
+TEST_F(PlanCommand, NamesTheStatementsThatAsked) {
+  const ProcessResult result = run({"plan", "scene.isl"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("metallic    `metallic` at metal.inc:2:23, in file `metal.inc` at scene.isl:1:1, used at scene.isl:3:25"));
+  EXPECT_THAT(result.out, HasSubstr("lighting    a light at scene.isl:2:1"));
+  EXPECT_THAT(result.out, HasSubstr("called for, and not rendered yet\n  irid  `irid` at metal.inc:3:19"));
+  EXPECT_THAT(result.out, HasSubstr("there is no sky_sphere"));
+}
+
+TEST_F(PlanCommand, LeavesOutWhatTheUserSays) {
+  const ProcessResult result = run({"plan", "scene.isl", "--without", "reflection,irid", "--without", "shadows"});
+  EXPECT_THAT(result.out, HasSubstr("excluded by --without"));
+  EXPECT_THAT(result.out, Not(HasSubstr("not rendered yet")));
+  EXPECT_EQ(run({"render", "scene.isl", "-s", "8x6", "--without", "irid"}).exit_code, 0);
+}
+
+TEST_F(PlanCommand, HasTheQualityOfAPicture) {
+  const ProcessResult result = run({"plan", "scene.isl", "--quality", "1"});
+  EXPECT_THAT(result.out, HasSubstr("plain_colours  the quality"));
+  EXPECT_THAT(result.out, HasSubstr("the quality asked for is without it"));
+}
+
+TEST_F(PlanCommand, AnswersInJson) {
+  const json document = json::parse(run({"plan", "scene.isl", "--format", "json"}).out);
+  const json reflection = effect(document, "called_for", "reflection");
+  ASSERT_FALSE(reflection.is_null());
+  const json& request = reflection.at("requests").at(0);
+  EXPECT_EQ(request.at("what"), "`reflection`");
+  EXPECT_EQ(request.at("place"), (json{{"file", "metal.inc"}, {"line", 3}, {"column", 5}}));
+  EXPECT_EQ(request.at("used_at").at("file"), "scene.isl");
+  EXPECT_FALSE(effect(document, "not_rendered", "irid").is_null());
+  EXPECT_EQ(effect(document, "left_out", "fog").at("reason"), "there is no fog of constant density");
+}
+
+TEST_F(PlanCommand, AnUnknownEffectIsACommandLineError) {
+  const ProcessResult result = run({"plan", "scene.isl", "--without", "reflexion"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("there is no effect `reflexion`; did you mean `reflection`?"));
+}
+
+TEST_F(PlanCommand, ARefusalPointsAtTheWordAndAtTheTextureThatItBelongsTo) {
+  const ProcessResult result = run({"check", "scene.isl"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("metal.inc:3:19: error: `irid` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:25: note: it belongs to `Metal`, which is used here"));
+}
+
+}  // namespace
+}  // namespace isl::test

@@ -1,0 +1,68 @@
+// What is read and cannot be drawn yet: an error of `isl render` and `isl check` at its place, a warning with --lenient.
+#include "tests/cli/program/program_fixture.h"
+
+namespace isl::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::string_view kScene = R"(camera { location -4*z }
+light_source { -9*z, rgb 1 spotlight }
+#macro Ring(R) light_group { torus { R, .1 } } #end
+sphere { 0, 1 pigment { rgb 1 } }
+Ring(1) Ring(2)
+)";
+
+class Unrendered : public ProgramTest {
+ protected:
+  Unrendered() { write("scene.isl", kScene); }
+};
+
+TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
+  const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:28: error: `spotlight` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `light_group` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
+  EXPECT_THAT(result.err, HasSubstr("Ring"));
+  EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(Unrendered, IsLeftOutWithAWarningWhereTheUserIsLenient) {
+  const ProcessResult result = run({"render", "scene.isl", "-s", "32x24", "--lenient"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("warning: `light_group` is not rendered yet; left out"));
+  EXPECT_TRUE(exists("scene.png"));
+}
+
+TEST_F(Unrendered, IsToldByCheckInTheSameWords) {
+  const ProcessResult result = run({"check", "scene.isl"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, run({"render", "scene.isl", "-s", "32x24"}).err);
+}
+
+TEST_F(Unrendered, IsNoMatterWhereItIsLeftOut) {
+  const ProcessResult result = run({"check", "scene.isl", "--without", "spotlight,light_group"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("rendered")));
+  EXPECT_THAT(result.out, HasSubstr("3 primitives, 3 solids, 1 light"));
+  EXPECT_THAT(result.out, HasSubstr("bounding box: <-2.1, -1, -2.1> to <2.1, 1, 2.1>"));
+}
+
+TEST_F(Unrendered, StopsADumpOfTheGridAndNoOther) {
+  EXPECT_EQ(run({"dump", "scene.isl", "--stage", "grid"}).exit_code, 1);
+  EXPECT_EQ(run({"dump", "scene.isl", "--stage", "grid", "--lenient"}).exit_code, 0);
+  EXPECT_EQ(run({"dump", "scene.isl", "--stage", "database"}).exit_code, 0);
+}
+
+TEST_F(Unrendered, AWrongSolverOrToleranceIsToldAtItsPlace) {
+  write("wrong.isl", "sphere { 0, 1 }\nglobal_settings {\n  solver \"hermit\"\n  tolerance \"1mm\" }\n");
+  const ProcessResult result = run({"check", "wrong.isl"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("wrong.isl:3:10: error: global_settings: "));
+  EXPECT_THAT(result.err, HasSubstr("wrong.isl:4:3: error: global_settings: "));
+}
+
+}  // namespace
+}  // namespace isl::test
