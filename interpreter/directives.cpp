@@ -9,8 +9,8 @@
 #include "interpreter/functions/functions.h"
 #include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
-#include "interpreter/readers/rvalue.h"
-#include "interpreter/readers/scene.h"
+#include "interpreter/readers/words/rvalue.h"
+#include "interpreter/readers/world/scene.h"
 
 #include <fmt/format.h>
 

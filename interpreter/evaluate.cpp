@@ -6,7 +6,7 @@
 #include "interpreter/files.h"
 #include "interpreter/nesting.h"
 #include "interpreter/prune.h"
-#include "interpreter/readers/scene.h"
+#include "interpreter/readers/world/scene.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "interpreter/functions/functions.h"
 #include "interpreter/macro_calls.h"
 #include "interpreter/operators.h"
-#include "interpreter/readers/rvalue.h"
+#include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
 

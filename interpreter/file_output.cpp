@@ -1,7 +1,7 @@
 #include "interpreter/file_output.h"
 
-#include "interpreter/readers/arguments.h"
-#include "interpreter/readers/rvalue.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
 #include <fmt/printf.h>

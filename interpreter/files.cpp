@@ -4,7 +4,7 @@
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/file_output.h"
-#include "interpreter/readers/arguments.h"
+#include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/operators.h"
-#include "interpreter/readers/rvalue.h"
+#include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
 

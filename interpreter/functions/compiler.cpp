@@ -4,7 +4,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/functions/operations.h"
 #include "interpreter/functions/program_builder.h"
-#include "interpreter/readers/arguments.h"
+#include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
 

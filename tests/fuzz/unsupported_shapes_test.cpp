@@ -1,6 +1,6 @@
 // A shape that is not there yet is refused by its name wherever an object may stand, and nothing else is said of it.
 #include "grammar/symbols.h"
-#include "interpreter/readers/supported.h"
+#include "interpreter/readers/words/supported.h"
 #include "renderer/queries/object_queries.h"
 #include "tests/interpreter/evaluated_text.h"
 

@@ -1,0 +1,363 @@
+// `blob { … }`: components with POV-Ray's meaning (radius of the support), or, with a kernel in force, ordinary solids
+// as skeletons (radius of the surface that each has alone).
+#include "interpreter/expressions.h"
+#include "interpreter/readers/objects/blob_assembly.h"
+#include "interpreter/readers/objects/blob_component.h"
+#include "interpreter/readers/objects/objects.h"
+#include "interpreter/readers/textures/surface.h"
+#include "interpreter/readers/textures/texture.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/transform.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::Component;
+using scene::Kernel;
+using scene::KernelShape;
+using scene::RadiusMeaning;
+namespace word = grammar::word;
+
+/// Beyond it a component's field is a step within a hundredth of its radius.
+constexpr double kMaxHardness = 500;
+
+constexpr grammar::Symbol kOther[] = {word::kw_component, word::kw_threshold, word::kw_strength, word::kw_pigment,
+                                      word::kw_texture,   word::kw_blob,      word::kw_union};
+
+/// What may stand in a blob, for suggestions.
+const std::vector<grammar::Symbol>& known_words() {
+  static const std::vector<grammar::Symbol> words = [] {
+    std::vector<grammar::Symbol> all(component_words().begin(), component_words().end());
+    all.insert(all.end(), std::begin(kOther), std::end(kOther));
+    return all;
+  }();
+  return words;
+}
+
+/// What a blob hands down to the parts inside it: the kernel in force.
+struct KernelInForce {
+  Kernel kernel;
+  scene::KernelId id{};
+  bool is_ours = false;   ///< the scene named one
+  bool is_known = false;  ///< `id` is the kernel's in the database
+
+  [[nodiscard]] bool is_convolved() const { return kernel.mode == scene::FieldMode::convolution; }
+};
+
+class BlobReader {
+ public:
+  BlobReader(ElementStream& stream, ObjectDraft& draft)
+      : stream_(stream), context_(stream.context()), draft_(draft) {}
+
+  /// Up to the first modifier.
+  void read_items() {
+    while (!stream_.peek().is(ElementKind::end) && !draft_.has_modifiers) {
+      if (!read_item()) break;
+    }
+    assembly_.set_threshold(threshold_);
+  }
+
+  /// The blob as an object of its own.
+  void finish() {
+    if (is_copy_) return;
+    if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "a blob without components is empty");
+    check_threshold();
+    assembly_.check_choices(stream_.span());
+    draft_.object.kind = scene::Object::Kind::blob;
+    draft_.object.shape = static_cast<std::uint32_t>(context_.database.blobs.size());
+    context_.database.blobs.push_back(assembly_.take());
+  }
+
+ private:
+  /// Of a part of another blob.
+  BlobReader(ElementStream& stream, ObjectDraft& draft, const KernelInForce& kernel)
+      : stream_(stream), context_(stream.context()), draft_(draft), kernel_(kernel), is_part_(true) {}
+
+  /// False when the whole blob was copied from another.
+  bool read_item() {
+    const Element next = stream_.peek();
+    if (next.is(ElementKind::block)) {
+      if (is_component_word(next.word)) {
+        stream_.drop();
+        read_component(next);
+        return true;
+      }
+      if (next.word == word::kw_blob) {
+        stream_.drop();
+        read_part(next, kOwnSum);
+        return true;
+      }
+      if (next.word == word::kw_union) {
+        stream_.drop();
+        read_maximum(next, kOwnSum);
+        return true;
+      }
+    } else if (next.is(ElementKind::word)) {
+      if (next.word == word::kw_threshold) {
+        stream_.drop();
+        threshold_span_ = stream_.peek().span;
+        threshold_ = read_number(stream_, "a number after `threshold`");
+        check_threshold();
+        return true;
+      }
+      if (next.word == word::kw_component) {
+        stream_.drop();
+        read_old_component(next);
+        return true;
+      }
+      if (next.word == word::kw_sturm || next.word == word::kw_hierarchy) {
+        stream_.drop();
+        static_cast<void>(read_optional_truth(stream_));
+        return true;
+      }
+    } else if (leading_name(next) == context_.words.kernel) {
+      read_kernel();
+      return true;
+    } else if (leading_name(next) == context_.words.convolution) {
+      read_convolution();
+      return true;
+    } else if (leading_name(next) == context_.words.skeleton) {
+      if (is_part_) {
+        context_.fail(next.span, "a part of a blob has no skeleton of its own",
+                      "the whole blob may be its `skeleton`");
+      }
+      stream_.drop();
+      assembly_.blob().is_skeleton = read_optional_truth(stream_);
+      return true;
+    } else if (next.is(ElementKind::value)) {
+      return !read_copy();
+    }
+    if (!read_object_modifier(stream_, draft_)) refuse(stream_, known_words());
+    return true;
+  }
+
+  bool read_copy() {
+    const SourceSpan span = stream_.peek().span;
+    const Value value = stream_.take_value();
+    const bool is_blob = value.kind() == ValueKind::object && value.as<ObjectValue>().word == word::kw_blob;
+    if (!is_blob || !assembly_.blob().components.empty()) {
+      context_.fail(span, fmt::format("expected a component, found {}", describe(value)));
+    }
+    copy_object(stream_, value.as<ObjectValue>(), draft_);
+    is_copy_ = true;
+    return true;
+  }
+
+  // ---- Parts --------------------------------------------------------------------------------------------------------
+
+  /// `blob { … }` inside a blob.
+  void read_part(const Element& block, std::uint32_t branch) { read_inner(block, branch, &BlobReader::read_items); }
+
+  /// `union { … }` inside a blob: every component, part and union in it is a branch.
+  void read_maximum(const Element& block, std::uint32_t branch) {
+    read_inner(block, branch, &BlobReader::read_branches);
+  }
+
+  void read_inner(const Element& block, std::uint32_t branch, void (BlobReader::*read)()) {
+    ElementStream stream(context_, block);
+    ObjectDraft draft;
+    BlobReader inner(stream, draft, kernel_);
+    (inner.*read)();
+    read_object_modifiers(stream, draft);
+    take_over(inner, draft, branch, block);
+  }
+
+  void read_branches() {
+    std::optional<std::uint32_t> maximum;
+    while (!stream_.peek().is(ElementKind::end)) {
+      const Element next = stream_.peek();
+      if (leading_name(next) == context_.words.kernel) {
+        read_kernel();
+        continue;
+      }
+      if (leading_name(next) == context_.words.convolution) {
+        read_convolution();
+        continue;
+      }
+      const bool is_part = next.is_block(word::kw_blob) || next.is_block(word::kw_union);
+      if (!is_part && !(next.is(ElementKind::block) && is_component_word(next.word))) break;
+      stream_.drop();
+      const std::uint32_t branch = assembly_.add_branch(maximum);
+      if (!maximum) maximum = branch;
+      if (is_part) {
+        next.word == word::kw_blob ? read_part(next, branch) : read_maximum(next, branch);
+      } else {
+        read_component(next, branch);
+      }
+    }
+    if (!maximum) context_.warn(stream_.span(), "this `union` is empty");
+  }
+
+  void take_over(BlobReader& part, const ObjectDraft& draft, std::uint32_t branch, const Element& block) {
+    const scene::Object& object = draft.object;
+    const bool has_more = object.no_shadow || object.no_image || object.no_reflection || object.double_illuminate ||
+                          object.hollow || object.inverse || object.clip != scene::kNoGroup ||
+                          draft.interior != scene::kNoInterior || draft.interior_texture;
+    if (has_more) {
+      context_.fail(block.word_span, "a part of a blob has transforms and a texture only",
+                    "what holds for the whole object stands behind the blob's parts");
+    }
+    const BlobAssembly::Placement placement{object.parent_from_object, draft.texture, branch};
+    if (part.is_copy_) {
+      assembly_.take_copy(context_.database.blobs[object.shape], placement, block.span);
+    } else {
+      assembly_.take_over(std::move(part.assembly_), placement);
+    }
+  }
+
+  /// `kernel "gaussian" hardness 4`
+  void read_kernel() {
+    stream_.drop();
+    const SourceSpan span = stream_.peek().span;
+    const std::string name = read_string(stream_, "a kernel's name as a string");
+    const auto* const known = std::ranges::find(scene::kKernelWords, name);
+    if (known == std::end(scene::kKernelWords)) {
+      context_.fail(span, fmt::format("there is no kernel \"{}\"", name),
+                    fmt::format("there are \"{}\"", fmt::join(scene::kKernelWords, "\", \"")));
+    }
+    const auto shape = static_cast<KernelShape>(known - std::begin(scene::kKernelWords));
+    Kernel kernel{shape, RadiusMeaning::surface, 4, kernel_.kernel.mode};
+    if (leading_name(stream_.peek()) == context_.words.hardness) {
+      const SourceSpan hardness_span = stream_.peek().span;
+      kernel.hardness = read_contextual_number(stream_, "a number after `hardness`");
+      if (!(kernel.hardness > 0 && kernel.hardness <= kMaxHardness)) {
+        context_.fail(hardness_span,
+                      fmt::format("`hardness` is above 0 and at most {:g}, found {:g}", kMaxHardness, kernel.hardness));
+      }
+    }
+    kernel_ = {kernel, {}, true, false};
+  }
+
+  /// `convolution on`, `convolution off`
+  void read_convolution() {
+    stream_.drop();
+    if (!stream_.peek().is(ElementKind::value)) fail_expected(stream_, "`on` or `off` after `convolution`");
+    kernel_.kernel.mode =
+        read_optional_truth(stream_) ? scene::FieldMode::convolution : scene::FieldMode::distance;
+    kernel_.is_known = false;
+  }
+
+  scene::KernelId kernel_id(const Kernel& kernel) {
+    auto& kernels = context_.database.kernels;
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+      if (kernels[i] == kernel) return scene::KernelId{static_cast<std::uint16_t>(i)};
+    }
+    if (kernels.size() == 0xFFFF) context_.stop(stream_.span(), "a scene has at most 65535 kernels");
+    kernels.push_back(kernel);
+    return scene::KernelId{static_cast<std::uint16_t>(kernels.size() - 1)};
+  }
+
+  // ---- Components ---------------------------------------------------------------------------------------------------
+
+  void read_component(const Element& block, std::uint32_t branch = kOwnSum) {
+    if (kernel_.is_convolved() && !kernel_.is_ours)
+      context_.fail(block.word_span, "a convolution needs a kernel in force", "write `kernel \"quartic\"` before it");
+    ElementStream stream(context_, block);
+    Component component =
+        read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
+    read_strength(stream, component);
+    if (stream.peek().is(ElementKind::end)) return add(component, block.span, branch);
+    const scene::Turn turn = read_modifiers(stream, component);
+    add(component, block.span, branch, &turn);
+  }
+
+  /// POV-Ray's components need a strength, the word is optional; ours may have one, with the word.
+  void read_strength(ElementStream& stream, Component& component) {
+    const bool has_comma = stream.accept_comma();
+    const bool has_word = stream.peek().is_word(word::kw_strength);
+    if (has_word) stream.drop();
+    if (kernel_.is_ours && !has_word) {
+      if (stream.peek().is(ElementKind::value)) {
+        context_.fail(stream.peek().span, "with a kernel in force a strength is written `strength s`");
+      }
+      if (has_comma) fail_expected(stream, "`strength`");
+      return;
+    }
+    const SourceSpan span = stream.peek().span;
+    component.strength = read_number(stream, "a strength");
+    if (!std::isfinite(component.strength))
+      context_.fail(span, fmt::format("a strength is finite, found {:g}", component.strength));
+    if (component.strength == 0) context_.warn(span, "a component of strength zero changes nothing");
+  }
+
+  /// `component strength, radius, <centre>` of POV-Ray 1, without braces and modifiers.
+  void read_old_component(const Element& keyword) {
+    if (kernel_.is_convolved()) context_.fail(keyword.span, "a `component` has no convolution");
+    Component component;
+    component.strength = read_number(stream_, "a strength");
+    stream_.accept_comma();
+    component.radius_a = component.radius_b = read_positive(stream_, "a radius");
+    stream_.accept_comma();
+    component.a = read_vector(stream_, "the centre of the component");
+    add(component, keyword.span, kOwnSum);
+  }
+
+  /// Returns the turn that was baked into the component.
+  scene::Turn read_modifiers(ElementStream& stream, Component& component) {
+    std::optional<scene::Texture> texture;
+    std::optional<scene::Transform> blob_from_component;
+    while (!stream.peek().is(ElementKind::end)) {
+      if (read_texture_modifier(stream, texture, blob_from_component.value_or(scene::Transform()))) continue;
+      if (const std::optional<scene::Transform> next = read_transform(stream)) {
+        blob_from_component = blob_from_component ? scene::then(*blob_from_component, *next) : *next;
+      } else {
+        refuse(stream, known_words());
+      }
+    }
+    if (texture && blob_from_component) {
+      texture = moved(context_, *texture, *blob_from_component);
+    }
+    if (texture) component.texture = texture_id(context_, *texture);
+    return blob_from_component ? move(context_, component, *blob_from_component) : scene::Turn();
+  }
+
+  void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn* turn = nullptr) {
+    if (component.skeleton == scene::Skeleton::sheet) {
+      Kernel over_sheet = kernel_.kernel;
+      over_sheet.mode = scene::FieldMode::sheet;
+      component.kernel = kernel_id(over_sheet);
+    } else {
+      if (!kernel_.is_known) {
+        kernel_.id = kernel_id(kernel_.kernel);
+        kernel_.is_known = true;
+      }
+      component.kernel = kernel_.id;
+    }
+    const std::size_t turn_bytes = turn ? sizeof(scene::Turn) : 0;
+    context_.count_primitive(span, sizeof(Component) + sizeof(OriginId) + kOriginBytes + turn_bytes);
+    assembly_.add(component, context_.origin(span), branch, turn);
+  }
+
+  /// The surface of threshold zero is where the fields end: no surface at all.
+  void check_threshold() {
+    if (!threshold_ || (*threshold_ > 0 && std::isfinite(*threshold_))) return;
+    context_.fail(threshold_span_, fmt::format("`threshold` is above 0, found {:g}", *threshold_));
+  }
+
+  ElementStream& stream_;
+  Context& context_;
+  ObjectDraft& draft_;
+  BlobAssembly assembly_{context_};
+  std::optional<double> threshold_;
+  SourceSpan threshold_span_;
+  KernelInForce kernel_;
+  bool is_part_ = false;
+  bool is_copy_ = false;  ///< the whole was copied: the draft has it
+};
+
+}  // namespace
+
+void read_blob(ElementStream& stream, ObjectDraft& draft) {
+  BlobReader reader(stream, draft);
+  reader.read_items();
+  reader.finish();
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,45 @@
+#include "interpreter/readers/objects/solid_draft.h"
+
+#include "interpreter/expressions.h"
+#include "interpreter/readers/words/arguments.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace isl::interpreter {
+
+void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& solid, std::size_t detail_bytes) {
+  Context& context = stream.context();
+  context.count_primitive(stream.span(), sizeof(scene::Solid) + sizeof(scene::Object) + kOriginBytes + detail_bytes);
+  draft.object.kind = scene::Object::Kind::solid;
+  draft.object.shape = static_cast<std::uint32_t>(context.database.solids.size());
+  context.database.solids.push_back(solid);
+}
+
+bool read_copy(ElementStream& stream, ObjectDraft& draft) {
+  const Element next = stream.peek();
+  // Only a name can stand for an object; anything else that is a value is geometry.
+  const bool may_name = next.is(ElementKind::value) &&
+                        (next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index);
+  if (!may_name) return false;
+  const Slot* const slot = find_slot_if_declared(stream.context(), *next.node);
+  if (!slot || slot->value.kind() != ValueKind::object) return false;
+  const Value value = stream.take_value();
+  copy_object(stream, value.as<ObjectValue>(), draft);
+  return true;
+}
+
+double read_radius(ElementStream& stream, std::string_view what) {
+  const SourceSpan span = stream.peek().span;
+  const double radius = std::abs(read_number(stream, what));
+  if (!std::isfinite(radius)) stream.context().fail(span, fmt::format("{} is finite, found {:g}", what, radius));
+  return radius;
+}
+
+void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why) {
+  stream.context().warn(stream.span(), fmt::format("{}; it is left out", why));
+  set_group(stream, draft, {});
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,139 @@
+// The solids of a few numbers: sphere, cylinder, cone, plane, box, torus, disc, superellipsoid.
+#include "interpreter/expressions.h"
+#include "interpreter/readers/objects/solid_draft.h"
+#include "interpreter/readers/words/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::Solid;
+using scene::SolidKind;
+using scene::Vec3;
+namespace word = grammar::word;
+
+bool read_open(ElementStream& stream) {
+  if (!stream.peek().is_word(word::kw_open)) return false;
+  stream.drop();
+  return true;
+}
+
+void check_ends(ElementStream& stream, const Vec3& a, const Vec3& b) {
+  if ((b - a).length() < kTolerance) stream.context().fail(stream.span(), "both ends are the same point");
+}
+
+}  // namespace
+
+void read_sphere(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::sphere};
+  solid.a = read_vector(stream, "the centre of the sphere");
+  stream.accept_comma();
+  solid.radius_a = read_radius(stream, "a radius");
+  if (solid.radius_a == 0) return leave_out(stream, draft, "this sphere has the radius 0");
+  add_solid(stream, draft, solid);
+}
+
+void read_cylinder(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::cylinder};
+  solid.a = read_vector(stream, "the first end of the cylinder");
+  stream.accept_comma();
+  solid.b = read_vector(stream, "the second end of the cylinder");
+  stream.accept_comma();
+  solid.radius_a = solid.radius_b = read_radius(stream, "a radius");
+  solid.open = read_open(stream);
+  check_ends(stream, solid.a, solid.b);
+  if (solid.radius_a == 0) return leave_out(stream, draft, "this cylinder has the radius 0");
+  add_solid(stream, draft, solid);
+}
+
+void read_cone(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::cone};
+  solid.a = read_vector(stream, "the first end of the cone");
+  stream.accept_comma();
+  solid.radius_a = read_radius(stream, "the radius at the first end");
+  stream.accept_comma();
+  solid.b = read_vector(stream, "the second end of the cone");
+  stream.accept_comma();
+  solid.radius_b = read_radius(stream, "the radius at the second end");
+  solid.open = read_open(stream);
+  check_ends(stream, solid.a, solid.b);
+  if (solid.radius_a == 0 && solid.radius_b == 0) return leave_out(stream, draft, "this cone has the radius 0");
+  add_solid(stream, draft, solid);
+}
+
+void read_plane(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::plane};
+  // The normal is normalised, the distance is not scaled with it.
+  solid.a = read_normal(stream, "the normal of the plane");
+  stream.accept_comma();
+  solid.radius_a = read_number(stream, "the distance of the plane");
+  add_solid(stream, draft, solid);
+}
+
+void read_box(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  const Vec3 p = read_vector(stream, "a corner of the box");
+  stream.accept_comma();
+  const Vec3 q = read_vector(stream, "the opposite corner of the box");
+  Solid solid{.kind = SolidKind::box};
+  for (int i = 0; i < 3; ++i) {
+    solid.a[i] = std::min(p[i], q[i]);
+    solid.b[i] = std::max(p[i], q[i]);
+    if (solid.a[i] == solid.b[i]) {
+      stream.context().warn(stream.span(), fmt::format("this box has no thickness along {}", "xyz"[i]));
+    }
+  }
+  add_solid(stream, draft, solid);
+}
+
+void read_torus(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::torus};
+  solid.radius_a = read_radius(stream, "the major radius of the torus");
+  stream.accept_comma();
+  solid.radius_b = read_radius(stream, "the minor radius of the torus");
+  if (solid.radius_b == 0) return leave_out(stream, draft, "this torus has the minor radius 0");
+  add_solid(stream, draft, solid);
+}
+
+void read_disc(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::disc};
+  solid.a = read_vector(stream, "the centre of the disc");
+  stream.accept_comma();
+  solid.b = read_normal(stream, "the normal of the disc");
+  stream.accept_comma();
+  solid.radius_a = read_radius(stream, "a radius");
+  const bool has_hole = stream.accept_comma() || stream.peek().is(ElementKind::value);
+  if (has_hole) solid.radius_b = read_radius(stream, "the radius of the hole");
+  if (solid.radius_b >= solid.radius_a) return leave_out(stream, draft, "this disc has a hole as large as itself");
+  add_solid(stream, draft, solid);
+}
+
+void read_superellipsoid(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::value)) fail_expected(stream, "the exponents <e, n> of the superellipsoid");
+  const Value value = stream.take_value();
+  if (!value.is_numeric())
+    stream.context().fail(next.span, fmt::format("expected the exponents <e, n>, found {}", describe(value)));
+  Solid solid{.kind = SolidKind::superellipsoid};
+  solid.radius_a = value.terms()[0];
+  solid.radius_b = value.is_number() ? value.number() : value.terms()[1];
+  if (!(solid.radius_a > 0 && solid.radius_b > 0 && std::isfinite(solid.radius_a + solid.radius_b))) {
+    stream.context().fail(next.span,
+                          fmt::format("both exponents of a superellipsoid are above 0 and finite, found <{:g}, {:g}>",
+                                      solid.radius_a, solid.radius_b));
+  }
+  add_solid(stream, draft, solid);
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,216 @@
+#include "interpreter/readers/textures/pigment.h"
+
+#include "interpreter/readers/patterns/pattern.h"
+#include "interpreter/readers/textures/default_maps.h"
+#include "interpreter/readers/textures/maps.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/colour.h"
+#include "interpreter/readers/words/said_at.h"
+#include "interpreter/readers/words/transform.h"
+#include "interpreter/records.h"
+
+#include <fmt/format.h>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::PatternedPigment;
+using scene::PatternKind;
+using scene::Pigment;
+namespace word = grammar::word;
+
+constexpr grammar::Symbol kKnown[] = {word::kw_color,     word::kw_rgb,         word::kw_srgb,       word::kw_transmit,
+                                      word::kw_color_map, word::kw_pigment_map, word::kw_turbulence, word::kw_gradient,
+                                      word::kw_checker,   word::kw_image_map,   word::kw_scale,      word::kw_rotate,
+                                      word::kw_translate, word::kw_frequency,   word::kw_phase};
+
+bool is_map_block(const Element& next) {
+  return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) || next.is_block(word::kw_pigment_map);
+}
+
+/// What chooses from no map: lists, pictures, and what is no pattern.
+bool takes_map(PatternKind kind) {
+  return list_length(kind) == 0 && kind != PatternKind::image_map && kind != PatternKind::plain;
+}
+
+Pigment with_record(Context& context, PatternedPigment&& record) {
+  return {.pattern = add_record<scene::PigmentId>(context, context.database.pigments, std::move(record))};
+}
+
+class PigmentReader {
+ public:
+  PigmentReader(ElementStream& stream, const Pigment& base)
+      : stream_(stream), context_(stream.context()), pigment_(base) {}
+
+  Pigment read() {
+    bool has_type = read_identifier();
+    if (stream_.peek().is_word(word::kw_uv_mapping)) {
+      stream_.drop();
+      open();
+      draft_.pattern.uv_mapping = true;
+      has_type = read_identifier() || has_type;
+    }
+    if (read_type()) has_type = true;
+    while (!stream_.peek().is(ElementKind::end)) {
+      if (!read_modifier(has_type)) refuse(stream_, kKnown);
+    }
+    return close();
+  }
+
+ private:
+  /// A declared pigment, or a declared colour with what overrides it.
+  bool read_identifier() {
+    const Element first = stream_.peek();
+    if (!first.is(ElementKind::value) || first.node->kind == grammar::NodeKind::function) return false;
+    const Value value = stream_.take_value();
+    if (value.kind() == ValueKind::pigment) {
+      const bool uv_mapping = record_ && draft_.pattern.uv_mapping;
+      pigment_ = value.as<PigmentValue>().pigment;
+      is_declared_on_surface_ =
+          !pigment_.is_plain() && context_.database.pigments[index(pigment_.pattern)].pattern.uv_mapping;
+      record_.reset();
+      if (uv_mapping) {
+        open();
+        draft_.pattern.uv_mapping = true;
+      }
+    } else if (value.is_numeric() && first.node->kind != grammar::NodeKind::vector) {
+      set_colour(to_colour(read_colour_after(stream_, value)), first);
+    } else {
+      context_.fail(first.span, fmt::format("expected a pigment or colour, found {}", describe(value)),
+                    value.is_numeric() ? "write `rgb` before it" : "");
+    }
+    return true;
+  }
+
+  bool read_type() {
+    const Element next = stream_.peek();
+    if (next.is(ElementKind::word) && is_colour_word(next.word)) {
+      set_colour(read_colour(stream_), next);
+      return true;
+    }
+    if (!starts_pattern(next)) return false;
+    PatternedPigment& record = open();
+    const bool had_list = !takes_map(draft_.pattern.kind);
+    scene::PigmentMapId list = scene::kNoPigmentMap;
+    const ReadList read_list = [&](ElementStream& stream, PatternKind kind, int count) {
+      list = read_pigment_list(stream, kind, count);
+    };
+    static_cast<void>(read_pattern(stream_, draft_, PatternHost::pigment, read_list));
+    if (had_list || !takes_map(draft_.pattern.kind)) record.map = list;
+    return true;
+  }
+
+  bool read_modifier(bool has_type) {
+    // A plain colour is the same wherever it is moved to.
+    if (!record_ && pigment_.is_plain() && read_transform(stream_)) return true;
+    const Element next = stream_.peek();
+    if (is_map_block(next)) {
+      stream_.drop();
+      read_map(next, has_type);
+      return true;
+    }
+    if (next.is_word(word::kw_quick_color) || next.is_word(word::kw_quick_colour)) {
+      stream_.drop();
+      open().quick_colour = read_colour(stream_);
+      return true;
+    }
+    const bool is_plain = record_ ? draft_.pattern.kind == PatternKind::plain : pigment_.is_plain();
+    if (is_plain && next.is(ElementKind::word) && is_colour_word(next.word)) {
+      set_colour(read_colour(stream_), next);
+      return true;
+    }
+    if (starts_pattern(next)) {
+      context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
+                    "the pattern or colour of a `pigment` comes first, and there is one");
+    }
+    if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
+    // As in POV-Ray: what was declared on the surface's coordinates is not moved there.
+    if (is_declared_on_surface_ && read_transform(stream_)) return true;
+    open();
+    return read_pattern_modifier(stream_, draft_);
+  }
+
+  void read_map(const Element& block, bool has_type) {
+    PatternedPigment& record = open();
+    const PatternKind kind = draft_.pattern.kind;
+    const bool is_colours = block.word != word::kw_pigment_map;
+    const bool fits = takes_map(kind) && !(is_colours && kind == PatternKind::average);
+    if (kind == PatternKind::plain && !has_type) {
+      context_.warn(block.word_span, "a map without a pattern before it says nothing");
+    } else if (!fits) {
+      const std::string what =
+          kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(context_, kind));
+      context_.fail(block.word_span, fmt::format("`{}` cannot be used with {}", context_.text(block.word), what));
+    }
+    record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block, entry_value(kind));
+  }
+
+  void set_colour(const scene::Colour& colour, const Element& element) {
+    const OriginId place = place_of(context_, element);
+    if (record_) {
+      draft_.pattern.kind = PatternKind::plain;
+      draft_.pattern.said_at = place;
+      record_->colour = colour;
+    } else {
+      pigment_ = Pigment{.colour = colour, .said_at = place};
+    }
+  }
+
+  /// The record that this pigment needs once it says more than a colour.
+  PatternedPigment& open() {
+    if (record_) return *record_;
+    record_ = pigment_.is_plain() ? PatternedPigment{.colour = pigment_.colour}
+                                  : context_.database.pigments[index(pigment_.pattern)];
+    draft_ = draft_of(context_, record_->pattern);
+    return *record_;
+  }
+
+  Pigment close() {
+    if (!record_) return pigment_;
+    PatternedPigment& record = *record_;
+    const PatternKind kind = draft_.pattern.kind;
+    if (kind == PatternKind::plain && !record.quick_colour)
+      return Pigment{.colour = record.colour, .said_at = draft_.pattern.said_at};
+    if (kind == PatternKind::average && record.map == scene::kNoPigmentMap) {
+      context_.fail(stream_.span(), "`average` needs a `pigment_map`");
+    }
+    if (takes_map(kind) && record.map == scene::kNoPigmentMap)
+      record.map = default_pigment_map(context_, draft_.pattern);
+    if (kind != PatternKind::plain) record.pattern = std::move(draft_.pattern);
+    context_.check_memory(stream_.span(), sizeof(PatternedPigment));
+    return with_record(context_, std::move(record));
+  }
+
+  ElementStream& stream_;
+  Context& context_;
+  Pigment pigment_;
+  bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
+  std::optional<PatternedPigment> record_;
+  PatternDraft draft_;  ///< of the record's pattern, where there is a record
+};
+
+}  // namespace
+
+Pigment read_pigment_body(ElementStream& stream, const Pigment& base) { return PigmentReader(stream, base).read(); }
+
+Pigment read_pigment(Context& context, const Element& block, const Pigment& base) {
+  ElementStream stream(context, block);
+  return read_pigment_body(stream, base);
+}
+
+scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {
+  if (!pigment.is_plain()) return pigment.pattern;
+  return with_record(context, {.colour = pigment.colour}).pattern;
+}
+
+Pigment moved(Context& context, const Pigment& pigment, const scene::Transform& transform) {
+  if (pigment.is_plain() || transform == scene::Transform()) return pigment;
+  PatternedPigment record = context.database.pigments[index(pigment.pattern)];
+  if (record.pattern.kind == PatternKind::plain || record.pattern.uv_mapping) return pigment;
+  PatternDraft draft = draft_of(context, record.pattern);
+  move(context, draft, transform);
+  record.pattern = std::move(draft.pattern);
+  return with_record(context, std::move(record));
+}
+
+}  // namespace isl::interpreter

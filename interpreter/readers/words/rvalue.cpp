@@ -1,0 +1,171 @@
+#include "interpreter/readers/words/rvalue.h"
+
+#include "interpreter/expressions.h"
+#include "interpreter/readers/objects/objects.h"
+#include "interpreter/readers/textures/finish.h"
+#include "interpreter/readers/textures/interior.h"
+#include "interpreter/readers/textures/maps.h"
+#include "interpreter/readers/textures/normal.h"
+#include "interpreter/readers/textures/pigment.h"
+#include "interpreter/readers/textures/surface.h"
+#include "interpreter/readers/textures/texture.h"
+#include "interpreter/readers/view/camera.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/colour.h"
+#include "interpreter/readers/words/spline.h"
+#include "interpreter/readers/words/transform.h"
+#include "interpreter/readers/world/atmosphere.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace isl::interpreter {
+namespace {
+
+namespace word = grammar::word;
+
+/// A block that makes a value, other than an object.
+struct BlockRow {
+  grammar::Symbol word;
+  Value (*read)(Context&, const Element&);
+};
+
+Value pigment_value(Context& context, const Element& block) {
+  const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment);
+  return {ValueKind::pigment, make_shared_value<PigmentValue>(pigment)};
+}
+
+Value normal_value(Context& context, const Element& block) {
+  const scene::NormalId normal = read_normal(context, block, context.default_texture.normal);
+  return {ValueKind::normal, make_shared_value<NormalValue>(normal)};
+}
+
+Value finish_value(Context& context, const Element& block) {
+  const scene::Finish finish = read_finish(context, block, finish_of(context, context.default_texture));
+  return {ValueKind::finish, make_shared_value<FinishValue>(finish)};
+}
+
+Value texture_value(Context& context, const Element& block) {
+  const scene::Texture texture = read_texture(context, block, context.default_texture);
+  return {ValueKind::texture, make_shared_value<TextureValue>(texture)};
+}
+
+Value material_value(Context& context, const Element& block) {
+  return {ValueKind::material, make_shared_value<MaterialValue>(read_material(context, block))};
+}
+
+Value interior_value(Context& context, const Element& block) {
+  return {ValueKind::interior, make_shared_value<InteriorValue>(read_interior(context, block))};
+}
+
+Value colour_map_value(Context& context, const Element& block) {
+  return {ValueKind::colour_map, make_shared_value<PigmentMapValue>(read_colour_map(context, block))};
+}
+
+Value pigment_map_value(Context& context, const Element& block) {
+  return {ValueKind::pigment_map,
+          make_shared_value<PigmentMapValue>(read_pigment_map(context, block, EntryValue::needed))};
+}
+
+Value normal_map_value(Context& context, const Element& block) {
+  return {ValueKind::normal_map,
+          make_shared_value<NormalMapValue>(read_normal_map(context, block, EntryValue::needed))};
+}
+
+Value slope_map_value(Context& context, const Element& block) {
+  return {ValueKind::slope_map, make_shared_value<SlopeMapValue>(read_slope_map(context, block))};
+}
+
+Value texture_map_value(Context& context, const Element& block) {
+  return {ValueKind::texture_map,
+          make_shared_value<TextureMapValue>(read_texture_map(context, block, EntryValue::needed))};
+}
+
+Value sky_sphere_value(Context& context, const Element& block) {
+  return {ValueKind::sky_sphere, make_shared_value<SkySphereValue>(read_sky_sphere(context, block))};
+}
+
+Value fog_value(Context& context, const Element& block) {
+  return {ValueKind::fog, make_shared_value<FogValue>(read_fog(context, block))};
+}
+
+Value rainbow_value(Context& context, const Element& block) {
+  return {ValueKind::rainbow, make_shared_value<RainbowValue>(read_rainbow(context, block))};
+}
+
+Value transform_value(Context& context, const Element& block) {
+  return {ValueKind::transform, make_shared_value<TransformValue>(read_transform_block(context, block))};
+}
+
+Value camera_value(Context& context, const Element& block) { return {ValueKind::camera, read_camera(context, block)}; }
+
+constexpr BlockRow kBlocks[] = {
+    {word::kw_pigment, pigment_value},         {word::kw_normal, normal_value},
+    {word::kw_finish, finish_value},           {word::kw_texture, texture_value},
+    {word::kw_material, material_value},       {word::kw_interior, interior_value},
+    {word::kw_color_map, colour_map_value},    {word::kw_colour_map, colour_map_value},
+    {word::kw_pigment_map, pigment_map_value}, {word::kw_normal_map, normal_map_value},
+    {word::kw_slope_map, slope_map_value},     {word::kw_texture_map, texture_map_value},
+    {word::kw_sky_sphere, sky_sphere_value},   {word::kw_fog, fog_value},
+    {word::kw_rainbow, rainbow_value},         {word::kw_transform, transform_value},
+    {word::kw_camera, camera_value},
+};
+
+Value read_block(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element block = stream.peek();
+  if (is_object_word(block.word)) {
+    stream.drop();
+    return {ValueKind::object, read_object(context, block)};
+  }
+  if (const auto* const row = std::ranges::find(kBlocks, block.word, &BlockRow::word); row != std::end(kBlocks)) {
+    stream.drop();
+    return row->read(context, block);
+  }
+  if (block.word == word::kw_spline) {
+    stream.drop();
+    return {ValueKind::spline, make_shared_value<SplineValue>(read_spline(context, block), context.memory)};
+  }
+  refuse(stream, object_words());
+  // Not supported, and reported: an empty object keeps the name usable.
+  return {ValueKind::object, empty_object(stream)};
+}
+
+}  // namespace
+
+Value read_rvalue_after(ElementStream& stream, Value first) {
+  const Element& next = stream.peek();
+  if (first.is_numeric() && is_colour_component(next)) return read_colour_after(stream, first);
+  return first;
+}
+
+Value read_rvalue(ElementStream& stream) {
+  const Element& next = stream.peek();
+  if (next.is(ElementKind::value)) {
+    Value value = stream.take_value();
+    return read_rvalue_after(stream, std::move(value));
+  }
+  if (next.is(ElementKind::word) && is_colour_word(next.word)) return to_value(read_colour(stream));
+  if (next.is(ElementKind::word) && next.word == word::kw_transform) {
+    return {ValueKind::transform, make_shared_value<TransformValue>(*read_transform(stream))};
+  }
+  if (next.is(ElementKind::block)) return read_block(stream);
+  fail_expected(stream, "a value");
+}
+
+Value read_declared(ElementStream& stream) {
+  Value value = read_rvalue(stream);
+  if (value.kind() != ValueKind::texture) return value;
+  Context& context = stream.context();
+  while (stream.peek().is_block(word::kw_texture)) {
+    const Element layer = stream.take();
+    const scene::Texture top = read_texture(context, layer, context.default_texture);
+    const scene::Texture texture = layered(context, value.as<TextureValue>().texture, top, layer.word_span);
+    value = Value(ValueKind::texture, make_shared_value<TextureValue>(texture));
+  }
+  return value;
+}
+
+}  // namespace isl::interpreter

@@ -1,0 +1,113 @@
+#include "interpreter/readers/words/transform.h"
+
+#include "interpreter/expressions.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/transforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::interpreter {
+namespace {
+
+using grammar::as;
+using scene::Transform;
+using scene::Vec3;
+namespace word = grammar::word;
+
+/// Beyond this condition number a map loses twelve of a double's sixteen digits.
+constexpr double kConditionWarning = 1e12;
+
+Transform checked(Context& context, const scene::Matrix& matrix, SourceSpan span) {
+  Transform transform{matrix, {}};
+  double condition = 0;
+  if (!invert(matrix, transform.inverse, condition))
+    context.fail(span, "this transform is singular: it has no inverse");
+  if (condition > kConditionWarning) {
+    context.warn(span, fmt::format("this transform is nearly singular (condition number {:.0e})", condition));
+  }
+  return transform;
+}
+
+Transform read_scale(ElementStream& stream) {
+  const SourceSpan span = stream.peek().span;
+  Vec3 factors = read_vector(stream, "a vector or number after `scale`");
+  for (int i = 0; i < 3; ++i) {
+    if (factors[i] != 0) continue;
+    stream.context().warn(span, "a scale of zero is replaced by one");
+    factors[i] = 1;
+  }
+  const Vec3 size(std::abs(factors.x), std::abs(factors.y), std::abs(factors.z));
+  const double smallest = std::min({size.x, size.y, size.z}), largest = std::max({size.x, size.y, size.z});
+  if (!std::isfinite(1 / smallest))
+    stream.context().fail(span, fmt::format("a scale of {:g} has no inverse", smallest));
+  if (largest / smallest > kConditionWarning) stream.context().warn(span, "this scale is nearly singular");
+  return scaling(factors);
+}
+
+/// `matrix <m00, m01, m02, m10, …, m32>`: the images of x, y, z, and the offset.
+Transform read_matrix(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::value) || next.node->kind != grammar::NodeKind::vector) {
+    fail_expected(stream, "`<` with the 12 numbers of `matrix`");
+  }
+  stream.drop();
+  const std::vector<double> m = evaluate_coordinates(context, as<grammar::Vector>(*next.node));
+  if (m.size() != 12) context.fail(next.span, fmt::format("`matrix` takes 12 numbers, found {}", m.size()));
+  const scene::Matrix matrix(m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, m[9], m[10], m[11], 1);
+  return checked(context, matrix, next.span);
+}
+
+Transform read_named(ElementStream& stream) {
+  if (!stream.peek().is(ElementKind::value)) fail_expected(stream, "a transform");
+  const SourceSpan span = stream.peek().span;
+  const Value value = stream.take_value();
+  if (value.kind() != ValueKind::transform)
+    stream.context().fail(span, fmt::format("expected a transform, found {}", describe(value)));
+  return value.as<TransformValue>().transform;
+}
+
+}  // namespace
+
+std::optional<Transform> read_transform(ElementStream& stream) {
+  const Element& next = stream.peek();
+  if (next.is(ElementKind::word)) {
+    switch (static_cast<word::Index>(next.word)) {
+      case word::kIndex_translate: stream.drop(); return translation(read_vector(stream, "a vector after `translate`"));
+      case word::kIndex_rotate: stream.drop(); return rotation(read_vector(stream, "a vector after `rotate`"));
+      case word::kIndex_scale: stream.drop(); return read_scale(stream);
+      case word::kIndex_matrix: stream.drop(); return read_matrix(stream);
+      case word::kIndex_transform: stream.drop(); return read_named(stream);
+      default: return std::nullopt;
+    }
+  }
+  if (!next.is_block(word::kw_transform)) return std::nullopt;
+  const Element block = stream.take();
+  return read_transform_block(stream.context(), block);
+}
+
+Transform read_transform_block(Context& context, const Element& block) {
+  ElementStream stream(context, block);
+  Transform total;
+  bool is_inverse = false;
+  while (!stream.peek().is(ElementKind::end)) {
+    if (stream.peek().is(ElementKind::value)) {
+      total = scene::then(total, read_named(stream));
+    } else if (stream.peek().is_word(word::kw_inverse)) {
+      stream.drop();
+      is_inverse = true;
+    } else if (const std::optional<Transform> next = read_transform(stream)) {
+      total = scene::then(total, *next);
+    } else {
+      static constexpr grammar::Symbol kKnown[] = {word::kw_translate, word::kw_rotate, word::kw_scale, word::kw_matrix,
+                                                   word::kw_inverse};
+      refuse(stream, kKnown);
+    }
+  }
+  return is_inverse ? total.inverted() : total;
+}
+
+}  // namespace isl::interpreter

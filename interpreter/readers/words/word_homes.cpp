@@ -1,0 +1,134 @@
+#include "interpreter/readers/words/word_homes.h"
+
+#include "interpreter/readers/objects/objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+
+namespace isl::interpreter {
+namespace {
+
+using namespace grammar::word;
+using grammar::Symbol;
+
+/// A word and one of the blocks that it stands in. A word with several has a row for each, the commonest first.
+using Homes = std::multimap<Symbol, Symbol>;
+
+void add(Homes& homes, Symbol block, std::initializer_list<Symbol> words) {
+  for (const Symbol word : words) homes.emplace(word, block);
+}
+
+Homes make_homes() {
+  Homes homes;
+  add(homes, kw_finish,
+      {kw_ambient, kw_emission, kw_diffuse, kw_brilliance, kw_phong, kw_phong_size, kw_specular, kw_roughness,
+       kw_metallic, kw_reflection, kw_reflection_exponent, kw_irid, kw_crand, kw_conserve_energy});
+  add(homes, kw_interior,
+      {kw_ior, kw_caustics, kw_dispersion, kw_dispersion_samples, kw_fade_distance, kw_fade_power, kw_fade_color,
+       kw_fade_colour});
+  add(homes, kw_pigment,
+      {kw_color,         kw_colour,    kw_rgb,         kw_rgbf,        kw_rgbt,      kw_rgbft,       kw_srgb,
+       kw_srgbf,         kw_srgbt,     kw_srgbft,      kw_red,         kw_green,     kw_blue,        kw_filter,
+       kw_transmit,      kw_color_map, kw_colour_map,  kw_pigment_map, kw_image_map, kw_quick_color, kw_quick_colour,
+       kw_agate,         kw_boxed,     kw_bozo,        kw_brick,       kw_cells,     kw_checker,     kw_crackle,
+       kw_gradient,      kw_granite,   kw_hexagon,     kw_leopard,     kw_mandel,    kw_marble,      kw_onion,
+       kw_planar,        kw_radial,    kw_spiral1,     kw_spiral2,     kw_spotted,   kw_wood,        kw_turbulence,
+       kw_octaves,       kw_omega,     kw_lambda,      kw_frequency,   kw_phase,     kw_warp,        kw_ramp_wave,
+       kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
+  add(homes, kw_normal,
+      {kw_bumps,      kw_dents,         kw_ripples,    kw_waves,       kw_wrinkles,  kw_quilted, kw_facets,
+       kw_bump_map,   kw_bump_size,     kw_normal_map, kw_slope_map,   kw_agate,     kw_boxed,   kw_bozo,
+       kw_brick,      kw_cells,         kw_checker,    kw_crackle,     kw_gradient,  kw_granite, kw_hexagon,
+       kw_leopard,    kw_marble,        kw_onion,      kw_radial,      kw_spiral1,   kw_spotted, kw_wood,
+       kw_turbulence, kw_octaves,       kw_omega,      kw_lambda,      kw_frequency, kw_phase,   kw_warp,
+       kw_ramp_wave,  kw_triangle_wave, kw_sine_wave,  kw_scallop_wave});
+  add(homes, kw_texture, {kw_texture_map, kw_material_map, kw_tiles});
+  add(homes, kw_camera,
+      {kw_location, kw_look_at, kw_right, kw_up, kw_direction, kw_sky, kw_angle, kw_aperture, kw_focal_point,
+       kw_blur_samples, kw_confidence, kw_variance, kw_bokeh, kw_perspective, kw_orthographic, kw_fisheye,
+       kw_ultra_wide_angle, kw_omnimax, kw_panoramic});
+  add(homes, kw_light_source,
+      {kw_spotlight, kw_parallel, kw_point_at, kw_tightness, kw_falloff, kw_radius, kw_area_light, kw_adaptive,
+       kw_jitter, kw_circular, kw_orient, kw_area_illumination, kw_shadowless, kw_looks_like, kw_projected_through});
+  add(homes, kw_fog, {kw_fog_type, kw_fog_offset, kw_fog_alt, kw_turb_depth, kw_distance});
+  add(homes, kw_rainbow, {kw_arc_angle, kw_falloff_angle});
+  add(homes, kw_blob, {kw_threshold, kw_component, kw_strength});
+  add(homes, kw_light_group, {kw_global_lights});
+  add(homes, kw_global_settings,
+      {kw_assumed_gamma, kw_ambient_light, kw_adc_bailout, kw_max_trace_level, kw_irid_wavelength, kw_number_of_waves,
+       kw_noise_generator, kw_mm_per_unit, kw_charset, kw_max_intersections, kw_hf_gray_16, kw_radiosity, kw_photons});
+  return homes;
+}
+
+bool is_one_of(Symbol word, std::initializer_list<Symbol> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// What stands in no block: in one, a `}` is missing most likely.
+bool is_of_top_level(const Element& element) {
+  return element.is(ElementKind::block) &&
+         is_one_of(element.word, {kw_camera, kw_background, kw_global_settings, kw_sky_sphere, kw_fog, kw_rainbow});
+}
+
+/// What stands in an object beside its other modifiers, and in no block below.
+bool is_of_objects(Symbol word) {
+  return is_one_of(word,
+                   {kw_texture, kw_pigment, kw_normal, kw_finish, kw_material, kw_interior, kw_no_shadow, kw_no_image,
+                    kw_no_reflection, kw_hollow, kw_double_illuminate, kw_clipped_by, kw_bounded_by});
+}
+
+bool is_directive(Symbol word) {
+  return is_one_of(word, {kw_case, kw_debug, kw_declare, kw_else, kw_end, kw_for, kw_if, kw_ifdef, kw_include, kw_local,
+                          kw_macro, kw_switch, kw_while});
+}
+
+/// Whether the blocks of this word hold objects.
+bool holds_objects(Symbol word) {
+  return is_one_of(word, {kw_blob, kw_union, kw_merge, kw_intersection, kw_difference, kw_light_group});
+}
+
+std::string hint_for_object(Context& context, Symbol stream_word) {
+  if (stream_word == kw_blob) return "the components of a `blob` come before its modifiers: move this before them";
+  if (holds_objects(stream_word)) {
+    return fmt::format("the objects of `{}` come before its modifiers: move this before them",
+                       context.text(stream_word));
+  }
+  return stream_word == grammar::kNoSymbol ? "" : "is a `}` missing before it?";
+}
+
+std::string hint_for_word(Context& context, const Element& element, Symbol stream_word) {
+  static const Homes homes = make_homes();
+  const auto [first, last] = homes.equal_range(element.word);
+  if (first == last) return {};
+  const bool is_at_home = std::any_of(first, last, [&](const auto& row) { return row.second == stream_word; });
+  if (is_at_home) return {};
+  const std::string_view name = context.text(element.word);
+  const Symbol home = first->second;
+  const char* const braces = element.is(ElementKind::block) ? " { … }" : " …";
+  return fmt::format("`{0}` belongs in `{1}`: write `{1} {{ {0}{2} }}`", name, context.text(home), braces);
+}
+
+}  // namespace
+
+std::string hint_for_misplaced(Context& context, const Element& element, Symbol stream_word) {
+  if (!element.is(ElementKind::word) && !element.is(ElementKind::block)) return {};
+  if (element.is(ElementKind::word) && is_directive(element.word))
+    return fmt::format("a directive begins with `#`: write `#{}`", context.text(element.word));
+  if (element.is(ElementKind::block) && is_object_word(element.word)) return hint_for_object(context, stream_word);
+  if (stream_word == kw_blob && element.word == kw_threshold)
+    return "`threshold` comes before the modifiers of the blob";
+  const bool is_inside = stream_word != grammar::kNoSymbol;
+  if (is_inside && is_of_top_level(element))
+    return fmt::format("a `{}` stands in no other block: is a `}}` missing before it?", context.text(element.word));
+  const bool is_in_texture = is_one_of(stream_word, {kw_pigment, kw_normal, kw_finish, kw_interior});
+  if (is_in_texture && is_of_objects(element.word)) {
+    return fmt::format("`{}` stands beside `{}`, not in it: is a `}}` missing before it?", context.text(element.word),
+                       context.text(stream_word));
+  }
+  return hint_for_word(context, element, stream_word);
+}
+
+}  // namespace isl::interpreter

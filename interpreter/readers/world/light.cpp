@@ -1,0 +1,249 @@
+// `light_source { <location>, colour … }`, of every kind.
+#include "interpreter/expressions.h"
+#include "interpreter/readers/objects/objects.h"
+#include "interpreter/readers/objects/solid_draft.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/colour.h"
+#include "interpreter/readers/words/said_at.h"
+#include "interpreter/readers/words/transform.h"
+#include "interpreter/transforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::AreaLight;
+using scene::Light;
+using scene::LightItem;
+using scene::LightKind;
+namespace word = grammar::word;
+
+class LightReader {
+ public:
+  LightReader(ElementStream& stream, ObjectDraft& draft) : stream_(stream), context_(stream.context()), draft_(draft) {}
+
+  void read() {
+    light_.origin = draft_.object.origin;
+    light_.location = read_vector(stream_, "the location of the light");
+    stream_.accept_comma();
+    light_.colour = read_colour(stream_);
+    while (!stream_.peek().is(ElementKind::end)) {
+      note_place(context_, stream_.peek(), kPlaces, light_.said_at);
+      if (!read_item()) refuse(stream_, kKnown);
+    }
+    finish();
+    context_.count_primitive(stream_.span(), sizeof(Light) + kOriginBytes);
+    draft_.lights.push_back(light_);
+  }
+
+ private:
+  static constexpr grammar::Symbol kKnown[] = {
+      word::kw_spotlight,  word::kw_cylinder,   word::kw_parallel,          word::kw_area_light,    word::kw_radius,
+      word::kw_falloff,    word::kw_tightness,  word::kw_point_at,          word::kw_fade_distance, word::kw_fade_power,
+      word::kw_shadowless, word::kw_looks_like, word::kw_projected_through, word::kw_translate,     word::kw_rotate};
+
+  static constexpr ItemWord<LightItem> kPlaces[] = {{word::kw_spotlight, LightItem::kind},
+                                                    {word::kw_cylinder, LightItem::kind},
+                                                    {word::kw_parallel, LightItem::parallel},
+                                                    {word::kw_area_light, LightItem::area},
+                                                    {word::kw_fade_distance, LightItem::fade},
+                                                    {word::kw_projected_through, LightItem::projected_through}};
+
+  bool read_item() {
+    if (const std::optional<scene::Transform> transform = read_transform(stream_)) {
+      scene::move(light_, *transform);
+      draft_.object.parent_from_object = scene::then(draft_.object.parent_from_object, *transform);
+      return true;
+    }
+    const Element next = stream_.peek();
+    if (next.is(ElementKind::block)) return read_object_item(next);
+    return next.is(ElementKind::word) && (read_kind(next.word) || read_number_item(next) || read_word(next));
+  }
+
+  /// What kind of light it is; each brings its own defaults, which are POV-Ray's.
+  bool read_kind(grammar::Symbol name) {
+    if (name == word::kw_spotlight) {
+      light_.kind = LightKind::spotlight;
+      light_.radius = radians_from_degrees(30);
+      light_.falloff = radians_from_degrees(45);
+    } else if (name == word::kw_cylinder) {
+      light_.kind = LightKind::cylinder;
+      light_.radius = 0.75;
+      light_.falloff = 1;
+    } else {
+      return false;
+    }
+    light_.tightness = 0;
+    stream_.drop();
+    return true;
+  }
+
+  void need_beam(const Element& item) {
+    if (light_.kind != LightKind::point) return;
+    context_.fail(item.span, fmt::format("`{}` is for a spotlight or cylinder of light, which comes before it",
+                                         context_.text(item.word)));
+  }
+
+  /// Items of one number. Angles of a spotlight are in degrees at this border.
+  bool read_number_item(const Element& item) {
+    struct NumberItem {
+      grammar::Symbol word;
+      double Light::*member;
+      bool is_of_beam;
+      bool is_angle;
+    };
+    static constexpr NumberItem kItems[] = {{word::kw_radius, &Light::radius, true, true},
+                                            {word::kw_falloff, &Light::falloff, true, true},
+                                            {word::kw_tightness, &Light::tightness, true, false},
+                                            {word::kw_fade_distance, &Light::fade_distance, false, false},
+                                            {word::kw_fade_power, &Light::fade_power, false, false}};
+    const auto* const row = std::ranges::find(kItems, item.word, &NumberItem::word);
+    if (row == std::end(kItems)) return false;
+    if (row->is_of_beam) need_beam(item);
+    stream_.drop();
+    const SourceSpan span = stream_.peek().span;
+    const double number = read_number(stream_, fmt::format("a number after `{}`", context_.text(item.word)));
+    if (!std::isfinite(number))
+      context_.fail(span, fmt::format("`{}` is finite, found {:g}", context_.text(item.word), number));
+    light_.*row->member = row->is_angle && light_.kind == LightKind::spotlight ? radians_from_degrees(number) : number;
+    return true;
+  }
+
+  bool read_word(const Element& item) {
+    switch (static_cast<word::Index>(item.word)) {
+      case word::kIndex_shadowless: stream_.drop(); return light_.shadowless = true;
+      case word::kIndex_parallel: stream_.drop(); return light_.parallel = true;
+      case word::kIndex_jitter: stream_.drop(); return area_.jitter = true;
+      case word::kIndex_circular: stream_.drop(); return area_.circular = true;
+      case word::kIndex_orient: stream_.drop(); return area_.orient = true;
+      case word::kIndex_point_at:
+        if (!light_.parallel) need_beam(item);
+        stream_.drop();
+        light_.point_at = read_vector(stream_, "a point after `point_at`");
+        return true;
+      case word::kIndex_area_light: stream_.drop(); return read_area();
+      case word::kIndex_adaptive:
+        stream_.drop();
+        area_.adaptive = static_cast<int>(read_number_in(stream_, "`adaptive`", 0, 20));
+        return true;
+      case word::kIndex_area_illumination:
+        stream_.drop();
+        area_.area_illumination = read_optional_truth(stream_);
+        return true;
+      case word::kIndex_media_interaction:
+        stream_.drop();
+        light_.media_interaction = read_optional_truth(stream_);
+        return true;
+      case word::kIndex_media_attenuation:
+        stream_.drop();
+        light_.media_attenuation = read_optional_truth(stream_);
+        return true;
+      default: return false;
+    }
+  }
+
+  /// `area_light edge, edge, count, count`
+  bool read_area() {
+    has_area_ = true;
+    area_.edge_a = read_vector(stream_, "an edge of the area light");
+    stream_.accept_comma();
+    area_.edge_b = read_vector(stream_, "the other edge of the area light");
+    stream_.accept_comma();
+    area_.count_a = read_count();
+    stream_.accept_comma();
+    area_.count_b = read_count();
+    return true;
+  }
+
+  int read_count() {
+    constexpr double kMaxCount = 10000;
+    const SourceSpan span = stream_.peek().span;
+    const double count = std::trunc(std::abs(read_number(stream_, "the number of lights along the edge")));
+    if (!(count >= 1 && count <= kMaxCount)) {
+      context_.fail(span,
+                    fmt::format("an area light has from 1 to {:g} lights along an edge, found {:g}", kMaxCount, count));
+    }
+    return static_cast<int>(count);
+  }
+
+  // ---- Objects that belong to a light -------------------------------------------------------------------------------
+
+  bool read_object_item(const Element& block) {
+    if (block.word == word::kw_looks_like) {
+      if (looks_like_) context_.fail(block.word_span, "a light has one `looks_like`");
+      stream_.drop();
+      read_looks_like(block);
+      return looks_like_ = true;
+    }
+    if (block.word == word::kw_projected_through) {
+      stream_.drop();
+      scene::Group group;
+      read_only_child(block, group);
+      light_.projected_through = add_group(stream_, std::move(group));
+      light_.world_from_projected = {};
+      return true;
+    }
+    return false;
+  }
+
+  void read_only_child(const Element& block, scene::Group& group) {
+    ElementStream inner(context_, block);
+    const Ref<ObjectValue> child = read_child(inner);
+    if (!child) fail_expected(inner, "an object");
+    if (child->object.shape != scene::kNone) group.children.push_back(placed(context_, *child));
+    expect_end(inner);
+  }
+
+  /// The object stands at the light and does not keep its light in: an ordinary object without a shadow, which moves
+  /// with the light.
+  void read_looks_like(const Element& block) {
+    scene::Group group;
+    read_only_child(block, group);
+    for (scene::Object& child : group.children) {
+      child.no_shadow = true;
+      // What moved the light so far moves the object through the draft's transform: to the place that light then had.
+      const scene::Vec3 location = draft_.object.parent_from_object.inverse_point(light_.location);
+      child.parent_from_object = scene::then(child.parent_from_object, translation(location));
+    }
+    set_group(stream_, draft_, std::move(group));
+  }
+
+  // ---- The whole ----------------------------------------------------------------------------------------------------
+
+  void finish() {
+    if (area_.orient) check_orient();
+    if (has_area_) light_.area = area_;
+  }
+
+  /// A light that turns to what it lights looks the same from everywhere.
+  void check_orient() {
+    if (!has_area_) return context_.warn(stream_.span(), "`orient` has no effect without `area_light`");
+    if (!area_.circular) context_.warn(stream_.span(), "`orient` makes this area light circular");
+    area_.circular = true;
+    if (std::abs(area_.edge_a.length() - area_.edge_b.length()) > kTolerance)
+      context_.warn(stream_.span(), "with `orient` both edges are as long as the first");
+    if (area_.count_a != area_.count_b)
+      context_.warn(stream_.span(), "with `orient` both edges should have as many lights");
+  }
+
+  ElementStream& stream_;
+  Context& context_;
+  ObjectDraft& draft_;
+  Light light_;
+  AreaLight area_;
+  bool has_area_ = false;
+  bool looks_like_ = false;
+};
+
+}  // namespace
+
+void read_light_source(ElementStream& stream, ObjectDraft& draft) {
+  if (!read_copy(stream, draft)) LightReader(stream, draft).read();
+}
+
+}  // namespace isl::interpreter
