@@ -61,7 +61,7 @@ TEST(IniFile, MistakesAreToldWithTheirPlace) {
 }
 
 /// Some file, in the place of a scene: none is read here.
-constexpr const char* kScene = ISL_SOURCE_DIR "/tests/cli/ini_file_test.cpp";
+constexpr const char* kScene = ISL_SOURCE_DIR "/tests/cli/options/ini_file_test.cpp";
 
 struct Translated {
   SceneOptions scene;

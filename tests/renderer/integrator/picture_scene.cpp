@@ -66,9 +66,9 @@ scene::Database povray_solids() {
   fill.shadowless = true;
   database.lights = {key, fill};
 
-  add_solid(database, {SolidKind::plane, false, {0, 1, 0}, {}, -1, 0}, {0.7, 0.7, 0.6},
+  add_solid(database, {SolidKind::plane, false, {0, 1, 0}, Vec3(0), -1, 0}, {0.7, 0.7, 0.6},
             {.ambient = grey(0.15), .diffuse = 0.7});
-  add_solid(database, {SolidKind::sphere, false, {-1.2, 0, 0}, {}, 1, 0}, {0.9, 0.3, 0.2},
+  add_solid(database, {SolidKind::sphere, false, {-1.2, 0, 0}, Vec3(0), 1, 0}, {0.9, 0.3, 0.2},
             {.diffuse = 0.6, .phong = 0.5, .phong_size = 25});
   add_solid(database, {SolidKind::cylinder, false, {0.6, -1, -0.5}, {1.1, 0.8, -0.2}, 0.45, 0.45}, {0.2, 0.6, 0.3},
             {.diffuse = 0.7, .specular = 0.4, .roughness = 0.02});
@@ -80,7 +80,7 @@ scene::Database povray_solids() {
              .phong_size = 90,
              .specular = 0.2,
              .roughness = 0.1});
-  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, {}, 1, 0}, {0.8, 0.8, 0.1},
+  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0}, {0.8, 0.8, 0.1},
             {.diffuse = 0.5, .specular = 0.8, .roughness = 0.005},
             then(then(scaling({1.5, 0.2, 0.6}), rotation_about_z(30)), translation({0, 1.6, 1})));
   add_solid(database, {SolidKind::cylinder, true, {-0.3, -0.6, -1.6}, {0.6, -0.5, -1.9}, 0.3, 0.3}, {0.6, 0.3, 0.6},
@@ -97,7 +97,7 @@ scene::Database povray_blob() {
   light.location = {-4, 6, -5};
   light.colour = {0.9, 0.8, 0.7};
   database.lights = {light};
-  add_solid(database, {SolidKind::plane, false, {0, 1, 0}, {}, -1, 0}, {0.7, 0.7, 0.6},
+  add_solid(database, {SolidKind::plane, false, {0, 1, 0}, Vec3(0), -1, 0}, {0.7, 0.7, 0.6},
             {.ambient = grey(0.15), .diffuse = 0.7});
 
   database.kernels.emplace_back();  // POV-Ray's own

@@ -36,7 +36,7 @@ scene::Database lit_sphere(const Vec3& light, double diffuse) {
   database.camera = scene::Camera{{0, 0, -4}, {0, 0, 1}, {1.2, 0, 0}, {0, 0.9, 0}};
   database.lights.emplace_back();
   database.lights[0].location = light;
-  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, {}, 1, 0}, {1, 1, 1}, {.ambient = {}, .diffuse = diffuse});
+  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0}, {1, 1, 1}, {.ambient = {}, .diffuse = diffuse});
   return database;
 }
 
@@ -183,7 +183,7 @@ TEST(Render, antialiasing_of_an_edge_is_its_coverage) {
 TEST(Render, quality_takes_away_shadows_then_light) {
   // The light stands behind an occluder that the camera does not see.
   scene::Database database = lit_sphere({0, 0, -20}, 0.5);
-  add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, {}, 2, 0}, {1, 1, 1}, {});
+  add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, Vec3(0), 2, 0}, {1, 1, 1}, {});
   database.textures[0] = isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.5});
   RenderOptions options = small(3, 3);
   options.samples = 1;
@@ -198,7 +198,7 @@ TEST(Render, quality_takes_away_shadows_then_light) {
 
 TEST(Render, an_object_without_shadow_lets_light_through) {
   scene::Database database = lit_sphere({0, 0, -20}, 0.5);
-  add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, {}, 2, 0}, {1, 1, 1}, {});
+  add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, Vec3(0), 2, 0}, {1, 1, 1}, {});
   database.objects[1].no_shadow = true;
   RenderOptions options = small(3, 3);
   options.samples = 1;

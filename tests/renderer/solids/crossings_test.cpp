@@ -118,15 +118,15 @@ TEST(Crossings, of_a_line_through_a_cones_apex) {
 }
 
 TEST(Crossings, a_tangent_is_none) {
-  EXPECT_EQ(crossings({SolidKind::sphere, false, {0, 0, 0}, {}, 1, 0}, {-5, 1, 0}, {1, 0, 0}, kNoPart).count, 0);
+  EXPECT_EQ(crossings({SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0}, {-5, 1, 0}, {1, 0, 0}, kNoPart).count, 0);
   const Solid cylinder{SolidKind::cylinder, false, {0, 0, 0}, {0, 2, 0}, 1, 0};
   EXPECT_EQ(crossings(cylinder, {-5, 1, 1}, {1, 0, 0}, kNoPart).count, 0) << "along the side";
   EXPECT_EQ(crossings(cylinder, {-5, 2, 0}, {1, 0, 0}, kNoPart).count, 0) << "within a cap's plane";
-  EXPECT_EQ(crossings({SolidKind::plane, false, {0, 1, 0}, {}, 0, 0}, {0, 0, 0}, {1, 0, 0}, kNoPart).count, 0);
+  EXPECT_EQ(crossings({SolidKind::plane, false, {0, 1, 0}, Vec3(0), 0, 0}, {0, 0, 0}, {1, 0, 0}, kNoPart).count, 0);
 }
 
 TEST(Crossings, near_a_huge_sphere_keep_the_small_distance) {
-  const Solid planet{SolidKind::sphere, false, {0, -1e9, 0}, {}, 1e9, 0};
+  const Solid planet{SolidKind::sphere, false, {0, -1e9, 0}, Vec3(0), 1e9, 0};
   const Crossings found = crossings(planet, {0, 1, 0}, {0, -1, 0}, kNoPart);
   ASSERT_EQ(found.count, 2);
   EXPECT_NEAR(found.t[0], 1, 1e-12);
@@ -162,7 +162,7 @@ TEST(Crossings, of_a_solid_without_extent_are_none) {
   EXPECT_EQ(crossings({SolidKind::cylinder, false, {1, 1, 1}, {1, 1, 1}, 1, 1}, {0, 1, 1}, {1, 0, 0}, kNoPart).count,
             0);
   EXPECT_EQ(crossings({SolidKind::cone, false, {1, 1, 1}, {1, 1, 1}, 1, 0}, {0, 1, 1}, {1, 0, 0}, kNoPart).count, 0);
-  EXPECT_EQ(crossings({SolidKind::sphere, false, {1, 1, 1}, {}, 0, 0}, {0, 1, 1}, {1, 0, 0}, kNoPart).count, 0);
+  EXPECT_EQ(crossings({SolidKind::sphere, false, {1, 1, 1}, Vec3(0), 0, 0}, {0, 1, 1}, {1, 0, 0}, kNoPart).count, 0);
 }
 
 RC_GTEST_PROP(Crossings, move_along_with_the_origin, ()) {

@@ -80,7 +80,7 @@ TEST(Bounds, hold_every_crossing_and_are_tight) {
 }
 
 TEST(Bounds, of_a_plane_are_infinite) {
-  const Box box = bounds({SolidKind::plane, false, {0, 1, 0}, {}, 3, 0});
+  const Box box = bounds({SolidKind::plane, false, {0, 1, 0}, Vec3(0), 3, 0});
   EXPECT_TRUE(std::isinf(box.min.x) && box.min.x < 0);
   EXPECT_TRUE(std::isinf(box.max.y) && box.max.y > 0);
 }

@@ -83,7 +83,7 @@ TEST(RaysFromASurface, leave_a_closed_solid_exactly_once_when_they_enter_it) {
 
 TEST(RaysFromASurface, meet_a_sphere_again_at_the_end_of_the_chord) {
   Random random(13);
-  const Solid solid{SolidKind::sphere, false, {0, 0, 0}, {}, 1, 0};
+  const Solid solid{SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0};
   for (int i = 0; i < 10000; ++i) {
     const Vec3 normal = random.direction();
     const double lean = random_lean(random);
