@@ -8,7 +8,7 @@
 
 namespace isl {
 
-/// Prints where and why, then aborts: a broken invariant must not produce a picture.
+/// Prints the place and the reason, then aborts: a broken invariant must not produce a picture.
 [[noreturn]] inline void check_failed(const char* file, int line, const char* condition, const std::string& values) {
   std::fputs(fmt::format("isl: internal error at {}:{}: {} does not hold{}{}\n", file, line, condition,
                          values.empty() ? "" : ": ", values)
@@ -19,14 +19,14 @@ namespace isl {
 
 }  // namespace isl
 
-/// ISL_CHECK(condition) or ISL_CHECK(condition, "format {}", values…): always on.
+/// ISL_CHECK(condition) or ISL_CHECK(condition, "format {}", values…): checked in every build.
 #define ISL_CHECK(condition, ...)                                                              \
   do {                                                                                         \
     if (!(condition)) [[unlikely]]                                                             \
       ::isl::check_failed(__FILE__, __LINE__, #condition, ::fmt::format("" __VA_ARGS__));      \
   } while (false)
 
-/// The same in builds without NDEBUG; for inner loops.
+/// The same check, compiled only without NDEBUG; for inner loops.
 #ifdef NDEBUG
 #define ISL_DCHECK(condition, ...) static_cast<void>(0)
 #else

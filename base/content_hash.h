@@ -1,5 +1,5 @@
-// A short fingerprint of files, for a picture's metadata: the same scene gives the same one on every machine and in
-// every later version of the program. FNV-1a with 64 bits (Fowler, Noll, Vo); no defence against anyone's intent.
+// A short fingerprint of files for a picture's metadata: the same scene gives the same fingerprint on every machine and
+// in every later version of the program. FNV-1a with 64 bits (Fowler, Noll, Vo); it is no cryptographic hash.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace isl {
 
 class ContentHash {
  public:
-  /// Appends a text. Its end counts, so that "ab" + "c" is not "a" + "bc".
+  /// Appends a text. Its end counts, so that "ab" + "c" differs from "a" + "bc".
   void add(std::string_view text) {
     for (const char c : text) mix(static_cast<unsigned char>(c));
     mix(0x100);  // no byte has this value

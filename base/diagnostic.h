@@ -1,4 +1,4 @@
-// What went wrong in the user's scene, as data. Printing is cli's (through grammar/source_map.h).
+// A mistake in the user's scene, as data. cli prints it (through grammar/source_map.h).
 #pragma once
 
 #include "base/source_span.h"
@@ -18,7 +18,7 @@ struct DiagnosticNote {
   std::string message;
 };
 
-/// One link of how execution came to the span, innermost first.
+/// One link of the call chain that led to the span, innermost first.
 struct ExpansionFrame {
   enum class Kind { macro, include };
   Kind kind = Kind::macro;
@@ -29,9 +29,9 @@ struct ExpansionFrame {
 /// Texts are in lower case, without a full stop, and say what was found.
 struct Diagnostic {
   Severity severity = Severity::error;
-  SourceSpan span;  ///< empty when no place in the text is to blame
+  SourceSpan span;  ///< empty when no place in the text is at fault
   std::string message;
-  std::string hint;  ///< "did you mean `sphere`?", or what to do instead
+  std::string hint;  ///< "did you mean `sphere`?", or the remedy
   std::vector<DiagnosticNote> notes;
   std::vector<ExpansionFrame> chain;
 };
@@ -39,13 +39,13 @@ struct Diagnostic {
 /// Collects diagnostics in the order in which they arose.
 class DiagnosticSink {
  public:
-  /// Errors after which reading a scene stops: more would bury the first ones.
+  /// Reading a scene stops after this many errors: more would bury the first ones.
   static constexpr std::size_t kMaxErrors = 20;
 
-  /// Warnings that are kept: a loop, or a text of nothing but oddities, has millions.
+  /// Limit of the warnings that are kept: a loop, or a text full of oddities, has millions.
   static constexpr std::size_t kMaxWarnings = 100;
 
-  /// Of a message or hint; names in a text may be of any length.
+  /// Byte limit of a message or hint; names in a text may be of any length.
   static constexpr std::size_t kMaxTextBytes = 4096;
 
   void report(Diagnostic diagnostic) {
@@ -77,7 +77,8 @@ class DiagnosticSink {
   static void cut(std::string& text) {
     if (text.size() <= kMaxTextBytes) return;
     std::size_t end = kMaxTextBytes;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // not within a character
+    // never splits a UTF-8 character
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
     text.resize(end);
     text += "…";
   }

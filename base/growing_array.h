@@ -1,6 +1,6 @@
-// A vector for the long columns of a scene, which grow one record at a time and whose length nobody knows: it grows by
-// realloc, which for large blocks moves pages instead of copying them. With std::vector half the time of making a blob
-// of 10⁵ components went into touching memory that the next doubling gave up again.
+// A vector for the long columns of a scene, which grow one record at a time and whose length is not known in advance.
+// It grows by realloc, which moves the pages of large blocks instead of copying them. With std::vector half the time of
+// making a blob of 10⁵ components went into touching memory that the next doubling gave up again.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace isl {
 
-/// Whether a T may be moved by copying its bytes and forgetting the old ones. To be said of types that are, and that a
-/// needless copy constructor keeps from being trivially copyable.
+/// Opt-in trait: the type is trivially relocatable (its bytes may be copied and the old ones forgotten) although it has
+/// a copy constructor.
 template <class T>
 inline constexpr bool kMovesAsBytes = std::is_trivially_copyable_v<T>;
 
-/// What std::vector is, as far as the scene's columns need it. Throws std::bad_alloc.
+/// The part of std::vector's interface that the scene's columns need. Throws std::bad_alloc.
 template <class T>
 class GrowingArray {
   static_assert(alignof(T) <= alignof(std::max_align_t));
@@ -50,7 +50,7 @@ class GrowingArray {
 
   void push_back(const T& record) {
     if (size_ == capacity_) [[unlikely]] {
-      const T copy = record;  // NOLINT(performance-unnecessary-copy-initialization): it may lie in the array
+      const T copy = record;  // NOLINT(performance-unnecessary-copy-initialization): the record may lie in the array
       reserve(capacity_ < 8 ? 16 : capacity_ + capacity_ / 2);
       new (data_ + size_++) T(copy);
     } else {
@@ -66,7 +66,7 @@ class GrowingArray {
     data_ = static_cast<T*>(moved);
     capacity_ = capacity;
   }
-  /// New records are T().
+  /// New records are value-initialised (`T()`).
   void resize(std::size_t size) {
     reserve(size);
     while (size_ < size) new (data_ + size_++) T();

@@ -1,6 +1,6 @@
-// Loops on several threads: the one place that knows who runs them, which is oneTBB. Built for ThreadSanitizer, which
-// sees nothing of the synchronisation inside a library that was built without it, the same loops run on plain threads
-// (base/plain_threads.h), so that what it reports is ours.
+// Parallel loops: the one place that knows their scheduler, which is oneTBB. A build for ThreadSanitizer runs the same
+// loops on plain threads (base/plain_threads.h): it cannot see the synchronisation inside a library that was built
+// without it, and would report false races.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -18,21 +18,21 @@
 
 namespace isl {
 
-/// How many threads loops run on where nobody says.
+/// Default number of threads.
 [[nodiscard]] inline int default_thread_count() { return tbb::info::default_concurrency(); }
 
-/// Calls `work`, whose loops run on `threads` threads, this one included.
+/// Calls `work`, whose loops run on `threads` threads, the calling one included.
 template <class Work>
 void with_threads(int threads, const Work& work) {
-  // The arena says how many work here; the global limit must allow more than there are cores, if that many were asked
-  // for.
+  // The arena sets how many threads work here; the global limit must allow more threads than cores, if that many were
+  // asked for.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute(work);
 }
 
-/// Calls `body(i)` for i in [0, count), in any order and at the same time; each call is a task of its own. What a call
-/// throws ends the loop and is thrown here.
+/// Calls `body(i)` for i in [0, count), in any order and concurrently; each call is a task of its own. An exception of
+/// a call ends the loop and is thrown here.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
   tbb::parallel_for(
@@ -43,12 +43,12 @@ void parallel_for(std::size_t count, const Body& body) {
       tbb::simple_partitioner{});
 }
 
-/// A T for each thread that has asked for one.
+/// One T for each thread that has asked for it.
 template <class T>
 class PerThread {
  public:
   [[nodiscard]] T& local() { return values_.local(); }
-  /// Calls `visit` with every thread's; no loop may be running.
+  /// Calls `visit` with the T of every thread; no loop may be running.
   template <class Visit>
   void for_each(const Visit& visit) {
     for (T& value : values_) visit(value);

@@ -1,5 +1,5 @@
-// What base/parallel.h offers, on plain threads: slower than a scheduler's, and visible to ThreadSanitizer to the last
-// step. A loop inside a loop runs on its caller's thread.
+// The interface of base/parallel.h on plain threads: slower than a scheduler's, and ThreadSanitizer sees all of its
+// synchronisation. A loop inside a loop runs on its caller's thread.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace isl {
 
 namespace plain_threads {
-inline thread_local int loop_threads = 0;  ///< 0: nobody said
+inline thread_local int loop_threads = 0;  ///< 0: not set
 }
 
 [[nodiscard]] inline int default_thread_count() {

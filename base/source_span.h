@@ -1,5 +1,5 @@
-// Where something stands in the user's text: byte offsets into the virtual concatenation of all files read.
-// Only grammar/source_map.h turns offsets into file, line and column.
+// A place in the user's text: byte offsets into the virtual concatenation of all files read. Only grammar/source_map.h
+// turns offsets into file, line and column.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct SourceSpan {
   return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
-/// Names what made a primitive (source span and macro call chain) without saying it: the renderer carries these
-/// and only cli resolves one, through the interpreter's OriginTable. 0 is "unknown".
+/// Identifies the source span and the macro call chain that made a primitive, without their text: the renderer carries
+/// these ids, and only cli resolves one, through the interpreter's OriginTable. 0 is "unknown".
 struct OriginId {
   std::uint32_t value = 0;
   friend constexpr bool operator==(OriginId, OriginId) = default;

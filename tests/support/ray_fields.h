@@ -1,6 +1,6 @@
 // The inner loops' view of one component along a ray (renderer/fields/ray/ray_lanes-inl.h), compiled once for all tests
-// that look at it: it takes the compiler as long as a hundred other files of tests do. Compiled for the baseline
-// target; that all vector widths give the same bits is tests/renderer/trace/simd_targets_test.cpp's to show.
+// that look at it, because it takes as long to compile as a hundred other test files. Compiled for the baseline SIMD
+// target; tests/renderer/trace/simd_targets_test.cpp shows that all vector widths give the same bits.
 #pragma once
 
 #include "renderer/fields/branches.h"
@@ -14,15 +14,15 @@ namespace isl::test {
 struct RayValue {
   double value, slope;
   double steepness;  ///< Σ|fᵢ′|
-  double noise;      ///< bound of the rounding in `value`
+  double noise;      ///< bound of the rounding error in `value`
 };
 
-/// How far a cubic Hermite interpolant may be from F, and its derivative from F′.
+/// Bounds of the distance of a cubic Hermite interpolant from F, and of its derivative from F′.
 struct RayRemainder {
   double value, slope;
 };
 
-/// The table's first component along origin + t·direction for t in [t0, t1], where all that is asked has to lie.
+/// The table's first component along origin + t·direction for t in [t0, t1]; all queries must lie in that interval.
 class RayFields {
  public:
   RayFields(const render::ComponentTable& table, const scene::Vec3& origin, const scene::Vec3& direction, double t0,
@@ -34,7 +34,7 @@ class RayFields {
   [[nodiscard]] render::FieldRange range(double a, double b) const;
   [[nodiscard]] render::FieldRange slope_range(double a, double b) const;
   [[nodiscard]] render::FieldRange bend_range(double a, double b) const;
-  /// Of the interpolant with nodes a and b.
+  /// Remainder bounds of the interpolant with nodes a and b.
   [[nodiscard]] RayRemainder remainder(double a, double b) const;
 
  private:

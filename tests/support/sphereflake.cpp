@@ -10,7 +10,7 @@ namespace {
 
 using scene::Vec3;
 
-/// Rodrigues' rotation of v about the unit axis.
+/// Rotates v about the unit axis (Rodrigues' formula).
 Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return v * c + axis.cross(v) * s + axis * (axis.dot(v) * (1 - c));
@@ -32,7 +32,7 @@ std::array<Vec3, 9> child_directions() {
   return directions;
 }
 
-/// Takes +z to `direction` by the rotation about z × direction (SPD's rule for the two poles).
+/// Applies to v the rotation about z × direction that takes +z to `direction` (SPD's rule for the two poles).
 Vec3 turned(const Vec3& v, const Vec3& direction) {
   if (direction.z >= 0.9999) return v;
   if (direction.z <= -0.9999) return {-v.x, v.y, -v.z};
