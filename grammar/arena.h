@@ -1,7 +1,7 @@
 // Memory for the nodes and strings of one scene's syntax trees: handed out in order, freed all at once.
 //
-// Nodes own nothing and are trivially destructible, so that giving up a tree of any depth is freeing a few blocks: no
-// destructor walks it. Knows nothing of what it stores.
+// Nodes own nothing and are trivially destructible, so that freeing a tree of any depth frees a few blocks: no
+// destructor walks it. The arena does not know the types that it stores.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,12 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  /// From here on, what would take more than so many bytes in all throws std::bad_alloc.
+  /// Sets a byte limit: an allocation that would exceed it in total throws std::bad_alloc.
   void set_limit(std::size_t bytes) { limit_ = bytes; }
-  /// Taken from the system so far.
+  /// Bytes taken from the system so far.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
-  /// Counts bytes that stand elsewhere but live as long as the arena.
+  /// Counts bytes that are stored elsewhere but live as long as the arena.
   void charge(std::size_t bytes) {
     if (bytes > limit_ - std::min(bytes_, limit_)) throw std::bad_alloc();
     bytes_ += bytes;
@@ -43,7 +43,7 @@ class Arena {
     return new (allocate(sizeof(T), alignof(T))) T(std::move(value));
   }
 
-  /// A copy of the elements; empty stays empty and costs nothing.
+  /// A copy of the elements; an empty span stays empty and costs nothing.
   template <class T>
   [[nodiscard]] std::span<const T> copy(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>, "an arena copies bytes");

@@ -1,9 +1,10 @@
-// The abstract syntax tree: what the parser makes and the evaluator walks. Nodes live in an Arena (grammar/arena.h), are
-// immutable once parsed, own nothing, and point into it. They know expressions, brackets and directives and no object:
-// `sphere { … }` is a Block whose word happens to be `sphere`.
+// The abstract syntax tree: the parser makes it and the evaluator walks it. Nodes live in an Arena (grammar/arena.h),
+// are immutable once parsed, own nothing, and point into it. They know expressions, brackets and directives and no
+// object: `sphere { … }` is a Block whose word happens to be `sphere`.
 //
-// A body is a sequence of *items*: elements (expressions, words, blocks, entries, arrays, functions), directives, commas and
-// semicolons, in source order. Executing it yields a stream of evaluated elements (interpreter/element_stream.h).
+// A body is a sequence of *items*: elements (expressions, words, blocks, entries, arrays, functions), directives,
+// commas and semicolons, in source order. Executing it yields a stream of evaluated elements
+// (interpreter/element_stream.h).
 #pragma once
 
 #include "base/source_span.h"
@@ -24,7 +25,7 @@ enum class NodeKind : std::uint8_t {
   // Directives.
   declare, declare_deprecated, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
   fopen, fclose, read, write,
-  // What is wrong with the text.
+  // A mistake in the text.
   error,
 };
 
@@ -39,7 +40,7 @@ using Items = std::span<const Node* const>;
 
 struct Number : Node { double value; };
 
-/// `text` has its escapes resolved; `raw` is what stands between the quotes (file names do not interpret escapes).
+/// `text` has its escapes resolved; `raw` is the text between the quotes (file names do not interpret escapes).
 struct String : Node { std::string_view text; std::string_view raw; };
 
 /// A reserved word with a value: `x y z u v t pi clock on off yes no true false version tau …`.
@@ -51,8 +52,8 @@ struct Name : Node { Symbol name; };
 /// `base[index]`; base is a Name or an Index.
 struct Index : Node { const Node* base; const Node* subscript; };
 
-/// One actual argument: the items between commas; a lone Name or Index goes by reference. `(Q)` arrives as a Unary plus of
-/// Q, so that it goes by value.
+/// One actual argument: the items between commas; a lone Name or Index goes by reference. `(Q)` arrives as a Unary plus
+/// of Q, so that it goes by value.
 using Argument = Items;
 
 /// `callee(a, b)`: a macro, a user function or a spline. The callee is a Name or an Index.
@@ -68,7 +69,7 @@ struct Dot : Node { const Node* base; Symbol item; };
 struct Vector : Node { std::span<const Node* const> coordinates; };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not };
-/// `negative` is the value of a minus before a number as it stands (-1); null for all else.
+/// `negative` is the value of a minus directly before a number literal (-1); null otherwise.
 struct Unary : Node { UnaryOp op; const Node* operand; const double* negative; };
 
 enum class BinaryOp : std::uint8_t {
@@ -90,7 +91,7 @@ struct Block : Node { Symbol word; SourceSpan word_span; Items items; };
 /// `[ items ]`, an entry of a map.
 struct Entry : Node { Items items; };
 
-/// `after` is the item before it in its list; null where it is the first.
+/// `after` is the item before it in its list; null if it is the first.
 struct Semicolon : Node { const Node* after; };
 
 /// `array[2][3] { items }`.
@@ -165,12 +166,12 @@ struct Fclose : Node { Symbol handle; };
 struct Read : Node { Symbol handle; std::span<const Argument> targets; };
 struct Write : Node { Symbol handle; std::span<const Argument> values; };
 
-/// What is wrong with the text, an error or a warning when it is reached. `complaint` is null where it was told
-/// elsewhere. Where it stands for what could not be parsed (`gives_up`), its statement ends there; otherwise it stands
-/// before the item that it is about.
+/// A mistake in the text: an error or a warning that is reported when execution reaches it. `complaint` is null if it
+/// is reported elsewhere. With `gives_up`, the node replaces text that could not be parsed, and its statement ends
+/// there; otherwise the node stands before the item that it is about.
 struct Error : Node { const Complaint* complaint; bool gives_up; };
 
-/// A checked downcast; the kind is the caller's to have looked at.
+/// A checked downcast; the caller must have looked at the kind.
 template <class T>
 [[nodiscard]] const T& as(const Node& node) {
   return static_cast<const T&>(node);

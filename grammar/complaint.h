@@ -1,4 +1,5 @@
-// One complaint about a text, as its tree holds it. A header of its own because the generated parser's header needs it.
+// One complaint about a text, as its tree holds it. It has its own header because the generated parser's header needs
+// it.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -7,8 +8,8 @@ namespace isl::grammar {
 
 struct Complaint {
   Diagnostic diagnostic;
-  /// The next one about the same statement or, in a branch or a macro's body, about the rest of that: it would not be
-  /// reached any more once this one is met.
+  /// The next complaint about the same statement or, in a branch or a macro's body, about the rest of that body:
+  /// execution would not reach it once this one is met.
   const Complaint* next = nullptr;
 
   [[nodiscard]] bool is_error() const { return diagnostic.severity == Severity::error; }

@@ -11,13 +11,13 @@ using List = std::vector<Complaint*>;
 
 std::uint32_t place(const Complaint* complaint) { return complaint->diagnostic.span.begin; }
 
-/// Lists are in the order of the text. Nearly always the newest is the last.
+/// Lists are in the order of the text. The newest complaint is nearly always the last.
 void insert(List& list, Complaint* complaint) {
   const auto is_before = [](std::uint32_t at, const Complaint* other) { return at < place(other); };
   list.insert(std::upper_bound(list.begin(), list.end(), place(complaint), is_before), complaint);
 }
 
-/// Takes what stands in `range` out of the list.
+/// Takes the complaints in `range` out of the list.
 List extract(List& list, SourceSpan range) {
   const auto first = std::partition_point(list.begin(), list.end(),
                                           [&](const Complaint* complaint) { return place(complaint) < range.begin; });

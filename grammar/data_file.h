@@ -1,5 +1,5 @@
 // A file of values, as `#read` takes them one by one: numbers, `<vectors>` and "strings" between commas, with the
-// language's own spelling and comments. Text in, values out; knows no scene.
+// language's own spelling and comments. Text in, values out; it knows no scene.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -15,7 +15,7 @@ namespace isl::grammar {
 /// One value of a data file.
 struct Datum {
   enum class Kind : std::uint8_t {
-    end,  ///< there is none left
+    end,  ///< no value is left
     number,
     vector,
     string,
@@ -24,8 +24,8 @@ struct Datum {
 
   Kind kind = Kind::end;
   SourceSpan span;
-  int count = 0;                  ///< of terms; 2 to 5 for a vector
-  std::array<double, 5> terms{};  ///< number: the first
+  int count = 0;                  ///< number of terms; 2 to 5 for a vector
+  std::array<double, 5> terms{};  ///< a number is the first term
   std::string text;
 };
 
@@ -35,17 +35,17 @@ class DataFile {
   DataFile(std::string_view text, std::uint32_t begin, SymbolTable& symbols, Arena& arena, DiagnosticSink& sink)
       : lexer_(text, begin, symbols, arena, sink) {}
 
-  /// The next value, and the comma after it. POV-Ray takes any token for the comma, and so loses a value where one is
-  /// missing; here that is a mistake, but for `;`. Throws ScannerFailure.
+  /// Reads the next value, and the comma after it. POV-Ray takes any token for the comma, and so loses a value if one
+  /// is missing; here every other token but `;` is a mistake. Throws ScannerFailure.
   [[nodiscard]] Datum next();
 
-  /// The text ended where a comma might have stood: there is nothing more to read.
+  /// True if the text ended at a place for a comma: there is nothing more to read.
   [[nodiscard]] bool is_at_end() const { return at_end_; }
 
  private:
   Datum value(const Token& first);
   Datum vector(const Token& opening);
-  /// A number with its sign; false for anything else, `token` being the one to blame.
+  /// Reads a number with its sign; returns false for anything else and sets `token` to the unexpected one.
   bool read_number(Token& token, double& number);
 
   Lexer lexer_;

@@ -1,4 +1,4 @@
-// An open file descriptor of the system that closes itself. The leaf of everything here that touches files.
+// An open file descriptor of the system that closes itself. All code here that touches files builds on it.
 #pragma once
 
 #include <unistd.h>

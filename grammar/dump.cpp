@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 3> kUnaryOps{"+", "-", "!"};
 constexpr std::array<std::string_view, 12> kBinaryOps{"+", "-", "*", "/", "<", ">", "=", "<=", ">=", "!=", "&", "|"};
 constexpr std::array<std::string_view, 3> kMessageKinds{"debug", "warning", "error"};
 
-/// As a string literal that reads on one line.
+/// The text as a string literal on one line.
 std::string quoted(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -51,7 +51,7 @@ class TreeDump {
 
   [[nodiscard]] std::string_view text(Symbol symbol) const { return symbols_.text(symbol); }
 
-  /// A line with `children()` below it.
+  /// Writes a line, then the lines of `children()` indented below it.
   template <class Children>
   void tree(std::string_view line, Children children) {
     this->line(line);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longer names are no names; messages show so much of them.
+/// A longer name is surely a mistake; messages show this many bytes of it.
 constexpr std::size_t kShownNameBytes = 200;
 
 std::string names_of(const std::vector<fs::path>& folders) {
@@ -28,7 +28,7 @@ std::string names_of(const std::vector<fs::path>& folders) {
   return text;
 }
 
-/// Errors that only say that nothing is there by this name.
+/// True for the errors that only say that no file has this name.
 bool is_absence(const std::error_code& error) {
   return error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory ||
          error == std::errc::filename_too_long;
@@ -39,7 +39,7 @@ std::string explain(int code) { return std::generic_category().message(code); }
 }  // namespace
 
 std::string shown_name(std::string_view name) {
-  // A name that goes on in the next line is a string whose quote is missing: its first line says enough.
+  // A name with a line end is a string whose quote is missing: its first line says enough.
   const std::size_t length = std::min(kShownNameBytes, name.find_first_of("\r\n"));
   return name.size() <= length ? std::string(name) : std::string(name.substr(0, length)) + "…";
 }
@@ -112,7 +112,8 @@ std::vector<fs::path> FileAccess::folders_for(const fs::path& asking_folder) con
   const auto append = [&](const fs::path& folder) {
     if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
   };
-  // POV-Ray looks where it was started, which is the scene's folder as a rule, and not where the asking file lies.
+  // POV-Ray looks in the folder where it was started, which usually is the scene's folder, and not beside the asking
+  // file.
   if (scene_folder_) append(*scene_folder_);
   for (const fs::path& folder : search_path_) append(folder);
   return folders;
@@ -132,7 +133,7 @@ FoundFile FileAccess::search(std::string_view name, const std::vector<fs::path>&
   }
   if (const auto written = written_.find(name); written != written_.end()) return judge(written->second);
 
-  // A refusal tells more than "cannot find", but a later folder may hold a file that may be read.
+  // A refusal tells more than "cannot find", but a later folder may hold a readable file.
   AccessProblem refusal;
   for (const fs::path& folder : folders) {
     found = judge(folder / name);
@@ -178,7 +179,7 @@ std::string FileAccess::portable_name(const FoundFile& file) const {
     return error ? fs::path() : path;
   };
   const fs::path scene = scene_folder_ ? canonical(*scene_folder_) : fs::path();
-  // From the innermost of the folders: a library may lie below the scene's.
+  // Relative to the innermost of the folders: a library may lie below the scene's folder.
   fs::path name = file.canonical.lexically_relative(scene);
   bool is_below = !name.empty() && *name.begin() != "..";
   for (const fs::path& folder : search_path_) {
@@ -238,7 +239,7 @@ WritablePlace FileAccess::find_writable(std::string_view name) const {
   WritablePlace place = judge_place(scene_folder_.value_or(fs::path()) / name);
   if (fs::path(name).is_absolute()) return place;
   for (const Folder& folder : write_folders_) {
-    // An open folder is an allowed one: the file may be written there, or something stands in the way.
+    // The folder is open and allowed: the file may be written there, unless something stands in the way.
     if (place.folder.is_open()) return place;
     place = judge_place(folder.path() / name);
   }

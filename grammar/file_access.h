@@ -1,9 +1,9 @@
-// Where a scene may read and write files, and how a name in it becomes a file. The one place that all of its reading
-// (`#include`, `#fopen`, images) and writing goes through; knows nothing of what stands in the files.
+// The rules for the files that a scene may read and write, and the lookup from a name to a file. All reading of a scene
+// (`#include`, `#fopen`, images) and all its writing go through this module; it knows nothing of the files' contents.
 //
-// Reading: the scene's folder, its working tree, the folders of the search path, and what is below them
+// Reading: the scene's folder, its working tree, the folders of the search path, and all that lies below them
 // (readable_folders.h). Writing: below the folders that the user allowed. A name is resolved (links, `..`, absolute
-// paths) before it is judged, and what is opened is what was judged: the walk from the allowed folder follows no link.
+// paths) before it is judged, and the judged file is the opened one: the walk from the allowed folder follows no link.
 #pragma once
 
 #include "grammar/open_below.h"
@@ -24,65 +24,66 @@ namespace isl::grammar {
 
 enum class AccessError { none, not_found, refused };
 
-/// Why there is no file; texts for the user.
+/// The reason why there is no file; texts for the user.
 struct AccessProblem {
   AccessError error = AccessError::none;
   std::string message;
   std::string hint;
 };
 
-/// A file that may be read, found but not read yet.
+/// A readable file, found but not read yet.
 struct FoundFile {
-  AccessProblem problem;            ///< `none` where the rest holds
-  std::filesystem::path shown;      ///< as the user would say it, relative where the folder was
-  std::filesystem::path canonical;  ///< what it is known by
+  AccessProblem problem;            ///< `none` if the rest is valid
+  std::filesystem::path shown;      ///< as the user would say it: relative if the folder was
+  std::filesystem::path canonical;  ///< identifies the file
   FileStamp stamp;
-  Descriptor folder;          ///< where it stands
-  bool is_in_memory = false;  ///< written by this run, and never to a disk
+  Descriptor folder;          ///< the folder that holds the file
+  bool is_in_memory = false;  ///< written by this run, kept in memory only
 };
 
 /// A place that may be written.
 struct WritablePlace {
   AccessProblem problem;
   std::filesystem::path canonical;
-  Descriptor folder;  ///< where it stands; not open: it is kept in memory
+  Descriptor folder;  ///< the folder of the file; not open if the file is kept in memory
 };
 
 class FileAccess {
  public:
-  /// `search_path`: where names are looked for after the folder of the file that asks and the scene's. `write_folders`:
-  /// below these files may be written.
+  /// `search_path`: the folders that are searched after the folder of the asking file and the scene's. `write_folders`:
+  /// files below these may be written.
   FileAccess(std::vector<std::filesystem::path> search_path, const std::vector<std::filesystem::path>& write_folders);
 
-  /// The scene's folder is readable too, and where relative names to write start from. The scene is a file there: it
+  /// Makes the scene's folder readable, and the base of relative names to write. For a scene that is a file there: it
   /// may read the working tree that it lies in.
   void set_scene_folder(const std::filesystem::path& folder);
-  /// The same for a scene that is no file: the folder's working tree says nothing about where it comes from.
+  /// The same for a scene that is not a file: the folder's working tree says nothing about its origin.
   void set_current_folder(const std::filesystem::path& folder);
-  /// A file that was read: it may not be written over.
+  /// Notes an input file: it may not be overwritten.
   void add_input(const FileStamp& stamp);
 
-  /// `name` in what this run wrote under that name, in the folder of the file that asks, in the scene's folder, in the
-  /// search path. Where there is none, the problem names the file that may be meant.
+  /// Finds `name` among the files that this run wrote under that name, in the folder of the asking file, in the scene's
+  /// folder, in the search path. If there is none, the problem names the file that may be meant.
   [[nodiscard]] FoundFile find(std::string_view name, const std::filesystem::path& asking_folder) const;
   [[nodiscard]] bool exists(std::string_view name, const std::filesystem::path& asking_folder) const;
-  /// Its text. `max_bytes` at most.
+  /// The file's text. `max_bytes` at most.
   [[nodiscard]] TextFile read(const FoundFile& file, std::size_t max_bytes) const;
-  /// Its content, which may be any bytes.
+  /// The file's content, which may be any bytes.
   [[nodiscard]] TextFile read_bytes(const FoundFile& file, std::size_t max_bytes) const;
-  /// What a file is called on every machine: its path from the innermost folder that holds it, of the scene's and those
-  /// of the search path; of a file elsewhere in the working tree, from the scene's. Empty for what this run wrote.
+  /// The file's name, the same on every machine: its path from the innermost folder that holds it, among the scene's
+  /// and those of the search path; for a file elsewhere in the working tree, its path from the scene's. Empty for a
+  /// file that this run wrote.
   [[nodiscard]] std::string portable_name(const FoundFile& file) const;
 
-  /// Where `name` may be written: in the scene's folder if that is below an allowed one, else in an allowed one itself.
-  /// Never a link, an input, or what is no regular file.
+  /// The place for writing `name`: in the scene's folder if that is below an allowed one, else in an allowed one
+  /// itself. It is never a link, an input, or a file that is not regular.
   [[nodiscard]] WritablePlace find_writable(std::string_view name) const;
   /// A place in the memory of this run, for a user who allowed no writing and wants to go on.
   [[nodiscard]] static WritablePlace in_memory(std::string_view name);
-  /// What stands at the place already, "" where nothing does.
+  /// The present content of the place, "" if there is no file.
   [[nodiscard]] TextFile read_existing(const WritablePlace& place, std::size_t max_bytes) const;
-  /// Makes `text` the content of the place, wholly or not at all, and lets this run find it as `name`. Returns what
-  /// went wrong, or "".
+  /// Replaces the content of the place by `text`, wholly or not at all, and lets this run find it as `name`. Returns
+  /// the error, or "".
   [[nodiscard]] std::string write(const WritablePlace& place, std::string_view name, std::string text);
   [[nodiscard]] bool may_write() const { return !write_folders_.empty(); }
 
@@ -95,7 +96,7 @@ class FileAccess {
   [[nodiscard]] ReadableFolders::Verdict verdict_on(const std::filesystem::path& canonical) const;
   [[nodiscard]] WritablePlace judge_place(const std::filesystem::path& candidate) const;
   [[nodiscard]] FoundFile judge(const std::filesystem::path& candidate) const;
-  /// The folders where a name is looked for, in order, each once.
+  /// The folders to search for a name, in order, without duplicates.
   [[nodiscard]] std::vector<std::filesystem::path> folders_for(const std::filesystem::path& asking_folder) const;
   [[nodiscard]] FoundFile search(std::string_view name, const std::vector<std::filesystem::path>& folders) const;
 
@@ -110,7 +111,7 @@ class FileAccess {
   std::uint64_t memory_count_ = 0;
 };
 
-/// A name for a message: its beginning, where it is longer than anyone would read.
+/// A name for a message: only the beginning of a very long one.
 [[nodiscard]] std::string shown_name(std::string_view name);
 
 }  // namespace isl::grammar

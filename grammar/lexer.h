@@ -1,5 +1,5 @@
-// Characters → tokens: owns one run of the generated scanner (lexer.ll) over one file. Reports bad characters itself
-// and leaves them out, so that the parser sees only tokens. Knows no nesting and no grammar.
+// Characters → tokens: owns one run of the generated scanner (lexer.ll) over one file. It reports bad characters itself
+// and leaves them out, so that the parser sees only tokens. It knows no nesting and no grammar.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -16,12 +16,12 @@
 
 namespace isl::grammar {
 
-/// What the scanner throws where flex would end the process (out of memory, a token larger than its buffer may grow).
+/// Thrown where flex would end the process (out of memory, a token larger than its buffer may grow).
 struct ScannerFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Gives flex's tables back.
+/// Frees flex's tables.
 struct CloseScanner {
   void operator()(void* scanner) const;
 };
@@ -33,10 +33,10 @@ class Lexer {
   Lexer(const Lexer&) = delete;  // the scanner points to state_
   Lexer& operator=(const Lexer&) = delete;
 
-  /// The next token; at the end TOK_END_OF_FILE as often as asked. Throws ScannerFailure.
+  /// The next token; TOK_END_OF_FILE for every call after the end. Throws ScannerFailure.
   [[nodiscard]] Token next();
 
-  /// The text ended within a comment or string.
+  /// True if the text ended within a comment or string.
   [[nodiscard]] bool is_cut_off() const { return state_.is_cut_off(); }
 
  private:

@@ -1,4 +1,4 @@
-/* Which characters belong together. What they become is scan_state.cpp's; nesting is token_stream.cpp's.
+/* The regular expressions of the tokens. scan_state.cpp makes tokens of the matches; token_stream.cpp checks nesting.
 
    Every start condition has a catch-all rule: flex's default rule and its fatal errors would print or end the process.
    No rule uses `/` with two parts of variable length: such a scanner cannot match more than 16 KiB at once. */

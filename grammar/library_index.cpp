@@ -11,14 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The largest of POV-Ray's include files has 0.4 MB; what is larger is data.
+/// The largest of POV-Ray's include files has 0.4 MB; a larger file is data.
 constexpr std::size_t kMaxFileBytes = 2u << 20;
-/// POV-Ray has 81 files. A folder of more is no library, and reading it would delay the message.
+/// POV-Ray has 81 files. A folder with more than this is not a library, and reading it would delay the message.
 constexpr std::size_t kMaxFiles = 500;
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Walks over a text's words and directives; comments and strings are passed over.
+/// Walks over a text's words and directives; skips comments and strings.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
@@ -70,7 +70,7 @@ class Walk {
     ++i_;
   }
 
-  /// False where a `/` begins no comment.
+  /// Returns false if the `/` begins no comment.
   bool skip_comment() {
     const std::string_view pair = text_.substr(i_, 2);
     if (pair == "//") {
@@ -89,7 +89,7 @@ class Walk {
 
   std::string_view text_;
   std::size_t i_ = 0;
-  std::vector<bool> open_;  ///< what `#end` closes, true for macros
+  std::vector<bool> open_;  ///< one entry for each directive that `#end` closes, true for macros
   std::vector<std::string_view> names_;
 };
 

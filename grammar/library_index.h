@@ -1,6 +1,6 @@
-// Which file of the search path declares a name: for the message about an undeclared one, "`White` is declared in
-// `colors.inc`". The files are read when the first such message is made, so that the answer is never older than they
-// are. Their text is only searched for directives, not parsed.
+// The index of names that the files of the search path declare, for the message about an undeclared one: "`White` is
+// declared in `colors.inc`". The files are read when the first such message is made, so that the answer is up to date.
+// Their text is only searched for directives, not parsed.
 #pragma once
 
 #include <filesystem>
@@ -14,22 +14,22 @@ namespace isl::grammar {
 
 class LibraryIndex {
  public:
-  /// The `.inc` files in these folders, not below them; of two that declare a name the first counts, a file by the
-  /// order of the folders, then by its name.
+  /// Indexes the `.inc` files directly in these folders. If two declare a name, the first one wins: files are ordered
+  /// by folder, then by name.
   explicit LibraryIndex(const std::vector<std::filesystem::path>& folders);
 
-  /// The file's name as `#include` takes it; none where no file declares the name.
+  /// The file's name as `#include` takes it; none if no file declares the name.
   [[nodiscard]] std::optional<std::string_view> file_that_declares(std::string_view name) const;
 
  private:
   void add_file(const std::filesystem::path& file);
 
   std::vector<std::string> files_;
-  std::unordered_map<std::string, std::size_t> file_of_;  ///< by name: its place in files_
+  std::unordered_map<std::string, std::size_t> file_of_;  ///< name → index in files_
 };
 
-/// The names that `#declare` and `#macro` give outside of macros in the text: what stands declared once it was
-/// included.
+/// The names that `#declare` and `#macro` define outside macros in the text: those that are declared after including
+/// it.
 [[nodiscard]] std::vector<std::string_view> names_declared_in(std::string_view text);
 
 }  // namespace isl::grammar

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a chain of `1 + 1 + …` may add to a tree beyond its brackets.
+/// A chain of `1 + 1 + …` may add this factor to the height of a tree beyond its brackets.
 constexpr std::size_t kHeightPerNesting = 4;
 
 }  // namespace
@@ -113,7 +113,7 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
   const std::string name = is_standard_input ? "standard input" : file_or_dash.string();
   if (!file.trouble.empty()) {
     const LoadError error = file.exists ? LoadError::not_readable : LoadError::not_found;
-    const auto may_list = [](const fs::path&) { return true; };  // the user, not a scene, says this name
+    const auto may_list = [](const fs::path&) { return true; };  // the user names this file, not a scene
     if (!file.exists) file.hint = hint_of_similar_file(name, {folder, ""}, may_list);
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
@@ -139,7 +139,7 @@ FoundFile Loader::find_include(std::string_view name, const Unit& from) const {
   const fs::path folder = from.file.parent_path();
   FoundFile found = access_.find(name, folder);
   if (found.problem.error != AccessError::not_found || fs::path(name).has_extension()) return found;
-  // As POV-Ray does it.
+  // POV-Ray tries the same extensions.
   for (const std::string_view extension : {".inc", ".INC"}) {
     const std::string extended = fmt::format("{}{}", name, extension);
     if (access_.exists(extended, folder)) return access_.find(extended, folder);

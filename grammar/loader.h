@@ -1,6 +1,6 @@
-// Text files → syntax trees: finds a file, reads it, runs the parser, and remembers the result. What the evaluator asks
-// at each `#include` and cli asks once for the scene. Knows where files may be read from, and nothing of what they
-// mean.
+// Text files → syntax trees: finds a file, reads it, runs the parser, and caches the result. The evaluator calls it at
+// each `#include`, and cli calls it once for the scene. It knows from which folders files may be read, and nothing of
+// their meaning.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -29,89 +29,88 @@
 
 namespace isl::grammar {
 
-/// One parsed file. `span` is its whole text; `file` its place as the user would say it (relative to the current folder
-/// where the scene's was), or the name that was given to a text without one.
+/// One parsed file. `span` is its whole text; `file` is its path as the user would say it (relative to the current
+/// folder if the scene's was), or the name that was given to a text without a file.
 struct Unit {
   SourceSpan span;
   Items items;
   std::filesystem::path file;
-  /// The errors of the text that hold whatever is executed: those in no branch and no macro's body.
+  /// The errors of the text that apply whatever is executed: those in no branch and no macro's body.
   std::vector<const Complaint*> errors;
 };
 
-/// A file that the scene is made of. What the run itself wrote is none.
+/// A file that the scene depends on. A file that the run itself wrote is not listed.
 struct UsedFile {
-  std::string name;             ///< the same on every machine: from the scene's folder, or from that of the library
+  std::string name;             ///< portable name: relative to the scene's folder or to that of the library
   std::filesystem::path shown;  ///< as the user would say it
   std::uint64_t hash = 0;       ///< of its content (base/content_hash.h)
 };
 
 struct LoaderOptions {
-  /// Where files are looked for after the folder of the file that asks. These folders, the scene's own and what is
-  /// below them are all that a scene may read.
+  /// The folders that are searched for files after the folder of the asking file. A scene may read only these folders,
+  /// its own and all that lies below them.
   std::vector<std::filesystem::path> include_paths = {};
-  /// Below these a scene may write.
+  /// A scene may write below these folders.
   std::vector<std::filesystem::path> write_folders = {};
-  /// Brackets and directives that may be open at once. Trees are at most four times as high.
+  /// Limit of simultaneously open brackets and directives. Trees are at most four times as high.
   std::size_t max_nesting = 1000;
   std::size_t max_file_bytes = 256u << 20;
-  /// Of the texts read and their trees, for each.
+  /// Byte limits: one for source text, one for syntax trees.
   std::size_t max_memory_bytes = std::size_t{4} << 30;
 };
 
 enum class LoadError { none, not_found, not_readable, too_large, syntax };
 
-/// Every load_ function gives nullptr only if there was no text to parse, which is reported. What is wrong with a text
-/// stands in its tree, where whoever executes it finds it (ast.h, Error); `last_error()` tells of errors that hold
-/// whatever is executed. Nothing may be moved away
-/// under it: it keeps references to all it is given. Not thread-safe.
+/// Every load_ function returns nullptr only if there was no text to parse, and reports that. A mistake in a text
+/// becomes a node in its tree, and execution reports it when it gets there (ast.h, Error); `last_error()` tells of
+/// errors that apply whatever is executed. The loader keeps references to all its constructor's arguments: none of them
+/// may be moved. Not thread-safe.
 class Loader {
  public:
   Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSink& sink, LoaderOptions options);
 
-  /// The scene; `-` is standard input, whose includes are looked for in the current folder.
+  /// Loads the scene; `-` is standard input, whose includes are searched in the current folder.
   [[nodiscard]] const Unit* load_scene(const std::filesystem::path& file_or_dash);
 
-  /// A text that stands in no file, for tests and `-D`. Never cached.
+  /// Loads a text that is not in a file, for tests and `-D`. It is never cached.
   [[nodiscard]] const Unit* load_text(std::string name, std::string text);
 
-  /// The file that `#include name` in `from` means. `where` is blamed when there is none. A file that has not changed
-  /// since it was parsed is not parsed again.
+  /// Loads the file that `#include name` in `from` means. `where` is the place of the error if there is none. A file
+  /// that has not changed since it was parsed is not parsed again.
   [[nodiscard]] const Unit* load_include(std::string_view name, SourceSpan where, const Unit& from);
 
-  /// The values of the file that `#fopen name … read` in `from` means; null where there is none, and `problem` says
+  /// Opens the values of the file that `#fopen name … read` in `from` means; null if there is none, and `problem` says
   /// why.
   [[nodiscard]] std::unique_ptr<DataFile> open_data(std::string_view name, const Unit& from, AccessProblem& problem);
 
-  /// Reads the file `name` that a scene in `from` takes pictures, densities or letters from, as far as it takes to name
-  /// it among used_files(). False where it cannot be read, and `problem` says why.
+  /// Reads the file `name`, which a scene in `from` uses for pictures, densities or letters, so that it appears in
+  /// used_files(). Returns false if it cannot be read, and `problem` says why.
   [[nodiscard]] bool use_file(std::string_view name, const Unit& from, AccessProblem& problem);
 
   /// Every file read so far, in the order of first use.
   [[nodiscard]] const std::vector<UsedFile>& used_files() const { return used_; }
 
-  /// Whether a file could be read by that name.
+  /// True if a file by that name could be read.
   [[nodiscard]] bool exists(std::string_view name, const Unit& from) const;
 
-  /// Where files may stand: for what is read or written beside scenes and their includes.
+  /// The rules for other files that are read or written, beside scenes and their includes.
   [[nodiscard]] FileAccess& access() { return access_; }
 
-  /// What the files of the search path declare; they are read at the first call.
+  /// The names that the files of the search path declare; these are read at the first call.
   [[nodiscard]] const LibraryIndex& library();
 
-  /// Bytes of all texts read and of their trees. They stay as long as the run.
+  /// Bytes of all texts read and of their trees. They are kept for the whole run.
   [[nodiscard]] std::size_t bytes_held() const { return text_bytes_ + arena_.bytes(); }
 
-  /// Drops what is remembered of a file, because the scene has just written it (a clock's tick may be too coarse to
-  /// tell).
+  /// Drops a file from the cache, because the scene has just written it (a clock's tick may be too coarse to tell).
   void forget(const std::filesystem::path& file);
 
-  /// What is wrong with all texts, whether it is ever executed or not.
+  /// All complaints about all texts, whether their text is executed or not.
   [[nodiscard]] const std::deque<Complaint>& complaints() const { return complaints_; }
-  /// All that were parsed.
+  /// All parsed files.
   [[nodiscard]] const std::deque<Unit>& units() const { return units_; }
 
-  /// How the last load_ went.
+  /// The outcome of the last load_.
   [[nodiscard]] LoadError last_error() const { return last_error_; }
 
  private:
@@ -130,9 +129,9 @@ class Loader {
   const Unit* parse(std::string name, std::filesystem::path file, std::string text, SourceSpan where);
   const Unit* load_file(const FoundFile& file, SourceSpan where);
   [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
-  /// Notes that a file was read. `name` is its portable name; a file without one is not noted.
+  /// Records that a file was read. `name` is its portable name; a file without one is not recorded.
   void note_use(std::string name, std::filesystem::path shown, std::string_view content);
-  /// Nothing where the limit or the offsets of the source map are used up, and `problem` says so.
+  /// Returns nothing if the limit or the offsets of the source map are used up, and `problem` says so.
   std::optional<SourceSpan> keep_text(std::string name, std::string text, AccessProblem& problem);
 
   SourceMap& map_;

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Parser::token;
 
-/// Between `function` and its brace.
+/// True for the tokens that may stand between `function` and its brace.
 bool belongs_to_function_head(TokenKind kind) {
   switch (kind) {
     case Kind::TOK_LEFT_PARENTHESIS:
@@ -95,7 +95,8 @@ const Opening* Nesting::innermost_directive() const {
   return directive == open_.rend() ? nullptr : &*directive;
 }
 
-/// By the last tokens: `word {` that the grammar takes for the beginning of an item, which a value after `=` is not.
+/// True if the last tokens are `word {` and the grammar takes them for the beginning of an item; a value after `=` is
+/// not one.
 bool Nesting::has_just_opened_block() const {
   return previous_ == Kind::TOK_LEFT_BRACE && before_previous_ == Kind::TOK_KEYWORD && third_last_ != Kind::TOK_EQUAL;
 }
@@ -109,7 +110,7 @@ void Nesting::push(const Token& token) {
 }
 
 Verdict Nesting::close_bracket(TokenKind opener) {
-  std::size_t above = 0;  // brackets within the one that is meant
+  std::size_t above = 0;  // open brackets inside the intended one
   while (above < open_.size()) {
     const TokenKind kind = open_[open_.size() - 1 - above].kind;
     if (opens_directive(kind)) break;
@@ -135,7 +136,7 @@ Verdict Nesting::close_bracket(TokenKind opener) {
 
 namespace {
 
-/// The directive can go on with that token.
+/// True if the directive can continue with that token.
 bool can_divide(TokenKind divider, const Opening& directive) {
   if (divider == Kind::TOK_END) return true;
   if (directive.has_else) return false;

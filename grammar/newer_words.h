@@ -1,5 +1,5 @@
-// Words of POV-Ray 3.8. They are no words here, because scenes of 3.7 may use them as names; where such a name is
-// wrong, it is said that the word is meant.
+// Words of POV-Ray 3.8. They are not reserved here, because scenes of 3.7 may use them as names; if such a name is
+// undeclared, the message says that it is a word of 3.8.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Opening files that certainly lie below a folder: the step that makes a rule about folders hold whatever happens to
-// the file system meanwhile. Knows folders and names; which folders are allowed is file_access.h's.
+// Opens files that certainly lie below a folder: this step enforces a rule about folders even if the file system
+// changes meanwhile. It knows folders and names; file_access.h decides which folders are allowed.
 #pragma once
 
 #include "grammar/descriptor.h"
@@ -8,23 +8,23 @@
 
 namespace isl::grammar {
 
-/// A folder that was found once and is kept open: whoever renames it or puts a link in its place changes nothing.
+/// A folder that was found once and is kept open: renaming it or putting a link in its place changes nothing.
 class Folder {
  public:
-  /// Not open where `path` is no folder or closed to us. "" is the current folder.
+  /// Not open if `path` is not a folder or is not accessible. "" is the current folder.
   explicit Folder(const std::filesystem::path& path);
 
   [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
-  /// Absolute, without links.
+  /// Absolute path, without links.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Whether an absolute path without links leads below the folder, or to it.
+  /// True if an absolute path without links is the folder or leads below it.
   [[nodiscard]] bool holds(const std::filesystem::path& canonical) const;
-  /// What such a path is called from the folder: relative, empty for the folder itself. Precondition: it is held.
+  /// Such a path relative to the folder; empty for the folder itself. Precondition: the folder holds it.
   [[nodiscard]] std::filesystem::path below(const std::filesystem::path& canonical) const;
 
-  /// The folder itself or one below it, whose path `canonical` is. Walks from the folder name by name and follows no
-  /// link, so that a link put in after `canonical` was found makes it fail (`errno` tells). It can be used as the
-  /// starting point of other calls, not read.
+  /// Opens the folder itself or one below it, by its path `canonical`. Walks from the folder name by name and follows
+  /// no link, so that the call fails (with `errno`) if a link was put in after `canonical` was found. The result can be
+  /// the starting point of other calls, but cannot be read.
   [[nodiscard]] Descriptor open_folder(const std::filesystem::path& canonical) const;
 
  private:

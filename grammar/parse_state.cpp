@@ -12,10 +12,10 @@
 namespace isl::grammar {
 namespace {
 
-/// Beyond every offset.
+/// Larger than every offset.
 constexpr std::uint32_t kEndOfTexts = std::numeric_limits<std::uint32_t>::max();
 
-/// Whoever meets the first of them tells the others.
+/// Links the complaints, so that execution of the first one reports the others.
 void link(std::span<Complaint* const> complaints) {
   for (std::size_t i = 0; i + 1 < complaints.size(); ++i) complaints[i]->next = complaints[i + 1];
 }
@@ -25,7 +25,7 @@ std::uint32_t highest(std::initializer_list<std::uint32_t> heights) { return std
 }  // namespace
 
 Tree ParseState::too_high(SourceSpan span) {
-  // One is enough: what it is part of is as high, too, and the node for that hides the one within.
+  // One complaint is enough: the tree around it is too high as well, and its node hides the inner one.
   const bool is_known = !too_high_.empty() && span.begin <= too_high_.begin && too_high_.end <= span.end;
   too_high_ = span;
   if (!is_known) {
@@ -33,7 +33,7 @@ Tree ParseState::too_high(SourceSpan span) {
         complaints_.error(span, fmt::format("more than {} operations and brackets within one another", max_height_),
                           "declare parts of it first");
   }
-  // A leaf, whatever the limit.
+  // An error node is a leaf: the height limit does not apply.
   return {arena_.create(Error{{NodeKind::error, span}, too_high_complaint_, true}), 1};
 }
 
@@ -202,7 +202,7 @@ ArgumentList ParseState::with_argument(ArgumentList list, const TreeList& argume
 
 CaseList ParseState::with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body) {
   body = part(std::move(body), {clause.end, kEndOfTexts});
-  // What is wrong with the parenthesis is wrong when the value is compared with it.
+  // A mistake in the parenthesis is reported when the value is compared with it.
   for (const Complaint* complaint : complaints_.claim({span.begin, clause.end}).unclaimed) {
     if (complaint->is_error()) low = error(complaint->diagnostic.span, complaint, true);
   }
@@ -231,7 +231,7 @@ TreeList ParseState::part(TreeList items, SourceSpan range) {
   return merge(items, part.unclaimed);
 }
 
-/// Items, each preceded by the complaints about it for which no node stands.
+/// The items, each preceded by those complaints about it that no node represents.
 TreeList ParseState::merge(const TreeList& items, std::span<Complaint* const> complaints) {
   TreeList merged;
   merged.height = items.height;
@@ -247,7 +247,7 @@ TreeList ParseState::merge(const TreeList& items, std::span<Complaint* const> co
 
 void ParseState::finish(const TreeList& items) {
   const Complaints::Part part = complaints_.claim({0, kEndOfTexts});
-  // After a mistake, execution goes on with the next statement: only what is in the same one follows it.
+  // After a mistake, execution goes on with the next statement: only mistakes in the same statement are linked to it.
   std::span<Complaint* const> left = part.all;
   for (const Node* item : items.nodes) {
     const auto is_of_item = [&](const Complaint* complaint) {

@@ -1,5 +1,5 @@
-// Makes the nodes that the grammar's rules name, and keeps the result. One a parse; the rules in parser.yy call it and
-// decide nothing themselves. Knows the shapes of ast.h and no text.
+// Makes the nodes for the grammar's rules, and keeps the result. There is one per parse; the rules in parser.yy call it
+// and decide nothing themselves. It knows the shapes of ast.h and no text.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -31,7 +31,7 @@ class ParseState {
       : map_(map), arena_(arena), complaints_(complaints), max_height_(max_height) {}
 
   void finish(const TreeList& items);
-  /// The parser found no way on after a mistake: nothing but the complaints is left of the text.
+  /// Called when the parser cannot recover from a mistake: only the complaints are left of the text.
   void abandon(SourceSpan text);
   [[nodiscard]] Items items() const { return items_; }
 
@@ -93,38 +93,37 @@ class ParseState {
   TreeList pair(Tree first, Tree second);
   TreeList join(Tree first, const TreeList& rest);
   ArgumentList with_argument(ArgumentList list, const TreeList& argument);
-  /// `clause` is the parenthesis, or what ends it.
+  /// `clause` is the parenthesis, or the token that ends it.
   CaseList with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body);
 
   // Mistakes.
-  /// What was said of the mistake that was found last; null where that is nothing.
+  /// Takes the complaint about the mistake that was found last; null if there is none.
   [[nodiscard]] const Complaint* found() { return std::exchange(found_, nullptr); }
-  /// What stands for a mistake.
+  /// The node that represents a mistake.
   Tree mistake(SourceSpan span, const Complaint* complaint);
   ArgumentList mistaken_argument(SourceSpan span, const Complaint* complaint);
   Tree unclosed(SourceSpan span, const Complaint* complaint) { return mistake(span, complaint); }
-  /// The items of a text that is executed or not as a whole, each preceded by the complaints about it.
+  /// The items of a text that is executed as a whole or not at all, each preceded by the complaints about it.
   TreeList part(TreeList items, SourceSpan range);
-  /// False where no more errors are kept.
+  /// False if no more errors are kept.
   [[nodiscard]] bool wants_syntax_error();
   void syntax_error(Parser::symbol_kind_type found, SourceSpan span,
                     std::span<const Parser::symbol_kind_type> expected);
-  /// The parser stumbles over what the token stream has complained of; null where that is told elsewhere, or nothing is
-  /// to be said.
+  /// The parser has met a mistake that the token stream reported; null if that is told elsewhere, or needs no message.
   void known_error(const Complaint* complaint) { found_ = complaint; }
-  /// What the parser itself cannot go on from.
+  /// Reports a mistake that the parser itself cannot recover from.
   void failure(SourceSpan span, const std::string& message) {
     complaints_.report_certain({Severity::error, span, message, {}, {}, {}});
   }
 
  private:
-  /// A node over children of at most the given height.
+  /// A node above children of at most the given height.
   template <class T, class... Fields>
   Tree make(NodeKind kind, SourceSpan span, std::uint32_t children_height, Fields... fields) {
     if (children_height >= max_height_) return too_high(span);
     return {arena_.create(T{{kind, span}, fields...}), children_height + 1};
   }
-  /// A node that is nothing but its kind.
+  /// A node without fields: only its kind.
   Tree mark(NodeKind kind, SourceSpan span) { return {arena_.create(Node{kind, span}), 1}; }
   Tree too_high(SourceSpan span);
 
@@ -137,9 +136,9 @@ class ParseState {
   Arena& arena_;
   Complaints& complaints_;
   std::uint32_t max_height_;
-  SourceSpan too_high_;  ///< what was complained of last
+  SourceSpan too_high_;  ///< the last tree that was reported as too high
   const Complaint* too_high_complaint_ = nullptr;
-  const Complaint* found_ = nullptr;  ///< the mistake found last, until a node stands for it
+  const Complaint* found_ = nullptr;  ///< the mistake found last, until a node represents it
   Items items_;
 };
 

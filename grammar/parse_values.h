@@ -1,5 +1,5 @@
-// What the parser's rules hand to one another while trees grow: nodes with their height, and lists that are not in the
-// arena yet. A header of its own because the generated parser's header needs it.
+// The semantic values of the parser's rules while trees grow: nodes with their height, and lists that are not in the
+// arena yet. They have their own header because the generated parser's header needs it.
 #pragma once
 
 #include "grammar/ast.h"
@@ -10,13 +10,13 @@
 
 namespace isl::grammar {
 
-/// A node with the number of levels from it to its furthest leaf, which is what a recursive walk will need of stack.
+/// A node with its number of levels down to the furthest leaf, which bounds the stack of a recursive walk.
 struct Tree {
   const Node* node = nullptr;
   std::uint32_t height = 0;
 };
 
-/// Height counts as that of the highest tree in the list.
+/// The height of a list is that of its highest tree.
 struct TreeList {
   std::vector<const Node*> nodes;
   std::uint32_t height = 0;
@@ -39,7 +39,7 @@ struct CaseList {
 
 using SymbolList = std::vector<Symbol>;
 
-/// `function (a, b)`; with a mistake in it, what stands for that.
+/// `function (a, b)`; if it has a mistake, the node that represents it.
 struct FunctionHead {
   SymbolList parameters;
   Tree mistake;

@@ -78,7 +78,7 @@ ReadableFolders::Verdict ReadableFolders::judge(const fs::path& canonical) const
   Verdict verdict;
   for (const Folder& folder : folders_) {
     if (!folder.holds(canonical)) continue;
-    // A folder within `.git` that the user names is one that the scene may read.
+    // The user may name a folder within `.git`; the scene may then read it.
     if (!is_in_version_control(folder.below(canonical))) return {&folder, false};
     verdict.is_in_version_control = true;
   }

@@ -20,7 +20,7 @@ struct Directive {
   TokenKind kind;
 };
 
-/// A piece of the text for a message: its beginning, where it is longer than anyone would read.
+/// A piece of the text for a message: only the beginning of a very long one.
 std::string shown(std::string_view text) {
   constexpr std::size_t kShown = 64;
   return text.size() <= kShown ? std::string(text) : std::string(text.substr(0, kShown)) + "…";
@@ -59,8 +59,8 @@ TokenKind kind_of(WordClass word_class) {
   ISL_CHECK(false, "word class {}", static_cast<int>(word_class));
 }
 
-/// POV-Ray's language is ASCII between strings and comments; what else editors bring along gets the ASCII one as a
-/// hint.
+/// Outside strings and comments POV-Ray's language is ASCII; for other characters that editors insert, the hint names
+/// the ASCII one.
 std::string hint_for(std::string_view character) {
   static constexpr auto kHints = std::to_array<std::pair<std::string_view, std::string_view>>({
       {"%", "the remainder of a division is `mod(a, b)`"},
@@ -127,7 +127,7 @@ void ScanState::complain(SourceSpan span, std::string message, std::string hint)
 
 Token ScanState::word(std::string_view text) {
   const Symbol symbol = symbols_.intern(text);
-  // POV-Ray 1 and 2 had these without `#`; their scenes are still about.
+  // POV-Ray 1 and 2 had these without `#`; their scenes are still in use.
   if (symbol == word::kw_declare || symbol == word::kw_include) {
     sink_.warning(span(), fmt::format("`{0}` without `#` is a form of old, read as `#{0}`", text));
     return simple(find_directive(text)->kind);
@@ -139,7 +139,7 @@ Token ScanState::number(std::string_view text) {
   Token token{.kind = Kind::TOK_NUMBER, .span = span()};
   const auto result = std::from_chars(text.data(), text.data() + text.size(), token.number);
   if (result.ec != std::errc::result_out_of_range) return token;
-  token.number = std::strtod(std::string(text).c_str(), nullptr);  // from_chars does not say on which side it was
+  token.number = std::strtod(std::string(text).c_str(), nullptr);  // from_chars does not tell overflow from underflow
   if (token.number > 1) complain(span(), fmt::format("the number {} is too large", shown(text)));
   return token;
 }
@@ -150,7 +150,7 @@ std::optional<Token> ScanState::directive(std::string_view text) {
   const std::string_view after = text_.substr(end_ - file_begin_);
   const std::size_t next = after.find_first_not_of(" \t\r\n");
   const char follower = next == std::string_view::npos ? '\0' : after[next];
-  // POV-Ray passes over the `#` before any other word; `#union {` stands in scenes that it reads.
+  // POV-Ray ignores the `#` before any other word; scenes that it reads contain `#union {`.
   if (follower == '{' && is_reserved(symbols_.intern(word))) {
     sink_.warning(span(), fmt::format("`{0}` is no directive, read without its `#`", word));
     return this->word(word);
@@ -217,7 +217,7 @@ void ScanState::line_end_in_string(std::string_view text) {
 void ScanState::escape(std::string_view text) {
   const std::string resolved = resolve_escape(text);
   if (!resolved.empty()) return replace_in_string(resolved);
-  // File names take backslashes as they are and the scanner cannot tell which strings are some: hence no error.
+  // File names take backslashes literally and the scanner cannot tell which strings are file names: hence no error.
   sink_.warning(span(), fmt::format("`{}` is no escape sequence; the backslash stays", text),
                 "a backslash is written `\\\\`, and folders in file names are separated by `/`");
 }

@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 using MayRead = std::function<bool(const fs::path&)>;
 
-/// Entries of one folder that are looked at: a message is not worth more time.
+/// Limit of the entries of one folder that are examined: a message is not worth more time.
 constexpr std::size_t kMaxEntries = 10'000;
 
-/// A path as Windows writes it, with `/`: without the drive's letter where it has one.
+/// A path in Windows' form, with `/` instead of `\` and without the drive's letter.
 std::string with_slashes(std::string_view name) {
   const bool has_drive = name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[0])) != 0 && name[1] == ':';
   std::string text(has_drive ? name.substr(2) : name);
@@ -25,7 +25,7 @@ std::string with_slashes(std::string_view name) {
   return text;
 }
 
-/// The entry of a readable folder that is called `part` but for the case of letters; empty where there is none.
+/// The entry of a readable folder that equals `part` apart from the case of letters; empty if there is none.
 fs::path entry_like(const fs::path& folder, const fs::path& part, const MayRead& may_read) {
   std::error_code error;
   if (fs::exists(folder / part, error)) return part;
@@ -40,7 +40,7 @@ fs::path entry_like(const fs::path& folder, const fs::path& part, const MayRead&
   return {};
 }
 
-/// The path below `folder` of a file that may be read and is called `name` but for the case of letters.
+/// The path below `folder` of a readable file that equals `name` apart from the case of letters.
 fs::path path_like(const fs::path& folder, const fs::path& name, const MayRead& may_read) {
   fs::path below;
   for (const fs::path& part : name.relative_path()) {

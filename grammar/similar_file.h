@@ -1,5 +1,6 @@
-// The file that a name may mean which names none: scenes come from systems where capitals do not count, `\` separates
-// folders, and files lie elsewhere. Finds what to say, and reads no file; what may be read is file_access.h's.
+// Finds the file that a name without a file may mean: scenes come from systems whose file names ignore case, where `\`
+// separates folders, and where files lie elsewhere. It makes the hint and reads no file; file_access.h decides what may
+// be read.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +11,8 @@
 
 namespace isl::grammar {
 
-/// A hint that names the file and what to do, "" where nothing similar lies in the folders. `may_read` is asked with a
-/// canonical path, of folders before they are listed and of the file before it is named.
+/// A hint that names the file and the remedy, "" if nothing similar lies in the folders. `may_read` is asked with a
+/// canonical path, about folders before they are listed and about the file before it is named.
 [[nodiscard]] std::string hint_of_similar_file(std::string_view name, const std::vector<std::filesystem::path>& folders,
                                                const std::function<bool(const std::filesystem::path&)>& may_read);
 

@@ -17,7 +17,7 @@ bool equal_but_for_case(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Of words that are compared letter by letter, which takes the product of their lengths.
+/// Length limit of words that are compared letter by letter, which takes the product of their lengths.
 constexpr std::size_t kLongestWord = 64;
 
 }  // namespace
@@ -25,7 +25,7 @@ constexpr std::size_t kLongestWord = 64;
 std::size_t edit_distance(std::string_view from, std::string_view to, std::size_t limit) {
   const std::size_t gap = from.size() > to.size() ? from.size() - to.size() : to.size() - from.size();
   if (gap > limit) return limit + 1;
-  // Rows of the usual table: distances from the first i - 2, i - 1 and i letters of `from` to every start of `to`.
+  // Rows of the usual table: distances from the first i - 2, i - 1 and i letters of `from` to every prefix of `to`.
   std::vector<std::size_t> before_last(to.size() + 1), last(to.size() + 1), row(to.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 1; i <= from.size(); ++i) {

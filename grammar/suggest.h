@@ -1,5 +1,5 @@
 // "Did you mean": the known word nearest to a misspelt one. Used for directives here, for words and identifiers by the
-// evaluator. Knows nothing of where either comes from.
+// evaluator. It does not know the source of either.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace isl::grammar {
 enum class Symbol : std::uint32_t {};
 inline constexpr Symbol kNoSymbol{0xFFFFFFFFu};
 
-/// How the grammar treats a reserved word. `identifier` is every name that is not reserved.
+/// The grammar's treatment of a reserved word. `identifier` is every name that is not reserved.
 enum class WordClass : std::uint8_t { identifier, keyword, colour, texture, function, constant, array, function_literal };
 
 namespace word {
@@ -38,7 +38,7 @@ class SymbolTable {
   SymbolTable& operator=(const SymbolTable&) = delete;
 
   [[nodiscard]] Symbol intern(std::string_view text);
-  /// Empty for kNoSymbol: a block without a word is asked for its name too.
+  /// Empty for kNoSymbol, because callers also ask for the name of a block without a word.
   [[nodiscard]] std::string_view text(Symbol symbol) const {
     return symbol == kNoSymbol ? std::string_view() : texts_[static_cast<std::uint32_t>(symbol)];
   }

@@ -14,14 +14,14 @@ namespace {
 using Kind = Parser::symbol_kind;
 using SymbolKind = Parser::symbol_kind_type;
 
-/// A longer list is read by nobody.
+/// Users do not read a longer list.
 constexpr std::size_t kMaxExpected = 4;
 
 bool contains(std::span<const SymbolKind> kinds, SymbolKind wanted) {
   return std::find(kinds.begin(), kinds.end(), wanted) != kinds.end();
 }
 
-/// What a user calls the token. Kinds that stand for many words have names, the others are quoted.
+/// The user's term for the token. Kinds that stand for many words have names, the others are quoted.
 std::string describe(SymbolKind kind) {
   switch (kind) {
     case Kind::S_IDENTIFIER: return "an identifier";
@@ -103,7 +103,7 @@ bool is_operator(SymbolKind kind) {
   }
 }
 
-/// Of a list of items; `#else`, `#case` and `#end` belong to what is open and are named.
+/// True for a directive in a list of items; `#else`, `#case` and `#end` belong to the open directive and are named.
 bool is_directive_start(SymbolKind kind) {
   switch (kind) {
     case Kind::S_ELSE:
@@ -115,7 +115,7 @@ bool is_directive_start(SymbolKind kind) {
   }
 }
 
-/// What may follow a dot: any word, and nothing else.
+/// True if the only thing that may follow is a component after a dot.
 bool wants_component(std::span<const SymbolKind> expected) {
   return contains(expected, Kind::S_CONSTANT) && contains(expected, Kind::S_KEYWORD) &&
          !contains(expected, Kind::S_NUMBER);
@@ -136,7 +136,8 @@ std::vector<std::string> fold(std::span<const SymbolKind> expected) {
       continue;
     if (has_directive && is_directive_start(kind)) continue;
     if (kind == Kind::S_SEMICOLON && has_directive) continue;
-    if (kind == Kind::S_DEPRECATED || kind == Kind::S_ONCE) continue;  // known to few, and meant by none who errs here
+    // rarely known, and hardly ever the intended token
+    if (kind == Kind::S_DEPRECATED || kind == Kind::S_ONCE) continue;
     // An operator within `function {}` is a token of its own with the same spelling.
     if (std::string idea = describe(kind); std::ranges::find(ideas, idea) == ideas.end())
       ideas.push_back(std::move(idea));
@@ -156,7 +157,7 @@ std::string list(const std::vector<std::string>& ideas) {
   return text;
 }
 
-/// Mistakes that are common enough to be answered.
+/// Hints for common mistakes.
 std::string hint_for(SymbolKind found, std::string_view text, std::span<const SymbolKind> expected) {
   const bool wants_name = contains(expected, Kind::S_IDENTIFIER) && !contains(expected, Kind::S_NUMBER);
   const bool is_reserved_word = found == Kind::S_KEYWORD || found == Kind::S_COLOUR_WORD || found == Kind::S_TEXTURE ||
@@ -174,8 +175,8 @@ std::string hint_for(SymbolKind found, std::string_view text, std::span<const Sy
   return {};
 }
 
-/// Where nearly anything may go on, and what was found can not, the bracket that is open is what is missing most often:
-/// `sin(pi/4;`.
+/// If nearly any token may follow but the found one may not, the most likely mistake is the missing end of the open
+/// bracket: `sin(pi/4;`.
 std::string_view missing_bracket(SymbolKind found, std::span<const SymbolKind> expected) {
   const bool ends_statement = found == Kind::S_SEMICOLON || found == Kind::S_RIGHT_BRACE || found == Kind::S_YYEOF;
   return ends_statement && contains(expected, Kind::S_RIGHT_PARENTHESIS) ? ", expected `)`" : "";

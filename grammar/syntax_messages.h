@@ -1,5 +1,5 @@
-// What to say about a token that the grammar does not expect. Folds the many tokens that could stand there into the few
-// ideas that a user has of them. Knows the parser's symbols and no state.
+// The message for a token that the grammar does not expect. It folds the many tokens that could stand there into a few
+// ideas that users know. It knows the parser's symbols and no state.
 #pragma once
 
 #include "grammar/parser.hh"
@@ -15,7 +15,7 @@ struct SyntaxMessage {
   std::string hint;     ///< may be empty
 };
 
-/// `text` is the found token as it stands in the source.
+/// `text` is the found token as written in the source.
 [[nodiscard]] SyntaxMessage syntax_message(Parser::symbol_kind_type found, std::string_view text,
                                            std::span<const Parser::symbol_kind_type> expected);
 

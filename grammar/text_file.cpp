@@ -16,8 +16,8 @@
 namespace isl::grammar {
 namespace {
 
-/// Text has no control characters but the ones that shape lines and the end mark of DOS; of a stray one in an old scene
-/// we make nothing, of one in 32 bytes on average (random bytes have one in 9) that it is no text. Foreign code pages
+/// Text has no control characters but those that shape lines and the end mark of DOS. We ignore a stray one in an old
+/// scene; one in 32 bytes on average (random bytes have one in 9) shows that a file is not text. Foreign code pages
 /// pass: their letters are no control characters.
 constexpr std::size_t kBytesPerControl = 32;
 
@@ -27,7 +27,7 @@ bool is_control(char character) {
   return (byte < 0x20 || byte == 0x7F) && kHarmless.find(character) == std::string_view::npos;
 }
 
-/// The wide encoding that a text is in, "" for none: by its byte-order mark; or by its zeros, since in what Western
+/// The wide encoding of a text, "" for none. It shows in the byte-order mark, or in the zeros: in text that Western
 /// editors save most characters are below 256, so that most pairs of bytes have one zero, always on the same side.
 std::string_view wide_encoding(std::string_view text) {
   using namespace std::string_view_literals;
@@ -57,14 +57,14 @@ FileStamp stamp_from(const struct stat& status) {
           static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
-/// What a file that is not regular is.
+/// The kind of a file that is not regular.
 std::string what_else(mode_t mode) { return S_ISDIR(mode) ? "it is a folder" : "it is not a regular file"; }
 
 std::string explain(int code) { return std::generic_category().message(code); }
 
 std::string too_large(std::size_t max_bytes) { return fmt::format("larger than {} bytes", max_bytes); }
 
-/// Reads until the end; a file that grows meanwhile is still limited.
+/// Reads until the end; the limit also holds for a file that grows meanwhile.
 void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
   std::array<char, 65536> buffer{};
   while (true) {
@@ -124,7 +124,7 @@ TextFile read_text_file_at(int folder, const std::string& name, std::size_t max_
 TextFile read_bytes_at(int folder, const std::string& name, std::size_t max_bytes) {
   TextFile file;
   struct stat status {};
-  // Opening a device may do something already (rewind a tape), so it is looked at before.
+  // Opening a device may already have an effect (rewind a tape), so its kind is checked before.
   if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(status.st_mode)) {
     file.exists = true;
     file.trouble = what_else(status.st_mode);

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Parser::token;
 
-/// Enough to see the way in, few enough to read.
+/// Enough to see the nesting, few enough to read.
 constexpr std::size_t kMaxOpenNotes = 3;
 
 /// The kind of an operator within `function {}`.
@@ -30,10 +30,11 @@ TokenKind in_function(TokenKind kind) {
   }
 }
 
-/// What follows a mistake within fewer right tokens may be of the same making.
+/// A mistake within fewer correct tokens than this may follow from the one before.
 constexpr std::size_t kTokensOfDoubt = 3;
 
-/// Of a list of items, which the parser is in after any mistake, or of the bracket around the mistake.
+/// True for a token that ends a list of items, which the parser is in after any mistake, or the bracket around the
+/// mistake.
 bool ends_items(TokenKind kind) {
   switch (kind) {
     case Kind::TOK_END_OF_FILE:
@@ -44,7 +45,7 @@ bool ends_items(TokenKind kind) {
   }
 }
 
-/// The parser can begin an item of a list with it, a comma and a semicolon being items, too.
+/// True if the token can begin an item of a list; a comma and a semicolon are items, too.
 bool begins_item(TokenKind kind) {
   switch (kind) {
     case Kind::TOK_UNCLOSED:
@@ -96,7 +97,7 @@ Token TokenStream::scan() {
   return token;
 }
 
-/// `#declare deprecated once Name`: words that mean this only here.
+/// `#declare deprecated once Name`: words with this meaning only here.
 Token TokenStream::take() {
   Token token = scan();
   const bool may_be_deprecated = taken_ == Kind::TOK_DECLARE || taken_ == Kind::TOK_LOCAL;
@@ -117,7 +118,8 @@ Token TokenStream::send() {
   return last_.token;
 }
 
-/// Closers for what is left open. The parser first gets an UNCLOSED, which stands in the tree for the mistake.
+/// Inserts closers for the brackets that are left open. The parser first gets an UNCLOSED, which represents the mistake
+/// in the tree.
 void TokenStream::close_all(const std::vector<Opening>& openings, const Complaint* complaint) {
   if (openings.empty()) return;
   const SourceSpan place{last_span_.end, last_span_.end};
@@ -129,7 +131,7 @@ void TokenStream::close_all(const std::vector<Opening>& openings, const Complain
 
 Token TokenStream::next() {
   while (arranged_.empty()) {
-    // Not before the parser is done with the directive: what it says of that is about the text before it.
+    // Not before the parser is done with the directive: its reports about that are about the text before it.
     if (std::exchange(begins_stretch_, false)) complaints_.begin_stretch();
     complaints_.set_outside(nesting_.is_outside());
     if (too_deep_) return finish();
@@ -141,8 +143,8 @@ Token TokenStream::next() {
   return send();
 }
 
-/// Within a directive, whose text may never be executed, a misspelt directive opens, divides and ends nothing: that is
-/// how POV-Ray finds the end of what it skips.
+/// Within a directive, whose text may never be executed, a misspelt directive opens, divides and ends nothing: POV-Ray
+/// finds the end of skipped text in the same way.
 bool TokenStream::is_passed_over(const Token& token) {
   const bool is_structure = token.misspelt && shapes_directive(token.kind);
   if (!is_structure || nesting_.innermost_directive() == nullptr) return false;
@@ -150,8 +152,8 @@ bool TokenStream::is_passed_over(const Token& token) {
   return true;
 }
 
-/// A bracket that is too many is left out where it stands in a directive, whose text may never be executed. Elsewhere,
-/// and where directives are too many, the text ends before it.
+/// Within a directive, whose text may never be executed, a bracket that is too many is left out. Elsewhere, and for
+/// directives that are too many, the text ends before it.
 bool TokenStream::is_too_deep(const Token& token) {
   if (nesting_.depth() < max_nesting_ || !(opens_bracket(token.kind) || opens_directive(token.kind))) return false;
   Diagnostic diagnostic;
@@ -180,7 +182,7 @@ void TokenStream::follow(Token token) {
 Token TokenStream::finish() {
   const bool is_known = complaints_.is_full() || too_deep_;
   const std::vector<Opening> open(nesting_.open().rbegin(), nesting_.open().rend());
-  // That what is being skipped does not end is of the same making as the mistake in it.
+  // If skipped text does not end, the cause is the mistake in it.
   const std::size_t skipped = skipping_from_ == 0 ? 0 : open.size() - std::min(open.size(), skipping_from_ - 1);
   const std::span<const Opening> unclosed = std::span(open).subspan(skipped);
   const Complaint* complaint = nullptr;
@@ -251,7 +253,7 @@ std::string TokenStream::name_of(const Opening& macro) const {
 
 const Complaint* TokenStream::complain_unclosed(const Verdict& verdict, const Token& found) {
   if (skipping_from_ > 0)
-    return nullptr;  // a mistake within them was reported; that they are not closed either is of the same making
+    return nullptr;  // a mistake within them was reported, and probably caused the missing closers
   const std::vector<Opening>& unclosed = verdict.unclosed;
   Diagnostic diagnostic;
   if (verdict.ended && verdict.ended->kind == Kind::TOK_MACRO && verdict.ended->has_head) {
