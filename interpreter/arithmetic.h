@@ -1,5 +1,5 @@
 // Operators on numeric values. The shorter operand is promoted as POV-Ray does: a number fills all terms, a vector is
-// padded with zeros. Pure functions; who reports errors is the caller.
+// padded with zeros. Pure functions; the caller reports errors.
 #pragma once
 
 #include "base/check.h"
@@ -11,7 +11,7 @@
 
 namespace isl::interpreter {
 
-/// `value` with at least `count` terms: a number in each, or a vector padded with zeros. A longer one stays.
+/// `value` with at least `count` terms: a number fills all of them, a vector is padded with zeros. A longer one stays.
 [[nodiscard]] inline Value promoted(const Value& value, int count) {
   if (value.term_count() >= count) return value;
   if (!value.is_number()) return {count, value.terms()};
@@ -29,7 +29,7 @@ struct Operand {
   [[nodiscard]] int stride() const { return count == 1 ? 0 : 1; }
 };
 
-/// a / b; positive infinity where b is zero, whatever a is (POV-Ray's rule; the caller warns).
+/// a / b; positive infinity if b is zero, for any a (POV-Ray's rule; the caller warns).
 [[nodiscard]] inline double quotient(double a, double b) {
   return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
 }
@@ -37,7 +37,7 @@ struct Operand {
 /// a op b for + − * /, componentwise.
 [[nodiscard]] Value arithmetic(grammar::BinaryOp op, const Operand& a, const Operand& b);
 
-/// POV-Ray's slack in `=`, `!=`, `<=`, `>=`, in truth, and in loops.
+/// POV-Ray's tolerance in `=`, `!=`, `<=`, `>=`, in conditions, and in loops.
 inline constexpr double kTolerance = 1e-10;
 
 /// Comparison and logic of two numbers, 0 or 1.
@@ -56,7 +56,7 @@ inline constexpr double kTolerance = 1e-10;
   }
 }
 
-/// How the operator is written.
+/// The operator's spelling in a scene.
 [[nodiscard]] std::string_view spelling(grammar::BinaryOp op);
 
 }  // namespace isl::interpreter

@@ -15,7 +15,7 @@ using grammar::as;
 using grammar::Node;
 using grammar::NodeKind;
 
-/// POV-Ray's limit, and ours on arrays within arrays: copying and freeing them recurses.
+/// POV-Ray's limit, and our limit for arrays within arrays: copying and freeing them recurses.
 constexpr std::size_t kMaxDimensions = 5;
 constexpr int kMaxArrayDepth = 32;
 
@@ -65,7 +65,7 @@ std::size_t element_count(Context& context, const Node& node) {
   return static_cast<std::size_t>(size + kTolerance);
 }
 
-/// The place that the value of the subscript `node` means.
+/// The index that the value of the subscript `node` means.
 std::size_t place_of(Context& context, const Node& node, double value, std::size_t size) {
   const double index = value + kTolerance;
   if (!(index >= 0 && index < static_cast<double>(size))) {
@@ -74,7 +74,7 @@ std::size_t place_of(Context& context, const Node& node, double value, std::size
   return static_cast<std::size_t>(index);
 }
 
-/// The array of one dimension that the slot holds, or null.
+/// The one-dimensional array that the slot holds, or null.
 ArrayValue* list_in(const Slot* slot) {
   if (!slot || slot->value.kind() != ValueKind::array) return nullptr;
   ArrayValue& array = slot->value.as<ArrayValue>();
@@ -86,7 +86,7 @@ struct Subscript {
   double value;
 };
 
-/// The element that the subscripts name, the first of them last in the list.
+/// The element for a list of subscripts; the first subscript is last in the list.
 Slot* element_at(Context& context, const grammar::Index& node, Slot* slot, std::vector<Subscript>& subscripts,
                  bool may_be_undeclared) {
   while (!subscripts.empty()) {
@@ -153,7 +153,7 @@ Slot* find_element(Context& context, const grammar::Index& node, bool may_be_und
       return list->elements[place_of(context, *node.subscript, index, list->elements.size())];
     }
   }
-  // A[i][j] is Index(Index(A, i), j): the subscripts come off from the last.
+  // A[i][j] is Index(Index(A, i), j): the last subscript is taken off first.
   std::vector<Subscript> subscripts;
   const Node* base = &node;
   while (base->kind == NodeKind::index) {

@@ -5,14 +5,14 @@
 
 namespace isl::interpreter {
 
-/// A new array, its initialiser evaluated; sizes and counts are checked.
+/// Makes an array and evaluates its initialiser; checks sizes and counts.
 [[nodiscard]] Value make_array(Context& context, const grammar::Array& node);
 
-/// The slot of an element. Null where `may_be_undeclared` and the array itself is not declared or has too few
-/// dimensions; everything else that is wrong (no array, an index out of range) fails.
+/// The slot of an element. Null if `may_be_undeclared` and the array itself is not declared or has too few dimensions;
+/// every other mistake (no array, an index out of range) fails.
 [[nodiscard]] Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared);
 
-/// Fails for an element that would nest arrays too deeply.
+/// Fails if the element would nest arrays too deeply.
 void check_array_nesting(Context& context, const Value& element, SourceSpan span);
 
 }  // namespace isl::interpreter

@@ -24,8 +24,8 @@ ContextualWords::ContextualWords(grammar::SymbolTable& symbols)
 
 namespace {
 
-/// A scene of POV-Ray's own kind without `#version` is drawn as POV-Ray draws it; ours speak the newest language. Files
-/// of DOS days have names in capitals.
+/// True for POV-Ray's file types: such a scene without `#version` is drawn as POV-Ray draws it, one of our own type in
+/// the newest version. Files from DOS have names in capitals.
 bool is_of_povray(const std::filesystem::path& file) {
   static constexpr std::string_view kExtensions[] = {".pov", ".inc", ".POV", ".INC"};
   return std::ranges::find(kExtensions, file.extension().string()) != std::end(kExtensions);
@@ -80,7 +80,7 @@ void Context::meet(const grammar::Error& node) {
   if (complaint && !complaint->is_error()) return tell(*complaint);
   for (; complaint; complaint = complaint->next) tell(*complaint);
   if (!node.gives_up) return;
-  // Without a complaint of its own, one was told before; a scene must not go on as if nothing were wrong.
+  // A node without a complaint follows one that was told before; a scene must not go on as if nothing were wrong.
   if (!node.complaint && !sink_.has_errors()) error(node.span, "this cannot be read");
   throw Failed{};
 }
@@ -147,7 +147,7 @@ OriginTable::Chain Context::make_chain(std::uint32_t call, OriginTable::Chain ou
 }
 
 OriginTable::Chain Context::chain_of(std::uint32_t call) {
-  // Mostly the call around this one has its chain already.
+  // The enclosing call usually has its chain already.
   const std::uint32_t outer = call == 0 ? Frame::kNoCall : frames[call - 1].call;
   if (outer == Frame::kNoCall || frames[outer].called.chain != Frame::kNoChain)
     return make_chain(call, outer == Frame::kNoCall ? 0 : frames[outer].called.chain);
@@ -179,7 +179,7 @@ void Context::too_deep(SourceSpan span) {
 }
 
 void Context::look_at_turns(SourceSpan span) {
-  // A count of turns is exact as a double: nobody lives to see 2⁵³.
+  // The number of turns is exact as a double: no run reaches 2⁵³.
   constexpr std::uint64_t kTurnsBetweenLooks = 1024;
   if (static_cast<double>(turns_) > options.limits.max_turns) {
     stop(span, fmt::format("loops and macro calls have made more than {:g} turns", options.limits.max_turns),

@@ -1,5 +1,6 @@
-// What every part of one evaluation shares: names, the stack of frames, the database in the making, and the ways to
-// complain. Parts of the interpreter are functions that take a Context; it knows no construct of the language itself.
+// The state that all parts of one evaluation share: names, the stack of frames, the database in the making, and the
+// functions that report. Parts of the interpreter are functions that take a Context; it knows no construct of the
+// language.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -24,15 +25,15 @@
 
 namespace isl::interpreter {
 
-/// Thrown after a user error was reported: the statement that holds it is given up, the scene is read on.
+/// Thrown after a user error was reported: the statement with the error is given up, and reading goes on after it.
 struct Failed {};
 /// Thrown after an error beyond which reading on makes no sense (a limit, #error, a missing include, too many errors).
 struct Stopped {};
 
-/// What one primitive's origin takes, about: its record and a link of its chain.
+/// Approximate size of one primitive's origin: its record and a link of its chain.
 inline constexpr std::size_t kOriginBytes = 40;
 
-/// The words of ours that are not reserved: they mean something only where a reader looks for them.
+/// Our words that are not reserved: they have a meaning only where a reader looks for them.
 struct ContextualWords {
   explicit ContextualWords(grammar::SymbolTable& symbols);
   grammar::Symbol kernel, hardness, convolution, skeleton, solver, tolerance;
@@ -53,44 +54,45 @@ class Context {
   MemoryAccount memory;
   Scopes scopes;
   std::vector<Frame> frames;
-  std::vector<Slot*> argument_slots;  ///< of macro calls whose arguments are being evaluated
+  std::vector<Slot*> argument_slots;  ///< for macro calls whose arguments are being evaluated
   RandomStreams random;
   OpenFiles files;
   scene::Database database;
   OriginTable origins;
   LanguageVersion version;
-  bool has_noise_generator = false;  ///< the scene says which
-  /// What #default says now; what an object without a texture of its own gets.
+  bool has_noise_generator = false;  ///< the scene sets it
+  /// The present #default texture; an object without a texture of its own gets it.
   scene::Texture default_texture;
   bool has_default_texture = false;
   Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
   RecordTable<scene::Texture> texture_table;
   RecordTable<scene::Finish> finish_table;
   RecordTable<scene::Interior> interior_table;
-  /// POV-Ray's own maps that the scene has come to need, by where their entries are.
+  /// POV-Ray's built-in maps that the scene uses so far, by the address of their entries.
   std::map<std::pair<const void*, std::size_t>, scene::PigmentMapId> default_maps;
 
-  // ---- Complaints: each adds the macro and include chain ------------------------------------------------------------
+  // ---- Diagnostics: each adds the macro and include chain -----------------------------------------------------------
 
   [[noreturn]] void fail(SourceSpan span, std::string message, std::string hint = {});
   [[noreturn]] void stop(SourceSpan span, std::string message, std::string hint = {});
-  /// Reports and goes on; stops when there are too many.
+  /// Reports and goes on; throws Stopped when there are too many.
   void error(SourceSpan span, std::string message, std::string hint = {});
-  /// Reports, once for each place and text: a loop may warn a million times.
+  /// Reports once for each place and text: a loop may warn a million times.
   void warn(SourceSpan span, std::string message, std::string hint = {});
-  /// What is wrong with the text is reached: tells it, once, and fails where it stands for what could not be parsed.
+  /// Execution reached a mistake in the text: reports it, once, and fails if the node replaces text that could not be
+  /// parsed.
   void meet(const grammar::Error& node);
-  /// Tells a complaint about the text, unless that was done.
+  /// Reports a complaint about the text, unless it was reported.
   void tell(const grammar::Complaint& complaint);
-  /// At the end: tells what is wrong with the texts for certain, unless errors were told. What is skipped with --lenient
-  /// is not executed.
+  /// Called at the end: reports the certain mistakes of the texts, unless there were errors. Statements skipped with
+  /// --lenient are not executed.
   void tell_rest();
-  /// The allocator gave up before the limit was reached.
+  /// Called when the allocator gave up before the limit was reached.
   void report_out_of_memory();
-  /// "`media` is not supported": an error, or with --lenient a warning. The caller skips the thing.
+  /// "`media` is not supported": an error, or with --lenient a warning. The caller skips it.
   void unsupported(SourceSpan span, std::string_view thing);
 
-  /// The scene's, 1 to 3; where it does not say, the first for what was written for POV-Ray before 3.5.
+  /// The scene's generator, 1 to 3; if it sets none, the first for a scene that was written for POV-Ray before 3.5.
   [[nodiscard]] int noise_generator() const {
     if (has_noise_generator) return database.settings.noise_generator;
     return version.number() < 3.5 ? 1 : 2;
@@ -99,7 +101,7 @@ class Context {
   // ---- Names --------------------------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string_view text(grammar::Symbol symbol) const { return symbols.text(symbol); }
-  /// Which file of the search path declares the name, or "did you mean `sphere`?" for the nearest declared name, or
+  /// The file of the search path that declares the name, or "did you mean `sphere`?" for the nearest declared name, or
   /// empty.
   [[nodiscard]] std::string suggest_declared(grammar::Symbol name) const;
   /// "`White` is declared in `colors.inc`", or empty.
@@ -120,19 +122,19 @@ class Context {
 
   // ---- Limits -------------------------------------------------------------------------------------------------------
 
-  /// One more turn of a loop, or one more macro call: two calls in a macro double with every depth, and end as late as
-  /// a loop does.
+  /// Counts one more turn of a loop, or one more macro call: a macro with two recursive calls doubles them with every
+  /// depth, and so takes as long as an endless loop.
   void count_turn(SourceSpan span) {
     if (++turns_ >= next_look_) [[unlikely]]
       look_at_turns(span);
   }
-  /// One more component, solid, group or light that takes `bytes`.
+  /// Counts one more component, solid, group or light that takes `bytes`.
   void count_primitive(SourceSpan span, std::size_t bytes);
-  /// Before something of `bytes` is made.
+  /// Called before an allocation of `bytes`.
   void check_memory(SourceSpan span, std::size_t bytes);
-  /// Counts what the loader keeps of files read since it held so many bytes.
+  /// Counts the bytes of the files that the loader read since it held `held_before` bytes.
   void charge_texts(SourceSpan span, std::size_t held_before);
-  /// Native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
+  /// Counts native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
   void nest(SourceSpan span, std::size_t units) {
     if ((nesting_ += units) > max_nesting_) [[unlikely]]
       nested_too_deeply(span, units);
@@ -157,17 +159,17 @@ class Context {
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
 
   DiagnosticSink& sink_;
-  std::set<const grammar::Complaint*> told_;  ///< of the texts' own complaints
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< said already
+  std::set<const grammar::Complaint*> told_;                                  ///< complaints of the texts
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< already reported
   std::size_t depth_ = 0;
   std::uint64_t turns_ = 0;
-  std::uint64_t next_look_ = 1;  ///< at turns_
+  std::uint64_t next_look_ = 1;  ///< value of turns_ at the next look
   double primitives_ = 0;
   std::size_t nesting_ = 0;
   std::size_t max_nesting_;
 };
 
-// ---- What every macro call and branch does --------------------------------------------------------------------------
+// ---- Inline: every macro call and branch runs these -----------------------------------------------------------------
 
 inline Frame& Context::push(Frame::Kind kind, grammar::Items items, const grammar::Node* node, SourceSpan span) {
   if (kind == Frame::Kind::block) count_depth(span);

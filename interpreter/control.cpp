@@ -15,8 +15,8 @@ using grammar::NodeKind;
 
 void push_branch(Context& context, const Node& node, Items items) {
   if (items.empty()) return;
-  // A list that has nothing left after its #if goes on as the branch: what follows its last item is the same. A file
-  // and what is read in one piece do not: after an error inside the branch, reading goes on with them.
+  // Tail call: if a list has nothing left after its #if, the branch reuses the list's frame. A file and a text that is
+  // read in one piece keep theirs: after an error inside the branch, reading goes on with them.
   Frame& frame = context.frames.back();
   if (frame.next == frame.end && frame.kind >= Frame::Kind::branch) {
     frame.set_items(items);
@@ -25,8 +25,8 @@ void push_branch(Context& context, const Node& node, Items items) {
   }
 }
 
-/// Whether a #for whose variable stands at `value` makes another turn. The slack is POV-Ray's: 0 to 1 by 0.1 is eleven
-/// turns.
+/// True if a #for whose variable has the value `value` makes another turn. The tolerance is POV-Ray's: 0 to 1 by 0.1 is
+/// eleven turns.
 bool has_turn(double value, double end, double step) {
   return step > 0 ? value < end + kTolerance : value > end - kTolerance;
 }
@@ -54,7 +54,7 @@ bool continue_for(Context& context, Frame& frame) {
 bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
   const double low = evaluate_number(context, *c.low);
   if (!c.high) return std::abs(subject - low) < kTolerance;
-  // As in POV-Ray, a range has no slack.
+  // As in POV-Ray, a range has no tolerance.
   return subject >= low && subject <= evaluate_number(context, *c.high);
 }
 
@@ -104,7 +104,7 @@ bool is_declared(Context& context, const Node& target) {
 
 }  // namespace
 
-// No more than a jump, as execute() is.
+// Only a jump, as execute() is.
 void start_control(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::if_: return start_if(context, as<grammar::If>(node));
@@ -144,7 +144,7 @@ void break_out(Context& context, std::size_t base, const Node& node) {
     const Frame::Kind kind = frames.back().kind;
     const bool is_target = kind == Frame::Kind::while_ || kind == Frame::Kind::for_ || kind == Frame::Kind::case_;
     if (kind == Frame::Kind::macro) {
-      // Returns: the frame stays for the stream to finish in its own way.
+      // Returns from the macro: the frame stays, and the stream ends it in its own way.
       frames.back().next = frames.back().end;
       return;
     }

@@ -1,5 +1,4 @@
-// Conditions, loops and #switch: which frame runs next. No evaluation of anything but their own conditions happens
-// here.
+// Conditions, loops and #switch: they choose the frame that runs next. They evaluate only their own conditions.
 #pragma once
 
 #include "interpreter/context.h"
@@ -9,7 +8,7 @@ namespace isl::interpreter {
 /// Starts an #if, #ifdef, #while, #for, #switch or an IfBlock: pushes the frame that it leads to, or none.
 void start_control(Context& context, const grammar::Node& node);
 
-/// At the end of a frame's items: true if it goes on (a loop's next turn, the next case of a #switch).
+/// Called at the end of a frame's items: true if it goes on (a loop's next turn, the next case of a #switch).
 [[nodiscard]] bool continue_frame(Context& context, Frame& frame);
 
 /// `#break`: leaves the innermost loop or #switch, or returns from a macro; `base` is the bottom frame of the stream

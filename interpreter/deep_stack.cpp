@@ -5,7 +5,7 @@
 namespace isl::interpreter {
 
 bool run_on_stack(std::size_t bytes, const std::function<void()>& function) {
-  // Only std::thread would be more portable, and it has no size. Pages are taken when they are touched.
+  // POSIX threads, because std::thread takes no stack size. Pages are committed when they are touched.
   constexpr std::size_t kPage = 65536;
   pthread_attr_t attributes;
   if (pthread_attr_init(&attributes) != 0) return false;

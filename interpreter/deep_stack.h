@@ -1,5 +1,5 @@
-// Runs a function on a stack of a given size, so that counted recursion (interpreter/nesting.h) cannot overflow what
-// the caller's thread happens to have.
+// Runs a function on a stack of a given size, so that counted recursion (interpreter/nesting.h) cannot overflow the
+// smaller stack of the caller's thread.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace isl::interpreter {
 
-/// Calls `function` on a thread of its own and waits for it. False where there is no memory for such a stack; then it
-/// did not run. The function lets no exception out.
+/// Calls `function` on a thread of its own and waits for it. Returns false, without calling it, if there is no memory
+/// for such a stack. The function must not throw.
 [[nodiscard]] bool run_on_stack(std::size_t bytes, const std::function<void()>& function);
 
 }  // namespace isl::interpreter

@@ -1,6 +1,7 @@
-// Names declared with `deprecated`. As in POV-Ray, each mention of one is warned of, the first alone where it says
-// `once`; a later declaration of the name leaves it deprecated, `#undef` ends that. Such a name's slot holds a wrapper
-// with the slot of the value, so that names without it cost nothing: the wrapper is met where a value is not a number.
+// Names declared with `deprecated`. As in POV-Ray, each mention of one causes a warning, or only the first if it is
+// declared `once`; a later declaration of the name leaves it deprecated, `#undef` ends that. Such a name's slot holds a
+// wrapper with the slot of the value, so that other names cost nothing: the wrapper is found only where a value is not
+// a number.
 #pragma once
 
 #include "base/source_span.h"
@@ -26,13 +27,13 @@ struct DeprecatedValue final : Shared {
   bool told = false;
 };
 
-/// The slot of the value, for a look that is no use of it.
+/// The slot of the value, for a look-up that does not count as a use.
 [[nodiscard]] inline Slot* without_wrapper(Slot* slot) {
   const bool is_wrapper = slot && slot->value.kind() == ValueKind::deprecated;
   return is_wrapper ? slot->value.as<DeprecatedValue>().slot : slot;
 }
 
-/// Warns of the use at `mention` and gives the slot of the value.
+/// Warns of the use at `mention` and returns the slot of the value.
 [[nodiscard]] Slot& use_deprecated(Context& context, const Slot& wrapper, SourceSpan mention);
 
 /// The slot of the value of a name that is used at `mention`.
@@ -45,7 +46,7 @@ struct DeprecatedValue final : Shared {
   return slot ? &used(context, *slot, mention) : nullptr;
 }
 
-/// The name that is declared becomes a deprecated one.
+/// Makes the declared name a deprecated one.
 void deprecate(Context& context, const grammar::Declare& node, Slot& slot);
 
 }  // namespace isl::interpreter

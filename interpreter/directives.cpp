@@ -31,15 +31,15 @@ bool skip_semicolon(Context& context) {
   return true;
 }
 
-/// The item can be the first of a statement, other than a name, which says too little.
+/// True if the item can be the first of a statement. A name is excluded, because it may stand anywhere.
 bool begins_statement(const Node& item) {
   const bool is_directive = item.kind >= NodeKind::declare && item.kind != NodeKind::error;
   const bool is_object = item.kind == NodeKind::block && grammar::is_reserved(as<grammar::Block>(item).word);
   return is_directive || is_object || item.kind == NodeKind::call;
 }
 
-/// What is left of a statement with a mistake, such as the braces in `= dictionary { … };`, is no second mistake. Where
-/// another statement begins before there is a semicolon, it has none, and nothing is skipped.
+/// The rest of a statement with a mistake, such as the braces in `= dictionary { … };`, must not cause a second error.
+/// If another statement begins before a semicolon, the first one has none, and nothing is skipped.
 void skip_rest(Context& context) {
   Frame& frame = context.frames.back();
   const auto* const stop = std::find_if(frame.next, frame.end, [](const Node* item) {
@@ -60,7 +60,7 @@ Value read_to_end(ElementStream& stream, bool& terminated) {
   return value;
 }
 
-/// The value of a declaration; `terminated` where a macro's or branch's own semicolon ended it.
+/// The value of a declaration; `terminated` if a macro's or branch's own semicolon ended it.
 void evaluate_declared(Context& context, const grammar::Declare& node, Value& value, bool& terminated) {
   const Node* const only = node.value.size() == 1 ? node.value[0] : nullptr;
   if (only && (only->kind < NodeKind::word || only->kind == NodeKind::function) && only->kind != NodeKind::call)
@@ -88,7 +88,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   return node.local ? context.scopes.local(name) : context.scopes.declare(name);
 }
 
-/// The slot to write to, where there is a function or the name is a deprecated one.
+/// The slot to write to, if the value is a function or the name is deprecated.
 [[gnu::noinline]] Slot& guarded_slot(Context& context, const grammar::Declare& node, Slot& declared) {
   Slot& slot = used(context, declared, node.target->span);
   if (slot.value.kind() == ValueKind::function) {
@@ -118,13 +118,13 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     Slot& slot = *target;
     if (value.kind() == ValueKind::array) [[unlikely]] {
       if (node.target->kind == NodeKind::index) check_array_nesting(context, value, node.span);
-      // Assignment copies an array, as in POV-Ray; everything else cannot change and is shared.
+      // Assignment copies an array, as in POV-Ray; all other values are immutable and shared.
       slot.value = Value(ValueKind::array, value.as<ArrayValue>().copy());
     } else {
       slot.value = std::move(value);
     }
   } catch (const Failed&) {
-    // The name becomes known all the same, so that each use of it is not one more error.
+    // The name is declared all the same, so that its uses cause no further errors.
     if (node.target->kind == NodeKind::name) {
       Slot& slot = *without_wrapper(&declared_slot(context, node));
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
@@ -140,7 +140,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   }
   const Slot* const before = context.scopes.find(as<grammar::Name>(*node.target).name);
   declare(context, node);
-  // As in POV-Ray, what was declared before stays what it was.
+  // As in POV-Ray, names declared earlier keep their values.
   Slot& slot = declared_slot(context, node);
   if (&slot != before) deprecate(context, node, slot);
 }
@@ -166,7 +166,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 
 [[gnu::noinline]] void include(Context& context, const grammar::Include& node) {
   Value keep;
-  // In a file's name, a backslash is a backslash.
+  // In a file's name, a backslash is an ordinary character.
   const std::string_view name = node.path->kind == NodeKind::string
                                     ? as<grammar::String>(*node.path).raw
                                     : std::string_view(evaluate_string(context, *node.path, keep).text);
@@ -217,7 +217,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 
 }  // namespace
 
-// Whatever it calls stays out of line: it runs for every directive, and is then no more than a jump.
+// The functions that it calls stay out of line: it runs for every directive, and is then only a jump.
 void execute(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::if_:

@@ -1,4 +1,4 @@
-// The directives that are no control flow: they change names and settings, call other files, or speak to the user.
+// The directives without control flow: they change names and settings, include other files, or print messages.
 #pragma once
 
 #include "interpreter/context.h"

@@ -14,7 +14,7 @@ using grammar::NodeKind;
 
 namespace {
 
-/// Out of line, because every element passes by.
+/// Out of line, because every element goes through the caller.
 [[gnu::noinline]] void meet(Context& context, const grammar::Error& node) { context.meet(node); }
 
 }  // namespace
@@ -68,12 +68,12 @@ void ElementStream::take_call(const grammar::Call& call) {
   if (is_plain && !slot) return yield(ElementKind::unknown, call, as<grammar::Name>(*call.callee).name);
   const Value& callee = slot ? slot->value : called(context_, call);
   if (callee.kind() == ValueKind::macro) return push_macro(context_, call, callee.as<MacroValue>());
-  // A function's value; or a mistake, unless a reader knows the name as a contextual word: `hardness (2)` where the
-  // scene has a `hardness` too.
+  // The value is a function's; otherwise it is a mistake, unless a reader knows the name as a contextual word:
+  // `hardness (2)` in a scene that declares a `hardness` too.
   yield(ElementKind::value, call);
 }
 
-/// Leaves the innermost frame, or starts it again where it is a loop with turns to go. False at the stream's end.
+/// Leaves the innermost frame, or starts it again if it is a loop with turns to go. Returns false at the stream's end.
 bool ElementStream::finish_frame() {
   Frame& frame = context_.frames.back();
   if (frame.kind > Frame::Kind::if_block && continue_frame(context_, frame)) return true;

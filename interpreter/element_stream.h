@@ -1,7 +1,7 @@
 // A body as a stream of elements. The AST of a body holds directives, loops and macro calls among its elements; this
-// pull machine follows them in order, on the explicit stack Context::frames, and yields what is left: values (not yet
+// pull machine follows them in order, on the explicit stack Context::frames, and yields the elements: values (not yet
 // evaluated), words, blocks, entries, commas. So a macro may yield half an argument list, three modifiers or several
-// objects, and the readers of constructs (readers/) need not know where an element came from.
+// objects, and the readers of constructs (readers/) need not know which text an element came from.
 #pragma once
 
 #include "grammar/ast.h"
@@ -13,7 +13,7 @@ namespace isl::interpreter {
 enum class ElementKind : std::uint8_t {
   end,
   value,    ///< an expression, array or function; evaluated by take_value()
-  unknown,  ///< a name (or a call of one) that is not declared: a contextual word, or a mistake
+  unknown,  ///< an undeclared name (or a call of one): a contextual word, or a mistake
   word,     ///< a reserved word that stands alone
   block,    ///< `word { items }`
   entry,    ///< `[ items ]`
@@ -23,7 +23,7 @@ enum class ElementKind : std::uint8_t {
 
 struct Element {
   ElementKind kind = ElementKind::end;
-  grammar::Symbol word = grammar::kNoSymbol;  ///< word, block, unknown; and value where it is a plain name
+  grammar::Symbol word = grammar::kNoSymbol;  ///< word, block, unknown; and value if it is a plain name
   SourceSpan span = {};
   SourceSpan word_span = {};            ///< block: its word
   const grammar::Node* node = nullptr;  ///< value and unknown: the expression
@@ -36,12 +36,12 @@ struct Element {
 
 class ElementStream {
  public:
-  /// Over the body of a block that was yielded as an element.
+  /// A stream over the body of a block that was yielded as an element.
   ElementStream(Context& context, const Element& block);
-  /// Over the items of a value: a declaration's right side, an argument. `span` is where to point when they yield
-  /// nothing.
+  /// A stream over the items of a value: a declaration's right side, an argument. `span` is the place of the error if
+  /// they yield nothing.
   ElementStream(Context& context, grammar::Items items, SourceSpan span);
-  /// Over what a macro call yields.
+  /// A stream over the elements that a macro call yields.
   ElementStream(Context& context, const grammar::Call& call, const MacroValue& macro);
   /// Ends every frame that the stream opened.
   ~ElementStream();
@@ -71,11 +71,12 @@ class ElementStream {
   }
   bool accept_comma() { return accept(ElementKind::comma); }
 
-  /// After an error: gives up the loops and macro calls in progress, down to the innermost file, and goes on there.
+  /// Called after an error: gives up the loops and macro calls in progress, down to the innermost file, and goes on
+  /// there.
   void recover();
 
   [[nodiscard]] Context& context() const { return context_; }
-  /// The construct that is read: what messages name (kNoSymbol for a value or file).
+  /// The construct that is being read, for messages (kNoSymbol for a value or file).
   [[nodiscard]] grammar::Symbol word() const { return word_; }
   [[nodiscard]] SourceSpan span() const { return span_; }
 

@@ -26,7 +26,7 @@ void bind_predeclared(Context& context) {
   predeclare(context, "input_file_name", make_string(context, context.main_unit.file.filename().string(), {}));
   predeclare(context, "image_width", Value(static_cast<double>(options.image_width)));
   predeclare(context, "image_height", Value(static_cast<double>(options.image_height)));
-  // A run renders one frame: for the scene it is an animation of that frame alone. Without a frame these are 0, as in
+  // A run renders one frame: the scene sees it as an animation of that frame alone. Without a frame these are 0, as in
   // POV-Ray, where a clock alone makes no animation.
   for (const std::string_view name : {"frame_number", "initial_frame", "final_frame"}) {
     predeclare(context, name, Value(static_cast<double>(options.frame)));
@@ -50,7 +50,7 @@ void run(Context& context, const grammar::Unit& unit) {
     read_scene(context, unit);
     context.tell_rest();
   } catch (const Stopped&) {
-    // Reported where it was thrown.
+    // The function that threw it has reported it.
   } catch (const std::bad_alloc&) {
     context.report_out_of_memory();
   }

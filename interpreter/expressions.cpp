@@ -32,7 +32,7 @@ namespace word = grammar::word;
   context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
 }
 
-/// The value of a name that stands for no number or vector.
+/// The value of a name that is neither a number nor a vector.
 [[gnu::noinline]] void evaluate_other_name(Context& context, const grammar::Name& node, const Slot* slot,
                                            Value& result) {
   if (!slot) fail_undeclared(context, node.span, node.name);
@@ -82,7 +82,8 @@ void evaluate_name(Context& context, const grammar::Name& node, Value& result) {
   }
 }
 
-/// What a macro or directive yields, together with the semicolons that end it: no coordinate, or several.
+/// Evaluates a macro call or directive among the coordinates, together with the semicolons that end it; it may yield
+/// none or several.
 template <class Append>
 [[gnu::noinline]] void follow_coordinates(Context& context, Items items, Append append) {
   const Node& node = *items[0];
@@ -132,7 +133,7 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
   result = slot.value;
 }
 
-/// What is seldom evaluated, or takes long.
+/// Evaluates the nodes that are rare, or that take long.
 [[nodiscard]] [[gnu::noinline]] Value evaluate_rare(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::string: return make_string(context, std::string(as<grammar::String>(node).text), node.span);

@@ -1,5 +1,5 @@
-// Expressions to values, by walking the tree. Whatever a scene may write where a number is wanted (a macro call, a
-// directive in parentheses) is followed here too.
+// Evaluates expressions by walking the tree. It also follows everything that may replace a number in a scene (a macro
+// call, a directive in parentheses).
 #pragma once
 
 #include "interpreter/arithmetic.h"
@@ -11,15 +11,15 @@
 
 namespace isl::interpreter {
 
-/// The expression's value. Fails where it has none. `result` is nobody's variable: it may be written to before the
-/// evaluation is over.
+/// The expression's value. Fails if it has none. `result` must not alias a variable of the scene: it may be written to
+/// before the evaluation is over.
 void evaluate_into(Context& context, const grammar::Node& node, Value& result);
 [[nodiscard]] inline Value evaluate(Context& context, const grammar::Node& node) {
   Value result;
   evaluate_into(context, node, result);
   return result;
 }
-/// The same where only a number will do; vectors are an error.
+/// The same for a number; a vector is an error.
 [[nodiscard]] double compute_number(Context& context, const grammar::Node& node);
 [[nodiscard]] inline double evaluate_number(Context& context, const grammar::Node& node) {
   const double* const number = number_at_hand(context, node);
@@ -27,19 +27,20 @@ void evaluate_into(Context& context, const grammar::Node& node, Value& result);
 }
 /// A number's truth: not zero within kTolerance.
 [[nodiscard]] bool evaluate_condition(Context& context, const grammar::Node& node);
-/// The same where only a string will do.
+/// The same for a string; other values are errors.
 [[nodiscard]] const StringValue& evaluate_string(Context& context, const grammar::Node& node, Value& keep);
 
 /// The slot of a Name or an Index that must be declared.
 [[nodiscard]] Slot& find_slot(Context& context, const grammar::Node& target);
-/// The same; null where the name is not declared.
+/// The same; null if the name is not declared.
 [[nodiscard]] Slot* find_slot_if_declared(Context& context, const grammar::Node& target);
 
-/// The only value that a body yields: of a macro called inside an expression, of a directive in parentheses.
+/// The only value that a body yields: the body of a macro called inside an expression, or of a directive in
+/// parentheses.
 [[nodiscard]] Value evaluate_call(Context& context, const grammar::Call& call);
 [[nodiscard]] Value evaluate_items(Context& context, grammar::Items items, SourceSpan span);
 
-/// The numbers of `< … >`, however many; what a macro or directive among them yields counts as it is.
+/// The numbers of `< … >`, however many, including all that a macro or directive among them yields.
 [[nodiscard]] std::vector<double> evaluate_coordinates(Context& context, const grammar::Vector& node);
 
 [[nodiscard]] Value make_string(Context& context, std::string text, SourceSpan span);

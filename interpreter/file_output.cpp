@@ -16,7 +16,7 @@ namespace {
 
 namespace word = grammar::word;
 
-/// A whole number of so many bytes. POV-Ray 3.7 has no unsigned form of 32 bits.
+/// A whole number with a fixed size in bytes. POV-Ray 3.7 has no unsigned form of 32 bits.
 struct BinaryForm {
   grammar::Symbol word;
   int bytes;
@@ -31,7 +31,7 @@ constexpr std::array kForms{
     BinaryForm{word::kw_sint32be, 4, true, true},  BinaryForm{word::kw_sint32le, 4, true, false},
 };
 
-/// Rounded to the nearest, halves up, and cut off at the ends of the range, as POV-Ray does; what is no number is 0.
+/// Rounds to the nearest, halves up, and clamps to the range, as POV-Ray does; NaN becomes 0.
 void append_binary(std::string& bytes, double number, const BinaryForm& form) {
   const double range = std::ldexp(1.0, 8 * form.bytes);
   const double low = form.is_signed ? -range / 2 : 0;

@@ -19,10 +19,10 @@ using grammar::Node;
 using grammar::NodeKind;
 namespace word = grammar::word;
 
-/// Of what one file may hold that is read to be appended to.
+/// Byte limit of a file that is read to be appended to.
 constexpr std::size_t kMaxAppendedBytes = std::size_t{256} << 20;
 
-/// The text between the quotes as it stands: in a file's name, a backslash is a backslash.
+/// The text between the quotes without escapes: in a file's name, a backslash is an ordinary character.
 std::string name_of_file(Context& context, const Node& path) {
   if (path.kind == NodeKind::string) return std::string(as<grammar::String>(path).raw);
   Value keep;
@@ -51,7 +51,7 @@ void close(Context& context, FileValue& file) {
   file.place = {};
 }
 
-/// Nothing stands for the file any more, whatever other names it was passed on by.
+/// Forgets the file under every name that it was passed on by.
 void forget_handle(Context& context, grammar::Symbol handle) {
   Slot* const slot = context.scopes.find(handle);
   if (!slot) return;
@@ -59,7 +59,7 @@ void forget_handle(Context& context, grammar::Symbol handle) {
   context.scopes.undef(handle);
 }
 
-/// What is read or written may come from a macro that closes the file.
+/// The value to read or write may come from a macro that closes the file.
 void check_open(Context& context, const FileValue& file, SourceSpan span) {
   if (!file.is_open) context.fail(span, fmt::format("`{}` was closed meanwhile", grammar::shown_name(file.name)));
 }
@@ -141,7 +141,7 @@ Value value_of(Context& context, const Datum& datum) {
   }
 }
 
-/// Where a value goes: what `#declare target` would write.
+/// The slot that `#declare target` would write to.
 Slot& target_slot(Context& context, const Node& target) {
   if (target.kind == NodeKind::index) return find_slot(context, target);
   if (target.kind == NodeKind::name)
@@ -232,7 +232,7 @@ void write_file(Context& context, const grammar::Write& node) {
     while (!stream.peek().is(ElementKind::end)) {
       const std::string bytes = read_output(stream);
       check_open(context, *file, node.span);
-      // All that a run writes counts, not only what is still open: disks are finite too.
+      // All bytes that a run writes count, not only those of open files: disks are finite too.
       context.check_memory(node.span, context.files.bytes_written + bytes.size());
       context.files.bytes_written += bytes.size();
       context.memory.bytes += bytes.size();

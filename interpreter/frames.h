@@ -1,6 +1,6 @@
 // The evaluator's explicit stack: one frame for each list of items in progress (a block's body, a branch, a loop's
-// body, a macro call, an include). It is what makes `next element` a pull operation, and it is the macro and include
-// chain of diagnostics.
+// body, a macro call, an include). It makes `next element` a pull operation, and it is the macro and include chain of
+// diagnostics.
 #pragma once
 
 #include "grammar/ast.h"
@@ -18,11 +18,11 @@ struct Frame {
     block,  ///< the body of a `{}`, bottom of its ElementStream; counts as depth
     value,  ///< the items of a value or a file, bottom of their ElementStream
     include,
-    // From here on a frame is given up after an error inside it (ElementStream::recover).
+    // The kinds from here on are given up after an error inside them (ElementStream::recover).
     branch,  ///< of an #if
     macro,
-    // From here on something follows the last item.
-    if_block,  ///< a prelude of grammar::IfBlock, after which comes the block itself
+    // In the kinds from here on, something follows the last item.
+    if_block,  ///< a prelude of grammar::IfBlock, before the block itself
     while_,
     for_,
     case_,  ///< of a #switch; falls through to the next
@@ -30,22 +30,22 @@ struct Frame {
   static constexpr std::uint32_t kNoCall = 0xFFFFFFFFu;
   static constexpr OriginTable::Chain kNoChain = 0xFFFFFFFFu;
 
-  /// Of a macro call or an include.
+  /// Data of a macro call or an include.
   struct Call {
     const grammar::Unit* unit;
     std::uint32_t origin_name;
-    OriginTable::Chain chain;  ///< made when first asked for, kNoChain before
+    OriginTable::Chain chain;  ///< made when first needed, kNoChain before
   };
-  /// Of a #for.
+  /// Data of a #for.
   struct Range {
     double end;
     double step;
   };
 
   Kind kind;
-  bool condition;                    ///< if_block: which branch was taken
+  bool condition;                    ///< if_block: the branch that was taken
   std::uint32_t call;                ///< index of the innermost macro or include frame, this one included
-  const grammar::Node* const* next;  ///< what is left of the items
+  const grammar::Node* const* next;  ///< the first of the remaining items
   const grammar::Node* const* end;
   const grammar::Node* node;  ///< the directive or call behind the frame; null for block and value
   union {
@@ -54,7 +54,7 @@ struct Frame {
     std::size_t next_case;  ///< case_
   };
 
-  /// Goes on with `items`.
+  /// Continues the frame with `items`.
   void set_items(grammar::Items items) {
     next = items.data();
     end = items.data() + items.size();

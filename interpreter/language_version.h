@@ -1,6 +1,5 @@
-// The version of the language that a scene is written in: two things that `#version` sets. What the word `version`
-// reads decides how text is parsed from there on; that any file stated one at all decides, at the end, how light is
-// encoded.
+// The language version of a scene: two things that `#version` sets. The value of the word `version` decides how the
+// following text is parsed; whether any file states a version at all decides, at the end, how light is encoded.
 #pragma once
 
 #include <cmath>
@@ -9,10 +8,10 @@ namespace isl::interpreter {
 
 class LanguageVersion {
  public:
-  /// The newest version that is known: what `version` reads where nothing is stated, in POV-Ray too.
+  /// The newest version that is known: the value of `version` if none is stated, in POV-Ray too.
   static constexpr double kNewest = 3.7;
 
-  /// `is_stated`: the scene counts as one that states the newest version, as files of our own kind do.
+  /// `is_stated`: the scene counts as one that states the newest version, as our own files do.
   explicit LanguageVersion(bool is_stated) : is_stated_(is_stated) {}
 
   /// As in POV-Ray, a version has two decimals; more are rounded.
@@ -21,7 +20,7 @@ class LanguageVersion {
     is_stated_ = true;
   }
 
-  /// What the word `version` reads.
+  /// The value of the word `version`.
   [[nodiscard]] double number() const { return number_; }
 
   /// The version whose defaults the scene gets. POV-Ray takes a scene without any `#version` for an old one, although

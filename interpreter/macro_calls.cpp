@@ -20,7 +20,7 @@ using grammar::NodeKind;
 
 namespace {
 
-// Mistakes out of line, because every call passes by.
+// Mistakes are handled out of line, because every call goes through the caller.
 
 [[noreturn]] [[gnu::noinline]] void fail_count(Context& context, const grammar::Call& call,
                                                const grammar::Macro& definition, std::size_t found) {
@@ -36,7 +36,7 @@ namespace {
                fmt::format("it is declared as `{}({})`", context.text(definition.name), parameters));
 }
 
-/// The built-in function that is meant: `minextent` is `min_extent`.
+/// The intended built-in function: `minextent` is `min_extent`.
 std::string suggest_function(Context& context, grammar::Symbol name) {
   std::vector<std::string_view> functions;
   for (std::uint32_t i = 0; i < grammar::word::kReservedCount; ++i) {
@@ -65,13 +65,13 @@ class ArgumentSlots {
   ArgumentSlots(const ArgumentSlots&) = delete;
   ArgumentSlots& operator=(const ArgumentSlots&) = delete;
 
-  /// Binds them to the parameters in the scope that was just entered, and is empty then.
+  /// Binds them to the parameters in the scope that was just entered; the list is empty then.
   void bind_to(std::span<const grammar::Symbol> parameters);
 
  private:
   void read(const grammar::Argument& argument);
   void read_stream(const grammar::Argument& argument);
-  /// A new slot's value, to be set.
+  /// A new slot's value, for the caller to set.
   [[nodiscard]] Value& push();
   void push_reference(Slot& slot);
   void release();
@@ -131,12 +131,12 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
 }
 
 [[gnu::noinline]] void ArgumentSlots::read_stream(const grammar::Argument& argument) {
-  // Several actuals without commas between them, a colour of several words, a block, or whatever a macro yields.
+  // Several actuals without commas between them, a colour of several words, a block, or all that a macro yields.
   ElementStream stream(context_, argument, argument.empty() ? SourceSpan{} : argument.front()->span);
   while (!stream.peek().is(ElementKind::end)) {
     const Element next = stream.peek();
     if (next.is(ElementKind::value) && next.word != grammar::kNoSymbol) {
-      // Bound before the stream goes on: what follows may end the scope that the name is of.
+      // Bound before the stream goes on: the next elements may end the scope of the name.
       stream.drop();
       push_reference(find_slot(context_, *next.node));
       if (stream.peek().is(ElementKind::word)) {

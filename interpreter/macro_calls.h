@@ -1,17 +1,17 @@
-// Macro calls: what is called, its actual arguments, and the frame that executes its body.
+// Macro calls: the callee, its actual arguments, and the frame that executes its body.
 #pragma once
 
 #include "interpreter/context.h"
 
 namespace isl::interpreter {
 
-/// What `call` calls: a macro, function or spline; fails for a callee that is none. The value is a variable's:
-/// evaluating anything may change it.
+/// The macro, function or spline that `call` calls; fails for another callee. The value is a variable's: evaluating
+/// anything may change it.
 [[nodiscard]] const Value& called(Context& context, const grammar::Call& call);
 
 /// Evaluates the arguments of `call` in the caller's scope, pushes the frame that executes the macro's body, and binds
 /// the parameters in its scope: a lone identifier to the caller's own slot (by reference), everything else to a new
-/// one. The macro may be a variable's: it is not looked at once arguments are evaluated.
+/// one. The macro may be a variable's: it is not read after arguments are evaluated.
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro);
 
 }  // namespace isl::interpreter

@@ -1,4 +1,4 @@
-// How deep the evaluator's own recursion may go, and the stack that this takes. Depth is counted, never probed: every
+// The depth limit of the evaluator's own recursion, and the stack that it takes. Depth is counted, never probed: every
 // function that may call itself passes a NestingGuard, and the thread that evaluates gets a stack large enough for the
 // count.
 #pragma once
@@ -27,7 +27,7 @@ inline constexpr std::size_t kStreamUnits = 8;
   return max_nesting(limits) * kNestingBytes + (std::size_t{1} << 20);
 }
 
-/// One step of native recursion while it lives.
+/// Counts one step of native recursion during its lifetime.
 class NestingGuard {
  public:
   NestingGuard(Context& context, SourceSpan span, std::size_t units = 1) : context_(context), units_(units) {

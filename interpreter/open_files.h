@@ -1,5 +1,5 @@
-// The files that a scene has open: what the identifier after `#fopen` stands for. What is written is kept in memory and
-// becomes a file when it is closed, at the latest at the scene's end. Knows no directive (interpreter/files.h).
+// The files that a scene has open under the identifiers of `#fopen`. Output is kept in memory and becomes a file when
+// it is closed, at the latest at the scene's end. Knows no directive (interpreter/files.h).
 #pragma once
 
 #include "grammar/data_file.h"
@@ -14,8 +14,8 @@
 namespace isl::interpreter {
 
 struct FileValue final : Shared {
-  std::string name;                           ///< as the scene says it
-  std::unique_ptr<grammar::DataFile> reader;  ///< null: it is written
+  std::string name;                           ///< as the scene names it
+  std::unique_ptr<grammar::DataFile> reader;  ///< null: the file is written
   grammar::WritablePlace place;
   std::string written;
   SourceSpan opened_at;
@@ -24,7 +24,7 @@ struct FileValue final : Shared {
   [[nodiscard]] bool is_reader() const { return reader != nullptr; }
 };
 
-/// Every open file of one evaluation: those whose identifier is gone as well, so that they are written all the same.
+/// Every open file of one evaluation, including those whose identifier is gone, so that they are written all the same.
 struct OpenFiles {
   /// Each file to be written keeps its folder open; systems allow a process some 1024.
   static constexpr std::size_t kMaxOpen = 64;

@@ -21,7 +21,7 @@ namespace word = grammar::word;
 
 // ---- Items ----------------------------------------------------------------------------------------------------------
 
-/// Which term an item is, by its word; kGray, and kNoItem for a word that is none.
+/// The term that an item's word names; kGray, and kNoItem for any other word.
 constexpr std::int8_t kNoItem = -1, kGray = -2;
 constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   std::array<std::int8_t, word::kReservedCount> terms{};
@@ -56,14 +56,14 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return base.terms()[i];
 }
 
-/// The value of a variable, where the node is one's name.
+/// The value of a variable, if the node is the name of one.
 [[nodiscard]] const Value* variable(Context& context, const Node& node) {
   if (node.kind != NodeKind::name) return nullptr;
   const Slot* const slot = context.scopes.find(as<grammar::Name>(node).name);
   return slot && slot->value.is_numeric() ? &slot->value : nullptr;
 }
 
-/// The general case: an item of anything, and mistakes.
+/// The general case: an item of any expression, and mistakes.
 [[gnu::noinline]] void evaluate_item(Context& context, const grammar::Dot& node, Value& result) {
   const NestingGuard guard(context, node.span);
   const Value* base = variable(context, *node.base);
@@ -76,12 +76,12 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
 
 // ---- Two operands ---------------------------------------------------------------------------------------------------
 
-/// Evaluating such a node runs nothing that could change a variable.
+/// True if evaluating the node runs nothing that could change a variable.
 [[nodiscard]] bool is_still(const Node& node) {
   return node.kind == NodeKind::number || node.kind == NodeKind::name || node.kind == NodeKind::constant;
 }
 
-/// What to write instead of an operator that joins strings in other languages.
+/// The remedy for an operator that joins strings in other languages.
 [[nodiscard]] std::string hint_for_strings(BinaryOp op, const Value& left, const Value& right) {
   if (op != BinaryOp::add) return {};
   const auto is_string = [](const Value& value) { return value.kind() == ValueKind::string; };
@@ -93,7 +93,7 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return {};
 }
 
-/// Of operands that are not both numeric, only two strings have an operator: comparison.
+/// The only operation on operands that are not both numeric is the comparison of two strings.
 [[nodiscard]] Value compare_strings(Context& context, const grammar::Binary& node, const Value& left,
                                     const Value& right) {
   const bool is_comparison = node.op >= BinaryOp::less && node.op <= BinaryOp::not_equal;
@@ -106,7 +106,7 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
                hint_for_strings(node.op, left, right));
 }
 
-/// A zero that promotion makes counts too: <1,2,3> / <1,1> divides by zero.
+/// A zero from promotion counts too: <1,2,3> / <1,1> divides by zero.
 [[nodiscard]] bool has_zero(const Operand& divisor, int count) {
   for (int i = 0; i < count; ++i) {
     if (divisor[i] == 0) return true;
@@ -145,7 +145,7 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return arithmetic(node.op, a, b);
 }
 
-/// The general case: any operand may be anything.
+/// The general case: operands of any kind.
 [[gnu::noinline]] void evaluate_sides(Context& context, const grammar::Binary& node, Value& result) {
   const NestingGuard guard(context, node.span);
   const Value* left = is_still(*node.right) ? variable(context, *node.left) : nullptr;
@@ -203,7 +203,7 @@ const double* item_at_hand(Context& context, const grammar::Dot& node) {
   const NestingGuard guard(context, node.span);
   evaluate_into(context, *node.operand, result);
   if (result.is_number()) return result.set_number(applied(node.op, result.number()));
-  // What the parser makes of `(Name)`: the value itself, whatever it is, and no reference.
+  // The parser's form of `(Name)`: the value itself, of any kind, and no reference.
   const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
   if (node.op == grammar::UnaryOp::plus && is_variable) return;
   if (!result.is_numeric()) {
@@ -218,7 +218,7 @@ const double* item_at_hand(Context& context, const grammar::Dot& node) {
 
 [[gnu::noinline]] void evaluate_conditional(Context& context, const grammar::Conditional& node, Value& result) {
   const NestingGuard guard(context, node.span);
-  // Both arms, as in POV-Ray: an undeclared name in the arm not taken is an error too.
+  // Both arms are evaluated, as in POV-Ray: an undeclared name in the arm not taken is an error too.
   const bool condition = evaluate_condition(context, *node.condition);
   Value no;
   evaluate_into(context, *node.yes, result);

@@ -1,16 +1,16 @@
-// The operators of expressions. Operands that need no evaluation are read where they stand; all others are evaluated
-// into a place that the caller has, so that a value is never copied on its way up the tree.
+// The operators of expressions. Operands that need no evaluation are read in place; all others are evaluated into a
+// place that the caller has, so that a value is never copied on its way up the tree.
 #pragma once
 
 #include "interpreter/context.h"
 
 namespace isl::interpreter {
 
-/// `Variable.x` where the variable holds a vector that has such an item, else null.
+/// `Variable.x` if the variable holds a vector that has such an item, else null.
 [[nodiscard]] const double* item_at_hand(Context& context, const grammar::Dot& node);
 
-/// The number that stands there, or in the variable or item that is named there: what most operands are. Null for all
-/// else. Good until the next evaluation.
+/// The number of a literal, or of a named variable or item: most operands are one of these. Null for all others. Valid
+/// until the next evaluation.
 [[nodiscard]] inline const double* number_at_hand(Context& context, const grammar::Node& node) {
   using grammar::NodeKind;
   if (node.kind == NodeKind::name) {

@@ -1,6 +1,6 @@
-// Where each primitive comes from: the block's place in the text, and the macro calls and includes that led there. The
-// database carries only the opaque number; whoever talks to the user (cli) asks here. Chains share their tails, so a
-// component made by a macro costs a few words.
+// The origin of each primitive: the block's place in the text, and the macro calls and includes that led there. The
+// database carries only the opaque number; cli resolves it here for messages to the user. Chains share their tails, so
+// a component made by a macro costs a few words.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -24,9 +24,9 @@ class OriginTable {
   /// A chain in the table; 0 is the empty one.
   using Chain = std::uint32_t;
 
-  /// One more call on top of `outer`; `name` is keep_name()'s.
+  /// Adds a call on top of `outer`; `name` comes from keep_name().
   [[nodiscard]] Chain extend(Chain outer, ExpansionFrame::Kind kind, std::uint32_t name, SourceSpan call);
-  /// Keeps a macro's or file's name, once however often it is asked for; the number goes to extend().
+  /// Stores a macro's or file's name, once for any number of calls; the number goes to extend().
   [[nodiscard]] std::uint32_t keep_name(std::string name);
   [[nodiscard]] const std::string& name(std::uint32_t number) const { return names_[number]; }
   [[nodiscard]] OriginId add(SourceSpan span, Chain chain);
@@ -50,7 +50,7 @@ class OriginTable {
   GrowingArray<Link> links_;
   GrowingArray<Record> records_;
   std::vector<std::string> names_;
-  std::unordered_map<std::string, std::uint32_t> numbers_;  ///< of names_
+  std::unordered_map<std::string, std::uint32_t> numbers_;  ///< name → index in names_
 };
 
 }  // namespace isl::interpreter

@@ -26,7 +26,7 @@ class Pruner {
 
   void run() {
     scene::for_each_root(database_, [this](const auto& record) { follow(record); });
-    // Groups hold groups and textures hold textures: a list of what is still to be looked at, so that depth costs no stack.
+    // Groups hold groups and textures hold textures: a work list instead of recursion, so that depth costs no stack.
     while (!pending_.empty()) {
       const Pending next = pending_.back();
       pending_.pop_back();
@@ -64,7 +64,7 @@ class Pruner {
                         index(id)});
   }
 
-  /// Marks what the record refers to.
+  /// Marks the records that this record refers to.
   template <class Record>
   void follow(const Record& record) {
     if constexpr (scene::HasEdges<const Record>) {

@@ -1,4 +1,4 @@
-// Drops what the scene declared and never placed: the database keeps only shapes that the world reaches.
+// Drops the shapes that the scene declared and never placed: the database keeps only those that the world reaches.
 #pragma once
 
 #include "renderer/scene/database.h"

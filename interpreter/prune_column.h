@@ -9,7 +9,7 @@
 
 namespace isl::interpreter {
 
-/// Which of a column's records are reached, then where each went.
+/// First marks the reached records of a column, then maps them to their new numbers.
 class Column {
  public:
   void resize(std::size_t size) { places_.assign(size, scene::kNone); }
@@ -22,7 +22,7 @@ class Column {
   }
   [[nodiscard]] std::uint32_t place(std::uint32_t i) const { return places_[i]; }
 
-  /// Keeps the records that are reached.
+  /// Keeps only the reached records.
   template <class Record>
   void compact(std::vector<Record>& records) {
     std::uint32_t next = 0;

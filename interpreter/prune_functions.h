@@ -1,5 +1,5 @@
 // Functions hold patterns and pigments, which refer to records by number. Functions are immutable and share their
-// callees, so renumbering makes new ones of those that hold any; all others stay as they are.
+// callees, so renumbering copies those that hold any; all others stay as they are.
 #pragma once
 
 #include "renderer/scene/function.h"
@@ -9,16 +9,16 @@
 
 namespace isl::interpreter {
 
-/// What a function refers to in the database.
+/// The callbacks for a function's references to the database.
 struct FunctionVisitor {
   std::function<void(const scene::Pattern&)> pattern;
   std::function<void(const scene::Pigment&)> pigment;
 };
 
-/// Calls the visitor for what the function and all it calls hold, each once.
+/// Calls the visitor once for each record that the function and its callees hold.
 void visit_records(const scene::FunctionPointer& function, const FunctionVisitor& visitor);
 
-/// Copies functions with their records changed; what was shared stays shared.
+/// Copies functions with their records renumbered; shared callees stay shared.
 class FunctionRenumberer {
  public:
   FunctionRenumberer(std::function<void(scene::Pattern&)> change_pattern,

@@ -15,7 +15,7 @@ class RandomStreams {
     return static_cast<double>(states_.size() - 1);
   }
 
-  /// The next number in [0, 1]; nothing where there is no such stream.
+  /// The next number in [0, 1]; nothing if there is no such stream.
   [[nodiscard]] std::optional<double> next(double stream) {
     if (!(stream >= 0 && stream < static_cast<double>(states_.size()))) return std::nullopt;
     std::uint32_t& state = states_[static_cast<std::size_t>(stream)];

@@ -11,13 +11,13 @@
 
 namespace isl::interpreter {
 
-/// Record: a plain struct without padding (what is compared is its bytes).
+/// Record: a plain struct without padding (its bytes are compared).
 template <class Record>
 class RecordTable {
  public:
-  /// The index in `records` of one that is bitwise equal but for its places; appended if there is none.
+  /// The index in `records` of one that is bitwise equal except for its places; appended if there is none.
   [[nodiscard]] std::uint32_t find_or_add(const Record& record, std::vector<Record>& records) {
-    // Neighbours in a scene mostly share theirs.
+    // Consecutive objects of a scene mostly share their records.
     if (last_ < records.size() && is_same(records[last_], record)) return last_;
     const auto next = static_cast<std::uint32_t>(records.size());
     const Record plain = without_places(record);
@@ -31,7 +31,7 @@ class RecordTable {
     return last_ = next;
   }
 
-  /// Same bits: what differs in its padding or the sign of a zero alone is kept twice, and nothing else comes of it.
+  /// Compares bits: records that differ only in padding or in the sign of a zero are kept twice, which is harmless.
   [[nodiscard]] static bool is_same(const Record& a, const Record& b) {
     const Record plain_a = without_places(a), plain_b = without_places(b);
     return std::memcmp(&plain_a, &plain_b, sizeof(Record)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)

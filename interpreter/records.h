@@ -1,5 +1,5 @@
-// Appends records to the database and counts them against the scene's limit of memory: they stay until the end,
-// whatever becomes of the values that named them.
+// Appends records to the database and counts them against the scene's limit of memory: they stay until the end, even if
+// the values that named them are gone.
 #pragma once
 
 #include "interpreter/context.h"
@@ -10,7 +10,7 @@
 
 namespace isl::interpreter {
 
-/// The number of the record. Whoever reads a block calls Context::check_memory for what its records take.
+/// The number of the record. The reader of a block calls Context::check_memory for the size of its records.
 template <class Id, class Record>
 [[nodiscard]] Id add_record(Context& context, std::vector<Record>& column, Record record) {
   context.memory.bytes += sizeof(Record);
@@ -25,7 +25,7 @@ template <class Id, class Entry>
   return add_record<Id>(context, column, std::move(map));
 }
 
-/// The number of an equal record, new if there is none.
+/// The number of an equal record; a new one is appended if there is none.
 template <class Id, class Record>
 [[nodiscard]] Id share_record(Context& context, RecordTable<Record>& table, std::vector<Record>& column,
                               const Record& record) {

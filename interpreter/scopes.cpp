@@ -31,7 +31,7 @@ Slot& Scopes::new_local(Symbol name) {
 Slot& Scopes::global(Symbol name) {
   Binding& top = innermost(name);
   const bool is_hidden = top.slot && top.table > 0;
-  // The outermost that hides it knows it.
+  // The outermost trace that hides the global binding holds it.
   Slot*& slot = is_hidden ? std::ranges::find(trail_, name, &Trace::name)->hidden_slot : top.slot;
   if (!slot) slot = slots_.make();
   return *slot;

@@ -1,6 +1,6 @@
-// Names and what they stand for. Scoping is dynamic, as in POV-Ray: a macro sees its caller's locals. It is implemented
-// by shallow binding: each symbol has its innermost binding at hand, so that a lookup is one array access; a trail
-// remembers what each binding hides, and brings it back when the scope ends.
+// Names and their values. Scoping is dynamic, as in POV-Ray: a macro sees its caller's locals. It is implemented by
+// shallow binding: each symbol has its innermost binding at hand, so that a lookup is one array access; a trail
+// remembers what each binding hides, and restores it when the scope ends.
 #pragma once
 
 #include "base/check.h"
@@ -11,7 +11,7 @@
 
 namespace isl::interpreter {
 
-/// Where a value is kept. Counted, because a macro parameter may be bound to its caller's slot, or to an array's
+/// The storage of one value. Counted, because a macro parameter may be bound to its caller's slot, or to an array's
 /// element, and must survive that name's #undef.
 struct Slot {
   Value value;
@@ -21,7 +21,7 @@ struct Slot {
   };
 };
 
-/// What a slot and a pointer to it take: one element of an array.
+/// Bytes of a slot and a pointer to it: one element of an array.
 inline constexpr std::size_t kElementBytes = sizeof(Slot) + sizeof(void*);
 
 /// Slots are many and short-lived: they are recycled rather than freed.
@@ -43,7 +43,7 @@ class SlotPool {
   }
 
  private:
-  Slot* free_ = nullptr;  ///< the first of those that wait
+  Slot* free_ = nullptr;  ///< the first free slot
 };
 
 class Scopes {
@@ -55,24 +55,24 @@ class Scopes {
 
   [[nodiscard]] SlotPool& slots() { return slots_; }
 
-  /// The innermost binding, or null where the name is not declared.
+  /// The innermost binding, or null if the name is not declared.
   [[nodiscard]] Slot* find(grammar::Symbol name) const {
     const auto i = static_cast<std::uint32_t>(name);
     return i < innermost_.size() ? innermost_[i].slot : nullptr;
   }
 
-  /// What `#declare name` writes: the innermost binding, or a new one in the global table.
+  /// The slot that `#declare name` writes: the innermost binding, or a new one in the global table.
   [[nodiscard]] Slot& declare(grammar::Symbol name);
-  /// What `#local name` writes: the binding in the current table, made if there is none.
+  /// The slot that `#local name` writes: the binding in the current table, made if there is none.
   [[nodiscard]] Slot& local(grammar::Symbol name);
-  /// The binding in the global table, whatever hides it: where macros are declared.
+  /// The binding in the global table, even if it is hidden: macros are declared there.
   [[nodiscard]] Slot& global(grammar::Symbol name);
   /// Binds a parameter in the current table to an existing slot, taking over one reference to it.
   void bind(grammar::Symbol name, Slot* slot);
-  /// Takes the innermost binding away; false where there is none.
+  /// Removes the innermost binding; returns false if there is none.
   bool undef(grammar::Symbol name);
 
-  /// A new table: one an include file and one a macro call.
+  /// Opens a new table: each include file and each macro call has one.
   void enter();
   void leave();
 
@@ -81,12 +81,12 @@ class Scopes {
 
  private:
   struct Binding {
-    Slot* slot = nullptr;     ///< null where undeclared
+    Slot* slot = nullptr;     ///< null if undeclared
     std::uint32_t table = 0;  ///< the global one is 0
   };
   /// A binding of a table other than the global one.
   struct Trace {
-    grammar::Symbol name;  ///< kNoSymbol where an #undef took it away
+    grammar::Symbol name;  ///< kNoSymbol if an #undef removed it
     std::uint32_t hidden_table;
     Slot* hidden_slot;
 
@@ -101,10 +101,10 @@ class Scopes {
   SlotPool slots_;
   std::vector<Binding> innermost_;        ///< by symbol
   std::vector<Trace> trail_;              ///< of every open table, outermost first
-  std::vector<std::size_t> table_begin_;  ///< where in trail_ each open table but the global one begins
+  std::vector<std::size_t> table_begin_;  ///< index in trail_ at which each open table but the global one begins
 };
 
-// ---- What every macro call does -------------------------------------------------------------------------------------
+// ---- Inline: every macro call runs these ----------------------------------------------------------------------------
 
 inline Slot* SlotPool::make() {
   Slot* slot = free_;

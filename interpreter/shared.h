@@ -1,5 +1,5 @@
-// Intrusively counted, immutable-once-made things that values point to. One evaluation runs on one thread, so the count
-// is a plain integer. Knows nothing of the language.
+// Intrusively counted objects that values point to, immutable once made. One evaluation runs on one thread, so the
+// count is a plain integer. Knows nothing of the language.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace isl::interpreter {
 
-/// Base of everything a Value may share.
+/// Base class of everything that values may share.
 class Shared {
  public:
   Shared() = default;
@@ -19,7 +19,7 @@ class Shared {
  private:
   template <class T>
   friend class Ref;
-  // Out of line: frees are rare, and g++ 12 would see a use after them where the count says there is none.
+  // Out of line: frees are rare, and inlined code makes g++ 12 warn of a use after free that the count excludes.
   [[gnu::noinline]] static void destroy(const Shared* shared) { delete shared; }
   std::uint32_t references_ = 0;
 };

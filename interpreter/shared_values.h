@@ -1,4 +1,4 @@
-// The values that are not numbers: what a Value points to. Immutable once made, arrays' elements excepted.
+// The non-numeric values that a Value points to. Immutable once made, except for the elements of arrays.
 #pragma once
 
 #include "grammar/ast.h"
@@ -31,13 +31,13 @@ struct StringValue final : Shared {
   MemoryAccount& account;
 };
 
-/// `array[d0][d1]…`: elements in row-major order, each in a slot of its own so that a macro can be given one by
+/// `array[d0][d1]…`: elements in row-major order, each in a slot of its own so that it can be passed to a macro by
 /// reference.
 struct ArrayValue final : Shared {
   ArrayValue(std::vector<std::size_t> dimensions, SlotPool& pool, MemoryAccount& account);
   ~ArrayValue() override;
 
-  /// A copy whose elements are its own (arrays in elements are copied too), as assignment makes in POV-Ray.
+  /// A copy with elements of its own (arrays in elements are copied too), as assignment makes in POV-Ray.
   [[nodiscard]] Ref<ArrayValue> copy() const;
 
   const std::vector<std::size_t> dimensions;
@@ -51,19 +51,19 @@ struct MacroValue final : Shared {
       : definition(definition_), unit(unit_), origin_name(origin_name_) {}
 
   const grammar::Macro& definition;
-  const grammar::Unit& unit;  ///< whose folder its #include starts from
+  const grammar::Unit& unit;  ///< its #include starts from this file's folder
   std::uint32_t origin_name;  ///< OriginTable::keep_name
 };
 
-/// What objects, their drafts and materials say of their looks.
+/// The look of objects, their drafts and materials.
 struct Surface {
   std::optional<scene::Texture> texture;           ///< in the object's space
-  std::optional<scene::Texture> interior_texture;  ///< of the inside of the surface, where it differs
+  std::optional<scene::Texture> interior_texture;  ///< of the inside of the surface, if it differs
   scene::InteriorId interior = scene::kNoInterior;
-  bool uv_mapping = false;  ///< `uv_mapping` stands before the textures: all of them are evaluated at (u, v)
+  bool uv_mapping = false;  ///< `uv_mapping` precedes the textures: all of them are evaluated at (u, v)
 };
 
-/// An object that is declared or about to be placed: a placement of shapes that already stand in the database, and the
+/// An object that is declared or about to be placed: a placement of shapes that are already in the database, and the
 /// lights that it holds (a union may hold some; a light_source is nothing else).
 struct ObjectValue final : Shared {
   grammar::Symbol word = grammar::kNoSymbol;  ///< `sphere`, `blob`, … as it was made; none for an empty object
@@ -138,7 +138,7 @@ struct CameraValue final : Shared {
       : camera(camera_), sky(sky_), size_span(size_span_) {}
   const scene::Camera camera;
   const scene::Vec3 sky;
-  const SourceSpan size_span;  ///< of what decides its shape: `right`, else the word `camera`
+  const SourceSpan size_span;  ///< span of the item that decides its shape: `right`, else the word `camera`
 };
 
 struct FunctionValue final : Shared {

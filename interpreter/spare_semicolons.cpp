@@ -13,8 +13,8 @@ using grammar::Items;
 using grammar::Node;
 using grammar::NodeKind;
 
-/// A declaration that is known to have had another value than a number does not. Nothing is known of an array's
-/// element, which is not looked up twice, and of a macro's local, which is gone by then.
+/// False if the declaration is known to have a value that is not a number. Unknown are an array's element, which is not
+/// looked up twice, and a macro's local, which is gone by then.
 bool may_declare_number(Context& context, const Node* item, bool is_in_scope) {
   if (!item || (item->kind != NodeKind::declare && item->kind != NodeKind::declare_deprecated)) return false;
   const auto& declaration = as<grammar::Declare>(*item);
@@ -23,7 +23,7 @@ bool may_declare_number(Context& context, const Node* item, bool is_in_scope) {
   return !slot || slot->value.kind() <= ValueKind::numeric;
 }
 
-/// The last item of the macro that is called, or null.
+/// The last item of the called macro, or null.
 const Node* last_of_callee(Context& context, const Node& item) {
   const Node& callee = *as<grammar::Call>(item).callee;
   if (callee.kind != NodeKind::name) return nullptr;
@@ -37,7 +37,7 @@ const Node* last_of_callee(Context& context, const Node& item) {
 
 bool is_spare(Context& context, const grammar::Semicolon& semicolon) {
   const Node* before = semicolon.after;
-  // Calls were in progress within one another no deeper than is allowed; macros may end by calling themselves.
+  // The depth limit bounds the calls that were nested; macros may end by calling themselves.
   for (std::size_t calls = 0; before && before->kind == NodeKind::call; ++calls) {
     if (calls == context.options.limits.max_depth) return false;
     before = last_of_callee(context, *before);

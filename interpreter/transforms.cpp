@@ -85,7 +85,7 @@ bool invert(const Matrix& m, Matrix& inverse, double& condition) {
   const Vec3 yz = y.cross(z), zx = z.cross(x), xy = x.cross(y);
   const double determinant = x.dot(yz);
   const double size = std::sqrt(x.dot(x) + y.dot(y) + z.dot(z));
-  // A determinant within rounding of zero, relative to the product of the rows' lengths, is no determinant.
+  // A determinant within rounding of zero, relative to the product of the rows' lengths, counts as zero.
   const double scale = std::sqrt(x.dot(x) * y.dot(y) * z.dot(z));
   if (!std::isfinite(determinant) || !(std::abs(determinant) > 1e-15 * scale)) return false;
   inverse = linear(yz.x / determinant, zx.x / determinant, xy.x / determinant, yz.y / determinant, zx.y / determinant,
@@ -99,7 +99,7 @@ bool invert(const Matrix& m, Matrix& inverse, double& condition) {
 double similarity_factor(const Matrix& m) {
   const Vec3 x(m[0][0], m[0][1], m[0][2]), y(m[1][0], m[1][1], m[1][2]), z(m[2][0], m[2][1], m[2][2]);
   const double xx = x.dot(x);
-  // What rotations leave of orthogonality after rounding.
+  // Rounding changes the orthogonality of rotations by less than this.
   const double slack = 1e-14 * xx;
   const bool is_similarity = std::abs(y.dot(y) - xx) <= slack && std::abs(z.dot(z) - xx) <= slack &&
                              std::abs(x.dot(y)) <= slack && std::abs(y.dot(z)) <= slack && std::abs(z.dot(x)) <= slack;

@@ -1,4 +1,4 @@
-// Affine maps as scenes write them, with their inverses. Angles at this border are in degrees.
+// Affine maps as scenes write them, with their inverses. Angles in this interface are in degrees.
 #pragma once
 
 #include "renderer/scene/transform.h"
@@ -10,15 +10,15 @@ namespace isl::interpreter {
 [[nodiscard]] constexpr double radians_from_degrees(double degrees) { return degrees * (std::numbers::pi / 180); }
 
 [[nodiscard]] scene::Transform translation(const scene::Vec3& offset);
-/// About x, then y, then z, by `degrees` each; with POV-Ray's signs (90° about y takes z to x).
+/// Rotation about x, then y, then z, by `degrees` each; with POV-Ray's signs (90° about y takes z to x).
 [[nodiscard]] scene::Transform rotation(const scene::Vec3& degrees);
-/// No factor is zero.
+/// Precondition: no factor is zero.
 [[nodiscard]] scene::Transform scaling(const scene::Vec3& factors);
-/// v turned as rotation(degrees) turns it.
+/// v after rotation(degrees).
 [[nodiscard]] scene::Vec3 rotated(const scene::Vec3& v, const scene::Vec3& degrees);
 
-/// The inverse of an affine matrix; false where it is singular. `condition` is an estimate of the condition number of
-/// the linear part (in the Frobenius norm).
+/// The inverse of an affine matrix; false if it is singular. `condition` is an estimate of the condition number of the
+/// linear part (in the Frobenius norm).
 [[nodiscard]] bool invert(const scene::Matrix& matrix, scene::Matrix& inverse, double& condition);
 
 /// The factor by which a similarity (rotations, reflections, one scale) scales lengths; 0 for every other map.

@@ -1,5 +1,5 @@
-// What an expression evaluates to: one tagged struct of 48 bytes. Numbers and vectors of two to five terms lie inline,
-// so that arithmetic never allocates; everything else points to a Shared (interpreter/shared_values.h).
+// The value of an expression: one tagged struct of 48 bytes. Numbers and vectors of two to five terms lie inline, so
+// that arithmetic never allocates; all other values point to a Shared (interpreter/shared_values.h).
 #pragma once
 
 #include "base/check.h"
@@ -15,7 +15,7 @@ enum class ValueKind : std::uint8_t {
   none,     ///< an array element that was never set
   poison,   ///< from a declaration that failed and was reported; using it fails silently
   numeric,  ///< 1 to 5 terms: number, vectors, colour (5)
-  // From here on a Shared.
+  // The kinds from here on point to a Shared.
   string,
   array,
   macro,
@@ -38,12 +38,12 @@ enum class ValueKind : std::uint8_t {
   camera,
   spline,
   file,
-  // From here on a declaration of the name looks twice (directives.cpp).
+  // A declaration of a name with one of the kinds from here on needs extra steps (directives.cpp).
   function,
   deprecated,  ///< a name's value is in another slot (interpreter/deprecated_names.h)
 };
 
-/// What messages call a kind: "number", "3-term vector", "string", …
+/// The kind's name in messages: "number", "3-term vector", "string", …
 class Value;
 [[nodiscard]] std::string_view describe(const Value& value);
 
@@ -54,7 +54,7 @@ class Value {
 
   Value() {}
   explicit Value(double number) : kind_(ValueKind::numeric), term_count_(1) { terms_[0] = number; }
-  /// `count` terms of `terms`; the rest must be zero.
+  /// A vector of `count` of the `terms`; the rest must be zero.
   Value(int count, const Terms& terms)
       : kind_(ValueKind::numeric), term_count_(static_cast<std::uint8_t>(count)), terms_(terms) {}
   Value(ValueKind kind, Ref<Shared> shared) : kind_(kind), shared_(std::move(shared)) {
@@ -90,14 +90,14 @@ class Value {
       shared_.~Ref();
   }
 
-  /// Back to ValueKind::none.
+  /// Returns to ValueKind::none.
   void reset() {
     if (is_shared()) [[unlikely]]
       shared_.~Ref();
     kind_ = ValueKind::none;
     term_count_ = 0;
   }
-  /// Becomes a number, with as little writing as that takes.
+  /// Becomes a number, writing as little memory as possible.
   void set_number(double number) {
     if (is_shared()) [[unlikely]]
       shared_.~Ref();
@@ -109,15 +109,15 @@ class Value {
   [[nodiscard]] ValueKind kind() const { return kind_; }
   [[nodiscard]] bool is_numeric() const { return kind_ == ValueKind::numeric; }
   [[nodiscard]] bool is_number() const { return term_count_ == 1; }
-  /// 1 for a number, 2 to 5 for vectors, 0 for what is not numeric.
+  /// 1 for a number, 2 to 5 for vectors, 0 for non-numeric values.
   [[nodiscard]] int term_count() const { return term_count_; }
   [[nodiscard]] double number() const { return terms_[0]; }
-  /// Those past term_count() are zero in a vector; a number has nothing but the first.
+  /// In a vector, terms from term_count() on are zero; a number has only the first.
   [[nodiscard]] const Terms& terms() const { return terms_; }
   /// Term `i`, zero past the last.
   [[nodiscard]] double term(int i) const { return i < term_count_ ? terms_[i] : 0; }
 
-  /// The shared thing; the caller has looked at kind().
+  /// The shared object; the caller has checked kind().
   template <class T>
   [[nodiscard]] T& as() const {
     ISL_DCHECK(is_shared(), "kind {}", static_cast<int>(kind_));
@@ -146,7 +146,7 @@ class Value {
   }
 
   ValueKind kind_ = ValueKind::none;
-  std::uint8_t term_count_ = 0;  ///< 0 for all that is not numeric
+  std::uint8_t term_count_ = 0;  ///< 0 for non-numeric values
   union {
     Terms terms_;
     Ref<Shared> shared_;

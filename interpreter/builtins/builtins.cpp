@@ -29,12 +29,12 @@ Table make_table() {
   return table;
 }
 
-/// One expression that yields one value, and no macro call: what most arguments are.
+/// True if the argument is one expression with one value, without a macro call; most arguments are.
 bool is_plain(const grammar::Argument& argument) {
   return argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
 }
 
-/// The values of a call's arguments, in order; on the stack where they are as few as most calls have.
+/// The values of a call's arguments, in order; a few of them are kept on the stack.
 class ArgumentValues {
  public:
   ArgumentValues(Context& context, const grammar::FunctionCall& call) : context_(context) {
@@ -53,7 +53,7 @@ class ArgumentValues {
       if (count_ < kFew) return evaluate_into(context_, *argument[0], few_[count_++]);
       return push(evaluate(context_, *argument[0]));
     }
-    // What a macro yields may be several arguments.
+    // A macro may yield several arguments.
     ElementStream stream(context_, argument, span);
     while (!stream.peek().is(ElementKind::end)) {
       push(read_rvalue(stream));
@@ -74,7 +74,7 @@ class ArgumentValues {
   Context& context_;
   std::size_t count_ = 0;
   std::array<Value, kFew> few_;
-  std::vector<Value> many_;  ///< all of them, where they are more than kFew
+  std::vector<Value> many_;  ///< all of them, if they are more than kFew
 };
 
 std::string expected_count(const Builtin& function) {
@@ -105,7 +105,7 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   if (slot.value.kind() == ValueKind::poison) throw Failed{};
   if (slot.value.kind() != ValueKind::array)
     context.fail(name.span, fmt::format("expected an array, found {}", describe(slot.value)));
-  // The number of the dimension may come from a macro that undeclares the array.
+  // The dimension's number may come from a macro that undeclares the array.
   const Value keep = slot.value;
   const ArrayValue& array = keep.as<ArrayValue>();
   const auto count = static_cast<double>(array.dimensions.size());
@@ -115,7 +115,7 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   return Value(static_cast<double>(array.dimensions[static_cast<std::size_t>(dimension) - 1]));
 }
 
-/// The arguments may lie in `result`.
+/// `result` may alias the arguments.
 void apply(const Builtin& function, const Arguments& arguments, Value& result) {
   if (function.of_number) {
     result.set_number(function.of_number(arguments.number(0)));

@@ -1,4 +1,4 @@
-// The built-in functions: `sin(a)`, `vrotate(v, r)`, `concat(…)`. One row of a table each; the arguments arrive
+// The built-in functions: `sin(a)`, `vrotate(v, r)`, `concat(…)`. Each is one row of a table; the arguments arrive
 // evaluated and counted, except for the few functions that ask about names.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace isl::interpreter {
 
-/// evaluate_into() for calls. Fails where the function is not supported, or its arguments are not what it takes.
+/// evaluate_into() for calls. Fails if the function is not supported, or if it does not take the arguments.
 void call_builtin(Context& context, const grammar::FunctionCall& call, Value& result);
 
-// ---- For the files that hold the functions --------------------------------------------------------------------------
+// ---- For the files that define the functions ------------------------------------------------------------------------
 
 /// The evaluated arguments of one call, with checked access.
 class Arguments {
@@ -22,7 +22,7 @@ class Arguments {
   [[nodiscard]] Context& context() const { return context_; }
   [[nodiscard]] SourceSpan span() const { return call_.span; }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
-  /// Where argument i stands, as nearly as is known.
+  /// The place of argument i, as exactly as it is known.
   [[nodiscard]] SourceSpan span(std::size_t i) const;
   [[nodiscard]] const Value& operator[](std::size_t i) const { return values_[i]; }
 
@@ -32,7 +32,7 @@ class Arguments {
   [[nodiscard]] const std::string& string(std::size_t i) const;
   /// A number in [low, high], truncated.
   [[nodiscard]] int integer(std::size_t i, int low, int high) const;
-  /// The variable that argument i names, to be written to.
+  /// The variable that argument i names, as an output.
   [[nodiscard]] Slot& variable(std::size_t i) const;
   [[noreturn]] void fail(std::size_t i, std::string message) const;
 

@@ -7,7 +7,7 @@ namespace {
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u; }
 
-/// The bytes of the character at the start of a text that is not empty.
+/// The bytes of the first character of a non-empty text.
 std::size_t length_of_first(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   const std::size_t wanted = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
@@ -16,7 +16,8 @@ std::size_t length_of_first(std::string_view text) {
   return length == wanted ? length : 1;
 }
 
-/// The byte where character number `index` begins, or the text's size where it has just as many; nothing beyond.
+/// The byte where character number `index` begins, or the text's size if it has exactly so many characters; nothing
+/// beyond.
 std::optional<std::size_t> position_of(std::string_view text, std::size_t index) {
   std::size_t at = 0;
   for (; index > 0; --index) {

@@ -8,13 +8,13 @@
 namespace isl::interpreter {
 
 [[nodiscard]] std::size_t character_count(std::string_view text);
-/// `count` characters from number `first` (0 is the first) on; nothing where the text has fewer.
+/// `count` characters from number `first` (0 is the first) on; nothing if the text has fewer.
 [[nodiscard]] std::optional<std::string_view> characters(std::string_view text, std::size_t first, std::size_t count);
-/// The code point at the start; 0 of an empty text.
+/// The first code point; 0 for an empty text.
 [[nodiscard]] char32_t first_character(std::string_view text);
-/// In UTF-8; empty for 0. At most 0xFFFF.
+/// The character as UTF-8; empty for 0. At most 0xFFFF.
 [[nodiscard]] std::string character_of(char32_t code);
-/// a's code point minus b's where they first differ; the end of a text counts as 0.
+/// a's code point minus b's at their first difference; the end of a text counts as 0.
 [[nodiscard]] int compare_characters(std::string_view a, std::string_view b);
 
 }  // namespace isl::interpreter

@@ -1,5 +1,5 @@
-// Functions of numbers. Values outside of a function's domain are errors where POV-Ray has errors and warnings where it
-// warns.
+// Functions of numbers. Values outside a function's domain are errors where POV-Ray reports errors, and warnings where
+// it warns.
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/expressions.h"
 #include "renderer/values/integer.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace word = grammar::word;
 
-/// acos and asin outside of [−1, 1] give the nearest value, with a warning, as in POV-Ray.
+/// acos and asin outside [−1, 1] give the nearest value, with a warning, as in POV-Ray.
 double clamped(const Arguments& a) {
   const double value = a.number(0);
   if (std::abs(value) <= 1) return value;
@@ -30,7 +30,7 @@ double positive(const Arguments& a) {
   return value;
 }
 
-/// fmod and the quotient of zero are what C makes of them, with a warning.
+/// A divisor of zero: fmod and the quotient follow C, with a warning.
 double divisor(const Arguments& a) {
   const double value = a.number(1);
   if (value == 0) a.context().warn(a.span(), "division by zero");
@@ -42,7 +42,7 @@ Value square_root(const Arguments& a) {
   return Value(std::sqrt(a.number(0)));
 }
 
-/// 0⁰ is an error, other powers that are no number only a warning.
+/// 0⁰ is an error; any other power that is not a number is a warning.
 Value power(const Arguments& a) {
   if (a.number(0) == 0 && a.number(1) == 0) a.fail(0, "0 to the power of 0 has no value");
   const double result = std::pow(a.number(0), a.number(1));
@@ -58,7 +58,7 @@ Value arc_tangent(const Arguments& a) {
   return Value(std::atan2(y, x));
 }
 
-/// Through an integer of 32 bits, as in POV-Ray.
+/// Converts through a 32-bit integer, as POV-Ray does.
 double integer(const Arguments& a, double value) {
   const std::int32_t result = values::to_integer(value);
   if (std::abs(value - result) >= 1) a.context().warn(a.span(), fmt::format("{:g} does not fit into 32 bits", value));
@@ -74,7 +74,8 @@ Value best(const Arguments& a, Better better) {
   return Value(result);
 }
 
-/// select(a, negative, zero or more), select(a, negative, zero, positive): any values, but a decides.
+/// select(a, negative, zero or more), select(a, negative, zero, positive): a is a number, the results may be any
+/// values.
 Value select(const Arguments& a) {
   const double decider = a.number(0);
   if (decider < 0) return a[1];

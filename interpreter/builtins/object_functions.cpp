@@ -1,4 +1,4 @@
-// Functions that ask about objects: trace, inside, min_extent, max_extent. The answers come from outside
+// Functions that ask about objects: trace, inside, min_extent, max_extent. Another module answers
 // (renderer/scene/queries.h).
 #include "interpreter/builtins/builtins.h"
 
@@ -15,7 +15,7 @@ namespace {
 namespace word = grammar::word;
 using scene::Vec3;
 
-/// What POV-Ray gives for a side that is infinite, and for an object without a surface.
+/// POV-Ray's extent of an infinite side, and of an object without a surface.
 constexpr double kFarthest = 1e10;
 
 Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
@@ -26,7 +26,7 @@ scene::Queries& queries(const Arguments& a) {
   return *a.context().options.queries;
 }
 
-/// The object of argument 0, as it would stand in the world.
+/// The object of argument 0, as it would be placed in the world.
 const scene::Object& object(const Arguments& a) {
   if (a[0].kind() != ValueKind::object) a.fail(0, fmt::format("expected an object, found {}", describe(a[0])));
   const scene::Object& object = a[0].as<ObjectValue>().object;

@@ -20,7 +20,7 @@ namespace word = grammar::word;
 
 Value result(const Arguments& a, std::string text) { return make_string(a.context(), std::move(text), a.span()); }
 
-/// str's rule: `width` pads with spaces, or zeros where it is negative; `digits` after the point, 6 where negative.
+/// str's rule: `width` pads with spaces, or with zeros if it is negative; `digits` after the point, 6 if negative.
 std::string formatted(double value, int width, int digits) {
   const char* const format = width < 0 ? "%0*.*f" : "%*.*f";
   return fmt::sprintf(format, std::abs(width), digits < 0 ? 6 : digits, value);
@@ -35,7 +35,7 @@ Value string_of_vector(const Arguments& a) {
   if (!a[1].is_numeric()) a.fail(1, fmt::format("expected a vector, found {}", describe(a[1])));
   const std::string& separator = a.string(2);
   const int width = a.integer(3, -1000, 1000), digits = a.integer(4, -1000, 1000);
-  // A number here is a vector of one term: it does not fill the others.
+  // A number is a vector of one term here: it is not repeated.
   std::string text;
   for (int i = 0; i < count; ++i) {
     if (i > 0) text += separator;
@@ -54,7 +54,7 @@ Value concat(const Arguments& a) {
   return result(a, std::move(text));
 }
 
-/// From position 1 on; no characters at all may start anywhere, position 0 included, as in POV-Ray.
+/// Positions start at 1; an empty part may start anywhere, even at position 0, as in POV-Ray.
 Value substring(const Arguments& a) {
   const std::string& text = a.string(0);
   const auto first = static_cast<std::size_t>(a.integer(1, 0, 2'000'000'000));
@@ -67,7 +67,7 @@ Value substring(const Arguments& a) {
   return result(a, std::string(*part));
 }
 
-/// The characters of ASCII only, so that the result does not depend on a locale.
+/// Changes ASCII letters only, so that the result does not depend on a locale.
 std::string with_case(std::string text, char from, char to, int shift) {
   for (char& c : text) {
     if (c >= from && c <= to) c = static_cast<char>(c + shift);
@@ -75,15 +75,15 @@ std::string with_case(std::string text, char from, char to, int shift) {
   return text;
 }
 
-/// The number at the start of a string; 0 where there is none, as C's strtod (the program stays in the locale "C").
+/// The number at the start of a string; 0 if there is none, as C's strtod (the program stays in the locale "C").
 Value number_of_string(const Arguments& a) { return Value(std::strtod(a.string(0).c_str(), nullptr)); }
 
-/// Code 0 is no character at all.
+/// Code 0 gives an empty string.
 Value character(const Arguments& a) { return result(a, character_of(static_cast<char32_t>(a.integer(0, 0, 0xFFFF)))); }
 
 Value code_of_character(const Arguments& a) { return Value(static_cast<double>(first_character(a.string(0)))); }
 
-/// The difference of the first characters that differ, as strcmp of old.
+/// The difference of the first characters that differ, as older strcmp implementations return it.
 Value order(const Arguments& a) { return Value(static_cast<double>(compare_characters(a.string(0), a.string(1)))); }
 
 const Builtin kFunctions[] = {

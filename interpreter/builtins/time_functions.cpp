@@ -15,8 +15,8 @@ namespace {
 namespace word = grammar::word;
 
 constexpr double kSecondsPerDay = 86400;
-constexpr double kSecondsTo2000 = 946684800;  ///< from 1970, where system clocks begin
-constexpr double kMaxDays = 1e7;              ///< beyond, years no longer fit a calendar's four digits
+constexpr double kSecondsTo2000 = 946684800;  ///< seconds from 1970, the epoch of system clocks
+constexpr double kMaxDays = 1e7;              ///< a later year does not fit the calendar's four digits
 
 Value date_and_time(const Arguments& a) {
   const double days = a.number(0);

@@ -1,4 +1,4 @@
-// Functions of vectors. A number given where a vector is wanted fills its three terms.
+// Functions of vectors. A number in place of a vector fills its three terms.
 #include "interpreter/builtins/builtins.h"
 
 #include "interpreter/transforms.h"
@@ -37,8 +37,8 @@ Value rotate_about_axis(const Arguments& a) {
   return to_value(v * c + n.cross(v) * s + n * (n.dot(v) * (1 - c)));
 }
 
-/// vturbulence(lambda, omega, octaves, p); octaves are cut to a whole number from 1 to 10. POV-Ray keeps the other two in
-/// single precision, which the ninth digit shows.
+/// vturbulence(lambda, omega, octaves, p); octaves are truncated to a whole number from 1 to 10. POV-Ray keeps the
+/// other two in single precision, which shows in the ninth digit.
 Value turbulence(const Arguments& a) {
   constexpr int kMaxOctaves = 10;
   const int count = std::clamp(values::to_integer(a.number(2)), 1, kMaxOctaves);

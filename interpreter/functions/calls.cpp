@@ -1,4 +1,4 @@
-// Calls of functions and splines where a scene writes them: arguments, limits, results.
+// Calls of functions and splines in a scene's expressions: arguments, limits, results.
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/functions/functions.h"
@@ -20,10 +20,10 @@ namespace {
 using grammar::NodeKind;
 using scene::Function;
 
-/// The frame that an evaluation puts on the stack, in units of nesting.
+/// The stack frame of one evaluation, in units of nesting.
 constexpr std::size_t kEvaluationUnits = Function::kMaxFrame * sizeof(double) / kNestingBytes + 8;
 
-/// Asks the language's own `inside`.
+/// Answers through the language's own `inside`.
 class Surroundings final : public render::PatternSurroundings {
  public:
   explicit Surroundings(const Context& context) : context_(context) {}

@@ -47,7 +47,8 @@ class Compiler {
 
   // ---- Items --------------------------------------------------------------------------------------------------------
 
-  /// One expression, of one element or of several that directives and macros yield: `0 #for (I, 1, 3) + I*x #end`.
+  /// Compiles one expression, of one element or of several that directives and macros yield: `0 #for (I, 1, 3) + I*x
+  /// #end`.
   Operand compile_stream(ElementStream& stream, std::string_view what) {
     const Operand at = builder_.top();
     Operand sum = compile_element(stream, what);
@@ -103,12 +104,12 @@ class Compiler {
     }
   }
 
-  /// x and u name the same parameter where only one is declared; so do y and v.
+  /// x and u name the same parameter if only one is declared; so do y and v.
   [[nodiscard]] std::optional<Operand> find_parameter(Symbol name) const {
     static constexpr Symbol kTwins[][2] = {
         {word::kw_x, word::kw_u}, {word::kw_u, word::kw_x}, {word::kw_y, word::kw_v}, {word::kw_v, word::kw_y}};
     const auto find = [&](Symbol wanted) -> std::optional<Operand> {
-      // Of two parameters with the same name, the last.
+      // If two parameters have the same name, the last one counts.
       for (std::size_t i = parameters_.size(); i-- > 0;) {
         if (parameters_[i] == wanted) return static_cast<Operand>(i);
       }
@@ -141,7 +142,7 @@ class Compiler {
     return std::ranges::find(kVectors, name) == std::end(kVectors);
   }
 
-  /// The number that an identifier stands for now.
+  /// The present value of an identifier.
   Operand captured(const Node& node) {
     if (node.kind == NodeKind::name && !context_.scopes.find(as<grammar::Name>(node).name)) {
       context_.fail(
@@ -180,7 +181,7 @@ class Compiler {
     return compile_stream(stream, "an argument");
   }
 
-  /// Puts the arguments into registers from the first free one on; nothing else is taken when it returns.
+  /// Puts the arguments into registers from the first free one on; it frees all temporaries before it returns.
   Operand place_arguments(std::span<const grammar::Argument> arguments, SourceSpan span) {
     const Operand first = builder_.top();
     for (const grammar::Argument& argument : arguments) {

@@ -1,6 +1,5 @@
-// The body of `function(a, b) { expression }` → a program. Identifiers that stand for numbers are captured as they are
-// now; macros and directives in the body are followed now. The parser has given the operators the precedences that hold
-// here.
+// The body of `function(a, b) { expression }` → a program. Numeric identifiers are captured with their present value;
+// macros and directives in the body are executed now. The parser has given the operators the precedences of functions.
 #pragma once
 
 #include "interpreter/context.h"
@@ -9,7 +8,7 @@
 
 namespace isl::interpreter {
 
-/// Fails where the body is no expression of numbers, parameters and functions. `span` is the whole function's.
+/// Fails if the body is not an expression of numbers, parameters and functions. `span` is the whole function's.
 [[nodiscard]] scene::Function compile_function(Context& context, std::span<const grammar::Symbol> parameters,
                                                grammar::Items body, SourceSpan span);
 

@@ -33,7 +33,7 @@ constexpr Symbol kDefaultParameters[] = {word::kw_x, word::kw_y, word::kw_z};
 
 // ---- Making ---------------------------------------------------------------------------------------------------------
 
-/// A function of a body that needs no program; its frame holds arguments and results.
+/// A function without a program; its frame holds arguments and results.
 template <class Body>
 Function function_of(Body body, std::size_t parameter_count, std::size_t result_count) {
   Function function;
@@ -139,7 +139,7 @@ Value make_value(Context& context, const grammar::Function& node) {
   return {ValueKind::function, make_shared_value<FunctionValue>(std::move(function), bytes, context.memory)};
 }
 
-/// None where its formula is not known, which is reported.
+/// None if its formula is not known, which is reported.
 scene::FunctionId function_id(Context& context, const FunctionValue& value, SourceSpan span) {
   if (!value.function->missing.empty()) {
     context.unsupported(span, value.function->missing);

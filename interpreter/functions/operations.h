@@ -1,4 +1,4 @@
-// Which of the machine's operations the words and operators of a `function {}` stand for.
+// The machine's operations for the words and operators of a `function {}`.
 #pragma once
 
 #include "grammar/ast.h"
@@ -19,14 +19,14 @@ struct BuiltinOperation {
   bool is_variadic = false;  ///< argument_count or more, applied from the left
 };
 
-/// Null for a word that means nothing in a function; `select`, `sum` and `prod` are more than one operation.
+/// Null for a word without a meaning in a function; `select`, `sum` and `prod` are more than one operation.
 [[nodiscard]] const BuiltinOperation* builtin_operation(grammar::Symbol name);
 
-/// `.x`, `.red`, `.gray` … after a call of a function that yields several terms: a term as it is (Opcode::copy), or
-/// one computed from the colour.
+/// `.x`, `.red`, `.gray` … after a call of a function that yields several terms: one of the terms (Opcode::copy), or a
+/// number computed from the colour.
 struct ResultItem {
   scene::Opcode operation = scene::Opcode::copy;
-  std::uint16_t term = 0;  ///< the highest that is needed
+  std::uint16_t term = 0;  ///< the highest term that is needed
 };
 
 [[nodiscard]] std::optional<ResultItem> result_item(grammar::Symbol name);

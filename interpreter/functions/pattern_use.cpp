@@ -10,7 +10,7 @@ namespace {
 
 using scene::PatternKind;
 
-/// Patterns that need what a point and the database do not tell.
+/// Patterns whose input is more than a point and the database.
 struct MissingRow {
   PatternKind kind;
   std::string_view name;
@@ -23,7 +23,7 @@ constexpr MissingRow kMissing[] = {
     {PatternKind::tiling, "function { tiling }"},
 };
 
-/// A pigment is looked at once, however many maps name it.
+/// Visits each pigment once, however many maps name it.
 class Walk {
  public:
   Walk(Context& context, SourceSpan span) : context_(context), span_(span) {}

@@ -34,7 +34,7 @@ ProgramBuilder::Operand ProgramBuilder::constant(double value) {
 }
 
 std::optional<double> ProgramBuilder::constant_value(Operand operand) const {
-  // Of a program that is too large, numbers of constants mean nothing any more.
+  // In a program that is too large, the numbers of constants are no longer valid.
   if (operand < Instruction::kConstants || !fits_) return std::nullopt;
   return program_.constants[operand - Instruction::kConstants];
 }

@@ -1,5 +1,5 @@
 // Puts a scene::Program together: registers are handed out like a stack, constants are folded. The compiler
-// (interpreter/functions/compiler.h) says what to compute; of the language this file knows nothing.
+// (interpreter/functions/compiler.h) says what to compute; this file knows nothing of the language.
 #pragma once
 
 #include "renderer/scene/function.h"
@@ -12,22 +12,22 @@ namespace isl::interpreter {
 
 class ProgramBuilder {
  public:
-  /// Where a value is: a register, or a constant from scene::Instruction::kConstants on.
+  /// The place of a value: a register, or a constant from scene::Instruction::kConstants on.
   using Operand = std::uint16_t;
 
   explicit ProgramBuilder(std::size_t parameter_count);
 
   [[nodiscard]] Operand constant(double value);
-  /// The number behind a constant.
+  /// The value of a constant; none for a register.
   [[nodiscard]] std::optional<double> constant_value(Operand operand) const;
 
-  /// The first register that is free. Whoever is done with the registers above it gives them back with release().
+  /// The first free register. The caller that is done with the registers above it frees them with release().
   [[nodiscard]] Operand top() const { return top_; }
   void release(Operand top) { top_ = top; }
   [[nodiscard]] Operand take(std::size_t count = 1);
 
-  /// The operation's result in a register of its own at `at` (where the operands' temporaries began); folded where both
-  /// are known.
+  /// The operation's result in a new register at `at` (where the operands' temporaries began); folded if both are
+  /// known.
   [[nodiscard]] Operand apply(scene::Opcode operation, Operand a, Operand b, Operand at);
   /// Makes sure that the value is in that register.
   void move(Operand to, Operand from);
@@ -39,7 +39,7 @@ class ProgramBuilder {
   [[nodiscard]] Operand position() const { return static_cast<Operand>(program_.code.size()); }
   void set_target(Operand instruction, Operand target) { program_.code[instruction].to = target; }
 
-  /// False when the program has become larger than the machine can take; then it is not to be finished.
+  /// False when the program has become larger than the machine can take; then it must not be finished.
   [[nodiscard]] bool fits() const { return fits_; }
   [[nodiscard]] scene::Function finish(Operand result) &&;
 

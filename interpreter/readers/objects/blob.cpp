@@ -25,13 +25,13 @@ using scene::KernelShape;
 using scene::RadiusMeaning;
 namespace word = grammar::word;
 
-/// Beyond it a component's field is a step within a hundredth of its radius.
+/// With a larger value a component's field is a step within a hundredth of its radius.
 constexpr double kMaxHardness = 500;
 
 constexpr grammar::Symbol kOther[] = {word::kw_component, word::kw_threshold, word::kw_strength, word::kw_pigment,
                                       word::kw_texture,   word::kw_blob,      word::kw_union};
 
-/// What may stand in a blob, for suggestions.
+/// The words that a blob accepts, for suggestions.
 const std::vector<grammar::Symbol>& known_words() {
   static const std::vector<grammar::Symbol> words = [] {
     std::vector<grammar::Symbol> all(component_words().begin(), component_words().end());
@@ -41,7 +41,7 @@ const std::vector<grammar::Symbol>& known_words() {
   return words;
 }
 
-/// What a blob hands down to the parts inside it: the kernel in force.
+/// The kernel in force, which a blob hands down to the parts inside it.
 struct KernelInForce {
   Kernel kernel;
   scene::KernelId id{};
@@ -56,7 +56,7 @@ class BlobReader {
   BlobReader(ElementStream& stream, ObjectDraft& draft)
       : stream_(stream), context_(stream.context()), draft_(draft) {}
 
-  /// Up to the first modifier.
+  /// Reads the items up to the first modifier.
   void read_items() {
     while (!stream_.peek().is(ElementKind::end) && !draft_.has_modifiers) {
       if (!read_item()) break;
@@ -64,7 +64,7 @@ class BlobReader {
     assembly_.set_threshold(threshold_);
   }
 
-  /// The blob as an object of its own.
+  /// Completes a blob that is an object of its own.
   void finish() {
     if (is_copy_) return;
     if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "a blob without components is empty");
@@ -76,11 +76,11 @@ class BlobReader {
   }
 
  private:
-  /// Of a part of another blob.
+  /// A reader for a part of another blob.
   BlobReader(ElementStream& stream, ObjectDraft& draft, const KernelInForce& kernel)
       : stream_(stream), context_(stream.context()), draft_(draft), kernel_(kernel), is_part_(true) {}
 
-  /// False when the whole blob was copied from another.
+  /// Returns false when the whole blob was copied from another.
   bool read_item() {
     const Element next = stream_.peek();
     if (next.is(ElementKind::block)) {
@@ -268,7 +268,7 @@ class BlobReader {
     add(component, block.span, branch, &turn);
   }
 
-  /// POV-Ray's components need a strength, the word is optional; ours may have one, with the word.
+  /// POV-Ray's components need a strength, and the word is optional; ours may have one, with the word.
   void read_strength(ElementStream& stream, Component& component) {
     const bool has_comma = stream.accept_comma();
     const bool has_word = stream.peek().is_word(word::kw_strength);
@@ -335,7 +335,7 @@ class BlobReader {
     assembly_.add(component, context_.origin(span), branch, turn);
   }
 
-  /// The surface of threshold zero is where the fields end: no surface at all.
+  /// Threshold zero is refused: its surface is the end of the fields, which is no surface.
   void check_threshold() {
     if (!threshold_ || (*threshold_ > 0 && std::isfinite(*threshold_))) return;
     context_.fail(threshold_span_, fmt::format("`threshold` is above 0, found {:g}", *threshold_));
@@ -349,7 +349,7 @@ class BlobReader {
   SourceSpan threshold_span_;
   KernelInForce kernel_;
   bool is_part_ = false;
-  bool is_copy_ = false;  ///< the whole was copied: the draft has it
+  bool is_copy_ = false;  ///< the whole blob was copied: the draft has it
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using scene::Skeleton;
 
-/// Whether the map can be baked into the component's record, and by which factor it scales.
+/// The scale factor of a map that can be baked into the component's record; 0 if it cannot.
 double baked_factor(Skeleton skeleton, const scene::Transform& transform) {
   const bool can_be = skeleton == Skeleton::point || skeleton == Skeleton::segment || skeleton == Skeleton::cone;
   return can_be ? similarity_factor(transform.matrix) : 0;
@@ -76,7 +76,8 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
   const auto first_corner = static_cast<std::uint32_t>(blob_.corners.size());
   for (const scene::Vec3& corner : part.blob_.corners) blob_.corners.push_back(corner);
 
-  // The part's own sum becomes the branch that it is put into; its other branches are put behind those that are there.
+  // The part's own sum becomes the branch that the part is added to; its other branches are appended to the present
+  // ones.
   if (!part.blob_.branches.empty() && blob_.branches.empty()) {
     blob_.branches.push_back({kOwnSum, kOwnSum});
     for (std::size_t i = 0; i < first; ++i) blob_.branch_of.push_back(kOwnSum);
@@ -151,7 +152,8 @@ void BlobAssembly::set_threshold(std::optional<double> threshold) {
 }
 
 void BlobAssembly::check_choices(SourceSpan span) const {
-  // Of a sum, the product over its maxima; of a maximum, the sum over its branches. Children have greater numbers.
+  // The number of choices: for a sum, the product over its maxima; for a maximum, the sum over its branches. Children
+  // have greater numbers.
   constexpr double kMostChoices = 4096;
   std::vector<double> of_branch(blob_.branches.size(), 1), of_maximum(blob_.branches.size(), 0);
   for (std::size_t b = blob_.branches.size(); b-- > 1;) {

@@ -60,7 +60,7 @@ void read_box(ElementStream& stream, Component& c, scene::Blob&) {
   c.radius_a = c.radius_b = read_positive(stream, "a radius about the box");
 }
 
-/// As POV-Ray's torus lies: about the y axis.
+/// About the y axis, as POV-Ray's torus.
 void read_torus(ElementStream& stream, Component& c, scene::Blob&) {
   c.skeleton = Skeleton::circle;
   c.b = Vec3(0, 1, 0);
@@ -118,7 +118,7 @@ constexpr auto kWords = [] {
   return words;
 }();
 
-/// Only what has a closed form is convolved.
+/// Only skeletons with a closed form are convolved.
 void check_convolution(Context& context, const Element& block, const Row& row, const scene::Kernel& kernel) {
   constexpr const char* kHint =
       "a `cylinder`, a `torus` or a `plane` can be convolved, with the kernel \"quartic\" or "
@@ -151,14 +151,14 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   if (is_convolved) check_convolution(context, block, row, *kernel);
   Component component;
   row.read(stream, component, blob);
-  // Of a half-space there is no convolution: the plane itself is the skeleton.
+  // A half-space has no convolution: the plane itself is the skeleton.
   if (is_convolved && component.skeleton == Skeleton::plane) component.skeleton = Skeleton::sheet;
   const bool crosses_axis = component.skeleton == Skeleton::circle && component.radius_a >= component.radius_b;
   if (crosses_axis && !is_convolved) {
     context.warn(block.span, "this torus crosses its own axis, where its field has a crease",
                  "keep the minor radius below the major one, or write `convolution on`, whose field has none");
   }
-  // However short a segment, it has a convolution: its length is what counts.
+  // A segment of any length has a convolution, which depends on its length.
   const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
   if (has_ends && !is_convolved) check_apart(stream, component.a, component.b);
   return component;

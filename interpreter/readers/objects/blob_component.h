@@ -6,14 +6,14 @@
 
 namespace isl::interpreter {
 
-/// Whether the word begins a component's block.
+/// True if the word begins a component's block.
 [[nodiscard]] bool is_component_word(grammar::Symbol word);
 
 /// The words of all components, for suggestions.
 [[nodiscard]] std::span<const grammar::Symbol> component_words();
 
-/// Reads the skeleton and its radii from the block's stream. `kernel`: the one in force, null if there is none; without one
-/// only POV-Ray's components are known. The blob takes what its record has no room for.
+/// Reads the skeleton and its radii from the block's stream. `kernel`: the one in force, null if there is none; without
+/// one only POV-Ray's components are known. `blob` stores data that does not fit into the component's record.
 [[nodiscard]] scene::Component read_component_shape(ElementStream& stream, const Element& block,
                                                     const scene::Kernel* kernel, scene::Blob& blob);
 

@@ -24,14 +24,14 @@ constexpr CsgWord kCsgWords[] = {{word::kw_union, Operation::unite},
                                  {word::kw_intersection, Operation::intersect},
                                  {word::kw_difference, Operation::subtract}};
 
-/// Whether a name alone at the start of a block is copied: `union { Name … }` where Name is made of objects itself.
-/// Any other object is the first child, and so is what stands for an object that is not supported.
+/// True if a lone name at the start of a block is copied: `union { Name … }` with a Name that is made of objects
+/// itself. Any other object is the first child, and so is the empty object that replaces an unsupported one.
 bool is_copy(const Element& element, const ObjectValue& value) {
   const bool is_group = value.object.kind == scene::Object::Kind::group && value.object.shape != scene::kNone;
   return element.is(ElementKind::value) && is_group && value.word != grammar::kNoSymbol;
 }
 
-/// Children up to the first modifier; true where the whole was copied from another instead.
+/// Reads children up to the first modifier; returns true if the whole was copied from another group instead.
 bool read_children(ElementStream& stream, ObjectDraft& draft, scene::Group& group, std::vector<scene::Light>& lights) {
   Context& context = stream.context();
   bool is_first = true;
@@ -58,7 +58,7 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
   Context& context = stream.context();
   const std::string_view name = context.text(stream.word());
   const bool needs_inside = group.operation == Operation::intersect || group.operation == Operation::subtract;
-  // POV-Ray warns of a union of one too; generated ones are common and what they mean is clear.
+  // POV-Ray also warns of a union with one child; generated scenes have many, and their meaning is clear.
   if (count == 0) context.warn(stream.span(), fmt::format("this `{}` is empty", name));
   if (count == 1 && needs_inside)
     context.warn(stream.span(), fmt::format("`{}` is made for two objects or more", name));
@@ -68,7 +68,7 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
     context.warn(stream.span(), fmt::format("a triangle has no inside, which `{}` asks for", name));
 }
 
-/// Fails where an object follows the modifiers of a group.
+/// Fails if an object follows the modifiers of a group.
 void refuse_late_child(ElementStream& stream) {
   Context& context = stream.context();
   const Element next = stream.peek();

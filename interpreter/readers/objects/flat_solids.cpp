@@ -15,8 +15,8 @@ using scene::SolidKind;
 using scene::Triangle;
 using scene::Vec3;
 
-/// How far the points of a polygon may lie from their common plane, relative to its size: what decimals that scenes
-/// write leave over.
+/// The tolerated distance of a polygon's points from their common plane, relative to its size: it allows for the few
+/// decimals that scenes write.
 constexpr double kPlanar = 1e-4;
 
 /// As POV-Ray does, a degenerate triangle is left out with a warning.
@@ -27,7 +27,7 @@ void add_triangle(ElementStream& stream, ObjectDraft& draft, SolidKind kind, con
   add_solid(stream, draft, {.kind = kind, .detail = detail}, sizeof(Triangle));
 }
 
-/// Across the triangle, of unit length; zero where the corners lie on a line.
+/// The triangle's unit normal; zero if the corners lie on a line.
 Vec3 normal_of(const std::array<Vec3, 3>& corners) {
   const Vec3 a = corners[1] - corners[0], b = corners[2] - corners[0];
   const Vec3 across = a.cross(b);
@@ -76,7 +76,7 @@ namespace {
 /// Ends each contour with its first point.
 std::vector<Vec3> closed(ElementStream& stream, const std::vector<Vec3>& points) {
   std::vector<Vec3> result;
-  std::size_t first = 0;  // of the contour, in `result`
+  std::size_t first = 0;  // start of the contour in `result`
   for (const Vec3& point : points) {
     result.push_back(point);
     const bool is_closed = result.size() > first + 1 && (point - result[first]).length() < kTolerance;
@@ -89,8 +89,8 @@ std::vector<Vec3> closed(ElementStream& stream, const std::vector<Vec3>& points)
   return result;
 }
 
-/// Across the plane through the first point and the first two that do not lie on a line with it, of unit length; zero
-/// where all lie on one.
+/// The unit normal of the plane through the first point and the first two that are not collinear with it; zero if all
+/// points are collinear.
 Vec3 normal_of(const std::vector<Vec3>& points) {
   std::size_t i = 1;
   while (i < points.size() && !((points[i] - points[0]).length() > kTolerance)) ++i;
@@ -101,7 +101,7 @@ Vec3 normal_of(const std::vector<Vec3>& points) {
   return Vec3(0);
 }
 
-/// As in POV-Ray, points off the plane are taken to it.
+/// As in POV-Ray, points off the plane are projected onto it.
 void flatten(ElementStream& stream, std::vector<Vec3>& points, const Vec3& normal) {
   const Vec3 origin = points[0];
   double farthest = 0, size = 0;

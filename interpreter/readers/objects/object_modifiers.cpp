@@ -1,4 +1,4 @@
-// What may follow the geometry of every object: transforms, textures, flags, clipped_by, bounded_by.
+// The modifiers of every object, after its geometry: transforms, textures, flags, clipped_by, bounded_by.
 #include "interpreter/readers/objects/objects.h"
 #include "interpreter/readers/textures/surface.h"
 #include "interpreter/readers/words/arguments.h"
@@ -31,7 +31,7 @@ struct Flag {
   bool Object::*member;
 };
 
-/// As in POV-Ray, these can be set and not taken back; only `hollow` has a truth value.
+/// As in POV-Ray, these flags can be set but not cleared; only `hollow` has a truth value.
 constexpr Flag kFlags[] = {{word::kw_no_shadow, &Object::no_shadow},
                            {word::kw_no_image, &Object::no_image},
                            {word::kw_no_reflection, &Object::no_reflection},
@@ -54,7 +54,7 @@ bool read_flag(ElementStream& stream, ObjectDraft& draft) {
     draft.object.hollow = read_optional_truth(stream);
     return true;
   }
-  if (name == word::kw_inverse) {  // twice is not at all
+  if (name == word::kw_inverse) {  // two inversions cancel out
     stream.drop();
     draft.object.inverse = !draft.object.inverse;
     return true;
@@ -62,14 +62,14 @@ bool read_flag(ElementStream& stream, ObjectDraft& draft) {
   return false;
 }
 
-// ---- Words that only some objects take ------------------------------------------------------------------------------
+// ---- Words that only some objects accept --------------------------------------------------------------------------
 
 const scene::Group* group_of(const ElementStream& stream, const ObjectDraft& draft) {
   const bool is_group = draft.object.kind == Object::Kind::group && draft.object.shape != scene::kNone;
   return is_group ? &stream.context().database.groups[draft.object.shape] : nullptr;
 }
 
-/// Whether POV-Ray finds the object's surface by solving polynomials, so that it takes `sturm`.
+/// True if POV-Ray finds the object's surface by solving polynomials, so that it takes `sturm`.
 bool takes_sturm(const ElementStream& stream, const ObjectDraft& draft) {
   if (draft.object.kind == Object::Kind::blob) return true;
   if (draft.object.kind != Object::Kind::solid || draft.object.shape == scene::kNone) return false;
@@ -78,13 +78,13 @@ bool takes_sturm(const ElementStream& stream, const ObjectDraft& draft) {
 }
 
 bool takes_cutaway_textures(const ElementStream& stream, const ObjectDraft& draft) {
-  // While the children of a block are read, the block's word says what they will make.
+  // While the children of a block are read, the block's word tells the kind of group.
   const scene::Group* const group = group_of(stream, draft);
   if (!group) return stream.word() == word::kw_intersection || stream.word() == word::kw_difference;
   return group->operation == scene::Operation::intersect || group->operation == scene::Operation::subtract;
 }
 
-/// What changes no picture of ours: hints to POV-Ray's ways of finding surfaces, and an exception from radiosity.
+/// Words without an effect on our pictures: hints for POV-Ray's root finders, and an exception from radiosity.
 bool read_hint(ElementStream& stream, const ObjectDraft& draft) {
   const grammar::Symbol name = stream.peek().word;
   if (name == word::kw_no_radiosity) {
@@ -111,8 +111,8 @@ bool read_cutaway_textures(ElementStream& stream, ObjectDraft& draft) {
 
 // ---- clipped_by and bounded_by --------------------------------------------------------------------------------------
 
-/// `clipped_by { Object… }` adds to what clips already; `clipped_by { bounded_by }` clips by what bounds. The same the
-/// other way round.
+/// `clipped_by { Object… }` adds to the present clipping objects; `clipped_by { bounded_by }` clips by the bounding
+/// ones. `bounded_by` works in the same way.
 void read_clip(ElementStream& stream, const ObjectDraft& draft, scene::GroupId& clip, scene::GroupId other,
                grammar::Symbol other_word) {
   Context& context = stream.context();
@@ -161,7 +161,7 @@ bool read_clips(ElementStream& stream, ObjectDraft& draft) {
   return false;
 }
 
-/// POV-Ray reads a colour that stands in an object itself, and does nothing with it.
+/// POV-Ray reads a colour directly in an object, and ignores it.
 bool read_stray_colour(ElementStream& stream) {
   const Element next = stream.peek();
   if (!is_colour_word(next.word)) return false;

@@ -58,7 +58,7 @@ const ObjectReader* find_reader(grammar::Symbol name) {
   return nullptr;
 }
 
-/// Groups are shared, so the one that another name stands for stays as it is.
+/// Groups are shared, so the group of another name stays unchanged.
 void cut_textures_away(ElementStream& stream, ObjectDraft& draft) {
   scene::Group group = stream.context().database.groups[draft.object.shape];
   group.cutaway_textures = true;

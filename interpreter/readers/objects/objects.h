@@ -1,4 +1,4 @@
-// Objects: the table of their readers, and what all of them share (an identifier to copy, modifiers, placement).
+// Objects: the table of their readers, and their common parts (an identifier to copy, modifiers, placement).
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -21,25 +21,26 @@ struct ObjectDraft : Surface {
 
 /// Reads a whole block whose word is an object's.
 [[nodiscard]] Ref<ObjectValue> read_object(Context& context, const Element& block);
-/// The next element as an object, a value or a block; null where it is neither. An object of a kind that is not
-/// supported is reported and gives an empty one.
+/// The next element as an object, a value or a block; null if it is neither. An object of an unsupported kind is
+/// reported and gives an empty one.
 [[nodiscard]] Ref<ObjectValue> read_child(ElementStream& stream);
-/// An object without anything: a union of nothing, so that it may stand wherever an object can.
+/// An empty object: a union without children, so that it may be used wherever an object is expected.
 [[nodiscard]] Ref<ObjectValue> empty_object(ElementStream& stream);
 
-/// Reads one modifier that every object takes (transform, texture, flag) into the draft; false where the next is none.
+/// Reads one modifier that every object takes (transform, texture, flag) into the draft; returns false if the next
+/// element is none.
 [[nodiscard]] bool read_object_modifier(ElementStream& stream, ObjectDraft& draft);
 /// Reads modifiers up to the end of the block.
 void read_object_modifiers(ElementStream& stream, ObjectDraft& draft);
 
-/// The object of a group or of the world that stands for the value, its texture in the database.
+/// The value as an object of a group or of the world, its texture in the database.
 [[nodiscard]] scene::Object placed(Context& context, const ObjectValue& value);
 /// Counts an object that a bare name places, and its lights, against the scene's limits.
 void count_copy(Context& context, const ObjectValue& value, SourceSpan span);
 
 /// Puts the group into the database and counts it.
 [[nodiscard]] scene::GroupId add_group(ElementStream& stream, scene::Group group);
-/// The same, as the draft's shape.
+/// Does the same and makes the group the draft's shape.
 void set_group(ElementStream& stream, ObjectDraft& draft, scene::Group group);
 
 // ---- Readers of geometry, one a row of the table: each reads up to the first modifier -------------------------------
@@ -65,7 +66,7 @@ void read_any_object(ElementStream& stream, ObjectDraft& draft);
 void read_light_source(ElementStream& stream, ObjectDraft& draft);
 void read_light_group(ElementStream& stream, ObjectDraft& draft);
 
-/// Takes over an object that was declared, as `sphere { Name … }` and `object { Name … }` do.
+/// Copies a declared object, for `sphere { Name … }` and `object { Name … }`.
 void copy_object(ElementStream& stream, const ObjectValue& from, ObjectDraft& draft);
 
 }  // namespace isl::interpreter

@@ -19,7 +19,7 @@ void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& so
 
 bool read_copy(ElementStream& stream, ObjectDraft& draft) {
   const Element next = stream.peek();
-  // Only a name can stand for an object; anything else that is a value is geometry.
+  // Only a name can refer to an object; any other value is geometry.
   const bool may_name = next.is(ElementKind::value) &&
                         (next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index);
   if (!may_name) return false;

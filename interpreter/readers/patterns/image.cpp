@@ -29,7 +29,7 @@ constexpr TypeRow kTypes[] = {
     {word::kw_sys, ImageType::sys}, {word::kw_tga, ImageType::tga},   {word::kw_tiff, ImageType::tiff},
 };
 
-/// Beyond any picture.
+/// Larger than any picture.
 constexpr double kMaxSide = 1 << 16;
 
 Image read_function_image(ElementStream& stream) {

@@ -1,5 +1,5 @@
-// Pictures by name: `png "wood.png" gamma 2.2 map_type 1 …`, as image_map, bump_map, image_pattern and material_map
-// have them. A file that is missing is an error here already; what its bytes mean is the renderer's to find out.
+// Pictures by name: `png "wood.png" gamma 2.2 map_type 1 …`, as in image_map, bump_map, image_pattern and material_map.
+// A missing file is an error here already; the renderer decodes its bytes.
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -12,8 +12,8 @@ namespace isl::interpreter {
 [[nodiscard]] bool read_image_item(ElementStream& stream, scene::Image& image);
 [[nodiscard]] scene::ImageId add_image(Context& context, scene::Image&& image);
 
-/// The name of a file that may be read: a string in which a backslash is a backslash. Tells where there is no such
-/// file, and goes on.
+/// The name of a file that may be read: a string in which a backslash is an ordinary character. Reports a missing file,
+/// and goes on.
 [[nodiscard]] std::string read_file_name(ElementStream& stream, std::string_view what);
 
 }  // namespace isl::interpreter

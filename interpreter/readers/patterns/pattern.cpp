@@ -20,13 +20,13 @@ using scene::PatternKind;
 using scene::Wave;
 namespace word = grammar::word;
 
-/// One pattern: its word, what it is, how many items its list has, its operands where it has some.
+/// One pattern: its word, its kind, the number of items in its list, and its operands if it has any.
 struct PatternRow {
   grammar::Symbol word;
   PatternKind kind;
   int list = 0;
   Wave wave = Wave::ramp;
-  ReadOperands read = nullptr;  ///< after the word, or the whole block where `is_block`
+  ReadOperands read = nullptr;  ///< after the word, or the whole block if `is_block`
   bool is_block = false;
 };
 
@@ -83,7 +83,7 @@ const PatternRow* find_row(const Element& element) {
   if (!is_block && !element.is(ElementKind::word)) return nullptr;
   for (const PatternRow& row : kPatterns) {
     if (row.word != element.word) continue;
-    // `slope` stands with and without braces.
+    // `slope` is allowed with and without braces.
     return row.is_block == is_block || row.kind == PatternKind::slope ? &row : nullptr;
   }
   return nullptr;
@@ -162,7 +162,7 @@ bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, 
     read_object_operand(inside, draft.pattern);
     if (read_list) read_list(inside, row->kind, row->list);
   } else if (row->kind == PatternKind::bump_map) {
-    return true;  // its host reads the block: it holds the size of the bumps too
+    return true;  // its host reads the block, which also holds the size of the bumps
   } else {
     row->read(inside, draft.pattern);
   }

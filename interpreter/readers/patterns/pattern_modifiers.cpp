@@ -15,13 +15,13 @@ using scene::Pattern;
 using scene::PavementOperands;
 namespace word = grammar::word;
 
-/// Reads the operand after its word; false where the pattern is another.
+/// Reads the operand after its word; returns false if the word does not apply to the pattern.
 using ReadModifier = bool (*)(ElementStream& stream, Pattern& pattern, std::string_view what);
 
 struct ModifierRow {
   grammar::Symbol word;
   ReadModifier read;
-  std::string_view owners;  ///< for messages
+  std::string_view owners;  ///< the patterns that take the word, for messages
 };
 
 template <auto member>
@@ -57,7 +57,7 @@ bool read_vector_into(ElementStream& stream, Pattern& pattern, std::string_view 
 
 // ---- Words with a rule of their own ---------------------------------------------------------------------------------
 
-/// `form` is a vector of `crackle` and a number of `pavement`.
+/// `form` is a vector for `crackle` and a number for `pavement`.
 bool read_form(ElementStream& stream, Pattern& pattern, std::string_view what) {
   return read_vector_into<&scene::CrackleOperands::form>(stream, pattern, what) ||
          read_choice_into<&PavementOperands::form, 0, 3>(stream, pattern, "`form`");
@@ -70,7 +70,7 @@ bool read_solid(ElementStream& stream, Pattern& pattern, std::string_view /*what
   return true;
 }
 
-/// Facets are of a size in space or of one among normals: the word that comes last decides.
+/// Facets have a size in space or a size among normals: the last of the two words decides.
 bool read_coords(ElementStream& stream, Pattern& pattern, std::string_view what) {
   if (!read_number_into<&scene::FacetsOperands::coords>(stream, pattern, what)) return false;
   std::get<scene::FacetsOperands>(pattern.operands).size = 0;
@@ -83,7 +83,7 @@ bool read_size(ElementStream& stream, Pattern& pattern, std::string_view what) {
   return true;
 }
 
-/// POV-Ray warns of an exponent that it does not have, and takes 2.
+/// POV-Ray warns of an exponent that it does not support, and takes 2.
 bool read_exponent(ElementStream& stream, Pattern& pattern, std::string_view what) {
   auto* const fractal = std::get_if<FractalOperands>(&pattern.operands);
   if (!fractal) return false;

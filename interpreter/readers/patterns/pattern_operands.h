@@ -1,15 +1,15 @@
-// What single patterns take beside the modifiers of all: the numbers after their words, and words of their own. One row
-// a pattern in the table of pattern.cpp.
+// The operands of single patterns, beside the modifiers of all: the numbers after their words, and words of their own.
+// One row a pattern in the table of pattern.cpp.
 #pragma once
 
 #include "interpreter/element_stream.h"
 
 namespace isl::interpreter {
 
-/// Reads what follows a pattern's word (or stands in its block) into `pattern.operands`.
+/// Reads the operands after a pattern's word (or in its block) into `pattern.operands`.
 using ReadOperands = void (*)(ElementStream& stream, scene::Pattern& pattern);
 
-// Patterns whose operands are modifiers: the defaults.
+// Patterns whose operands are modifiers: these functions set the defaults.
 void begin_agate(ElementStream& stream, scene::Pattern& pattern);
 void begin_brick(ElementStream& stream, scene::Pattern& pattern);
 void begin_crackle(ElementStream& stream, scene::Pattern& pattern);
@@ -32,8 +32,8 @@ void read_tiling(ElementStream& stream, scene::Pattern& pattern);
 /// `function { … }` as a value of the stream.
 [[nodiscard]] scene::FunctionId read_function_operand(ElementStream& stream);
 
-/// Reads a word that only this pattern has (`agate_turb`, `brick_size` …) if the next element is one; fails where the
-/// word belongs to another pattern.
+/// Reads a word that only this pattern has (`agate_turb`, `brick_size` …) if the next element is one; fails if the word
+/// belongs to another pattern.
 [[nodiscard]] bool read_operand_modifier(ElementStream& stream, scene::Pattern& pattern);
 
 }  // namespace isl::interpreter

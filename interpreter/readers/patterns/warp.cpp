@@ -15,7 +15,7 @@ using scene::RepeatWarp;
 using scene::Vec3;
 namespace word = grammar::word;
 
-/// What POV-Ray clips the number of octaves to.
+/// POV-Ray clamps the number of octaves to this range.
 constexpr double kMinOctaves = 1, kMaxOctaves = 10;
 
 RepeatWarp read_repeat(ElementStream& stream) {

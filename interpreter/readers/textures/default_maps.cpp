@@ -1,4 +1,4 @@
-// The values were read off POV-Ray 3.7's pigments without a map (`frequency 1e-9 phase v` shows the map at v).
+// The values were measured on POV-Ray 3.7's pigments without a map (`frequency 1e-9 phase v` shows the map at v).
 #include "interpreter/readers/textures/default_maps.h"
 
 #include "base/check.h"
@@ -78,7 +78,7 @@ scene::PigmentMapId shared_map(Context& context, std::span<const PigmentEntry> e
 
 scene::PigmentMapId default_pigment_map(Context& context, const scene::Pattern& pattern) {
   const auto* const fractal = std::get_if<scene::FractalOperands>(&pattern.operands);
-  // Of the fractals only the Mandelbrot set is coloured.
+  // Among the fractals only the Mandelbrot set is coloured.
   const bool is_grey = fractal && (fractal->is_julia || fractal->magnet != 0);
   return shared_map(context, is_grey ? std::span<const PigmentEntry>(kGrey) : entries_of(pattern.kind));
 }

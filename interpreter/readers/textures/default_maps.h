@@ -1,4 +1,4 @@
-// The colours that POV-Ray's patterns have where a scene gives none.
+// The default colours of POV-Ray's patterns.
 #pragma once
 
 #include "interpreter/context.h"
@@ -10,7 +10,7 @@ namespace isl::interpreter {
 
 /// The items of a block pattern.
 [[nodiscard]] scene::PigmentMap default_pigment_list(scene::PatternKind kind);
-/// The same in the database, once a scene.
+/// The same list as a record in the database, made once per scene.
 [[nodiscard]] scene::PigmentMapId default_pigment_list_id(Context& context, scene::PatternKind kind);
 
 }  // namespace isl::interpreter

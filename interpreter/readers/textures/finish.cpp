@@ -16,7 +16,7 @@ namespace {
 using scene::Finish;
 namespace word = grammar::word;
 
-/// An item that is one number, with an `albedo` before it where there is a flag for it.
+/// An item that is one number; it may have an `albedo` before it if there is a flag for it.
 struct NumberRow {
   grammar::Symbol word;
   double Finish::*value;
@@ -101,7 +101,7 @@ bool starts_colour(const Element& element) {
   return element.is(ElementKind::value) || (element.is(ElementKind::word) && is_colour_word(element.word));
 }
 
-/// A declared finish that stands behind other items is no number, and is told of where items are expected.
+/// A declared finish after other items is not a number; it is reported where items are expected.
 bool starts_number(ElementStream& stream) {
   const Element& next = stream.peek();
   if (!next.is(ElementKind::value)) return false;
@@ -179,7 +179,7 @@ void read_irid(Context& context, const Element& block, Finish& finish) {
   }
 }
 
-/// POV-Ray 3.0 had them here; they are the interior's.
+/// POV-Ray 3.0 had these items here; today they belong to the interior.
 bool read_old_item(ElementStream& stream, Finish& finish) {
   Context& context = stream.context();
   const Element next = stream.peek();

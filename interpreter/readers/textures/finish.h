@@ -1,4 +1,4 @@
-// `finish { … }`: how a surface answers light.
+// `finish { … }`: the surface's response to light.
 #pragma once
 
 #include "interpreter/element_stream.h"

@@ -1,4 +1,4 @@
-// `interior { … }`: what fills an object.
+// `interior { … }`: the medium that fills an object.
 #pragma once
 
 #include "interpreter/element_stream.h"

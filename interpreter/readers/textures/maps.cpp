@@ -52,10 +52,10 @@ std::optional<decltype(Declared::id)> read_entries(Context& context, const Eleme
   return std::nullopt;
 }
 
-/// Whether the next element is an expression that gives a number, not the name of a pigment or such.
+/// True if the next element is an expression with a number, not the name of a pigment or of another value.
 bool is_number_next(ElementStream& stream) {
   const Element next = stream.peek();
-  // A function there is the pattern that the entry's pigment begins with.
+  // A function here is the pattern that the entry's pigment begins with.
   if (!next.is(ElementKind::value) || next.node->kind == grammar::NodeKind::function) return false;
   const bool is_variable = next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index;
   return !is_variable || evaluate(stream.context(), *next.node).is_numeric();
@@ -68,7 +68,7 @@ double read_value(ElementStream& stream, EntryValue value) {
   return number;
 }
 
-/// A colour and its place.
+/// A colour of an entry, with its place.
 scene::Pigment read_entry_colour(ElementStream& stream) {
   const Element next = stream.peek();
   const OriginId place = place_of(stream.context(), next);
@@ -170,7 +170,7 @@ scene::TextureMapId read_texture_map(Context& context, const Element& block, Ent
 
 namespace {
 
-/// One item of a pigment's list; false where the next element is none.
+/// Reads one item of a pigment's list; returns false if the next element is none.
 bool read_pigment_item(ElementStream& stream, scene::Pigment& pigment) {
   Context& context = stream.context();
   const Element next = stream.peek();

@@ -12,7 +12,7 @@ namespace isl::interpreter {
 [[nodiscard]] scene::NormalId read_normal_body(ElementStream& stream, scene::NormalId base);
 
 [[nodiscard]] scene::NormalId moved(Context& context, scene::NormalId normal, const scene::Transform& transform);
-/// The same bumps, whose height transforms do not scale.
+/// The same bumps with a height that transforms do not scale.
 [[nodiscard]] scene::NormalId without_bump_scale(Context& context, scene::NormalId normal);
 
 }  // namespace isl::interpreter

@@ -28,7 +28,7 @@ bool is_map_block(const Element& next) {
   return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) || next.is_block(word::kw_pigment_map);
 }
 
-/// What chooses from no map: lists, pictures, and what is no pattern.
+/// False for kinds without a map: lists, pictures, and kinds that are no patterns.
 bool takes_map(PatternKind kind) {
   return list_length(kind) == 0 && kind != PatternKind::image_map && kind != PatternKind::plain;
 }
@@ -58,7 +58,7 @@ class PigmentReader {
   }
 
  private:
-  /// A declared pigment, or a declared colour with what overrides it.
+  /// Reads a declared pigment, or a declared colour with its overrides.
   bool read_identifier() {
     const Element first = stream_.peek();
     if (!first.is(ElementKind::value) || first.node->kind == grammar::NodeKind::function) return false;
@@ -101,7 +101,7 @@ class PigmentReader {
   }
 
   bool read_modifier(bool has_type) {
-    // A plain colour is the same wherever it is moved to.
+    // A plain colour is the same after every transform.
     if (!record_ && pigment_.is_plain() && read_transform(stream_)) return true;
     const Element next = stream_.peek();
     if (is_map_block(next)) {
@@ -124,7 +124,7 @@ class PigmentReader {
                     "the pattern or colour of a `pigment` comes first, and there is one");
     }
     if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
-    // As in POV-Ray: what was declared on the surface's coordinates is not moved there.
+    // As in POV-Ray, a pigment that was declared with the surface's coordinates is not moved.
     if (is_declared_on_surface_ && read_transform(stream_)) return true;
     open();
     return read_pattern_modifier(stream_, draft_);
@@ -156,7 +156,7 @@ class PigmentReader {
     }
   }
 
-  /// The record that this pigment needs once it says more than a colour.
+  /// The record that this pigment needs once it is more than a colour.
   PatternedPigment& open() {
     if (record_) return *record_;
     record_ = pigment_.is_plain() ? PatternedPigment{.colour = pigment_.colour}
@@ -186,7 +186,7 @@ class PigmentReader {
   Pigment pigment_;
   bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
   std::optional<PatternedPigment> record_;
-  PatternDraft draft_;  ///< of the record's pattern, where there is a record
+  PatternDraft draft_;  ///< of the record's pattern, if there is a record
 };
 
 }  // namespace

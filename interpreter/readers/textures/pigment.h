@@ -10,10 +10,10 @@ namespace isl::interpreter {
 /// The same up to the end of the stream: the entry of a map has no braces of its own.
 [[nodiscard]] scene::Pigment read_pigment_body(ElementStream& stream, const scene::Pigment& base);
 
-/// The pigment as a record of the database, whatever it is.
+/// Any pigment as a record of the database.
 [[nodiscard]] scene::PigmentId patterned_pigment(Context& context, const scene::Pigment& pigment);
 
-/// What is evaluated at (u, v) of the surface stays where it is.
+/// A pigment that is evaluated at (u, v) of the surface stays unchanged.
 [[nodiscard]] scene::Pigment moved(Context& context, const scene::Pigment& pigment, const scene::Transform& transform);
 
 }  // namespace isl::interpreter

@@ -17,7 +17,7 @@ using scene::Texture;
 using scene::Transform;
 namespace word = grammar::word;
 
-/// Takes what was written where the object stands by now back into the object's space.
+/// Transforms a value back from the object's present place into the object's own space.
 template <class Moved>
 Moved taken_back(Context& context, const Moved& what, const Transform& parent_from_object) {
   return moved(context, what, parent_from_object.inverted());
@@ -27,7 +27,7 @@ void add_layer(Context& context, std::optional<Texture>& texture, const Texture&
   texture = texture ? layered(context, *texture, top, span) : top;
 }
 
-/// pigment, normal and finish change the topmost layer, as it looks where the object stands by now.
+/// pigment, normal and finish change the topmost layer, as it looks at the object's present place.
 void read_part(Context& context, const Element& block, std::optional<Texture>& texture, const Transform& space) {
   const bool is_own = texture.has_value();
   Texture top = texture.value_or(context.default_texture);
@@ -60,7 +60,7 @@ void take_old_interior(Context& context, Surface& surface) {
   surface.interior = interior_id(context, interior);
 }
 
-/// The material's texture is laid over the object's; its interior takes the place of the object's.
+/// The material's texture is laid over the object's; its interior replaces the object's.
 void apply(Context& context, const Surface& material, Surface& surface, const Transform& space, SourceSpan span) {
   if (material.texture) add_layer(context, surface.texture, taken_back(context, *material.texture, space), span);
   if (material.interior_texture) {

@@ -54,7 +54,7 @@ class TextureReader {
     return is_next;
   }
 
-  /// `texture { Texture Pigment Normal Finish … }`: what was declared, each in place of what the base has.
+  /// `texture { Texture Pigment Normal Finish … }`: each declared value replaces that of the base.
   bool read_identifiers() {
     bool is_texture = false;
     while (stream_.peek().is(ElementKind::value) && !starts_pattern(stream_.peek())) {
@@ -104,16 +104,16 @@ class TextureReader {
     return transform.has_value();
   }
 
-  /// What is chosen by a pattern has no pigment, normal or finish of its own.
+  /// A texture that a pattern chooses has no pigment, normal or finish of its own.
   void check_plain(const Element& block) {
     if (texture_.pattern == scene::kNoTexturePattern) return;
     context_.fail(block.word_span, fmt::format("`{}` does not go with a texture that is chosen by a pattern",
                                                context_.text(block.word)));
   }
 
-  // ---- Textures that are chosen by a pattern ------------------------------------------------------------------------
+  // ---- Textures with a pattern --------------------------------------------------------------------------------------
 
-  /// The pattern with its list or map and modifiers, to the end; false where there is none.
+  /// Reads the pattern with its list or map and modifiers, to the end; returns false if there is none.
   bool read_patterned() {
     const Element next = stream_.peek();
     if (next.is_block(word::kw_tiles)) {
@@ -144,7 +144,7 @@ class TextureReader {
       }
       map_ = read_texture_map(context_, next, entry_value(draft_.pattern.kind));
     } else if (next.is_word(word::kw_no_bump_scale)) {
-      stream_.drop();  // the pattern scales no bumps; those of its textures say so themselves
+      stream_.drop();  // the pattern does not scale bumps; its textures decide that themselves
     } else if (!read_pattern_modifier(stream_, draft_)) {
       static constexpr grammar::Symbol kItems[] = {word::kw_texture_map, word::kw_turbulence, word::kw_scale,
                                                    word::kw_rotate, word::kw_translate};

@@ -11,11 +11,11 @@ namespace isl::interpreter {
 /// The same up to the end of the stream: the entry of a map has no braces of its own.
 [[nodiscard]] scene::Texture read_texture_body(ElementStream& stream, const scene::Texture& base);
 
-/// `top`, which may be layers itself, laid over `below`. Fails for textures that are chosen by a pattern.
+/// `top`, which may be layers itself, laid over `below`. Fails for textures that a pattern chooses.
 [[nodiscard]] scene::Texture layered(Context& context, const scene::Texture& below, const scene::Texture& top,
                                      SourceSpan span);
 
-/// The texture with all that it is made of moved.
+/// The texture with all its parts moved.
 [[nodiscard]] scene::Texture moved(Context& context, const scene::Texture& texture, const scene::Transform& transform);
 
 /// The texture with bumps whose height transforms do not scale.
@@ -27,7 +27,7 @@ namespace isl::interpreter {
 /// The texture's number in the database; equal textures share one.
 [[nodiscard]] scene::TextureId texture_id(Context& context, const scene::Texture& texture);
 
-/// The finish as it was said.
+/// The finish of the texture as the scene wrote it.
 [[nodiscard]] inline scene::Finish finish_of(const Context& context, const scene::Texture& texture) {
   return context.database.finish(texture.finish);
 }

@@ -1,4 +1,4 @@
-// What is done to whole textures, layer by layer: laying one over another, moving, mapping.
+// Operations on whole textures, layer by layer: laying one over another, moving, mapping.
 #include "interpreter/readers/patterns/pattern.h"
 #include "interpreter/readers/textures/finish.h"
 #include "interpreter/readers/textures/normal.h"
@@ -29,7 +29,7 @@ Texture each_layer(Context& context, const Texture& top, Change change, scene::T
   return layers.front();
 }
 
-/// Whether nothing of what lies below the texture can show.
+/// True if the texture hides everything below it.
 bool is_opaque(const Context& context, Texture layer) {
   while (layer.below != scene::kNoTexture) layer = context.database.textures[index(layer.below)];
   return layer.pigment.is_plain() && layer.pigment.colour.filter == 0 && layer.pigment.colour.transmit == 0;

@@ -39,7 +39,7 @@ constexpr KindWord kKinds[] = {
 /// True for the kinds whose rays are straight: `angle` sets the length of direction, and only the vectors count.
 bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }
 
-/// POV-Ray's, where a kind that bends rays has no `angle`.
+/// POV-Ray's defaults for the kinds that bend rays, if there is no `angle`.
 constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
 
 constexpr ItemWord<CameraItem> kPlaces[] = {{word::kw_aperture, CameraItem::blur},
@@ -61,8 +61,8 @@ class CameraReader {
   Ref<CameraValue> read() {
     if (stream_.peek().is(ElementKind::value)) read_identifier();
     while (!stream_.peek().is(ElementKind::end)) read_item();
-    // From 3.5 on, the order in which a scene writes the items does not matter: the lens, then where it looks, then the
-    // transforms.
+    // From 3.5 on, the order in which a scene writes the items does not matter: first the lens, then the direction of
+    // view, then the transforms.
     if (!is_in_order_) apply_angle();
     apply_size();
     if (!is_in_order_) apply_look_at();
@@ -171,7 +171,7 @@ class CameraReader {
     check(sky_, "sky");
   }
 
-  /// The angle of a view with straight rays. As in POV-Ray, none is the same as 0.
+  /// The angle of a view with straight rays. As in POV-Ray, a missing angle is the same as 0.
   void apply_angle() {
     if (angle_degrees_ && *angle_degrees_ < 0)
       context_.fail(angle_span_, fmt::format("`angle` is not below 0, found {:g}", *angle_degrees_));
@@ -188,7 +188,8 @@ class CameraReader {
     if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
   }
 
-  /// A parallel view without a size of its own, or with an angle, shows at look_at what a perspective one would.
+  /// A parallel view without a size of its own, or with an angle, shows at look_at the same section as a perspective
+  /// one.
   void apply_orthographic_size() {
     const bool has_angle = angle_degrees_ && *angle_degrees_ != 0;
     if (is_copy_ || (has_size_ && !has_angle)) return;
@@ -200,7 +201,8 @@ class CameraReader {
 
   void apply_bent_angle() {
     const bool is_spherical = camera_.kind == CameraKind::spherical;
-    if (camera_.kind == CameraKind::omnimax || (is_copy_ && !angle_degrees_)) return;  // its picture is always the same
+    // The picture of these does not depend on `angle`.
+    if (camera_.kind == CameraKind::omnimax || (is_copy_ && !angle_degrees_)) return;
     const double degrees = angle_degrees_.value_or(is_spherical ? kSphericalAngleDegrees : kDefaultAngleDegrees);
     camera_.angle = radians_from_degrees(degrees);
     if (is_spherical) camera_.vertical_angle = radians_from_degrees(vertical_degrees_.value_or(degrees / 2));
@@ -218,9 +220,9 @@ class CameraReader {
   Camera camera_;
   Vec3 sky_{0, 1, 0};
   scene::Transform transform_;
-  bool is_in_order_;       ///< before 3.5, each item works on what stands before it
-  bool is_copy_ = false;   ///< of a camera that was declared
-  SourceSpan size_span_;   ///< of `right`, else of the word `camera`
+  bool is_in_order_;       ///< before 3.5, each item works on the items before it
+  bool is_copy_ = false;   ///< copied from a declared camera
+  SourceSpan size_span_;   ///< span of `right`, else of the word `camera`
   bool has_size_ = false;  ///< `right` or `up` was given
   FocalBlurReader blur_;
   std::optional<double> angle_degrees_, vertical_degrees_;

@@ -12,15 +12,15 @@ using scene::Vec3;
 
 namespace {
 
-/// POV-Ray's own bound, on each coordinate: below it the view is taken for one along the sky.
+/// POV-Ray's own bound, on each coordinate: below it the view counts as parallel to the sky.
 constexpr double kAlongSky = 1e-10;
 
 bool is_along_sky(const Vec3& sideways) {
   return std::max({std::abs(sideways.x), std::abs(sideways.y), std::abs(sideways.z)}) < kAlongSky;
 }
 
-/// The direction in which the picture's right edge lies, of length 1. Along the sky there is none; as in POV-Ray it is
-/// then the camera's own, which here is some perpendicular where that lies along the view too.
+/// The unit vector to the picture's right edge. A view parallel to the sky has none; as in POV-Ray the camera's own
+/// `right` is used, and here some perpendicular if that is parallel to the view too.
 Vec3 sideways_of(const Camera& camera, const Vec3& forward, const Vec3& sky) {
   Vec3 sideways = sky.cross(forward);
   if (is_along_sky(sideways)) sideways = camera.right / camera.right.length();
@@ -37,7 +37,7 @@ void set_horizontal_angle(Camera& camera, double degrees) {
 
 void look_at(Camera& camera, const Vec3& target, const Vec3& sky) {
   const double direction = camera.direction.length(), right = camera.right.length(), up = camera.up.length();
-  // As in POV-Ray, a `right` that lies in the plane of up and direction shows no hand and gets the mirrored one.
+  // As in POV-Ray, a `right` in the plane of up and direction has no handedness and gets the mirrored one.
   const bool is_mirrored = !(camera.up.cross(camera.direction).dot(camera.right) > 0);
   const Vec3 ahead = target - camera.location;
   const Vec3 forward = ahead / ahead.length();

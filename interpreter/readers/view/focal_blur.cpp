@@ -12,7 +12,7 @@ namespace {
 
 namespace word = grammar::word;
 
-/// What POV-Ray keeps sharp where no focal_point is given.
+/// POV-Ray's sharp distance without a focal_point.
 constexpr double kDefaultFocalDistance = 1;
 
 }  // namespace

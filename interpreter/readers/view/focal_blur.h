@@ -11,20 +11,20 @@ namespace isl::interpreter {
 class FocalBlurReader {
  public:
   FocalBlurReader() = default;
-  /// Begins with a declared camera's.
+  /// Starts from the focal blur of a declared camera.
   explicit FocalBlurReader(const std::optional<scene::FocalBlur>& blur);
 
   /// Reads one item if the next element is one.
   [[nodiscard]] bool read(ElementStream& stream);
 
-  /// None where the lens is a point or no samples are asked for, which in POV-Ray means that everything is sharp.
-  /// `camera` is where it stands and looks before its transforms: these do not change the distance that is sharp.
+  /// None if the lens is a point or no samples are asked for, which in POV-Ray means that everything is sharp. `camera`
+  /// has its location and direction before its transforms: these do not change the distance that is sharp.
   [[nodiscard]] std::optional<scene::FocalBlur> result(ElementStream& stream, const scene::Camera& camera) const;
 
  private:
   void read_bokeh(Context& context, const Element& block);
   void read_samples(ElementStream& stream);
-  /// A number, or the default with a warning where it is out of its range.
+  /// Reads a number; if it is out of range, warns and takes the default.
   void read_share(ElementStream& stream, double& share, bool may_be_limit);
 
   scene::FocalBlur blur_;

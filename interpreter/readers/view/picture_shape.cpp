@@ -11,21 +11,21 @@ using scene::Camera;
 using scene::CameraKind;
 using scene::Vec3;
 
-/// The kinds that take both lengths, of `right` and of `up`, for the sides of the picture.
+/// The kinds whose picture has the lengths of `right` and of `up` as its sides.
 bool has_sides(CameraKind kind) {
   return kind == CameraKind::perspective || kind == CameraKind::orthographic || kind == CameraKind::fisheye ||
          kind == CameraKind::ultra_wide_angle || kind == CameraKind::omnimax;
 }
 
-/// Shapes are written with two decimals, as 1.33 for 4/3, and sizes are rounded to whole pixels, as 853x480 for 16:9:
-/// a shape within both roundings is the picture's own.
+/// Shapes are written with two decimals, as 1.33 for 4/3, and sizes are rounded to whole pixels, as 853x480 for 16:9: a
+/// shape within both roundings is the picture's own.
 bool fits(double shape, double width, double height) {
   constexpr double kTwoDecimals = 0.005;
   const double narrowest = (width - 0.5) / (height + 0.5), widest = (width + 0.5) / (height - 0.5);
   return shape >= narrowest - kTwoDecimals && shape <= widest + kTwoDecimals;
 }
 
-/// "-x" where the vector lies along an axis, else empty.
+/// "-x" if the vector lies along an axis, else empty.
 std::string axis_of(const Vec3& v) {
   static constexpr std::string_view kAxes = "xyz";
   for (int i = 0; i < 3; ++i) {

@@ -37,14 +37,14 @@ std::string describe(Context& context, const Element& element) {
 
 namespace {
 
-/// Fails where the name is a word of POV-Ray 3.8 that no scene of 3.7 has.
+/// Fails if the name is a word of POV-Ray 3.8, which no scene of 3.7 has.
 void refuse_newer_word(Context& context, const Element& element) {
   const std::string_view name = context.text(element.word);
   if (!grammar::is_newer_word(name)) return;
   context.fail(element.is(ElementKind::block) ? element.word_span : element.span, grammar::newer_word_message(name));
 }
 
-/// The word whose block takes a declared name of that kind; empty where there is none.
+/// The word whose block takes a declared name of that kind; empty if there is none.
 std::string_view block_word(ValueKind kind) {
   switch (kind) {
     case ValueKind::object: return "object";
@@ -86,7 +86,7 @@ void fail_expected(ElementStream& stream, std::string_view what) {
         std::move(hint));
   }
   if (next.is(ElementKind::end) && stream.word() != grammar::kNoSymbol) {
-    // Blame the closing bracket.
+    // The error's place is the closing bracket.
     const SourceSpan close{next.span.end > 0 ? next.span.end - 1 : 0, next.span.end};
     context.fail(close, fmt::format("expected {}, found the end of `{}`", what, context.text(stream.word())));
   }
@@ -95,7 +95,7 @@ void fail_expected(ElementStream& stream, std::string_view what) {
 
 namespace {
 
-/// How the value becomes the number that was expected.
+/// Tells how the value can become the expected number.
 std::string hint_for_number(const Value& value) {
   if (value.kind() == ValueKind::string) return "`val(…)` reads a string as a number";
   if (value.is_numeric()) return "`.x`, `.y` and so on take one term of a vector, `vlength(…)` its length";
@@ -169,13 +169,13 @@ void expect_end(ElementStream& stream) {
 
 namespace {
 
-/// Whether the element begins something of POV-Ray's that is not here.
+/// True if the element begins a construct of POV-Ray that is not supported here.
 bool is_unsupported(const Element& element) {
   return (element.is(ElementKind::block) || element.is(ElementKind::word)) && element.word != grammar::kNoSymbol &&
          is_unsupported_word(element.word);
 }
 
-/// `Ball { translate x }` of a declared Ball: its name stands within the braces of what it is.
+/// `Ball { translate x }` with a declared Ball: the name must stand within the braces of its kind.
 void refuse_declared_block(Context& context, const Element& block) {
   const Slot* const slot = without_wrapper(context.scopes.find(block.word));
   if (slot == nullptr || slot->value.kind() == ValueKind::none) return;
@@ -187,7 +187,7 @@ void refuse_declared_block(Context& context, const Element& block) {
                word.empty() ? "" : fmt::format("write `{} {{ {} … }}`", word, name));
 }
 
-/// A name that is nothing: with a suggestion.
+/// Refuses an unknown name, with a suggestion.
 [[noreturn]] void refuse_name(Context& context, const Element& element, std::span<const Symbol> known,
                               const std::string& where) {
   refuse_newer_word(context, element);
@@ -203,7 +203,7 @@ void refuse_declared_block(Context& context, const Element& block) {
                std::move(hint));
 }
 
-/// Most often what follows are the other terms of a vector or colour.
+/// The tokens after it are most often the other terms of a vector or colour.
 [[noreturn]] void refuse_comma(ElementStream& stream, SourceSpan span, const std::string& where) {
   const Element next = stream.peek();
   const bool is_term = next.is(ElementKind::value) && next.node->kind < NodeKind::vector;

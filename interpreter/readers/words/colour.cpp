@@ -14,7 +14,7 @@ namespace {
 using scene::Colour;
 namespace word = grammar::word;
 
-/// The colour words that take one vector. `fourth` says what its fourth term is.
+/// The colour words that take one vector. `fourth` is the meaning of its fourth term.
 struct VectorForm {
   grammar::Symbol word;
   int terms;
@@ -35,7 +35,7 @@ const VectorForm* find_form(grammar::Symbol name) {
   return nullptr;
 }
 
-/// From an sRGB-encoded component to the scene's working space.
+/// Converts an sRGB-encoded component to the scene's working space.
 double decoded(const scene::Settings& settings, double encoded) {
   if (settings.assumed_gamma_srgb) return encoded;
   // IEC 61966-2-1.

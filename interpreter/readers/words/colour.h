@@ -6,17 +6,17 @@
 
 namespace isl::interpreter {
 
-/// A word that may begin a colour: color, rgb, red, …
+/// True for a word that may begin a colour: color, rgb, red, …
 [[nodiscard]] bool is_colour_word(grammar::Symbol word);
-/// A word that overrides one component: red, green, blue, filter, transmit.
+/// True for a word that overrides one component: red, green, blue, filter, transmit.
 [[nodiscard]] bool is_colour_component(const Element& element);
 
 [[nodiscard]] scene::Colour read_colour(ElementStream& stream);
-/// The overrides that follow a colour which was already taken.
+/// Reads the overrides after a colour that was already taken.
 [[nodiscard]] Value read_colour_after(ElementStream& stream, const Value& colour);
 
 [[nodiscard]] Value to_value(const scene::Colour& colour);
-/// As POV-Ray promotes: a number fills all five, a shorter vector is padded with zeros.
+/// Promotes as POV-Ray does: a number fills all five, a shorter vector is padded with zeros.
 [[nodiscard]] scene::Colour to_colour(const Value& value);
 
 }  // namespace isl::interpreter

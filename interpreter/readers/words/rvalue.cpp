@@ -129,7 +129,7 @@ Value read_block(ElementStream& stream) {
     return {ValueKind::spline, make_shared_value<SplineValue>(read_spline(context, block), context.memory)};
   }
   refuse(stream, object_words());
-  // Not supported, and reported: an empty object keeps the name usable.
+  // Unsupported, and reported: an empty object keeps the name usable.
   return {ValueKind::object, empty_object(stream)};
 }
 

@@ -1,4 +1,4 @@
-// What may stand on the right of `#declare A =`, as a macro's argument or as an array's element.
+// The values allowed on the right of `#declare A =`, as a macro's argument or as an array's element.
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -7,7 +7,7 @@ namespace isl::interpreter {
 
 /// One value from the stream: an expression, a colour in any form, or a block that makes a value.
 [[nodiscard]] Value read_rvalue(ElementStream& stream);
-/// The same where its first expression was already taken: `Red transmit .5` after `Red`.
+/// The same if its first expression was already taken: `Red transmit .5` after `Red`.
 [[nodiscard]] Value read_rvalue_after(ElementStream& stream, Value first);
 /// The same for #declare, where a run of texture blocks is one value.
 [[nodiscard]] Value read_declared(ElementStream& stream);

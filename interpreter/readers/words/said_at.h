@@ -1,4 +1,4 @@
-// Notes where items are said whose places a record keeps (renderer/scene/said_at.h).
+// Notes the places of those items whose places a record keeps (renderer/scene/said_at.h).
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -8,7 +8,7 @@
 
 namespace isl::interpreter {
 
-/// The word, of a block its first, where a message about the element points.
+/// The place that messages about the element point to: its word; for a block its first word.
 [[nodiscard]] inline OriginId place_of(Context& context, const Element& element) {
   return context.origin(element.is(ElementKind::block) ? element.word_span : element.span);
 }
@@ -19,7 +19,7 @@ struct ItemWord {
   Item item;
 };
 
-/// To be called with each element that begins an item; does nothing for those whose places are not kept.
+/// Called with each element that begins an item; does nothing for items whose places are not kept.
 template <class Item, std::size_t count>
 void note_place(Context& context, const Element& element, const ItemWord<Item> (&words)[count],
                 scene::SaidAt<Item>& said_at) {

@@ -1,13 +1,13 @@
-// Which of POV-Ray's words mean something that is not here: "not supported" rather than "unexpected".
+// POV-Ray's words for features that are not supported here: the message is "not supported" rather than "unexpected".
 #pragma once
 
 #include "grammar/symbols.h"
 
 namespace isl::interpreter {
 
-/// Of words that begin a construct; those that stand only inside one that is not supported are skipped with it.
+/// True for words that begin a construct; words that occur only inside an unsupported one are skipped with it.
 [[nodiscard]] bool is_unsupported_word(grammar::Symbol word);
-/// Those that make an object.
+/// True for those of them that make an object.
 [[nodiscard]] bool is_unsupported_object(grammar::Symbol word);
 
 }  // namespace isl::interpreter

@@ -17,7 +17,7 @@ using scene::Transform;
 using scene::Vec3;
 namespace word = grammar::word;
 
-/// Beyond this condition number a map loses twelve of a double's sixteen digits.
+/// With a greater condition number a map loses twelve of a double's sixteen digits.
 constexpr double kConditionWarning = 1e12;
 
 Transform checked(Context& context, const scene::Matrix& matrix, SourceSpan span) {

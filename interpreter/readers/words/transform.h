@@ -7,10 +7,10 @@
 
 namespace isl::interpreter {
 
-/// Reads one transform if the next element is one; nothing otherwise. Singular maps are errors, a scale of zero is
-/// replaced by one with a warning, as in POV-Ray.
+/// Reads one transform if the next element is one. A singular map is an error; a scale of zero is replaced by one with
+/// a warning, as in POV-Ray.
 [[nodiscard]] std::optional<scene::Transform> read_transform(ElementStream& stream);
-/// The whole of `transform { … }`: applied in order, then inverted if it says `inverse`.
+/// Reads the whole of `transform { … }`: applied in order, then inverted if it says `inverse`.
 [[nodiscard]] scene::Transform read_transform_block(Context& context, const Element& block);
 
 }  // namespace isl::interpreter

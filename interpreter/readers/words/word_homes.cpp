@@ -14,7 +14,7 @@ namespace {
 using namespace grammar::word;
 using grammar::Symbol;
 
-/// A word and one of the blocks that it stands in. A word with several has a row for each, the commonest first.
+/// A word and one of the blocks that accept it. A word with several has a row for each, the commonest first.
 using Homes = std::multimap<Symbol, Symbol>;
 
 void add(Homes& homes, Symbol block, std::initializer_list<Symbol> words) {
@@ -67,13 +67,13 @@ bool is_one_of(Symbol word, std::initializer_list<Symbol> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// What stands in no block: in one, a `}` is missing most likely.
+/// True for a word that belongs to no block: inside a block, most likely a `}` is missing.
 bool is_of_top_level(const Element& element) {
   return element.is(ElementKind::block) &&
          is_one_of(element.word, {kw_camera, kw_background, kw_global_settings, kw_sky_sphere, kw_fog, kw_rainbow});
 }
 
-/// What stands in an object beside its other modifiers, and in no block below.
+/// True for a word that belongs to an object's modifiers, and to none of the blocks inside it.
 bool is_of_objects(Symbol word) {
   return is_one_of(word,
                    {kw_texture, kw_pigment, kw_normal, kw_finish, kw_material, kw_interior, kw_no_shadow, kw_no_image,
@@ -85,7 +85,7 @@ bool is_directive(Symbol word) {
                           kw_macro, kw_switch, kw_while});
 }
 
-/// Whether the blocks of this word hold objects.
+/// True if the blocks of this word hold objects.
 bool holds_objects(Symbol word) {
   return is_one_of(word, {kw_blob, kw_union, kw_merge, kw_intersection, kw_difference, kw_light_group});
 }

@@ -26,7 +26,7 @@ namespace word = grammar::word;
 
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// What the block begins with if it is a declared thing of this kind; null otherwise.
+/// The declared value that the block begins with, if it is of this kind; null otherwise.
 template <class Declared>
 Ref<Declared> read_declared_name(ElementStream& stream, ValueKind kind, std::string_view what) {
   const Element first = stream.peek();
@@ -40,7 +40,7 @@ Ref<Declared> read_declared_name(ElementStream& stream, ValueKind kind, std::str
   return Ref<Declared>(&value.as<Declared>());
 }
 
-/// "By default a sufficiently large value", as POV-Ray's manual has it: beyond all that it draws.
+/// POV-Ray's manual says "by default a sufficiently large value": farther than anything it draws.
 constexpr double kFarRainbow = 1e7;
 
 // ---- Sky sphere -----------------------------------------------------------------------------------------------------
@@ -92,7 +92,7 @@ void read_fog_type(ElementStream& stream, Fog& fog) {
   fog.kind = type == 1 ? Fog::Kind::constant : Fog::Kind::ground;
 }
 
-/// A colour; or a lone number, POV-Ray 1's distance.
+/// Reads a colour, or a lone number, which is POV-Ray 1's distance.
 void read_fog_value(ElementStream& stream, Fog& fog) {
   const Element next = stream.peek();
   const Value value = stream.take_value();
@@ -114,7 +114,7 @@ bool read_fog_item(ElementStream& stream, Fog& fog) {
     read_fog_value(stream, fog);
     return true;
   }
-  // Only the direction of the height can be moved; a scale changes no length.
+  // Transforms change only the direction of the height; a scale changes no length.
   if (const std::optional<scene::Transform> transform = read_transform(stream)) {
     fog.up = transform->vector(fog.up).normalized();
     return true;
@@ -181,13 +181,13 @@ bool read_rainbow_item(ElementStream& stream, Rainbow& rainbow) {
   return true;
 }
 
-/// POV-Ray's conditions; `up` becomes perpendicular to the direction.
+/// Checks POV-Ray's conditions and makes `up` perpendicular to the direction.
 void check_rainbow(ElementStream& stream, Rainbow& rainbow) {
   Context& context = stream.context();
   if (rainbow.direction.length() == 0) context.fail(stream.span(), "a `rainbow` needs a `direction` that is not zero");
   rainbow.direction.normalize();
   const scene::Vec3 up = rainbow.up - rainbow.direction * rainbow.up.dot(rainbow.direction);
-  if (up.length() <= 1e-7 * rainbow.up.length()) {  // of rounding: a cosine of one
+  if (up.length() <= 1e-7 * rainbow.up.length()) {  // parallel within rounding: a cosine of one
     context.fail(stream.span(), "`up` and `direction` of a `rainbow` are one direction");
   }
   rainbow.up = up.normalized();

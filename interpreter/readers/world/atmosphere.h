@@ -5,12 +5,12 @@
 
 namespace isl::interpreter {
 
-// Each reads a whole block, which may begin with the name of one that was declared.
+// Each reads a whole block, which may begin with the name of a declared value.
 [[nodiscard]] scene::SkySphere read_sky_sphere(Context& context, const Element& block);
 [[nodiscard]] scene::Fog read_fog(Context& context, const Element& block);
 [[nodiscard]] scene::Rainbow read_rainbow(Context& context, const Element& block);
 
-// Each puts into the scene what its block says.
+// Each puts the block's content into the scene.
 void place_sky_sphere(Context& context, const Element& block);
 void place_fog(Context& context, const Element& block);
 void place_rainbow(Context& context, const Element& block);

@@ -65,7 +65,7 @@ class LightReader {
     return next.is(ElementKind::word) && (read_kind(next.word) || read_number_item(next) || read_word(next));
   }
 
-  /// What kind of light it is; each brings its own defaults, which are POV-Ray's.
+  /// Reads the kind of light; each kind has its own defaults, which are POV-Ray's.
   bool read_kind(grammar::Symbol name) {
     if (name == word::kw_spotlight) {
       light_.kind = LightKind::spotlight;
@@ -89,7 +89,7 @@ class LightReader {
                                          context_.text(item.word)));
   }
 
-  /// Items of one number. Angles of a spotlight are in degrees at this border.
+  /// Reads items of one number. Angles of a spotlight are in degrees in this interface.
   bool read_number_item(const Element& item) {
     struct NumberItem {
       grammar::Symbol word;
@@ -199,14 +199,15 @@ class LightReader {
     expect_end(inner);
   }
 
-  /// The object stands at the light and does not keep its light in: an ordinary object without a shadow, which moves
+  /// The object is placed at the light and does not block its light: an ordinary object without a shadow, which moves
   /// with the light.
   void read_looks_like(const Element& block) {
     scene::Group group;
     read_only_child(block, group);
     for (scene::Object& child : group.children) {
       child.no_shadow = true;
-      // What moved the light so far moves the object through the draft's transform: to the place that light then had.
+      // The transforms of the light so far move the object through the draft's transform, to the light's location
+      // before them.
       const scene::Vec3 location = draft_.object.parent_from_object.inverse_point(light_.location);
       child.parent_from_object = scene::then(child.parent_from_object, translation(location));
     }
@@ -220,7 +221,7 @@ class LightReader {
     if (has_area_) light_.area = area_;
   }
 
-  /// A light that turns to what it lights looks the same from everywhere.
+  /// A light that turns to the lit point looks the same from everywhere.
   void check_orient() {
     if (!has_area_) return context_.warn(stream_.span(), "`orient` has no effect without `area_light`");
     if (!area_.circular) context_.warn(stream_.span(), "`orient` makes this area light circular");

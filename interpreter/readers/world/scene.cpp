@@ -23,7 +23,7 @@ void place(Context& context, const ObjectValue& value) {
   if (value.object.shape != scene::kNone) {
     scene::Object object = placed(context, value);
     if (object.texture == scene::kNoTexture && context.has_default_texture) {
-      // The default stands in the world, not with the object.
+      // The default texture is in world space, not in the object's.
       const scene::Transform& world_from_object = object.parent_from_object;
       object.texture =
           texture_id(context, moved(context, context.default_texture, world_from_object.inverted()));
@@ -45,7 +45,7 @@ void place_camera(Context& context, const Element& block) {
 
 void set_default(Context& context, const Element& block) { read_default(context, block.items, block.span); }
 
-/// What stands at the top level and is no object. `default` without its `#` is how old scenes have it.
+/// A statement of the top level that is not an object. Old scenes write `default` without its `#`.
 struct Statement {
   grammar::Symbol word;
   void (*read)(Context&, const Element&);
@@ -57,7 +57,7 @@ constexpr Statement kStatements[] = {
     {word::kw_default, set_default},
 };
 
-/// False where the element is no block of the top level.
+/// Returns false if the element is not a block of the top level.
 bool read_block(ElementStream& stream) {
   const Element block = stream.peek();
   if (!block.is(ElementKind::block)) return false;
@@ -114,7 +114,7 @@ void read_default(Context& context, grammar::Items items, SourceSpan span) {
       stream.drop();
       context.default_camera = read_camera(context, next);
     } else if (next.is_block(word::kw_texture)) {
-      // Not a layer: it takes the default's place.
+      // The texture is not a layer: it replaces the default.
       stream.drop();
       texture = read_texture(context, next, context.default_texture);
       if (texture->pattern != scene::kNoTexturePattern || texture->below != scene::kNoTexture) {

@@ -1,11 +1,12 @@
-// What stands at the top level of a scene.
+// The statements at the top level of a scene.
 #pragma once
 
 #include "interpreter/element_stream.h"
 
 namespace isl::interpreter {
 
-/// Executes a whole file and puts what it yields into the database. After an error it goes on with the next statement.
+/// Executes a whole file and puts its objects and settings into the database. After an error it goes on with the next
+/// statement.
 void read_scene(Context& context, const grammar::Unit& unit);
 
 /// `#default { texture {} … }`.

@@ -26,7 +26,7 @@ void read_assumed_gamma(ElementStream& stream, scene::Settings& settings) {
   }
 }
 
-/// `tolerance "0.05px"` or `tolerance 1e-4`; kept as text, which the command line's option shares.
+/// `tolerance "0.05px"` or `tolerance 1e-4`; kept as text, the form that the command line's option has too.
 void read_tolerance(ElementStream& stream, scene::Settings& settings) {
   Context& context = stream.context();
   const Element lead = stream.peek();
@@ -96,7 +96,7 @@ void read_noise_generator(ElementStream& stream, scene::Settings& settings) {
   stream.context().has_noise_generator = true;
 }
 
-/// Of the encodings that POV-Ray knows; every file is read as UTF-8, of which ASCII is a part.
+/// One of the encodings that POV-Ray knows; every file is read as UTF-8, of which ASCII is a subset.
 void read_charset(ElementStream& stream, scene::Settings&) {
   const Element next = stream.peek();
   const bool is_known = next.is_word(word::kw_ascii) || next.is_word(word::kw_utf8) || next.is_word(word::kw_sys);
@@ -106,7 +106,7 @@ void read_charset(ElementStream& stream, scene::Settings&) {
   stream.drop();
 }
 
-/// POV-Ray 3.7 reads it and does nothing.
+/// POV-Ray 3.7 reads it and ignores it.
 void read_max_intersections(ElementStream& stream, scene::Settings&) {
   static_cast<void>(read_number(stream, "a number after `max_intersections`"));
 }
@@ -134,7 +134,7 @@ constexpr SettingWord kSettings[] = {{word::kw_assumed_gamma, read_assumed_gamma
                                      {word::kw_max_intersections, read_max_intersections},
                                      {word::kw_hf_gray_16, read_hf_gray_16}};
 
-/// The items of ours, which are not reserved.
+/// Reads our own items, which are not reserved words.
 bool read_contextual_item(ElementStream& stream) {
   Context& context = stream.context();
   scene::Settings& settings = context.database.settings;
