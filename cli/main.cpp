@@ -1,4 +1,4 @@
-// The program: the command line as data, then the command that it names.
+// The program: parses the command line, then runs the command that it names.
 #include "cli/commands/commands.h"
 #include "cli/output/interrupt.h"
 
@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     isl::cli::catch_interrupts();
-    // A limit on the size of files is met like a full disk: the write fails, and its message names the file.
+    // A limit on the size of files is handled like a full disk: the write fails, and its message names the file.
     std::signal(SIGXFSZ, SIG_IGN);
     return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
   } catch (const std::bad_alloc&) {

@@ -10,13 +10,13 @@
 namespace isl::cli {
 namespace {
 
-// Everything in SVG units. On the right there is room for the methods' names.
+// All lengths are in SVG units. The right margin has room for the methods' names.
 constexpr double kWidth = 640, kHeight = 440, kLeft = 64, kRight = 104, kTop = 14, kBottom = 46;
 
 constexpr std::array kFamilyColours{"#d5622c", "#2563c4", "#16181d", "#2a8c55", "#9440b0",
                                     "#b58a00", "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e", "#5b8f1d"};
 
-/// A logarithmic axis, from a value at one place to another value at another.
+/// A logarithmic axis: maps an interval of values to an interval of places.
 struct Axis {
   double low, high, from, to;
 
@@ -27,7 +27,7 @@ struct Axis {
 
 struct Plot {
   Axis time, error;
-  double floor;  ///< errors below are drawn here
+  double floor;  ///< smaller errors are drawn here
 };
 
 double worst_shown(const AccuracyReport& report, std::size_t i, double floor) {
@@ -43,7 +43,7 @@ Plot plot_of(const AccuracyReport& report) {
     least_time = std::min(least_time, measured.relative_time);
     greatest_time = std::max(greatest_time, measured.relative_time);
   }
-  // Where no field could be checked (solids): the spacing of doubles in a picture of a thousand pixels.
+  // If no field could be checked (solids), the floor is the spacing of doubles in a picture of a thousand pixels.
   const double floor = std::pow(10, std::floor(std::log10(proven > 0 ? proven : 1e-12)));
   const double top = std::pow(10, std::ceil(std::log10(greatest * 1.5)));
   return {{least_time / 1.5, greatest_time * 1.5, kLeft, kWidth - kRight},
@@ -90,7 +90,7 @@ std::string axes(const Plot& plot) {
   return svg;
 }
 
-/// Rungs of the front from quick to slow, joined by steps: what is right of and above the line is beaten.
+/// Rungs of the front from quick to slow, joined by steps: settings to the right of and above the line are dominated.
 std::string front_line(const AccuracyReport& report, const Plot& plot, const std::vector<bool>& front) {
   std::vector<std::size_t> rungs;
   for (std::size_t i = 0; i < front.size(); ++i) {

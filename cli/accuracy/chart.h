@@ -10,10 +10,10 @@ namespace isl::cli {
 
 /// An <svg> element. Every setting is one element of the class `point` with its number in `data-rung`: the disc is its
 /// worst error, the line below it reaches to the median. Settings that miss or invent surfaces are drawn hollow. Errors
-/// below what the reference is proven to stand at the bottom. Those of the Pareto front are ringed and joined.
+/// below the reference's proven error are drawn at the bottom. Settings of the Pareto front are ringed and joined.
 [[nodiscard]] std::string chart_svg(const AccuracyReport& report);
 
-/// The text with the characters escaped that mean something in HTML.
+/// Escapes the text's characters that have a meaning in HTML.
 [[nodiscard]] std::string html_text(std::string_view text);
 
 }  // namespace isl::cli

@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 29> kRows{
 };
 // clang-format on
 
-/// By the readers of the options themselves, so that a row means what a user gets who writes the same.
+/// Uses the readers of the options themselves, so that a row means the same as a user's options.
 Rung rung_of(const SolverSetting& setting, const AccuracyCommand& command, const scene::Database& database) {
   RenderCommand render;
   render.scene = command.scene;

@@ -1,4 +1,4 @@
-// The settings that `isl accuracy` compares. Adding one to those that it takes by itself is adding a row.
+// The settings that `isl accuracy` compares. A new default setting is a new row.
 #pragma once
 
 #include "cli/options/options.h"
@@ -15,11 +15,11 @@ struct Rung {
   render::TracerOptions tracer;
 };
 
-/// The command's settings, or the whole ladder where it names none, ready to trace `database` at the command's size.
-/// Exactly one is the default: where it is not named it comes first.
+/// The command's settings, or the whole ladder if it names none, ready to trace `database` at the command's size.
+/// Exactly one is the default: if it is not named it is added first.
 [[nodiscard]] std::vector<Rung> ladder(const AccuracyCommand& command, const scene::Database& database);
 
-/// What all are measured against.
+/// The reference that all settings are measured against.
 [[nodiscard]] Rung reference_rung(const AccuracyCommand& command, const scene::Database& database);
 
 }  // namespace isl::cli

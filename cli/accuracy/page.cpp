@@ -47,8 +47,8 @@ std::string css_colour(const render::Rgb& linear) {
   return fmt::format("#{:02x}{:02x}{:02x}", code(linear.x), code(linear.y), code(linear.z));
 }
 
-/// A bar of the map with `labels` at equal steps under it, the first at its left end and the last at its right; those that
-/// would touch the one before are left out.
+/// A bar of the map with `labels` at equal steps under it, the first at its left end and the last at its right; labels
+/// that would touch the one before are left out.
 std::string legend(const char* name, const std::vector<std::string>& labels) {
   constexpr double kLeft = 20, kWidth = 400, kLetter = 7;
   std::string svg = fmt::format("<svg viewBox=\"0 0 440 34\"><defs><linearGradient id=\"{}\">", name);
@@ -59,7 +59,7 @@ std::string legend(const char* name, const std::vector<std::string>& labels) {
   }
   svg += fmt::format("</linearGradient></defs><rect x=\"{}\" y=\"4\" width=\"{}\" height=\"12\" fill=\"url(#{})\"/>",
                      kLeft, kWidth, name);
-  double free = 0;  // where the next one may begin
+  double free = 0;  // the next label may begin here
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double x = kLeft + kWidth * static_cast<double>(i) / static_cast<double>(labels.size() - 1);
     const double half = 0.5 * kLetter * static_cast<double>(labels[i].size());

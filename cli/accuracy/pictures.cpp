@@ -12,7 +12,7 @@ namespace {
 
 using render::RayOutcome;
 
-/// Steps of the map in pictures: more than an eye tells apart, few enough for the file to stay small.
+/// Steps of the colour map in pictures: more than an eye can distinguish, few enough for a small file.
 constexpr double kColours = 96;
 
 render::Rgb colour_of(const render::ColourScale& scale, double value) {
@@ -29,7 +29,7 @@ render::Rgb error_colour(const render::RayError& error) {
   return colour_of(render::kErrorScale, error.pixels);
 }
 
-/// Up to what any ray of any setting takes.
+/// The scale reaches to the highest cost of any ray of any setting.
 render::ColourScale cost_scale(const AccuracyReport& report) {
   double most = 0;
   for (const render::Measured& measured : report.comparison.settings) {

@@ -1,4 +1,4 @@
-// The pictures of a report: the scene itself, and for each setting where it errs and where it costs.
+// The pictures of a report: the scene itself, and for each setting a map of its errors and one of its cost.
 #pragma once
 
 #include "cli/accuracy/report.h"
@@ -10,7 +10,7 @@
 
 namespace isl::cli {
 
-/// One scale for all settings, so that their pictures compare.
+/// One scale for all settings, so that their pictures are comparable.
 struct AccuracyScales {
   render::ColourScale error;  ///< pixels
   render::ColourScale cost;   ///< field evaluations of a ray
@@ -20,8 +20,8 @@ struct AccuracyScales {
 struct AccuracyPictures {
   AccuracyScales scales;
   std::string scene;
-  std::vector<std::string> errors, costs;  ///< one a rung
-  std::string problem;                     ///< what went wrong (lower case, no full stop), or ""
+  std::vector<std::string> errors, costs;  ///< one for each rung
+  std::string problem;                     ///< the error (lower case, no full stop), or ""
 };
 
 /// `scene` is the rendered picture.

@@ -13,24 +13,24 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// What settings are judged by: the worst error, worse than any length where surfaces are missed or invented, and none
-/// better than the reference is known to be.
+/// The error by which settings are judged: the worst one, infinite if surfaces are missed or invented, and at least the
+/// proven error of the reference.
 double worst_of(const AccuracyReport& report, std::size_t i) {
   const render::ErrorSummary& summary = report.comparison.settings[i].summary;
   if (summary.missed + summary.false_surfaces > 0) return kNever;
   return std::max(summary.worst_pixels, report.comparison.check.worst_pixels);
 }
 
-/// Settings that do the very same work, as hermite does where no ray needs its tolerance, are seen to differ by up to a
-/// hundredth: where their memory lies decides that much.
+/// Settings that do identical work, as hermite does if no ray needs its tolerance, differ by up to a hundredth in
+/// measurements, because their memory lies elsewhere.
 constexpr double kSameTime = 0.02;
 
 bool is_quicker(const render::Measured& a, const render::Measured& b) {
   return a.relative_time + std::max(a.time_spread + b.time_spread, kSameTime * b.relative_time) < b.relative_time;
 }
 
-/// Those of `rungs` that are as quick as the quickest of them. Being as quick is told from the quickest alone: it is
-/// not transitive.
+/// The rungs that are as quick as the quickest among `rungs`. All are compared with the quickest alone, because being
+/// as quick is not transitive.
 std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
   const std::vector<render::Measured>& settings = report.comparison.settings;
   const std::size_t first =
@@ -42,7 +42,7 @@ std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vecto
   return result;
 }
 
-/// The default if it is among them, else the first.
+/// The rung that is shown for a group of equals: the default if it is among them, else the first.
 std::size_t spokesman(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
   const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].setting.is_default(); });
   return found == rungs.end() ? rungs.front() : *found;
@@ -75,7 +75,7 @@ std::string shadow_text(const render::Measured& measured) {
 
 std::vector<bool> pareto_front(const AccuracyReport& report) {
   std::vector<bool> front(report.rungs.size());
-  // From quick to slow: the most exact of the quickest, then what is more exact than that.
+  // From quick to slow: the most exact of the quickest, then those that are more exact than that.
   for (std::vector<std::size_t> left = all_rungs(report); !left.empty();) {
     const std::vector<std::size_t> group = quickest(report, left);
     double least = kNever;

@@ -1,4 +1,5 @@
-// What `isl accuracy` found, in words and numbers: the table for a terminal, the same as CSV and JSON, and the advice.
+// The results of `isl accuracy` in words and numbers: the table for a terminal, the same as CSV and JSON, and the
+// advice.
 #pragma once
 
 #include "cli/accuracy/ladder.h"
@@ -13,26 +14,26 @@ namespace isl::cli {
 
 struct AccuracyReport {
   std::string scene;    ///< as the user named it
-  std::string command;  ///< that makes this report again
+  std::string command;  ///< command line that makes this report again
   PictureSize size;
   std::vector<Rung> rungs;
-  render::Comparison comparison;  ///< settings[i] of rungs[i]
+  render::Comparison comparison;  ///< settings[i] belongs to rungs[i]
 };
 
-/// The worst error that the advice allows: a tenth of a pixel is less than what antialiasing can show.
+/// The worst error that the advice allows: a tenth of a pixel is less than antialiasing can show.
 inline constexpr double kAdvisedPixels = 0.1;
 
-/// Rungs of the Pareto front, at least one: no other is both at least as quick and at least as exact, and better in one
-/// of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without. Times
-/// within each other's spread or two hundredths are equal, as are errors below what the reference is proven to; of
-/// equals the default or else the first stands for all.
+/// Rungs of the Pareto front, at least one: no other rung is both at least as quick and at least as exact, and better
+/// in one of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without.
+/// Times are equal within each other's spread or two hundredths, and so are errors below the reference's proven error;
+/// the default, or else the first, represents equals.
 [[nodiscard]] std::vector<bool> pareto_front(const AccuracyReport& report);
 
 /// One sentence: the cheapest setting whose worst error is within kAdvisedPixels and that misses and invents nothing;
-/// the default where it is as quick as any.
+/// the default if it is as quick as any.
 [[nodiscard]] std::string advice(const AccuracyReport& report);
 
-/// How far the reference can be trusted, in one sentence.
+/// One sentence on how far the reference can be trusted.
 [[nodiscard]] std::string check_sentence(const render::ReferenceCheck& check);
 
 [[nodiscard]] std::string table_text(const AccuracyReport& report);

@@ -1,6 +1,5 @@
-// `isl accuracy`: the scene's camera rays with one setting after the other, and what each costs and gets wrong.
+// `isl accuracy`: traces the scene's camera rays with one setting after the other, and reports cost and errors of each.
 #include "cli/commands/commands.h"
-
 #include "cli/accuracy/page.h"
 #include "cli/accuracy/pictures.h"
 #include "cli/accuracy/report.h"
@@ -36,7 +35,7 @@ ReportFiles report_files(const AccuracyCommand& command, const Session& session)
   return {name + ".html", name + ".json", name + ".csv"};
 }
 
-/// What makes the same report, as one would write it in the folder where this one was asked for.
+/// The command line that makes the same report in the same folder.
 std::string command_text(const AccuracyCommand& command) {
   std::string text = fmt::format("isl accuracy {} -s {}x{} --repeats {}", command.scene.scene.string(),
                                  command.scene.size.width, command.scene.size.height, command.repeats);
@@ -73,7 +72,7 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
                          static_cast<std::size_t>(base - rungs.begin()), options);
 }
 
-/// As `isl render` makes it where nothing else is said.
+/// The picture as `isl render` makes it by default.
 render::Image picture_of(const AccuracyCommand& command, const scene::Database& database) {
   RenderCommand render;
   render.scene = command.scene;

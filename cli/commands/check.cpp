@@ -1,7 +1,6 @@
-// `isl check`: everything short of rendering; what it accepts can be rendered. Must start and end in a moment, so it loads no image library and compiles
-// no scene.
+// `isl check`: everything short of rendering; a scene that it accepts can be rendered. It must start and end in a
+// moment, so it loads no image library and compiles no scene.
 #include "cli/commands/commands.h"
-
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "cli/session/used_files.h"

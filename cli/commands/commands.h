@@ -1,4 +1,4 @@
-// What each command does. Errors have been told to the user when one returns.
+// The commands. When one returns, it has reported its errors to the user.
 #pragma once
 
 #include "cli/options/options.h"
@@ -9,13 +9,14 @@ namespace isl::cli {
 /// Reads, evaluates, traces, writes the image files.
 [[nodiscard]] ExitCode run(const RenderCommand& command);
 
-/// Reads and evaluates; tells the problems, also those of rendering; what the scene holds, its bounding box and a camera that sees it.
+/// Reads and evaluates; reports the problems, also those of rendering, the contents of the scene, its bounding box and
+/// a camera that sees it.
 [[nodiscard]] ExitCode run(const CheckCommand& command);
 
-/// Prints the effects that the scene calls for, and which statements do.
+/// Prints the effects that the scene calls for, and the statements that call for them.
 [[nodiscard]] ExitCode run(const PlanCommand& command);
 
-/// Measures what the scene's camera rays cost and how far off they are with one setting after the other.
+/// Measures, with one setting after the other, the cost and the errors of the scene's camera rays.
 [[nodiscard]] ExitCode run(const AccuracyCommand& command);
 
 /// Prints one stage of the way from text to picture.

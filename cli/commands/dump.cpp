@@ -1,6 +1,5 @@
-// `isl dump`: one box of the data flow as text. What it prints is stable, so that golden tests can hold on to it.
+// `isl dump`: one stage of the data flow as text. The text is stable, so that golden tests can rely on it.
 #include "cli/commands/commands.h"
-
 #include "cli/options/render_settings.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
@@ -17,7 +16,7 @@
 namespace isl::cli {
 namespace {
 
-/// `file:line:column` of what made a primitive; nothing for what has no place.
+/// `file:line:column` of a primitive's origin; empty if it has no place.
 nlohmann::ordered_json place_of(const Session& session, OriginId id) {
   const grammar::SourcePosition place = session.sources().position(session.scene().origins.resolve(id).span.begin);
   if (place.line == 0) return nullptr;
@@ -50,7 +49,7 @@ ExitCode run(const DumpCommand& command) {
   Session session(command.scene);
   const bool is_text_stage = command.stage == DumpStage::tokens || command.stage == DumpStage::ast;
   const ExitCode code = is_text_stage ? session.load_text() : session.evaluate();
-  // Tokens and trees of a text with mistakes are what one wants to see.
+  // The tokens and trees of a text with mistakes are useful, too.
   const bool has_result = code == ExitCode::done || (is_text_stage && code == ExitCode::scene_error);
   if (!has_result) return report_failure(session, code);
   std::optional<DrawableScene> drawable;

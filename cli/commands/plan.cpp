@@ -1,7 +1,6 @@
-// `isl plan`: the effects that a scene calls for, the statements that call for each, and what is left out and why. Reads and
-// evaluates the scene; traces nothing.
+// `isl plan`: the effects that a scene calls for, the statements that call for each, and the effects that are left out,
+// with the reason. Reads and evaluates the scene; traces nothing.
 #include "cli/commands/commands.h"
-
 #include "cli/output/printable_text.h"
 #include "cli/session/report.h"
 #include "cli/session/session.h"
@@ -21,7 +20,7 @@ using render::Plan;
 using render::PlannedEffect;
 using render::Request;
 
-/// "scene.isl:12:3, in macro `Tree` at scene.isl:40:1"; empty where no statement is to be named.
+/// "scene.isl:12:3, in macro `Tree` at scene.isl:40:1"; empty if there is no statement to name.
 std::string place_of(const Session& session, OriginId id) {
   const interpreter::Origin origin = session.scene().origins.resolve(id);
   const auto text = [&](SourceSpan span) {
@@ -76,7 +75,7 @@ void print_text(const Session& session, const Plan& plan) {
   };
   print_rows("called for", rows(plan.called_for));
   print_rows("called for, and not rendered yet", rows(plan.refused));
-  // Nobody misses what is neither called for nor there.
+  // Effects that are neither called for nor available are not listed.
   std::vector<PlannedEffect> left_out = plan.left_out;
   std::erase_if(left_out, [](const PlannedEffect& planned) { return !planned.effect->is_rendered && planned.requests.empty(); });
   print_rows("left out", rows(left_out));

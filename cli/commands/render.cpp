@@ -1,6 +1,4 @@
-// `isl render`: from the command line to image files. Everything that can fail without tracing fails before it.
-#include "cli/commands/commands.h"
-
+// `isl render`: from the command line to image files. All checks that need no tracing run before it.
 #include "base/content_hash.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/closing_line.h"
@@ -39,7 +37,7 @@ ExitCode tell(const OutputProblem& problem) {
   return problem.code;
 }
 
-/// Before the scene is read: a slip in a name should not cost an hour of rendering.
+/// Called before the scene is read: a misspelt name should not cost an hour of rendering.
 OutputProblem check_places(const RenderCommand& command, const std::vector<fs::path>& files) {
   std::vector<fs::path> all = files;
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) all.push_back(layer.file);
@@ -108,7 +106,7 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   return names;
 }
 
-/// The last word: what was written, and how long it took.
+/// Prints the closing line: the files written, and the time.
 void tell_result(const RenderCommand& command, Session& session, const std::vector<fs::path>& files,
                  const render::Image& image, bool complete, const nlohmann::ordered_json& statistics, double seconds) {
   if (command.scene.format == OutputFormat::json) {

@@ -1,4 +1,4 @@
-// The frames of an animation, as the .ini files of POV-Ray describe them, and what one of them is. Knows no file.
+// The frames of an animation, as the .ini files of POV-Ray describe them, and the data of one frame. Knows no file.
 #pragma once
 
 #include "cli/options/option_values.h"
@@ -19,8 +19,8 @@ struct IniAnimation {
   double initial_clock = 0;
   double final_clock = 1;
   bool is_cyclic = false;              ///< the last frame is one step before the final clock
-  std::optional<double> clock;         ///< of the picture that is no animation
-  std::optional<double> first_wanted;  ///< up to 1: a share of the frames
+  std::optional<double> clock;         ///< for a picture without animation
+  std::optional<double> first_wanted;  ///< up to 1: a fraction of the frames
 
   [[nodiscard]] bool has_frames() const { return final_frame > initial_frame; }
 
@@ -36,7 +36,7 @@ struct IniAnimation {
   [[nodiscard]] double clock_delta() const { return (final_clock - initial_clock) / (end_frame() - initial_frame); }
   [[nodiscard]] double clock_of(int frame) const { return initial_clock + (frame - initial_frame) * clock_delta(); }
 
-  /// The number in the name of the frame's file: all are of one length.
+  /// The number in the name of the frame's file: all have the same length.
   [[nodiscard]] std::string number_of(int frame) const {
     return fmt::format("{:0{}}", frame, fmt::formatted_size("{}", final_frame));
   }

@@ -19,7 +19,7 @@ constexpr string_view kBlanks = " \t\r\f\v";
 
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Reads one file; `begin` and `end` of what it finds are offsets into the whole text.
+/// Reads one file; `begin` and `end` of its settings and remarks are offsets into the whole text.
 class IniReader {
  public:
   IniReader(string_view text, string_view section) : text_(text), section_(lower_case(section)) {}
@@ -92,7 +92,7 @@ class IniReader {
     sections_.push_back(fmt::format("[{}]", name));
   }
 
-  /// Returns where it ends.
+  /// Returns the end of the setting.
   std::size_t read_setting(std::size_t begin, std::size_t end) {
     if (text_[begin] == '+' || text_[begin] == '-') return read_switch(begin, end);
     std::size_t name_end = begin;
@@ -150,7 +150,7 @@ class IniReader {
     return end;
   }
 
-  /// A value goes on over blanks, since names of folders and commands have some, until another setting begins.
+  /// A value continues over blanks, since names of folders and commands have some, until another setting begins.
   [[nodiscard]] std::size_t end_of_value(std::size_t begin, std::size_t end) const {
     std::size_t value_end = end_of_word(begin, end);
     while (value_end < end) {
@@ -181,7 +181,7 @@ class IniReader {
 
   string_view text_;
   std::string section_;
-  bool is_chosen_ = true;  ///< the settings read now hold
+  bool is_chosen_ = true;  ///< the settings read now apply
   bool has_section_ = false;
   std::vector<std::string> sections_;
   IniSettings result_;

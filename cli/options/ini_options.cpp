@@ -54,7 +54,7 @@ class IniTranslation {
     remarks_.push_back({severity, setting.begin, setting.end, std::move(message), std::move(hint)});
   }
 
-  /// The value where it reads well; else tells why it does not.
+  /// The value if it can be read; otherwise reports the reason.
   template <class T>
   std::optional<T> accept(const IniSetting& setting, const Parsed<T>& parsed) {
     if (parsed.ok()) return parsed.value();
@@ -145,7 +145,7 @@ class IniTranslation {
 
   void set_type(const IniSetting& setting) {
     extension_ = extension_of_povray_type(setting.value);
-    // `N8` is the type and the bits in one.
+    // `N8` combines the type and the bits.
     if (extension_ == ".png" && setting.value.size() > 1) {
       if (const auto bits = accept(setting, parse_integer(setting.value.substr(1), 1, 16)))
         bits_ = static_cast<int>(*bits);
@@ -156,7 +156,7 @@ class IniTranslation {
            fmt::format("isl writes no files of type `{}`; a PNG is written", setting.value));
   }
 
-  /// `+A0.2` is both settings in one.
+  /// `+A0.2` combines both settings.
   void set_threshold(const IniSetting& setting) {
     if (setting.is_switch) antialias_ = setting.on;
     if (setting.is_switch && setting.value.empty()) return;
@@ -221,8 +221,8 @@ class IniTranslation {
     defines_.insert(defines_.begin(), variables.begin(), variables.end());
   }
 
-  /// As POV-Ray names it: an extension that is not the type's stays and gets the type's behind it, `DIR/` is a folder
-  /// for a file called like the scene, and frames are numbered.
+  /// Names files as POV-Ray does: an extension that is not the type's stays, and the type's is appended, `DIR/` is a
+  /// folder for a file with the scene's name, and frames are numbered.
   void finish_output() {
     if (!picture_.outputs.empty()) return;
     const std::string number = animation_.has_frames() ? animation_.number_of(scene_.frame) : "";
@@ -250,7 +250,7 @@ class IniTranslation {
     if (bits_ && is_png && !is_said_("--bits")) picture_.bits = *bits_ <= 8 ? 8 : 16;
   }
 
-  /// A file without a setting for antialiasing leaves isl's own default: it costs little and looks better.
+  /// A file without a setting for antialiasing gets isl's own default: it costs little and looks better.
   void finish_antialiasing() {
     if (is_said_("--aa") || is_said_("--samples")) return;
     if (antialias_ && !*antialias_) {
@@ -260,7 +260,7 @@ class IniTranslation {
     }
   }
 
-  /// POV-Ray counts columns and rows from 1 to the last included; up to 1 a number is a share of the picture.
+  /// POV-Ray counts columns and rows from 1 to the last included; a number up to 1 is a fraction of the picture.
   void finish_crop() {
     if (window_.empty() || is_said_("--crop")) return;
     const auto side = [this](const char* key, int whole, int otherwise, bool is_start) {
@@ -297,7 +297,7 @@ class IniTranslation {
   std::optional<int> width_, height_, bits_;
   std::optional<bool> antialias_;
   std::optional<double> threshold_;
-  string_view extension_;  ///< of the type that is asked for; "": none is
+  string_view extension_;  ///< of the requested type; "": none
   std::map<std::string, double, std::less<>> window_;
   IniAnimation animation_;
   std::vector<fs::path> folders_;

@@ -24,7 +24,7 @@ constexpr std::string_view kFooter =
     "Exit codes: 0 done, 1 the scene has errors, 2 the command line has, 3 a file could not be read or written,\n"
     "            130 interrupted";
 
-/// An option whose text `parse` turns into a value for `store`; said twice, the last one counts.
+/// An option whose text `parse` turns into a value for `store`; if it is given twice, the last one counts.
 template <class Parse, class Store>
 CLI::Option* add(CLI::App& app, const std::string& names, const std::string& type, const std::string& help, Parse parse,
                  Store store) {
@@ -37,7 +37,7 @@ CLI::Option* add(CLI::App& app, const std::string& names, const std::string& typ
   return app.add_option_function<std::string>(names, read, help)->type_name(type)->take_last();
 }
 
-/// An option that may be given again and again, with one value each time.
+/// An option that may be given several times, with one value each time.
 template <class T>
 CLI::Option* add_list(CLI::App& app, const std::string& names, const std::string& type, const std::string& help,
                       std::vector<T>& values) {
@@ -64,7 +64,7 @@ Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
     asked.emplace_back(name);
     begin = end + 1;
   }
-  std::vector<std::string> layers;  // canonical order, each once
+  std::vector<std::string> layers;  // canonical order, without duplicates
   for (const std::string_view layer : kLayers) {
     if (std::find(asked.begin(), asked.end(), layer) != asked.end()) layers.emplace_back(layer);
   }
@@ -250,12 +250,12 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
   CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
   CLI::App* const accuracy =
       app.add_subcommand("accuracy", "Measure what accuracy costs: error and time of one solver setting after the other");
-  // Commands have taken over the footer; this one is the overview's.
+  // Commands have their own footers; this one belongs to the overview.
   app.footer("`isl help COMMAND` lists the options of a command.\n\n" + std::string(kFooter));
-  // Declaring options takes longer than reading a small scene, and only those of the command given are ever looked at.
+  // Declaring options takes longer than reading a small scene, and only those of the given command are needed.
   for (CLI::App* const command : {render, check, plan, dump, accuracy}) {
     if (command->get_name() != chosen) continue;
-    command->allow_extras();  // so that our own messages name them
+    command->allow_extras();  // our own messages name them
     add_scene_options(*command, raw.scene, raw.defines, raw.format);
     SceneOptions& scene = raw.scene;
     add(*command, "-s,--size", "WxH",

@@ -1,5 +1,5 @@
-// The commands and options as CLI11 knows them, with their help texts. Part of options.cpp's work: from here the values
-// are still unchecked against one another.
+// The commands and options for CLI11, with their help texts. Part of options.cpp's work: the values are not checked
+// against one another here.
 #pragma once
 
 #include "cli/options/options.h"
@@ -18,20 +18,20 @@ struct BadValue {
   std::string message;
 };
 
-/// Where CLI11 puts what it reads.
+/// The values as CLI11 reads them.
 struct RawOptions {
   SceneOptions scene;
   PictureOptions picture;
   int plan_quality = 9;
-  AccuracyCommand accuracy;  ///< but for `scene`
-  std::vector<std::string> settings;  ///< of `accuracy`
+  AccuracyCommand accuracy;           ///< except `scene`
+  std::vector<std::string> settings;  ///< for `accuracy`
   std::vector<std::string> defines;
   std::string format = "text";
   std::string stage;
 };
 
-/// Adds the commands to `app`, and to the one named `chosen` its options; they fill
-/// `raw`, which must outlive the parse.
+/// Adds the commands to `app`, and its options to the one named `chosen`; they fill `raw`, which must outlive the
+/// parse.
 void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen);
 
 }  // namespace isl::cli

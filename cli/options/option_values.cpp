@@ -28,7 +28,7 @@ std::optional<Number> number_of(std::string_view text) {
 std::size_t physical_memory() {
   const long pages = sysconf(_SC_PHYS_PAGES);
   const long page_bytes = sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page_bytes <= 0) return std::size_t{4} << 30;  // unknown: what a small machine has
+  if (pages <= 0 || page_bytes <= 0) return std::size_t{4} << 30;  // unknown: a small machine's memory
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes);
 }
 

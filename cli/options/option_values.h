@@ -1,5 +1,5 @@
-// The values of options as the user writes them: `640x480`, `0.05px`, `75%`. Text in, value or complaint
-// out; knows nothing of which option asks, so that the same readers serve the command line and `global_settings`.
+// The values of options as the user writes them: `640x480`, `0.05px`, `75%`. Text in, value or error out; knows nothing
+// of the option, so that the same readers serve the command line and `global_settings`.
 #pragma once
 
 #include "renderer/rays/tracer_options.h"
@@ -14,7 +14,7 @@
 
 namespace isl::cli {
 
-/// A value, or why the text is none: lower case, no full stop, says what was found.
+/// A value, or the reason why the text is invalid: lower case, no full stop, says what was found.
 template <class T>
 class Parsed {
  public:
@@ -30,7 +30,7 @@ class Parsed {
   std::variant<T, std::string> state_;
 };
 
-/// Larger pictures are slips of the finger; the film alone would need some hundred gigabytes.
+/// Larger pictures are typing errors; the film alone would need some hundred gigabytes.
 inline constexpr int kMaxPictureSide = 65536;
 
 /// Pixels across and down.
@@ -64,7 +64,7 @@ using Define = std::pair<std::string, std::variant<double, std::string>>;
 /// Bytes: `75%` of this machine's memory, or `4G`, `512M`, `100K`, or a plain number.
 [[nodiscard]] Parsed<std::size_t> parse_memory(std::string_view text);
 
-/// The way back, as the user would write it; shortest text that reads as the same number.
+/// The reverse: the shortest text that reads as the same value.
 [[nodiscard]] std::string to_text(const render::Tolerance& tolerance);
 
 }  // namespace isl::cli

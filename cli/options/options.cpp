@@ -1,4 +1,4 @@
-// CLI11 reads the arguments; the messages are ours, so that all read alike.
+// CLI11 reads the arguments; the messages are ours, so that all have one form.
 #include "cli/options/options.h"
 
 #include "cli/options/ini_options.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kCommands{"render", "check", "plan", "dump", "accuracy", "help"};
 
-/// Enough rays for the errors of a picture; a larger one only takes longer.
+/// Enough rays to measure the errors of a picture; a larger size only takes longer.
 constexpr PictureSize kAccuracySize{400, 300};
 
 Finished bad_command_line(std::string_view message, std::string_view hint = {}) {
@@ -30,7 +30,7 @@ Finished bad_command_line(std::string_view message, std::string_view hint = {}) 
   return {ExitCode::command_line_error, std::move(text)};
 }
 
-/// "did you mean", or the list where it is short enough to help.
+/// "did you mean", or the list of options if it is short enough to help.
 std::string similar_option(const CLI::App& app, const std::string& unknown) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -83,7 +83,7 @@ std::optional<Finished> check_picture_options(const SceneOptions& scene, const P
   return std::nullopt;
 }
 
-/// Complaints of CLI11 itself, all of one kind here: an option without its value.
+/// CLI11's own errors, which are all of one kind here: an option without its value.
 Finished from_cli11(const CLI::Error& error) {
   const std::string what = error.what();
   return bad_command_line(fmt::format("{} needs a value", what.substr(0, what.find(':'))));
@@ -110,16 +110,16 @@ std::optional<Finished> check_first_word(std::span<const std::string> arguments)
   return bad_command_line(fmt::format("unknown command `{}`", word), hint);
 }
 
-/// `help` and `help COMMAND` as the options that CLI11 knows; other arguments as they are.
+/// Replaces `help` and `help COMMAND` by the options that CLI11 knows; keeps other arguments.
 std::vector<std::string> with_help_as_option(std::span<const std::string> arguments) {
   if (arguments.empty() || arguments.front() != "help") return {arguments.begin(), arguments.end()};
   if (arguments.size() == 1 || arguments[1] == "help" || arguments[1].starts_with('-')) return {"--help"};
   return {arguments[1], "--help"};
 }
 
-/// Lets CLI11 read the arguments; what it throws becomes an answer.
+/// Lets CLI11 read the arguments and converts its exceptions to a result.
 std::optional<Finished> parse(CLI::App& app, std::span<const std::string> arguments) {
-  // Before the command there is nothing but --help and --version.
+  // Only --help and --version may precede the command.
   const auto unknown_option = [](const std::string& option) {
     return bad_command_line(fmt::format("unknown option `{}`", option), "isl render SCENE; `isl --help` tells more");
   };
@@ -145,7 +145,7 @@ std::optional<Finished> parse(CLI::App& app, std::span<const std::string> argume
 
 /// Reads the settings of a scene that is an .ini file. Options of the command line override them.
 std::optional<Finished> read_ini_file(const CLI::App& app, SceneOptions& scene, PictureOptions& picture) {
-  constexpr std::size_t kMaxBytes = 1 << 20;  // beyond any settings
+  constexpr std::size_t kMaxBytes = 1 << 20;  // more than any settings need
   const std::optional<IniName> name = ini_name(scene.scene);
   if (!name) return std::nullopt;
   grammar::TextFile file = grammar::read_text_file(name->file, kMaxBytes);

@@ -1,5 +1,5 @@
-// The command line as data. Reads the arguments, and the .ini file that they name; checks what can be checked without
-// touching another file; runs nothing.
+// The command line as data. Reads the arguments, and the .ini file that they name; checks everything that needs no
+// other file; runs nothing.
 #pragma once
 
 #include "cli/options/ini_file.h"
@@ -21,14 +21,14 @@ namespace isl::cli {
 
 enum class OutputFormat : std::uint8_t { text, json };
 
-/// The .ini file that options were read from, and what there is to tell of it.
+/// The .ini file that options were read from, and the messages about it.
 struct IniText {
   std::string name;  ///< as the user gave it
   std::string text;
   std::vector<IniRemark> remarks;
 };
 
-/// What every command that reads a scene takes.
+/// The options of every command that reads a scene.
 struct SceneOptions {
   std::filesystem::path scene;  ///< "-" is standard input
   std::optional<IniText> ini;
@@ -38,7 +38,7 @@ struct SceneOptions {
   std::vector<Define> defines;
   interpreter::Limits limits;
   bool lenient = false;
-  std::vector<std::string> without;  ///< effects to do without, each known
+  std::vector<std::string> without;  ///< effects to leave out, each known
   double clock = 0;
   bool clock_on = false;  ///< --clock or --frame was given
   int frame = 0;
@@ -47,10 +47,10 @@ struct SceneOptions {
   OutputFormat format = OutputFormat::text;
 };
 
-/// What `isl render` takes besides. An empty optional means: not said, so the scene or the default decides.
+/// The further options of `isl render`. An empty optional means: not given, so the scene or the default decides.
 struct PictureOptions {
   std::vector<std::filesystem::path> outputs;  ///< files, or `png:-`; empty: `<scene name>.png`
-  int bits = 0;                                ///< a channel of integer formats; 0: the format's own
+  int bits = 0;                                ///< bits of a channel in integer formats; 0: the format's default
   int threads = 0;                             ///< 0: all cores
   std::optional<int> samples;
   double aa_threshold = 0.1;
@@ -58,9 +58,9 @@ struct PictureOptions {
   bool alpha = false;
   std::optional<SolverChoice> solver;
   std::optional<render::Tolerance> tolerance;
-  bool skeleton = false;            ///< blobs as their skeleton models
+  bool skeleton = false;            ///< blobs without blending: components as solids
   std::string simd;                 ///< "": the best that the machine has
-  std::vector<std::string> layers;  ///< names of --aov, each once, in canonical order
+  std::vector<std::string> layers;  ///< names of --aov, without duplicates, in canonical order
   std::optional<std::array<int, 4>> crop;
   std::filesystem::path statistics;  ///< "": none
   bool quiet = false;
@@ -91,13 +91,13 @@ struct AccuracyCommand {
   SceneOptions scene;
   std::filesystem::path output;  ///< its files' name without extension; "": `<scene name>.accuracy`
   int threads = 0;               ///< 0: all cores
-  std::vector<SolverSetting> settings;  ///< to compare; none: the ladder of accuracy/ladder.h
+  std::vector<SolverSetting> settings;  ///< to compare; empty: the ladder of accuracy/ladder.h
   int repeats = 5;               ///< rounds of timing
-  bool skeleton = false;         ///< blobs as their skeleton models
-  bool shadows = false;          ///< the shadow rays of what is seen too
+  bool skeleton = false;         ///< blobs without blending: components as solids
+  bool shadows = false;          ///< also the shadow rays of visible points
 };
 
-/// Nothing is left to do but to print: help, the version, or what is wrong with the arguments.
+/// Nothing is left to do but to print: help, the version, or the errors of the arguments.
 struct Finished {
   ExitCode code = ExitCode::done;
   std::string text;  ///< for standard output when `code` is done, else for standard error
@@ -105,7 +105,7 @@ struct Finished {
 
 using Command = std::variant<RenderCommand, CheckCommand, PlanCommand, DumpCommand, AccuracyCommand, Finished>;
 
-/// `arguments` are those after the program's name. Where the scene is an .ini file, that file is read.
+/// `arguments` are those after the program's name. If the scene is an .ini file, that file is read.
 [[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);
 
 }  // namespace isl::cli

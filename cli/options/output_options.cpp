@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No file named means a PNG, which has the choice.
+/// Without a file name the output is a PNG, which has both depths.
 std::optional<OutputComplaint> check_bits(const PictureOptions& picture) {
   if (picture.bits == 0 || picture.outputs.empty()) return std::nullopt;
-  std::string linear;  // an output without such a number
+  std::string linear;  // an output whose format has no choice of bits
   bool has_any = false;
   for (const fs::path& output : picture.outputs) {
     const std::string format = output_format(output);
-    if (format.empty()) continue;  // its name is complained of elsewhere
+    if (format.empty()) continue;  // another check reports its name
     if (render::is_linear_format(format)) {
       linear = format;
     } else if (render::format_holds_bits(format, picture.bits)) {

@@ -13,7 +13,7 @@ struct OutputComplaint {
   std::string hint;  ///< "": none
 };
 
-/// The first contradiction. Looks at names only, at no file.
+/// The first contradiction. Checks names only, no files.
 [[nodiscard]] std::optional<OutputComplaint> check_output_options(const PictureOptions& picture, OutputFormat format);
 
 }  // namespace isl::cli

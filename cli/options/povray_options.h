@@ -1,5 +1,5 @@
 // The names of POV-Ray's options, short (`+W640`) and long (`Width=640`): the words of its .ini files and of its
-// command line. What becomes of them is povray_switches.h's (a hint) and ini_options.h's (ours with the same meaning).
+// command line. povray_switches.h makes a hint of them, ini_options.h our options with the same meaning.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@ namespace isl::cli {
 
 /// Facts from the manual of POV-Ray 3.7, "Command-Line and INI-File Options".
 struct PovrayOption {
-  std::string_view letters;    ///< of the short form; "" where there is none
+  std::string_view letters;    ///< of the short form; "" if there is none
   std::string_view key;        ///< of the long form, in lower case
-  std::string_view ours = {};  ///< the option of ours that takes the same value
+  std::string_view ours = {};  ///< our option that takes the same value
 };
 
 /// One option as given.
@@ -25,15 +25,15 @@ struct PovraySetting {
 
 [[nodiscard]] std::span<const PovrayOption> povray_options();
 
-/// The option of that key, in whatever case; null where there is none.
+/// The option of that key, ignoring case; null if there is none.
 [[nodiscard]] const PovrayOption* povray_option(std::string_view key);
 
-/// `+W640` or `-A`, in whatever case.
+/// `+W640` or `-A`, ignoring case.
 [[nodiscard]] std::optional<PovraySetting> povray_switch(std::string_view text);
 
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// The extension of the files that a type of POV-Ray's (`N`, `J85`) stands for, "" where isl writes none such.
+/// The file extension for a type of POV-Ray's (`N`, `J85`), "" if isl cannot write that type.
 [[nodiscard]] std::string_view extension_of_povray_type(std::string_view type);
 
 }  // namespace isl::cli

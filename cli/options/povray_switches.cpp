@@ -15,8 +15,8 @@ namespace {
 
 using std::string_view;
 
-/// povray_switch() as far as the command line is POV-Ray's: there, lower-case letters after `-` are ours or mistakes in
-/// ours, and -I and -D are ours.
+/// povray_switch() restricted to the command line: there, lower-case letters after `-` are our options or mistakes in
+/// them, and -I and -D are ours.
 std::optional<PovraySetting> short_switch(string_view argument) {
   const bool is_ours =
       argument.starts_with('-') && argument.size() > 1 &&
@@ -32,7 +32,7 @@ std::optional<PovraySetting> long_setting(string_view argument) {
   return PovraySetting{option, std::string(argument.substr(equals + 1))};
 }
 
-/// Whether an option of ours reads the argument after it (for `--name` that is a guess on the safe side).
+/// True if one of our options reads the argument after it (for `--name` that is a guess on the safe side).
 bool takes_next(string_view option) {
   constexpr std::array kShort = std::to_array<string_view>({"-D", "-I", "-o", "-s", "-t"});
   return std::find(kShort.begin(), kShort.end(), option) != kShort.end() ||
@@ -43,7 +43,7 @@ std::string quoted(string_view value) {
   return value.find_first_of(" \t\"'$") == string_view::npos ? std::string(value) : fmt::format("'{}'", value);
 }
 
-/// The extension that a file type asks for; PNG, the default of both programs, for those that isl does not write.
+/// The extension for a file type; PNG, the default of both programs, for types that isl cannot write.
 string_view extension(string_view type) {
   const string_view known = extension_of_povray_type(type);
   return known.empty() ? ".png" : known;
@@ -83,7 +83,7 @@ class Translation {
       line += fmt::format(" -s {}x{}", width_.empty() ? "800" : width_, height_.empty() ? "600" : height_);
     }
     line += options_;
-    if (has_window_) line += " --crop X0,Y0,X1,Y1";  // theirs counts from 1, or in shares of the picture
+    if (has_window_) line += " --crop X0,Y0,X1,Y1";  // POV-Ray counts from 1, or in fractions of the picture
     return line;
   }
 
@@ -108,7 +108,7 @@ std::optional<PovraySwitches> find_povray_switches(std::span<const std::string> 
   Translation translation;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (i > 0 && takes_next(arguments[i - 1])) continue;  // `-D Width=3` is ours
+    if (i > 0 && takes_next(arguments[i - 1])) continue;  // the value of our own option, as in `-D Width=3`
     auto setting = short_switch(argument);
     if (!setting) setting = long_setting(argument);
     if (setting) {

@@ -95,7 +95,7 @@ std::string canonical_options(const RenderCommand& command, const RenderSettings
   if (command.scene.lenient) text += " --lenient";
   if (command.scene.clock != 0) text += fmt::format(" --clock {}", command.scene.clock);
   if (command.scene.frame != 0) text += fmt::format(" --frame {}", command.scene.frame);
-  std::map<std::string, std::string> defines;  // of two for one name the later counts
+  std::map<std::string, std::string> defines;  // the later of two with one name counts
   for (const Define& define : command.scene.defines) defines[define.first] = value_text(define.second);
   for (const auto& [name, value] : defines) text += fmt::format(" -D {}={}", name, value);
   return text;

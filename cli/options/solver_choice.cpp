@@ -16,7 +16,7 @@ using render::PaperSwitch;
 using render::PaperSwitches;
 using render::SolverName;
 
-/// What may stand behind a solver's colon.
+/// The kind of argument after a solver's colon.
 enum class Argument { none, interpolants, step, relaxation, octree, single };
 
 struct NamedSolver {
@@ -39,7 +39,7 @@ constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite, Argument::s
 constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kOctree = "octree";
 constexpr std::string_view kSingle = "single";
-/// More interpolants a field than this err by less than rounding does.
+/// More interpolants a field than this have a smaller error than rounding.
 constexpr int kMaxInterpolants = 128;
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
@@ -61,7 +61,7 @@ Parsed<SolverChoice> unknown_switch(std::string_view word) {
                                                  did_you_mean(word, words), solver_switches_text()));
 }
 
-/// Whether there is such a switch.
+/// Turns a switch; returns false if there is none with that name.
 bool turn(PaperSwitches& switches, std::string_view word) {
   if (word == kPlain) {
     switches = render::kPlainPaper;
@@ -75,7 +75,7 @@ bool turn(PaperSwitches& switches, std::string_view word) {
   return false;
 }
 
-/// The text up to the next `mark`, which with what it ends is taken off.
+/// The text up to the next `mark`; removes both from `text`.
 std::string_view take_until(std::string_view& text, char mark) {
   const std::size_t end = std::min(text.find(mark), text.size());
   const std::string_view taken = text.substr(0, end);
@@ -83,7 +83,7 @@ std::string_view take_until(std::string_view& text, char mark) {
   return taken;
 }
 
-/// The words that make `wanted` of `from`.
+/// The words that turn `from` into `wanted`.
 std::vector<std::string_view> words_between(const PaperSwitches& from, const PaperSwitches& wanted) {
   std::vector<std::string_view> words;
   for (const PaperSwitch& s : render::kPaperSwitches) {
@@ -104,7 +104,7 @@ std::string_view word_of(Argument argument) {
   return "";
 }
 
-/// What is wrong with the text behind the colon; "" if nothing is, and then the choice has it.
+/// Reads the text after the colon into the choice; returns the error, or "".
 std::string read_argument(Argument argument, std::string_view text, SolverChoice& choice) {
   switch (argument) {
     case Argument::none: break;

@@ -1,5 +1,5 @@
-// The solver as the user names it: `hermite`, `paper:4`, `paper,no-reject,eq10`. Text in, choice or complaint out, and
-// back; serves the command line and `global_settings`.
+// The solver as the user names it: `hermite`, `paper:4`, `paper,no-reject,eq10`. Converts text to a choice or an error,
+// and back; serves the command line and `global_settings`.
 #pragma once
 
 #include "cli/options/option_values.h"
@@ -22,18 +22,18 @@ struct SolverChoice {
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
 };
 
-/// A name, for some a number behind a colon, and for `paper` and `iso` any number of switches behind
-/// commas: those of render::kPaperSwitches, of which a later one wins, and `plain`, which turns all off.
+/// A name, for some solvers a number after a colon, and for `paper` and `iso` any number of switches after commas:
+/// those of render::kPaperSwitches, of which a later one wins, and `plain`, which turns all off.
 [[nodiscard]] Parsed<SolverChoice> parse_solver(std::string_view text);
 
-/// The way back, as the user would write it: only those switches that differ from the solver's own, or behind `plain`
-/// those that are on, whichever are fewer.
+/// The reverse, as the user would write it: only the switches that differ from the solver's own, or after `plain` those
+/// that are on, whichever are fewer.
 [[nodiscard]] std::string to_text(const SolverChoice& solver);
 
-/// The solvers and what may stand behind their colons, as a list for people.
+/// The solvers and their arguments after the colon, as a list for help texts.
 [[nodiscard]] std::string solvers_text();
 
-/// The switches, as a list for people.
+/// The switches, as a list for help texts.
 [[nodiscard]] std::string solver_switches_text();
 
 }  // namespace isl::cli

@@ -1,5 +1,5 @@
-// A setting of the solver to compare with others, as the user names it: a solver and, behind a blank, its tolerance, as in
-// `hermite 0.1px`, `march:0.2px` or `paper:2,plain`.
+// A setting of the solver to compare with others, as the user names it: a solver and, after a blank, its tolerance, as
+// in `hermite 0.1px`, `march:0.2px` or `paper:2,plain`.
 #pragma once
 
 #include "cli/options/solver_choice.h"
@@ -18,7 +18,7 @@ struct SolverSetting {
   [[nodiscard]] std::string name() const;
   /// The options that choose it: `--solver hermite --tolerance 0.1px`.
   [[nodiscard]] std::string options() const;
-  /// The solver's word alone: what belongs to one family differs in numbers and switches only.
+  /// The solver's word alone: settings of one family differ in numbers and switches only.
   [[nodiscard]] std::string family() const;
   [[nodiscard]] bool is_default() const;
 };

@@ -12,7 +12,7 @@ std::string closing_line(const std::vector<std::string>& names, const render::Im
   if (width != image.full_width || height != image.full_height) {
     size += fmt::format(" of {}x{}", image.full_width, image.full_height);
   }
-  // Hundredths of a second tell short runs apart and say nothing of long ones.
+  // Hundredths of a second distinguish short runs and mean nothing for long ones.
   const int digits = seconds < 100 ? 2 : 0;
   return fmt::format("isl: {}, {}, {:.{}f} s", printable(fmt::format("{}", fmt::join(names, ", "))), size, seconds,
                      digits);

@@ -8,7 +8,7 @@
 
 namespace isl::cli {
 
-/// `isl: a.png, b.exr, 800x600, 1.94 s`, without the end of the line; of a cropped picture `200x100 of 800x600`.
+/// `isl: a.png, b.exr, 800x600, 1.94 s`, without a line end; for a cropped picture `200x100 of 800x600`.
 [[nodiscard]] std::string closing_line(const std::vector<std::string>& names, const render::Image& image,
                                        double seconds);
 

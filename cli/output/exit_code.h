@@ -1,4 +1,4 @@
-// What the process tells its caller. A contract: scripts rely on these numbers.
+// The exit status of the process. A contract: scripts rely on these numbers.
 #pragma once
 
 namespace isl::cli {
@@ -6,7 +6,7 @@ namespace isl::cli {
 enum class ExitCode : int {
   done = 0,
   scene_error = 1,         ///< the scene has errors
-  command_line_error = 2,  ///< the command line has
+  command_line_error = 2,  ///< the command line has errors
   file_error = 3,          ///< a file could not be read or written
   interrupted = 130,       ///< Ctrl-C, as shells report it
 };

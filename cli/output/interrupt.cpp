@@ -8,7 +8,7 @@
 namespace isl::cli {
 namespace {
 
-// A signal handler reaches nothing but globals.
+// A signal handler can only reach globals.
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait for a lock");
 

@@ -1,11 +1,11 @@
-// Ctrl-C as a flag that long work looks at. The second Ctrl-C ends the process at once.
+// Ctrl-C as a flag that long work polls. The second Ctrl-C ends the process at once.
 #pragma once
 
 #include <atomic>
 
 namespace isl::cli {
 
-/// From here on SIGINT sets the flag instead of ending the process.
+/// After this call SIGINT sets the flag instead of ending the process.
 void catch_interrupts();
 
 /// The flag; true after Ctrl-C. Lives as long as the process.

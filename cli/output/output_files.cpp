@@ -20,7 +20,7 @@ OutputProblem file_problem(std::string message) {
   return {ExitCode::file_error, std::move(message)};
 }
 
-/// The same for all names of one place, as far as that can be told of a file that need not exist.
+/// One path for all names of a place, as far as it can be determined for a file that need not exist.
 fs::path identity(const fs::path& file) {
   if (!standard_output_format(file).empty()) return ":-";
   std::error_code error;

@@ -13,7 +13,7 @@
 
 namespace isl::cli {
 
-/// What is wrong with a choice of output files, and whose fault it is.
+/// The error in a choice of output files, and the exit code for it.
 struct OutputProblem {
   ExitCode code = ExitCode::done;
   std::string message;
@@ -25,13 +25,13 @@ struct OutputProblem {
 [[nodiscard]] std::vector<std::filesystem::path> output_files(const std::vector<std::filesystem::path>& asked,
                                                               const std::string& scene_name);
 
-/// The format that an output's name asks for, or "".
+/// The format of an output by its name, or "".
 [[nodiscard]] std::string output_format(const std::filesystem::path& output);
 
-/// Formats known, no file twice, each place writable. Creates and changes nothing that stays.
+/// Checks that formats are known, no file is named twice, and each place is writable. Leaves no trace on the disk.
 [[nodiscard]] OutputProblem check_outputs(const std::vector<std::filesystem::path>& files);
 
-/// Whether a file can be written there; for what is no picture.
+/// Checks that a file can be written there; for files that are not pictures.
 [[nodiscard]] OutputProblem check_place(const std::filesystem::path& file);
 
 /// A layer's own picture, beside the picture.
@@ -44,11 +44,11 @@ struct LayerFile {
 [[nodiscard]] std::vector<LayerFile> layer_files(const std::vector<std::filesystem::path>& files,
                                                  const std::vector<std::string>& layers);
 
-/// `NAME.partial.EXT` for each `NAME.EXT`: where an interrupted picture goes. None for standard output, whose reader
-/// could not tell it from the whole one.
+/// `NAME.partial.EXT` for each `NAME.EXT`: the file for an interrupted picture. None for standard output, whose reader
+/// could not distinguish it from a complete one.
 [[nodiscard]] std::vector<std::filesystem::path> partial_names(const std::vector<std::filesystem::path>& files);
 
-/// As a message names it: the file, or standard output.
+/// The output's name in messages: the file, or standard output.
 [[nodiscard]] std::string display_name(const std::filesystem::path& output);
 
 /// The pictures of one run. All are encoded, written and synced before the first takes its place; after a failure the
@@ -59,7 +59,7 @@ class OutputWriter {
 
   void add(const std::filesystem::path& output, const render::Image& image);
 
-  /// Puts the files in their places, then writes to standard output. Tells the first thing that went wrong.
+  /// Puts the files in their places, then writes to standard output. Returns the first error.
   [[nodiscard]] OutputProblem finish();
 
  private:

@@ -1,4 +1,4 @@
-// Text of unknown origin made fit to be shown. Knows bytes only.
+// Makes text of unknown origin safe to print. Knows bytes only.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace isl::cli {
 
-/// The bytes of the character of UTF-8 at `at` (within the text): 1 to 4, or 0 where none begins.
+/// The length in bytes of the UTF-8 character at `at` (within the text): 1 to 4, or 0 if none begins there.
 [[nodiscard]] inline std::size_t character_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
   const unsigned char first = byte(0);
@@ -17,14 +17,14 @@ namespace isl::cli {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0u) != 0x80u) return 0;
   }
-  // Longer than needed, halves of surrogate pairs, and beyond the last code point.
+  // Invalid: longer than needed, halves of surrogate pairs, and beyond the last code point.
   const unsigned char second = byte(1);
   const bool is_wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
                         (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
   return is_wrong ? 0 : length;
 }
 
-/// Of one character: C0 and C1 controls and DEL, which a terminal would obey; tab and line feed are none here.
+/// True for C0 and C1 controls and DEL, which a terminal would obey; tab and line feed do not count here.
 [[nodiscard]] inline bool is_control(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return (first < 0x20 && first != '\t' && first != '\n') || first == 0x7F;
@@ -45,7 +45,8 @@ namespace isl::cli {
   return result;
 }
 
-/// The text with control characters, and bytes that are no UTF-8, written as `\x1b`: seen, and obeyed by no terminal.
+/// The text with control characters, and bytes that are not UTF-8, written as `\x1b`: visible, and without effect on a
+/// terminal.
 [[nodiscard]] inline std::string with_visible_controls(std::string_view text) {
   static constexpr char kDigits[] = "0123456789abcdef";
   std::string result;
@@ -58,7 +59,7 @@ namespace isl::cli {
       result += character;
       continue;
     }
-    // C1 controls have two bytes in UTF-8, of which the second is the code.
+    // C1 controls have two bytes in UTF-8, the second of which is the code.
     const auto code = static_cast<unsigned char>(character.back());
     result += "\\x";
     result += kDigits[code >> 4];

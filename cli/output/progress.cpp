@@ -9,9 +9,9 @@ namespace isl::cli {
 namespace {
 
 constexpr int kBarCells = 40;                           // with its texts narrower than the usual 80 columns
-constexpr std::chrono::milliseconds kRedrawEvery{100};  // faster cannot be read
-constexpr std::chrono::milliseconds kShowAfter{300};    // a bar that flashes up tells nothing
-constexpr double kGuessFrom = 0.01;                     // time left is a guess from what is done; below this a wild one
+constexpr std::chrono::milliseconds kRedrawEvery{100};  // faster changes cannot be read
+constexpr std::chrono::milliseconds kShowAfter{300};    // a bar for a shorter time would only flash
+constexpr double kGuessFrom = 0.01;                     // with less done, the time left cannot be estimated
 
 std::string minutes_and_seconds(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(seconds));

@@ -1,4 +1,4 @@
-// The progress bar of a render, for people: on a terminal only.
+// The progress bar of a render, on a terminal only.
 #pragma once
 
 #include <chrono>
@@ -19,10 +19,10 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// May be called from any thread and as often as one likes: it draws a few times a second.
+  /// May be called from any thread at any rate: it draws a few times a second.
   void update(double done);
 
-  /// Takes the bar off the screen.
+  /// Removes the bar from the screen.
   void clear();
 
  private:

@@ -19,7 +19,7 @@ std::string failure(int error) {
   return fmt::format("cannot write to standard output: {}", std::generic_category().message(error));
 }
 
-/// While it lives, writing to a pipe that nobody reads is an error of the call and does not end the process.
+/// During its lifetime, writing to a pipe without a reader is an error of the call and does not end the process.
 class WithoutPipeSignal {
  public:
   WithoutPipeSignal() {

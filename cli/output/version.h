@@ -1,4 +1,4 @@
-// The program's version; the build hands it over from the project's CMakeLists.txt.
+// The program's version; the build passes it from the project's CMakeLists.txt.
 #pragma once
 
 namespace isl::cli {

@@ -17,9 +17,9 @@ namespace {
 using grammar::SourceMap;
 using grammar::SourcePosition;
 
-/// Frames of a chain that are shown when it has more: the way in and the way to the place; what lies between repeats.
+/// Number of frames that are shown of a longer chain: its beginning and its end; those between repeat.
 constexpr std::size_t kMaxFrames = 8;
-/// Bytes of a line that are shown to either side of the caret.
+/// Bytes of a line that are shown on either side of the caret.
 constexpr std::size_t kLineReach = 100;
 
 std::string_view word_of(Severity severity) {
@@ -79,7 +79,8 @@ void Printer::message(Severity severity, SourceSpan span, std::string_view messa
   if (has_place) excerpt(severity, span);
 }
 
-/// The line and below it a caret with tildes, both cut to what is near. Tabs stay tabs in both, so that they align.
+/// Prints the line and below it a caret with tildes, both shortened to the neighbourhood. Tabs stay tabs in both, so
+/// that they align.
 void Printer::excerpt(Severity severity, SourceSpan span) {
   const std::string_view line = sources_.line_text(span.begin);
   const auto caret = std::min<std::size_t>(sources_.text({span.begin, span.begin}).data() - line.data(), line.size());
@@ -103,7 +104,7 @@ void Printer::excerpt(Severity severity, SourceSpan span) {
     }
     at += character.size();
   }
-  if (caret == line.size()) mark("^");  // just behind the line
+  if (caret == line.size()) mark("^");  // just after the line
   marks.resize(marks_end);
   const std::size_t number = sources_.position(span.begin).line;
   add("{:>6} | {}\n{:>6} | {}\n", number, shown, "", styled(colour_of(severity), marks));

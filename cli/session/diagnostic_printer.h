@@ -1,4 +1,4 @@
-// Diagnostics → what the user reads: lines on a terminal, or JSON for editors. The only place that gives them a form.
+// Diagnostics → text for the user: lines on a terminal, or JSON for editors. The only place that formats them.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -11,8 +11,8 @@
 
 namespace isl::cli {
 
-/// `file:line:column: error: message`, the line with a caret, hint, notes, and how execution came there (shortened in
-/// the middle when that is long). Control characters of the scene's text do not reach the terminal.
+/// `file:line:column: error: message`, the line with a caret, hint, notes, and the call chain (shortened in the middle
+/// if it is long). Control characters of the scene's text do not reach the terminal.
 [[nodiscard]] std::string format_diagnostic(const Diagnostic& diagnostic, const grammar::SourceMap& sources,
                                             bool colour);
 
@@ -20,7 +20,7 @@ namespace isl::cli {
 void print(const Diagnostic& diagnostic, const grammar::SourceMap& sources, std::FILE* stream, bool colour);
 
 /// `{severity, message, hint, place, notes, chain}`; a place is `{file, line, column, end_line, end_column}` or null.
-/// What is no UTF-8 in file names and texts is replaced, so that the result can always be written.
+/// Bytes that are not UTF-8 in file names and texts are replaced, so that the result can always be written.
 [[nodiscard]] nlohmann::json to_json(const Diagnostic& diagnostic, const grammar::SourceMap& sources);
 
 }  // namespace isl::cli

@@ -7,7 +7,7 @@
 namespace isl::cli {
 namespace {
 
-/// Says by what the scene makes use of a statement that stands elsewhere.
+/// Adds the place where the scene uses a statement that stands elsewhere.
 void add_user(const Session& session, OriginId user, Diagnostic& diagnostic) {
   if (user == OriginId{}) return;
   const SourceSpan span = session.scene().origins.resolve(user).span;

@@ -1,4 +1,4 @@
-// Problems of a scene, told to the user: as text on standard error, or as the `diagnostics` of a JSON document.
+// Reports a scene's problems to the user: as text on standard error, or as the `diagnostics` of a JSON document.
 #pragma once
 
 #include "cli/session/session.h"
@@ -10,10 +10,10 @@
 
 namespace isl::cli {
 
-/// Whether to write colours there: a terminal, and NO_COLOR is not set.
+/// True if colours may be written there: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool wants_colour(std::FILE* stream);
 
-/// Every diagnostic of the session so far, in order.
+/// Prints every diagnostic of the session so far, in order.
 void print_problems(Session& session);
 
 /// The same as an array.
@@ -22,10 +22,10 @@ void print_problems(Session& session);
 /// Prints one document to standard output.
 void print_document(const nlohmann::ordered_json& document);
 
-/// `isl: error: …` on standard error: for what is about no place in a scene. Lower case, no full stop.
+/// `isl: error: …` on standard error, for errors without a place in a scene. Lower case, no full stop.
 void print_error(std::string_view message);
 
-/// The end of a command whose scene could not be read or evaluated: tells the problems in the format asked for.
+/// Ends a command whose scene could not be read or evaluated: reports the problems in the requested format.
 ExitCode report_failure(Session& session, ExitCode code);
 
 }  // namespace isl::cli

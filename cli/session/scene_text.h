@@ -1,5 +1,5 @@
-// What a scene prints (#debug): on standard error, as it is. A terminal gets it without control characters, which would
-// let a stranger's file clear the screen, name the window or hide what was printed before.
+// Prints a scene's text (#debug) on standard error, unchanged. For a terminal, control characters are removed: they
+// would let a stranger's file clear the screen, name the window or hide earlier output.
 #pragma once
 
 #include "cli/output/printable_text.h"

@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where packages put what programs share: of the system, of Homebrew on Linux and both kinds of Macs, of MacPorts.
+/// The folders for files that programs share: of the system, of Homebrew on Linux and both kinds of Macs, of MacPorts.
 constexpr std::array kPrefixes{"/usr/share", "/usr/local/share", "/home/linuxbrew/.linuxbrew/share",
                                "/opt/homebrew/share", "/opt/local/share"};
-/// The version whose language is ours comes first, then the newer, then the older; some packages name none.
+/// The version of our language comes first, then the newer, then the older; some packages name none.
 constexpr std::array kVersions{"povray-3.7", "povray-3.8", "povray-3.6", "povray"};
-/// Where the fonts are that the include folder of some packages has links to.
+/// The folder of the fonts that the include folder of some packages links to.
 constexpr const char* kFonts = "fonts/truetype/povray";
 
 void append_folders(const char* list, std::vector<fs::path>& folders) {

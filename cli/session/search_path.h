@@ -1,4 +1,4 @@
-// Where `#include` looks after the including file's folder, and where the program's own files are.
+// The folders that `#include` searches after the including file's folder, and the folder of the program's own files.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,13 @@
 
 namespace isl::cli {
 
-/// The libraries written in the language: `../share/isl` beside the folder of the executable, in a build tree as where
-/// it is installed. Empty when there is none.
+/// The libraries written in the language: `../share/isl` beside the folder of the executable, in a build tree as in an
+/// installation. Empty when there is none.
 [[nodiscard]] std::filesystem::path stdlib_folder();
 
-/// POV-Ray's include files and their fonts where this system has them, read-only: of the folders that packages install
-/// them to, those of the first version there is (docs/language.md lists them); or the folders of the environment
-/// variable ISL_SYSTEM_LIBRARIES in their place, where it is set.
+/// POV-Ray's include files and their fonts if this system has them, read-only: of the folders that packages install
+/// them to, those of the first version found (docs/language.md lists them); or the folders of the environment variable
+/// ISL_SYSTEM_LIBRARIES, if it is set.
 [[nodiscard]] std::vector<std::filesystem::path> system_libraries();
 
 /// `asked` (each -I), then the folders of the environment variable ISL_PATH (separated by `:`), then the stdlib, then

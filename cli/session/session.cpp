@@ -58,7 +58,7 @@ ExitCode Session::load() {
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();
-  // Without a tree there was nothing to parse (missing, closed to us, or no text), or more than the limit allows.
+  // No tree means that there was no text to parse (missing, not readable, not text), or more than the limit allows.
   if (unit_ == nullptr && loader_.last_error() != grammar::LoadError::too_large) return ExitCode::file_error;
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
 }
@@ -94,7 +94,7 @@ ExitCode Session::evaluate() {
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
 }
 
-/// What only the whole scene can tell.
+/// Checks that need the whole scene.
 void Session::check_result() {
   const scene::Database& database = scene_->database;
   warn_of_faint_components();

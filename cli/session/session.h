@@ -1,5 +1,4 @@
-// One scene, read and evaluated once: what every command starts with. Owns everything that spans and symbols point
-// into.
+// One scene, read and evaluated once: every command starts with it. Owns everything that spans and symbols point into.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -23,10 +22,10 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Parses the scene's file and tells its errors, except those in branches and bodies, which only executing it reaches.
+  /// Parses the scene's file and reports its errors, except those in branches and bodies, which only execution reaches.
   ExitCode load_text();
 
-  /// Parses the scene's file and executes it, which tells the errors that it reaches; `interrupted` after Ctrl-C.
+  /// Parses the scene's file and executes it, which reports the errors that it reaches; `interrupted` after Ctrl-C.
   ExitCode evaluate();
 
   /// Precondition: one of the above got as far as a unit, evaluate() as far as a database.
@@ -38,12 +37,12 @@ class Session {
   [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
   [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
 
-  /// What names the picture: the file's name without folder and extension; "stdin" for standard input.
+  /// The base name of the picture: the file's name without folder and extension; "stdin" for standard input.
   [[nodiscard]] std::string name() const;
-  /// As the user gave it, for messages.
+  /// The scene's name as the user gave it, for messages.
   [[nodiscard]] std::string display_name() const;
 
-  /// Every file that the scene is made of, in the order of first use.
+  /// Every file that the scene depends on, in the order of first use.
   [[nodiscard]] const std::vector<grammar::UsedFile>& used_files() const { return loader_.used_files(); }
 
   /// Seconds of parsing and executing; files included are read and parsed while evaluating.
@@ -51,7 +50,7 @@ class Session {
   [[nodiscard]] double evaluate_seconds() const { return evaluate_seconds_; }
 
  private:
-  /// Anything but `done`: the file could not be read, or not be parsed.
+  /// Any code but `done`: the file could not be read, or not be parsed.
   ExitCode load();
   void tell(const IniText& ini);
   void check_result();

@@ -1,5 +1,4 @@
-// The files that a scene is made of, with their hashes: as a picture's metadata has them, and as `isl check` tells
-// them.
+// The files that a scene depends on, with their hashes: for a picture's metadata and for `isl check`.
 #pragma once
 
 #include "grammar/loader.h"
@@ -14,7 +13,7 @@ namespace isl::cli {
 /// `HASH NAME`, separated by line ends: the same on every machine.
 [[nodiscard]] std::string files_text(std::span<const grammar::UsedFile> files);
 
-/// A line for each, which says besides where the file lies if its name does not.
+/// One line for each file, which adds its place if the name does not show it.
 [[nodiscard]] std::string files_table(std::span<const grammar::UsedFile> files);
 
 [[nodiscard]] nlohmann::ordered_json files_json(std::span<const grammar::UsedFile> files);

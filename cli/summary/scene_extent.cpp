@@ -29,7 +29,7 @@ class ExtentBuilder {
   ExtentBuilder(const scene::Database& database, SceneExtent& extent)
       : database_(database), extents_(database), extent_(extent) {}
 
-  /// Of a union without end what has an end counts: things that stand on a plane.
+  /// In an unbounded union the bounded objects count: they may stand on a plane.
   void add(const std::vector<scene::Object>& objects, const scene::Transform& world_from_parent) {
     for (const scene::Object& object : objects) {
       scene::Object placed = object;
@@ -54,7 +54,7 @@ class ExtentBuilder {
   SceneExtent& extent_;
 };
 
-/// Rounded to a thousandth of the scene's size: a place to stand, not a measurement.
+/// Rounded to a thousandth of the scene's size: a camera's place needs no more.
 std::string vector_text(const Vec3& v, double size) {
   const double step = std::pow(10.0, std::floor(std::log10(size)) - 3);
   const auto rounded = [step](double x) { return fmt::format("{:.5g}", std::round(x / step) * step + 0.0); };
@@ -70,7 +70,7 @@ SceneExtent extent_of(const scene::Database& database) {
 }
 
 std::string suggest_camera(const Box3d& box) {
-  constexpr double kAngleDegrees = 40;  // of the picture's width; its height then takes in three quarters of that
+  constexpr double kAngleDegrees = 40;  // of the picture's width; its height then covers three quarters of that
   const double half_height = std::atan(std::tan(kAngleDegrees / 2 * std::numbers::pi / 180) * 3 / 4);
   const double radius = std::max(box.size().length() / 2, std::numeric_limits<double>::min());
   const double distance = radius / std::sin(half_height);
@@ -81,8 +81,8 @@ std::string suggest_camera(const Box3d& box) {
 
 bool may_see(const scene::Camera& camera, const Box3d& box) {
   if (camera.kind != scene::CameraKind::perspective) return true;
-  // A point at location + a·direction + b·right + c·up is in the picture where a > 0 and |b|, |c| ≤ a/2. The
-  // coordinates are linear, so a box all of whose corners fail the same test lies outside.
+  // A point at location + a·direction + b·right + c·up is in the picture if a > 0 and |b|, |c| ≤ a/2. The coordinates
+  // are linear, so a box all of whose corners fail the same test lies outside.
   const scene::Matrix world_from_camera(camera.right.x, camera.right.y, camera.right.z, 0, camera.up.x, camera.up.y,
                                         camera.up.z, 0, camera.direction.x, camera.direction.y, camera.direction.z, 0,
                                         camera.location.x, camera.location.y, camera.location.z, 1);

@@ -1,5 +1,5 @@
-// Where a scene's surfaces are, and a camera that sees them: so that the first picture need not be blank. From the
-// database alone; compiles nothing.
+// The extent of a scene's surfaces, and a camera that sees them, so that the first picture is not blank. Uses only the
+// database; compiles nothing.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -12,7 +12,7 @@ namespace isl::cli {
 
 struct SceneExtent {
   Imath::Box3d box;        ///< in world space; holds every bounded surface; empty when there is none
-  bool unbounded = false;  ///< the scene has planes, or what may be without end, besides
+  bool unbounded = false;  ///< the scene also has planes, or other objects that may be infinite
 };
 
 [[nodiscard]] SceneExtent extent_of(const scene::Database& database);
@@ -21,8 +21,8 @@ struct SceneExtent {
 /// Precondition: the box is not empty.
 [[nodiscard]] std::string suggest_camera(const Imath::Box3d& box);
 
-/// False where the box lies wholly outside the camera's pyramid; true may still mean hidden. Of cameras that have no
-/// pyramid nothing is known.
+/// False if the box lies wholly outside the camera's pyramid; a visible box may still be hidden. Always true for
+/// cameras without a pyramid.
 [[nodiscard]] bool may_see(const scene::Camera& camera, const Imath::Box3d& box);
 
 }  // namespace isl::cli

@@ -10,7 +10,7 @@ namespace {
 using scene::Database;
 using scene::Object;
 
-/// Groups share groups, so a short scene may place more than anyone could visit: each group is counted once.
+/// Groups share groups, so a short scene may place more objects than a program can visit: each group is counted once.
 class Counter {
  public:
   explicit Counter(const Database& database) : database_(database), groups_(database.groups.size()) {}

@@ -1,4 +1,4 @@
-// What a scene holds, counted: for `isl check` and --stats.
+// Counts of a scene's contents, for `isl check` and --stats.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -8,13 +8,13 @@
 
 namespace isl::cli {
 
-/// Counted as placed in the world: an object that stands there three times counts three times.
+/// Objects are counted as placed in the world: one that is placed three times counts three times.
 struct SceneSummary {
   std::uint64_t fields = 0;  ///< components of blobs
   std::uint64_t blobs = 0;
   std::uint64_t solids = 0;
   std::uint64_t lights = 0;
-  std::uint64_t textures = 0;  ///< records, however often they are used
+  std::uint64_t textures = 0;  ///< records, not their uses
 
   [[nodiscard]] std::uint64_t primitives() const { return fields + solids; }
 };

@@ -7,7 +7,7 @@
 namespace isl::cli {
 namespace {
 
-/// The most that the process ever held, all told.
+/// The greatest memory size that the process ever had.
 std::size_t peak_bytes() {
   struct rusage usage {};
   getrusage(RUSAGE_SELF, &usage);

@@ -1,4 +1,4 @@
-// What a render did and what it cost, as the JSON document of --stats.
+// The work and the cost of a render, as the JSON document of --stats.
 #pragma once
 
 #include "cli/options/render_settings.h"

@@ -1,5 +1,5 @@
-// What is wrong with the view of a scene, told before it is rendered: a blank picture explains nothing. From the
-// database alone; compiles nothing.
+// Finds mistakes in the view of a scene before it is rendered: a blank picture explains nothing. Uses only the
+// database; compiles nothing.
 #pragma once
 
 #include "cli/session/session.h"
@@ -8,8 +8,8 @@
 
 namespace isl::cli {
 
-/// Warns where the camera sees nothing, or where there is no light. Precondition: the session was evaluated, and
-/// `summary` and `extent` are of its scene.
+/// Warns if the camera sees nothing, or if there is no light. Precondition: the session was evaluated, and `summary`
+/// and `extent` are of its scene.
 void warn_of_view(Session& session, const SceneSummary& summary, const SceneExtent& extent);
 
 }  // namespace isl::cli
