@@ -1,11 +1,11 @@
 #!/bin/sh
 # Launcher of a source checkout: installs what is missing (Debian 12), builds, then runs the program with the same
-# arguments. `./isl test` builds and runs the tests instead. What it has to say goes to standard error only.
-# The installed program (cmake --install) is the one that this script ends in; it needs no launcher.
+# arguments. `./isl test` builds and runs the tests instead. The launcher prints to standard error only.
+# The installed program (cmake --install) is the one that this script starts at its end; it needs no launcher.
 # shellcheck disable=SC1091,SC2086  # lists of packages are split into words on purpose
 set -u
 
-# ---- What has to be there: the only list of packages ------------------------------------------------------------------
+# ---- The packages that are needed: their only list ---------------------------------------------------------------------
 # openimageio-tools: OpenImageIO's CMake files refuse to load without them.
 build_packages="g++ cmake ninja-build flex bison libfmt-dev libimath-dev libhwy-dev libtbb-dev libcli11-dev
 nlohmann-json3-dev libpng-dev zlib1g-dev libopenexr-dev libopenimageio-dev openimageio-tools"
@@ -21,20 +21,20 @@ log=$root/build/launcher.log
 
 say() { printf 'isl: %s\n' "$*" >&2; }
 
-# run WHAT COMMAND…: says what it does, keeps the output in the log and shows its end only on failure.
+# run TITLE COMMAND…: prints the title, keeps the output in the log and shows the log's end only on failure.
 run() {
-  what=$1
+  title=$1
   shift
-  say "$what …"
-  printf '\n==> %s: %s\n' "$what" "$*" >>"$log"
+  say "$title …"
+  printf '\n==> %s: %s\n' "$title" "$*" >>"$log"
   begin=$(($(wc -l <"$log") + 1))
   "$@" >>"$log" 2>&1 </dev/null && return
-  say "$what failed; the end of $log:"
+  say "$title failed; the end of $log:"
   tail -n "+$begin" "$log" | tail -n 30 >&2
   exit 3
 }
 
-# Built from this place, and nothing that the build reads is newer. `find` sees a removed file by its folder's time.
+# True if the program was built here and no input of the build is newer. `find` sees a removed file by its folder's time.
 is_fresh() {
   [ -x "$program" ] && [ -r "$stamp" ] && read -r built_from <"$stamp" && [ "$built_from" = "$root" ] || return 1
   [ -z "$(cd "$root" && find isl CMakeLists.txt CMakePresets.json cmake base grammar interpreter renderer cli \
@@ -45,13 +45,13 @@ is_debian_12() {
   [ -r /etc/os-release ] && (. /etc/os-release && [ "${ID:-}" = debian ] && [ "${VERSION_ID:-}" = 12 ])
 }
 
-# require PACKAGE…: installs those that are missing, or says which they are where it cannot.
+# require PACKAGE…: installs the missing ones, or names them if it cannot.
 require() {
   if ! is_debian_12; then
-    say "this is not Debian 12: nothing is installed; the packages of Debian 12 that are needed are: $*"
+    say "this is not Debian 12, so packages are not installed; install the equivalents of these Debian 12 packages: $*"
     return
   fi
-  # "ii" and "hi" are installed; dpkg-query says nothing of a package that it never heard of.
+  # "ii" and "hi" are installed; dpkg-query prints nothing for a package that it does not know.
   present=" $(dpkg-query -W -f '${db:Status-Abbrev}:${Package}\n' "$@" 2>/dev/null | sed -n 's/^.i *://p' | tr '\n' ' ')"
   missing=
   for package in "$@"; do
@@ -70,14 +70,14 @@ require() {
   fi
   set -- apt-get -q -o DPkg::Lock::Timeout=300
   say "installing packages:$missing"
-  # A stale or partly broken list of some other archive is no reason to stop: the installation tells.
-  $as_root "$@" update >>"$log" 2>&1 </dev/null || say "apt-get update had errors; going on with what it has"
+  # A stale or partly broken list of another archive is no reason to stop: the installation shows if it matters.
+  $as_root "$@" update >>"$log" 2>&1 </dev/null || say "apt-get update had errors; the installation continues with the present package lists"
   run "apt-get install" $as_root env DEBIAN_FRONTEND=noninteractive "$@" install -y --no-install-recommends $missing
 }
 
-# One set-up at a time: others wait. The lock goes with the process, however it ends.
+# One set-up at a time: others wait. The system releases the lock when the process ends.
 lock() {
-  mkdir -p "$root/build" || { say "cannot write to $root/build"; exit 3; }
+  mkdir -p "$root/build" || { say "cannot write to $root/build; make it writable or copy the checkout"; exit 3; }
   command -v flock >/dev/null 2>&1 || return 0
   exec 9>"$root/build/launcher.lock" || exit 3
   flock -n 9 || { say "waiting for another build of this checkout"; flock 9; }
@@ -92,7 +92,7 @@ drop_foreign() {
   [ ! -f "$1/CMakeCache.txt" ] || grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" || rm -rf "$1"
 }
 
-# is_configured FOLDER [-DNAME=VALUE]: CMake need not be asked again; changes of CMakeLists.txt are ninja's to see.
+# is_configured FOLDER [-DNAME=VALUE]: true if CMake need not run again; ninja detects changes of CMakeLists.txt.
 is_configured() {
   [ -f "$1/build.ninja" ] && [ -z "$(find "$root/CMakePresets.json" -newer "$1/build.ninja")" ] || return 1
   [ -n "${2:-}" ] || return 0
@@ -100,7 +100,7 @@ is_configured() {
   grep -q "^${name%%=*}:[A-Z]*=${name#*=}\$" "$1/CMakeCache.txt"
 }
 
-# build_with PRESET TARGET [-DNAME=VALUE]
+# build_with PRESET TARGET [-DNAME=VALUE]: configures if necessary and builds.
 build_with() {
   folder=$root/build/$1
   drop_foreign "$folder"
@@ -118,7 +118,7 @@ set_up() {
     require $build_packages
     began=$(date +%s)
     drop_foreign "$build"
-    if [ -f "$build/build.ninja" ]; then  # with or without tests, as it was asked for last
+    if [ -f "$build/build.ninja" ]; then  # keeps the tests if they were configured last
       (cd "$root" && build_with release isl_program) || exit $?
     else
       (cd "$root" && build_with release isl_program -DISL_TESTS=OFF) || exit $?
@@ -128,7 +128,7 @@ set_up() {
   unlock
 }
 
-# run_tests [--asan] [CTEST-OPTION…]
+# run_tests [--asan] [CTEST-OPTION…]: builds all and runs ctest.
 run_tests() {
   asan=${ISL_CI:+yes}
   [ "${1:-}" != --asan ] || { asan=yes; shift; }
