@@ -56,7 +56,7 @@ class DiagnosticSink {
       if (warning_count_ > kMaxWarnings + 1) return;
       diagnostic = {};
       diagnostic.severity = Severity::warning;
-      diagnostic.message = std::to_string(kMaxWarnings) + " warnings were shown; no more will be";
+      diagnostic.message = std::to_string(kMaxWarnings) + " warnings were shown; further warnings are suppressed";
     }
     diagnostics_.push_back(std::move(diagnostic));
   }

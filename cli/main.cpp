@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     return static_cast<int>(isl::cli::run_any(isl::cli::parse_command_line(arguments)));
   } catch (const std::bad_alloc&) {
-    std::fputs("isl: error: there is no memory left\n", stderr);
+    std::fputs("isl: error: the system has no memory left\n", stderr);
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "isl: error: %s\n", failure.what());
   }

@@ -22,12 +22,12 @@ class Complaints {
   Complaints(std::deque<Complaint>& store, Arena& arena) : store_(store), arena_(arena) {}
 
   /// Keeps a complaint until it is claimed. Returns null if it is dropped because enough of its kind were reported
-  /// since the last directive: if one of them is told, all are, and the limit is reached.
+  /// since the last directive: if one of them is reported, all are, and the limit is reached.
   const Complaint* report(Diagnostic diagnostic);
   const Complaint* error(SourceSpan span, std::string message, std::string hint = {}) {
     return report({Severity::error, span, std::move(message), std::move(hint), {}, {}});
   }
-  /// Keeps a complaint about the whole text, which is told whatever is executed: an unclosed string or directive.
+  /// Keeps a complaint about the whole text, which is reported whatever is executed: an unclosed string or directive.
   void report_certain(Diagnostic diagnostic);
 
   /// A directive was read: a stretch of text begins that is executed as a whole or not at all.
@@ -40,7 +40,7 @@ class Complaints {
   /// True if a further error here would be dropped.
   [[nodiscard]] bool has_enough_errors() const { return errors_in_stretch_ >= DiagnosticSink::kMaxErrors; }
 
-  /// True if no complaint waits to be claimed or told.
+  /// True if no complaint waits to be claimed or reported.
   [[nodiscard]] bool is_empty() const { return unclaimed_.empty() && claimed_by_nodes_.empty(); }
   /// Takes one complaint, for a node that represents it in the tree.
   void claim(const Complaint& complaint);

@@ -122,7 +122,7 @@ std::vector<fs::path> FileAccess::folders_for(const fs::path& asking_folder) con
 FoundFile FileAccess::search(std::string_view name, const std::vector<fs::path>& folders) const {
   FoundFile found;
   if (name.empty()) {
-    found.problem = {AccessError::not_found, "a file needs a name", {}};
+    found.problem = {AccessError::not_found, "the file name is empty", {}};
     return found;
   }
   if (const auto memory = memory_.find(name); memory != memory_.end()) {
@@ -227,7 +227,7 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
   if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
   if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
   if (inputs_.contains({status.st_dev, status.st_ino}) && !written_paths_.contains(place.canonical)) {
-    return refuse("the scene is read from it");
+    return refuse("it is an input of the scene");
   }
   if (::faccessat(place.folder.get(), name.c_str(), W_OK, 0) != 0) return refuse(explain(errno));
   return place;
@@ -235,7 +235,7 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
 
 WritablePlace FileAccess::find_writable(std::string_view name) const {
   if (name.empty())
-    return {.problem = {AccessError::refused, "a file needs a name", {}}, .canonical = {}, .folder = {}};
+    return {.problem = {AccessError::refused, "the file name is empty", {}}, .canonical = {}, .folder = {}};
   WritablePlace place = judge_place(scene_folder_.value_or(fs::path()) / name);
   if (fs::path(name).is_absolute()) return place;
   for (const Folder& folder : write_folders_) {

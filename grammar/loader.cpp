@@ -61,7 +61,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
     }
   } catch (const std::bad_alloc&) {
     return fail(LoadError::too_large, where,
-                fmt::format("`{}` takes more memory than there is for the scene", map_.position(span->begin).file),
+                fmt::format("`{}` takes more memory than the limit of the scene", map_.position(span->begin).file),
                 "`--max-memory` raises the limit");
   }
   std::vector<const Complaint*> errors = complaints.outside();
@@ -74,7 +74,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
 std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {
   const std::size_t bytes = text.size();
   if (bytes > options_.max_memory_bytes - std::min(text_bytes_, options_.max_memory_bytes)) {
-    problem = {AccessError::refused, "the files of the scene take more memory than there is for it",
+    problem = {AccessError::refused, "the files of the scene take more memory than its limit",
                "`--max-memory` raises the limit"};
     return std::nullopt;
   }

@@ -16,7 +16,7 @@ constexpr auto kNewer = std::to_array<std::string_view>(
 bool is_newer_word(std::string_view name) { return std::ranges::find(kNewer, name) != kNewer.end(); }
 
 std::string newer_word_message(std::string_view name) {
-  return fmt::format("`{}` came with version 3.8 of the language, which is not known here", name);
+  return fmt::format("`{}` is a word of version 3.8 of the language; this program reads 3.7", name);
 }
 
 }  // namespace isl::grammar

@@ -30,8 +30,8 @@ Tree ParseState::too_high(SourceSpan span) {
   too_high_ = span;
   if (!is_known) {
     too_high_complaint_ =
-        complaints_.error(span, fmt::format("more than {} operations and brackets within one another", max_height_),
-                          "declare parts of it first");
+        complaints_.error(span, fmt::format("more than {} nested operations and brackets", max_height_),
+                          "declare parts of the expression first");
   }
   // An error node is a leaf: the height limit does not apply.
   return {arena_.create(Error{{NodeKind::error, span}, too_high_complaint_, true}), 1};
@@ -264,7 +264,7 @@ void ParseState::finish(const TreeList& items) {
 }
 
 void ParseState::abandon(SourceSpan text) {
-  if (complaints_.outside().empty()) failure(text, "this text cannot be read to its end");
+  if (complaints_.outside().empty()) failure(text, "this text cannot be parsed to its end");
   TreeList all;
   for (const auto& complaints : {complaints_.outside(), complaints_.certain()}) {
     for (const Complaint* complaint : complaints) all.push(error(complaint->diagnostic.span, complaint, false));

@@ -63,15 +63,15 @@ TokenKind kind_of(WordClass word_class) {
 /// the ASCII one.
 std::string hint_for(std::string_view character) {
   static constexpr auto kHints = std::to_array<std::pair<std::string_view, std::string_view>>({
-      {"%", "the remainder of a division is `mod(a, b)`"},
-      {"^", "a power is `pow(a, b)`"},
-      {"'", "strings stand between double quotes"},
-      {"\xE2\x80\x98", "strings stand between straight double quotes"},
-      {"\xE2\x80\x99", "strings stand between straight double quotes"},
-      {"\xE2\x80\x9C", "strings stand between straight double quotes"},
-      {"\xE2\x80\x9D", "strings stand between straight double quotes"},
-      {"\xE2\x80\x93", "a minus is `-`"},
-      {"\xE2\x88\x92", "a minus is `-`"},
+      {"%", "write `mod(a, b)` for the remainder of a division"},
+      {"^", "write `pow(a, b)` for a power"},
+      {"'", "write strings between double quotes"},
+      {"\xE2\x80\x98", "write strings between straight double quotes"},
+      {"\xE2\x80\x99", "write strings between straight double quotes"},
+      {"\xE2\x80\x9C", "write strings between straight double quotes"},
+      {"\xE2\x80\x9D", "write strings between straight double quotes"},
+      {"\xE2\x80\x93", "write a minus as `-`"},
+      {"\xE2\x88\x92", "write a minus as `-`"},
   });
   for (const auto& [found, hint] : kHints) {
     if (found == character) return std::string(hint);
@@ -129,7 +129,7 @@ Token ScanState::word(std::string_view text) {
   const Symbol symbol = symbols_.intern(text);
   // POV-Ray 1 and 2 had these without `#`; their scenes are still in use.
   if (symbol == word::kw_declare || symbol == word::kw_include) {
-    sink_.warning(span(), fmt::format("`{0}` without `#` is a form of old, read as `#{0}`", text));
+    sink_.warning(span(), fmt::format("`{0}` without `#` is an old form; it is read as `#{0}`", text));
     return simple(find_directive(text)->kind);
   }
   return {.kind = kind_of(symbols_.word_class(symbol)), .span = span(), .symbol = symbol};
@@ -152,7 +152,7 @@ std::optional<Token> ScanState::directive(std::string_view text) {
   const char follower = next == std::string_view::npos ? '\0' : after[next];
   // POV-Ray ignores the `#` before any other word; scenes that it reads contain `#union {`.
   if (follower == '{' && is_reserved(symbols_.intern(word))) {
-    sink_.warning(span(), fmt::format("`{0}` is no directive, read without its `#`", word));
+    sink_.warning(span(), fmt::format("`#{0}` is not a directive; it is read as `{0}`", word));
     return this->word(word);
   }
   if (const auto near = closest(word, kDirectiveWords)) {
@@ -179,7 +179,7 @@ void ScanState::bad_character(std::string_view text) {
            hint_for(text));
 }
 
-void ScanState::stray_comment_end() { complain(span(), "`*/` without a comment to close"); }
+void ScanState::stray_comment_end() { complain(span(), "unmatched `*/`: no comment is open"); }
 
 void ScanState::lone_hash() { sink_.warning(span(), "`#` without the name of a directive is ignored"); }
 
@@ -218,8 +218,8 @@ void ScanState::escape(std::string_view text) {
   const std::string resolved = resolve_escape(text);
   if (!resolved.empty()) return replace_in_string(resolved);
   // File names take backslashes literally and the scanner cannot tell which strings are file names: hence no error.
-  sink_.warning(span(), fmt::format("`{}` is no escape sequence; the backslash stays", text),
-                "a backslash is written `\\\\`, and folders in file names are separated by `/`");
+  sink_.warning(span(), fmt::format("`{}` is not an escape sequence; the backslash is kept", text),
+                "write a backslash as `\\\\`, and separate folders in file names by `/`");
 }
 
 Token ScanState::close_string() {
@@ -227,8 +227,8 @@ Token ScanState::close_string() {
   // begins.
   const std::string_view lines = text_between(string_begin_, end_);
   if (!is_cut_off_ && lines.find_first_of("\r\n") != std::string_view::npos)
-    sink_.warning({string_begin_, string_begin_ + 1}, "this string goes on over several lines",
-                  "if that is not meant, a `\"` is missing at the end of this line");
+    sink_.warning({string_begin_, string_begin_ + 1}, "this string extends over several lines",
+                  "if that is not intended, add a `\"` at the end of this line");
   Token token{.kind = Kind::TOK_STRING, .span = {string_begin_, end_}};
   const std::uint32_t text_end = begin_;
   token.literal.raw = text_between(string_begin_ + 1, text_end);

@@ -64,7 +64,7 @@ std::string hint_of_similar_file(std::string_view name, const std::vector<fs::pa
     if (has_backslash) reason = "; folders are separated by `/`";
     const bool is_same_path = ::strcasecmp(found.c_str(), path.c_str()) == 0;
     const bool has_other_case = is_same_path ? found != path : found.filename() != path.filename();
-    if (!has_backslash && has_other_case) reason = "; capitals count in names of files";
+    if (!has_backslash && has_other_case) reason = "; file names distinguish capitals";
     const std::string place = folder.empty() ? "." : folder.string();
     return fmt::format("there is `{}` in {}: write that name{}", found.string(), place, reason);
   };
@@ -75,7 +75,7 @@ std::string hint_of_similar_file(std::string_view name, const std::vector<fs::pa
   for (const fs::path& folder : folders) {
     if (const fs::path found = path_like(folder, path.filename(), may_read); !found.empty()) return hint(folder, found);
   }
-  return has_backslash ? "folders are separated by `/`, and a file is looked for beside the scene" : "";
+  return has_backslash ? "separate folders by `/`, and put the file beside the scene" : "";
 }
 
 }  // namespace isl::grammar

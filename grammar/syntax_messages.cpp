@@ -162,15 +162,14 @@ std::string hint_for(SymbolKind found, std::string_view text, std::span<const Sy
   const bool wants_name = contains(expected, Kind::S_IDENTIFIER) && !contains(expected, Kind::S_NUMBER);
   const bool is_reserved_word = found == Kind::S_KEYWORD || found == Kind::S_COLOUR_WORD || found == Kind::S_TEXTURE ||
                                 found == Kind::S_FUNCTION_WORD || found == Kind::S_CONSTANT;
-  if (wants_name && is_reserved_word)
-    return fmt::format("`{}` has a meaning of its own; begin names with a capital", text);
-  if (contains(expected, Kind::S_LEFT_PARENTHESIS) && expected.size() == 1) return "parentheses are always needed here";
+  if (wants_name && is_reserved_word) return fmt::format("`{}` is reserved; begin names with a capital letter", text);
+  if (contains(expected, Kind::S_LEFT_PARENTHESIS) && expected.size() == 1) return "parentheses are required here";
   const bool compares = found == Kind::S_EQUAL || found == Kind::S_LESS_EQUAL || found == Kind::S_GREATER_EQUAL ||
                         found == Kind::S_NOT_EQUAL || found == Kind::S_GREATER || found == Kind::S_AND ||
                         found == Kind::S_OR || found == Kind::S_QUESTION;
   if (compares && contains(expected, Kind::S_DECLARE)) {
-    return found == Kind::S_EQUAL ? "a variable is set by `#declare Name = …`, and comparisons stand in parentheses"
-                                  : "comparisons, `&`, `|` and `?:` stand in parentheses";
+    return found == Kind::S_EQUAL ? "set a variable with `#declare Name = …`, and put comparisons in parentheses"
+                                  : "put comparisons, `&`, `|` and `?:` in parentheses";
   }
   return {};
 }

@@ -19,7 +19,7 @@ struct Token {
   Symbol symbol = kNoSymbol;
   double number = 0;
   TextLiteral literal = {};
-  const Complaint* complaint = nullptr;  ///< null: it was dropped, or is told elsewhere
+  const Complaint* complaint = nullptr;  ///< null: it was dropped, or is reported elsewhere
   bool misspelt = false;                 ///< for a directive: `symbol` is the nearest one to the text
 };
 

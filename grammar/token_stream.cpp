@@ -72,7 +72,7 @@ DiagnosticNote note_to_close(const Opening& opening) {
 }
 
 DiagnosticNote note_of_misspelt(const Token& directive) {
-  return {directive.span, fmt::format("this is no directive; did you mean `{}`?", spelling(directive.kind))};
+  return {directive.span, fmt::format("this is not a directive; did you mean `{}`?", spelling(directive.kind))};
 }
 
 }  // namespace
@@ -285,11 +285,12 @@ void TokenStream::complain_stray(const Token& token) {
   Diagnostic diagnostic;
   diagnostic.span = token.span;
   if (directive != nullptr && directive->kind == Kind::TOK_MACRO && directive->has_head) {
-    complaints_.error(token.span, fmt::format("the body of macro `{}` does not open what it closes with this `{}`",
-                                              name_of(*directive), spelling(token.kind)));
+    complaints_.error(token.span,
+                      fmt::format("the body of macro `{}` does not open the bracket or directive that this `{}` closes",
+                                  name_of(*directive), spelling(token.kind)));
     return;
   }
-  diagnostic.message = fmt::format("unexpected `{}`: nothing that it closes is open", spelling(token.kind));
+  diagnostic.message = fmt::format("unmatched `{}`", spelling(token.kind));
   if (!nesting_.empty()) {
     const Opening& innermost = nesting_.open().back();
     diagnostic.notes.push_back({innermost.span, fmt::format("this `{}` must end first", spelling(innermost.kind))});

@@ -37,7 +37,7 @@ void initialise(ElementStream& stream, ArrayValue& array, std::size_t dimension,
     const std::size_t place = first + found * stride;
     if (++found > wanted) {
       context.fail(element.span,
-                   fmt::format("more initialisers than the {} that this dimension of the array has", wanted));
+                   fmt::format("this dimension of the array has {} elements, found more initialisers", wanted));
     }
     if (dimension + 1 < array.dimensions.size()) {
       if (!element.is_block(grammar::kNoSymbol))
@@ -69,7 +69,7 @@ std::size_t element_count(Context& context, const Node& node) {
 std::size_t place_of(Context& context, const Node& node, double value, std::size_t size) {
   const double index = value + kTolerance;
   if (!(index >= 0 && index < static_cast<double>(size))) {
-    context.fail(node.span, fmt::format("index {:g} is outside of 0 to {}", index, size - 1));
+    context.fail(node.span, fmt::format("expected an index from 0 to {}, found {:g}", size - 1, index));
   }
   return static_cast<std::size_t>(index);
 }
@@ -95,7 +95,7 @@ Slot* element_at(Context& context, const grammar::Index& node, Slot* slot, std::
       if (may_be_undeclared) return nullptr;
       const Node* base = node.base;
       while (base->kind == NodeKind::index) base = as<grammar::Index>(*base).base;
-      context.fail(base->span, fmt::format("only an array has elements, found {}", describe(slot->value)));
+      context.fail(base->span, fmt::format("expected an array before `[`, found {}", describe(slot->value)));
     }
     const ArrayValue& array = slot->value.as<ArrayValue>();
     if (subscripts.size() < array.dimensions.size()) {
@@ -149,7 +149,7 @@ Slot* find_element(Context& context, const grammar::Index& node, bool may_be_und
     if (list_in(context.scopes.find(name))) {
       const double index = evaluate_number(context, *node.subscript);
       const ArrayValue* const list = list_in(context.scopes.find(name));
-      if (!list) context.fail(node.span, "evaluating the index has taken this array away");
+      if (!list) context.fail(node.span, "evaluating the index has undeclared this array");
       return list->elements[place_of(context, *node.subscript, index, list->elements.size())];
     }
   }

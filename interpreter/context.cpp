@@ -80,8 +80,8 @@ void Context::meet(const grammar::Error& node) {
   if (complaint && !complaint->is_error()) return tell(*complaint);
   for (; complaint; complaint = complaint->next) tell(*complaint);
   if (!node.gives_up) return;
-  // A node without a complaint follows one that was told before; a scene must not go on as if nothing were wrong.
-  if (!node.complaint && !sink_.has_errors()) error(node.span, "this cannot be read");
+  // A node without a complaint follows one that was reported before; a scene must not go on as if nothing were wrong.
+  if (!node.complaint && !sink_.has_errors()) error(node.span, "this text cannot be read");
   throw Failed{};
 }
 
@@ -93,7 +93,7 @@ void Context::tell_rest() {
 }
 
 void Context::report_out_of_memory() {
-  sink_.report({Severity::error, {}, "there is no memory left for the scene", {}, {}, {}});
+  sink_.report({Severity::error, {}, "the system has no memory left for the scene", {}, {}, {}});
 }
 
 void Context::unsupported(SourceSpan span, std::string_view thing) {
@@ -101,7 +101,7 @@ void Context::unsupported(SourceSpan span, std::string_view thing) {
   if (options.lenient) {
     warn(span, message + "; skipped");
   } else {
-    error(span, std::move(message), "`--lenient` skips what is not supported");
+    error(span, std::move(message), "`--lenient` skips unsupported features");
   }
 }
 
@@ -175,7 +175,7 @@ OriginId Context::origin(SourceSpan span) {
 
 void Context::too_deep(SourceSpan span) {
   stop(span, fmt::format("more than {} macro calls and blocks are open at once", options.limits.max_depth),
-       "is a recursion without end? `--max-depth` raises the limit");
+       "possible infinite recursion; `--max-depth` raises the limit");
 }
 
 void Context::look_at_turns(SourceSpan span) {
@@ -183,7 +183,7 @@ void Context::look_at_turns(SourceSpan span) {
   constexpr std::uint64_t kTurnsBetweenLooks = 1024;
   if (static_cast<double>(turns_) > options.limits.max_turns) {
     stop(span, fmt::format("loops and macro calls have made more than {:g} turns", options.limits.max_turns),
-         "is one without end? `--max-turns` raises the limit");
+         "possible infinite loop; `--max-turns` raises the limit");
   }
   check_stop(span);
   next_look_ = turns_ + 1;

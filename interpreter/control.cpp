@@ -45,7 +45,7 @@ bool has_turn(double value, double end, double step) {
 bool continue_for(Context& context, Frame& frame) {
   const auto& node = as<grammar::For>(*frame.node);
   Slot* const slot = without_wrapper(context.scopes.find(node.variable));
-  if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` is not a number any more");
+  if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` no longer holds a number");
   const double value = slot->value.number() + frame.range.step;
   slot->value.set_number(value);
   return has_turn(value, frame.range.end, frame.range.step);
@@ -149,7 +149,7 @@ void break_out(Context& context, std::size_t base, const Node& node) {
       return;
     }
     if (frames.size() == base + 1 || kind == Frame::Kind::include) {
-      context.fail(node.span, "`#break` outside of a loop, a `#switch` and a macro");
+      context.fail(node.span, "found `#break` outside a loop, a `#switch` and a macro");
     }
     context.pop();
     if (is_target) return;

@@ -52,11 +52,11 @@ void skip_rest(Context& context) {
 
 Value read_to_end(ElementStream& stream, bool& terminated) {
   Context& context = stream.context();
-  if (stream.peek().is(ElementKind::end)) context.fail(stream.span(), "there is no value to declare");
+  if (stream.peek().is(ElementKind::end)) context.fail(stream.span(), "expected a value to declare, found none");
   Value value = read_declared(stream);
   terminated = stream.accept(ElementKind::semicolon);
   const Element& next = stream.peek();
-  if (!next.is(ElementKind::end)) context.fail(next.span, "one value is declared, and this is a second");
+  if (!next.is(ElementKind::end)) context.fail(next.span, "expected one value to declare, found a second");
   return value;
 }
 
@@ -110,7 +110,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     }
     if (!terminated && value.is_numeric() && context.version.number() >= 3.5) [[unlikely]] {
       context.error({node.span.end, node.span.end},
-                    fmt::format("a `;` is missing after the declaration of {}", describe(value)));
+                    fmt::format("expected `;` after the declaration of {}", describe(value)));
     }
     Slot* target = &declared_slot(context, node);
     if (target->value.kind() >= ValueKind::function) [[unlikely]]
@@ -135,7 +135,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 
 [[gnu::noinline]] void declare_deprecated(Context& context, const grammar::Declare& node) {
   if (node.target->kind != NodeKind::name) {
-    context.warn(node.target->span, "`deprecated` means nothing before an element of an array");
+    context.warn(node.target->span, "`deprecated` has no effect on an element of an array");
     return declare(context, node);
   }
   const Slot* const before = context.scopes.find(as<grammar::Name>(*node.target).name);
@@ -208,7 +208,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   context.version.state(version);
   if (context.version.number() > LanguageVersion::kNewest) {
     context.warn(node.span,
-                 fmt::format("version {:g} of the language is not known here, the scene is read as {:g}",
+                 fmt::format("version {:g} of the language is unknown; the scene is read as {:g}",
                              context.version.number(), LanguageVersion::kNewest),
                  "dictionaries, mixed arrays, optional parameters, `lemon`, `potential`, `polarity` and `user_defined` "
                  "came with 3.8");

@@ -75,8 +75,8 @@ EvaluatedScene evaluate(grammar::Loader& loader, grammar::SymbolTable& symbols, 
   Context context(loader, symbols, unit, options, sink);
   const bool ran = run_on_stack(stack_bytes(options.limits), [&] { run(context, unit); });
   if (!ran) {
-    sink.error({}, fmt::format("there is no stack for a depth of {}", options.limits.max_depth),
-               "`--max-depth` sets it");
+    sink.error({}, fmt::format("the system has no stack for a depth of {}", options.limits.max_depth),
+               "a smaller `--max-depth` needs less");
     return scene;
   }
   prune(context.database);

@@ -46,8 +46,9 @@ namespace word = grammar::word;
     throw Failed{};
   }
   if (slot->value.kind() == ValueKind::macro) [[unlikely]] {
-    context.fail(node.span, fmt::format("macro `{}` is called with parentheses, even where it takes no arguments",
-                                        context.text(node.name)));
+    context.fail(node.span,
+                 fmt::format("expected parentheses after macro `{}`; a macro without arguments needs them too",
+                             context.text(node.name)));
   }
   result = slot->value;
 }
@@ -181,7 +182,7 @@ double compute_number(Context& context, const Node& node) {
   evaluate_into(context, node, value);
   if (!value.is_number()) [[unlikely]]
     context.fail(node.span, fmt::format("expected a number, found {}", describe(value)),
-                 value.kind() == ValueKind::string ? "`val(…)` reads a string as a number" : "");
+                 value.kind() == ValueKind::string ? "`val(…)` converts a string to a number" : "");
   return value.number();
 }
 
@@ -227,7 +228,7 @@ Value read_only_value(ElementStream& stream) {
   Value value = read_rvalue(stream);
   stream.accept(ElementKind::semicolon);
   const Element& next = stream.peek();
-  if (!next.is(ElementKind::end)) stream.context().fail(next.span, "one value is expected here, and this is a second");
+  if (!next.is(ElementKind::end)) stream.context().fail(next.span, "expected one value, found a second");
   return value;
 }
 
@@ -243,7 +244,7 @@ Value read_only_value(ElementStream& stream) {
 
 [[gnu::noinline]] Value evaluate_items(Context& context, Items items, SourceSpan span) {
   ElementStream stream(context, items, span);
-  if (stream.peek().is(ElementKind::end)) context.fail(span, "a value is expected here, and there is none");
+  if (stream.peek().is(ElementKind::end)) context.fail(span, "expected a value, found none");
   return read_only_value(stream);
 }
 

@@ -61,7 +61,9 @@ void forget_handle(Context& context, grammar::Symbol handle) {
 
 /// The value to read or write may come from a macro that closes the file.
 void check_open(Context& context, const FileValue& file, SourceSpan span) {
-  if (!file.is_open) context.fail(span, fmt::format("`{}` was closed meanwhile", grammar::shown_name(file.name)));
+  if (!file.is_open)
+    context.fail(span,
+                 fmt::format("`{}` was closed while the statement was evaluated", grammar::shown_name(file.name)));
 }
 
 // ---- Opening --------------------------------------------------------------------------------------------------------
@@ -81,14 +83,14 @@ void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file
   } else if (context.options.lenient) {
     file.place = grammar::FileAccess::in_memory(file.name);
     context.warn(node.path->span,
-                 fmt::format("`{}` is not written: no folder is named for it; this run alone can read it",
+                 fmt::format("`{}` is kept in memory only, because no `--allow-write` folder covers it",
                              grammar::shown_name(file.name)),
                  "`--allow-write DIR` lets a scene write below DIR");
   } else {
-    context.fail(node.path->span,
-                 fmt::format("`{}` may not be written: a scene writes no files unless it is allowed to",
-                             grammar::shown_name(file.name)),
-                 "`--allow-write DIR` lets it write below DIR");
+    context.fail(
+        node.path->span,
+        fmt::format("`{}` may not be written: no `--allow-write` folder covers it", grammar::shown_name(file.name)),
+        "`--allow-write DIR` lets it write below DIR");
   }
   if (file.place.problem.error != grammar::AccessError::none) {
     context.fail(node.path->span, file.place.problem.message, file.place.problem.hint);
@@ -125,7 +127,7 @@ Datum next_datum(Context& context, FileValue& file) {
   try {
     Datum datum = file.reader->next();
     if (datum.kind == Datum::Kind::mistake) {
-      context.fail(datum.span, fmt::format("{}, as `#read` wants it", datum.text));
+      context.fail(datum.span, fmt::format("`#read`: {}", datum.text));
     }
     return datum;
   } catch (const grammar::ScannerFailure& failure) {
@@ -163,16 +165,16 @@ void open_file(Context& context, const grammar::Fopen& node) {
   const Slot* const slot = context.scopes.find(node.handle);
   if (slot && slot->value.kind() > ValueKind::poison) {
     context.fail(node.span,
-                 fmt::format("`{}` is {} already; a file needs a name of its own", context.text(node.handle),
+                 fmt::format("`{}` is already {}; choose another name for the file", context.text(node.handle),
                              describe(slot->value)),
-                 slot->value.kind() == ValueKind::file ? "`#fclose` closes it first" : "");
+                 slot->value.kind() == ValueKind::file ? "close it first with `#fclose`" : "");
   }
   if (node.mode != word::kw_read && node.mode != word::kw_write && node.mode != word::kw_append) {
     context.fail(node.span, fmt::format("expected `read`, `write` or `append`, found `{}`", context.text(node.mode)));
   }
   if (context.files.files.size() == OpenFiles::kMaxOpen) {
     context.fail(node.span, fmt::format("more than {} files are open at once", OpenFiles::kMaxOpen),
-                 "`#fclose` closes what is done with");
+                 "close finished files with `#fclose`");
   }
   try {
     Ref<FileValue> file = make_shared_value<FileValue>();

@@ -102,7 +102,7 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
     return Value(compare(node.op, order, 0));
   }
   context.fail(node.op_span.empty() ? node.span : node.op_span,
-               fmt::format("`{}` between {} and {}", spelling(node.op), describe(left), describe(right)),
+               fmt::format("`{}` cannot combine {} and {}", spelling(node.op), describe(left), describe(right)),
                hint_for_strings(node.op, left, right));
 }
 

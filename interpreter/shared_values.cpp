@@ -34,7 +34,7 @@ std::string_view describe(const Value& value) {
     case ValueKind::function: return "a function";
     case ValueKind::spline: return "a spline";
     case ValueKind::file: return "an open file";
-    case ValueKind::deprecated: return "something deprecated";
+    case ValueKind::deprecated: return "a deprecated name";
   }
   return "";
 }

@@ -83,9 +83,8 @@ std::string axes(const Plot& plot) {
       "<text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">time, relative to the default</text>\n",
       (kLeft + kWidth - kRight) / 2, kHeight - 8);
   svg += fmt::format(
-      "<text class=\"axis\" transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">error in pixels: worst, "
-      "and down "
-      "to the median</text>\n",
+      "<text class=\"axis\" transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">error in pixels: "
+      "from the worst down to the median</text>\n",
       (kTop + kHeight - kBottom) / 2);
   return svg;
 }

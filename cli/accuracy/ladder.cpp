@@ -48,7 +48,7 @@ constexpr std::array<std::string_view, 29> kRows{
 Rung rung_of(const SolverSetting& setting, const AccuracyCommand& command, const scene::Database& database) {
   RenderCommand render;
   render.scene = command.scene;
-  render.picture.skeleton = command.skeleton;
+  render.picture.unblended = command.unblended;
   render.picture.solver = setting.solver;
   render.picture.tolerance = setting.tolerance;
   return {setting, render_settings(render, database).tracer};

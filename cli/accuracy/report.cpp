@@ -43,7 +43,7 @@ std::vector<std::size_t> quickest(const AccuracyReport& report, const std::vecto
 }
 
 /// The rung that is shown for a group of equals: the default if it is among them, else the first.
-std::size_t spokesman(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
+std::size_t representative(const AccuracyReport& report, const std::vector<std::size_t>& rungs) {
   const auto found = std::ranges::find_if(rungs, [&](std::size_t i) { return report.rungs[i].setting.is_default(); });
   return found == rungs.end() ? rungs.front() : *found;
 }
@@ -80,7 +80,7 @@ std::vector<bool> pareto_front(const AccuracyReport& report) {
     const std::vector<std::size_t> group = quickest(report, left);
     double least = kNever;
     for (const std::size_t i : group) least = std::min(least, worst_of(report, i));
-    front[spokesman(report, chosen(group, [&](std::size_t i) { return worst_of(report, i) == least; }))] = true;
+    front[representative(report, chosen(group, [&](std::size_t i) { return worst_of(report, i) == least; }))] = true;
     left = chosen(left, [&](std::size_t i) { return worst_of(report, i) < least; });
   }
   return front;
@@ -90,7 +90,7 @@ std::string advice(const AccuracyReport& report) {
   const std::vector<std::size_t> good =
       chosen(all_rungs(report), [&](std::size_t i) { return worst_of(report, i) <= kAdvisedPixels; });
   if (good.empty()) return fmt::format("No setting keeps every ray within {} of a pixel.", kAdvisedPixels);
-  const std::size_t best = spokesman(report, quickest(report, good));
+  const std::size_t best = representative(report, quickest(report, good));
   const double worst = worst_of(report, best);
   return fmt::format("For this view, {}{} is the cheapest setting whose worst error is under a tenth of a pixel ({}).",
                      report.rungs[best].setting.options(), report.rungs[best].setting.is_default() ? " (the default)" : "",
@@ -125,12 +125,13 @@ std::string table_text(const AccuracyReport& report) {
         count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].setting.is_default() ? " default" : "");
   }
   text += fmt::format(
-      "{}x{} camera rays; time relative to the default, median of rounds; * nothing is quicker and more exact\n",
+      "{}x{} camera rays; time relative to the default, median of rounds; * no setting is both quicker and more "
+      "exact\n",
       report.size.width, report.size.height);
   if (has_shadows) {
-    text +=
-        fmt::format("{} shadow rays, in the times; leaks: light where there is shadow, false s: the other way round\n",
-                    report.comparison.settings.front().shadows->rays);
+    text += fmt::format(
+        "times include {} shadow rays; leaks: light in place of shadow, false s: shadow in place of light\n",
+        report.comparison.settings.front().shadows->rays);
   }
   return text + check_sentence(report.comparison.check) + "\n" + advice(report) + "\n";
 }

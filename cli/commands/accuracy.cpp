@@ -41,7 +41,7 @@ std::string command_text(const AccuracyCommand& command) {
                                  command.scene.size.width, command.scene.size.height, command.repeats);
   for (const SolverSetting& setting : command.settings) text += fmt::format(" --setting \"{}\"", setting.name());
   if (command.shadows) text += " --shadows";
-  if (command.skeleton) text += " --skeleton";
+  if (command.unblended) text += " --skeleton";
   if (command.scene.lenient) text += " --lenient";
   if (command.scene.clock != 0) text += fmt::format(" --clock {}", command.scene.clock);
   if (command.scene.frame != 0) text += fmt::format(" --frame {}", command.scene.frame);
@@ -77,7 +77,7 @@ render::Image picture_of(const AccuracyCommand& command, const scene::Database& 
   RenderCommand render;
   render.scene = command.scene;
   render.picture.threads = command.threads;
-  render.picture.skeleton = command.skeleton;
+  render.picture.unblended = command.unblended;
   const RenderSettings settings = render_settings(render, database);
   const render::Tracer tracer(database, settings.tracer);
   return render::render(database, tracer, settings.render).image;

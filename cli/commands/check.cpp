@@ -30,10 +30,10 @@ void print_text(Session& session, const SceneSummary& summary, const SceneExtent
   fmt::print(", {}, {}\n", counted(summary.lights, "light"), counted(summary.textures, "texture"));
   if (!extent.box.isEmpty()) {
     fmt::print("bounding box: {} to {}{}\n", vector_text(extent.box.min), vector_text(extent.box.max),
-               extent.unbounded ? ", planes left out" : "");
+               extent.unbounded ? ", without infinite objects" : "");
     fmt::print("a camera that sees it: {}\n", suggest_camera(extent.box));
   } else if (extent.unbounded) {
-    fmt::print("bounding box: none, there is only what has no end\n");
+    fmt::print("bounding box: none, because all objects are infinite\n");
   }
   fmt::print("files:\n{}", files_table(session.used_files()));
 }

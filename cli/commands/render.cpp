@@ -1,4 +1,6 @@
 // `isl render`: from the command line to image files. All checks that need no tracing run before it.
+#include "cli/commands/commands.h"
+
 #include "base/content_hash.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/closing_line.h"
@@ -116,7 +118,8 @@ void tell_result(const RenderCommand& command, Session& session, const std::vect
                     {"statistics", statistics}});
   } else if (!complete) {
     const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
-    fmt::print(stderr, "isl: interrupted; {}\n", files.empty() ? "nothing is written" : "what is done is in " + names);
+    fmt::print(stderr, "isl: interrupted; {}\n",
+               files.empty() ? "no file was written" : "the finished part is in " + names);
   } else if (!command.picture.quiet) {
     fmt::print(stderr, "{}\n", closing_line(names_of(files), image, seconds));
   }
@@ -128,8 +131,8 @@ ExitCode run(const RenderCommand& command) {
   const Stopwatch whole;
   Session session(command.scene);
   if (!command.picture.simd.empty() && !render::Tracer::has_simd_target(command.picture.simd)) {
-    print_error(
-        fmt::format("--simd: this machine has no `{}`, or the program was built without it", command.picture.simd));
+    print_error(fmt::format("--simd: `{}` is not available on this machine, or not built into the program",
+                            command.picture.simd));
     return ExitCode::command_line_error;
   }
   std::vector<fs::path> files = output_files(command.picture.outputs, session.name());

@@ -153,7 +153,7 @@ class IniTranslation {
     if (!extension_.empty()) return;
     extension_ = ".png";
     remark(Severity::warning, setting,
-           fmt::format("isl writes no files of type `{}`; a PNG is written", setting.value));
+           fmt::format("isl cannot write files of type `{}`; it writes a PNG", setting.value));
   }
 
   /// `+A0.2` combines both settings.
@@ -278,14 +278,13 @@ class IniTranslation {
       picture_.crop = crop;
       return;
     }
-    remarks_.push_back(
-        {Severity::error,
-         0,
-         0,
-         fmt::format("the columns and rows from `Start_Column` to `End_Row` leave nothing of {}x{} pixels, "
-                     "or reach beyond",
-                     width, height),
-         {}});
+    remarks_.push_back({Severity::error,
+                        0,
+                        0,
+                        fmt::format("the area from `Start_Column` to `End_Row` is empty or reaches beyond the "
+                                    "picture of {}x{} pixels",
+                                    width, height),
+                        {}});
   }
 
   const IniName& name_;

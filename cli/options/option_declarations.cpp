@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 10> kLayers{"depth",   "position", "norma
                                                    "samples", "cost",     "error",  "solver_steps", "missed"};
 
 constexpr std::string_view kFooter =
-    "Exit codes: 0 done, 1 the scene has errors, 2 the command line has, 3 a file could not be read or written,\n"
-    "            130 interrupted";
+    "Exit codes: 0 done, 1 the scene has errors, 2 the command line has errors,\n"
+    "            3 a file could not be read or written, 130 interrupted";
 
 /// An option whose text `parse` turns into a value for `store`; if it is given twice, the last one counts.
 template <class Parse, class Store>
@@ -59,7 +59,7 @@ Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
     const std::string_view name = text.substr(begin, end - begin);
     if (std::find(kLayers.begin(), kLayers.end(), name) == kLayers.end()) {
       return Parsed<std::vector<std::string>>::error(
-          fmt::format("unknown layer `{}`; there are {}", name, fmt::join(kLayers, ", ")));
+          fmt::format("unknown layer `{}`; the layers are {}", name, fmt::join(kLayers, ", ")));
     }
     asked.emplace_back(name);
     begin = end + 1;
@@ -80,9 +80,10 @@ Parsed<std::vector<std::string>> parse_effects(std::string_view text) {
     const std::string_view name = text.substr(begin, end - begin);
     if (std::ranges::find(known, name) == known.end()) {
       const auto similar = grammar::closest(name, known);
-      return Parsed<std::vector<std::string>>::error(fmt::format(
-          "there is no effect `{}`; {}", name,
-          similar ? fmt::format("did you mean `{}`?", *similar) : fmt::format("there are {}", fmt::join(known, ", "))));
+      return Parsed<std::vector<std::string>>::error(
+          fmt::format("unknown effect `{}`; {}", name,
+                      similar ? fmt::format("did you mean `{}`?", *similar)
+                              : fmt::format("the effects are {}", fmt::join(known, ", "))));
     }
     names.emplace_back(name);
     begin = end + 1;
@@ -102,20 +103,19 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
       ->type_name("")
       ->required();
   const std::string group = "The scene";
-  add_list(app, "-I,--include", "DIR",
-           "Search files here too, after the folder of the file that asks; what is elsewhere cannot be read",
+  add_list(app, "-I,--include", "DIR", "Add DIR to the search path; files in other folders cannot be read",
            scene.include_paths)
       ->group(group);
   app.add_flag_callback(
          "--no-system-libraries", [&scene] { scene.system_libraries = false; },
-         "Do not search POV-Ray's include files where the system has them")
+         "Do not search the system's copy of POV-Ray's include files")
       ->group(group);
   add_list(app, "--allow-write", "DIR", "Let #fopen write files below DIR; may be given again [no writing]",
            scene.write_folders)
       ->group(group);
   add_list(app, "-D,--define", "NAME=VALUE", "Set a number or string before the scene's first line", defines)
       ->group(group);
-  app.add_flag("--lenient", scene.lenient, "What isl does not have is skipped with a warning, not an error")
+  app.add_flag("--lenient", scene.lenient, "Skip unsupported features with a warning instead of an error")
       ->group(group);
   app.add_option_function<std::vector<std::string>>(
          "--without",
@@ -126,28 +126,28 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
              scene.without.insert(scene.without.end(), names.value().begin(), names.value().end());
            }
          },
-         "Leave these effects out, whatever calls for them; `isl plan SCENE` lists their names")
+         "Leave these effects out; `isl plan SCENE` lists their names")
       ->type_name("EFFECT,...")
       ->allow_extra_args(false)
       ->group(group);
-  add(app, "--clock", "T", "The variable clock [0]", number_from(-kUnbounded, kUnbounded), [&scene](double v) {
+  add(app, "--clock", "T", "Set the variable clock [0]", number_from(-kUnbounded, kUnbounded), [&scene](double v) {
     scene.clock = v;
     scene.clock_on = true;
   })->group(group);
-  add(app, "--frame", "N", "Frame of an animation: the variable frame_number [0: none]",
+  add(app, "--frame", "N", "Frame of an animation: sets the variable frame_number [0: none]",
       integer_from(0, std::numeric_limits<int>::max()),
       [&scene](std::int64_t v) {
         scene.frame = static_cast<int>(v);
         scene.clock_on = true;
       })
       ->group(group);
-  app.add_option("--format", format, "How results and problems are told: text, or one JSON document [text]")
+  app.add_option("--format", format, "Form of results and problems: text, or one JSON document [text]")
       ->type_name("text|json")
       ->group(group);
 
   const std::string limits = "Limits against runaway scripts";
   interpreter::Limits& limit = scene.limits;
-  add(app, "--max-depth", "N", "Macro calls and blocks within one another [1000]", integer_from(1, 100'000),
+  add(app, "--max-depth", "N", "Nested macro calls and blocks [1000]", integer_from(1, 100'000),
       [&limit](std::int64_t v) { limit.max_depth = static_cast<std::size_t>(v); })
       ->group(limits);
   add(app, "--max-turns", "N", "Turns of all loops, and macro calls [1e9]", number_from(0, kUnbounded),
@@ -157,12 +157,12 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
       [&limit](double v) { limit.max_primitives = v; })
       ->group(limits);
   add(app, "--max-memory", "SIZE",
-      "Memory of the scene, its texts and what it writes, 4G or a share of the machine's [75%]", parse_memory,
+      "Memory of the scene, its texts and its output: 4G, or a percentage of the machine's [75%]", parse_memory,
       [&limit](std::size_t v) { limit.max_memory_bytes = v; })
       ->group(limits);
-  add(app, "--max-include-depth", "N", "Includes within includes [32]", integer_from(1, 1000),
-      [&limit](std::int64_t v) { limit.max_include_depth = static_cast<std::size_t>(v); })
-      ->group(limits);
+  add(app, "--max-include-depth", "N", "Nested includes [32]", integer_from(1, 1000), [&limit](std::int64_t v) {
+    limit.max_include_depth = static_cast<std::size_t>(v);
+  })->group(limits);
 }
 
 void add_quality(CLI::App& app, int& quality, const std::string& group) {
@@ -175,66 +175,64 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   std::string group = "The picture";
   add_list(
       app, "-o,--output", "FILE",
-      "png exr tif jpg ppm hdr, by extension, or `png:-` for standard output; may be given again [<scene name>.png]",
+      "File: png exr tif jpg ppm hdr by extension; `png:-` is standard output; may be given again [<scene name>.png]",
       picture.outputs)
       ->group(group);
-  add(app, "--bits", "8|16", "Bits a channel of png and tif [16]; jpg and ppm have 8", parse_bits, [&picture](int v) {
+  add(app, "--bits", "8|16", "Bits per channel of png and tif [16]; jpg and ppm have 8", parse_bits, [&picture](int v) {
     picture.bits = v;
   })->group(group);
-  app.add_flag("--alpha", picture.alpha, "The background is transparent")->group(group);
-  app.add_flag("--skeleton", picture.skeleton, "Show each component of a blob as the solid that it is alone")->group(group);
+  app.add_flag("--alpha", picture.alpha, "Make the background transparent")->group(group);
+  app.add_flag("--skeleton", picture.unblended, "Render the components of blobs without blending")->group(group);
   add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}; the last four also as NAME.LAYER.png beside NAME.png",
                   fmt::join(kLayers, " ")),
       parse_layers, [&picture](const std::vector<std::string>& v) { picture.layers = v; })
       ->group(group);
-  add(app, "--crop", "X0,Y0,X1,Y1", "Render these pixels only, X1 and Y1 not included", parse_crop,
+  add(app, "--crop", "X0,Y0,X1,Y1", "Render only these pixels; column X1 and row Y1 are excluded", parse_crop,
       [&picture](const std::array<int, 4>& v) { picture.crop = v; })
       ->group(group);
 
   group = "Quality";
-  add(app, "--aa", "T", "Neighbours that differ by more than T get 16 samples [0.1]", number_from(0, kUnbounded),
-      [&picture](double v) { picture.aa_threshold = v; })
+  add(app, "--aa", "T", "Take 16 samples where neighbouring pixels differ by more than T [0.1]",
+      number_from(0, kUnbounded), [&picture](double v) { picture.aa_threshold = v; })
       ->group(group);
-  add(app, "--samples", "N", "Exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
+  add(app, "--samples", "N", "Take exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
       [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); })
       ->group(group);
   add_quality(app, picture.quality, group);
   add(app, "--solver", "NAME",
-      fmt::format("{}; of paper and iso, behind commas: {} [hermite]", solvers_text(), solver_switches_text()),
-      parse_solver,
-      [&picture](const SolverChoice& v) { picture.solver = v; })
+      fmt::format("{}; paper and iso take switches after commas: {} [hermite]", solvers_text(), solver_switches_text()),
+      parse_solver, [&picture](const SolverChoice& v) { picture.solver = v; })
       ->group(group);
-  add(app, "--tolerance", "T", "Error of a surface point, in pixels (0.05px) or scene units (1e-4) [0.05px]",
+  add(app, "--tolerance", "T", "Largest error of a surface point, in pixels (0.05px) or scene units (1e-4) [0.05px]",
       parse_tolerance, [&picture](const render::Tolerance& v) { picture.tolerance = v; })
       ->group(group);
 
   group = "The run";
-  add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&picture](std::int64_t v) {
+  add(app, "-t,--threads", "N", "Number of threads [all cores]", integer_from(1, 1024), [&picture](std::int64_t v) {
     picture.threads = static_cast<int>(v);
   })->group(group);
-  app.add_option("--simd", picture.simd, "Use this vector instruction set, e.g. AVX2 [the best there is]")
+  app.add_option("--simd", picture.simd, "Use this vector instruction set, e.g. AVX2 [the best of this machine]")
       ->type_name("TARGET")
       ->group(group);
-  app.add_option("--stats", picture.statistics, "Write times and counts here as JSON")
+  app.add_option("--stats", picture.statistics, "Write times and counts to this file as JSON")
       ->type_name("FILE.json")
       ->group(group);
-  app.add_flag("-q,--quiet", picture.quiet, "No progress bar and no closing line")->group(group);
+  app.add_flag("-q,--quiet", picture.quiet, "Print no progress bar and no closing line")->group(group);
 }
 
 void add_accuracy_options(CLI::App& app, AccuracyCommand& accuracy, std::vector<std::string>& settings) {
   app.add_option("-o,--output", accuracy.output, "Write NAME.html, NAME.json and NAME.csv [<scene name>.accuracy]")
       ->type_name("NAME");
-  app.add_flag("--skeleton", accuracy.skeleton, "Show each component of a blob as the solid that it is alone");
+  app.add_flag("--skeleton", accuracy.unblended, "Render the components of blobs without blending");
   app.add_flag("--shadows", accuracy.shadows, "Trace and compare shadow rays too");
   add_list(app, "--setting", "\"SOLVER [T]\"",
-           "A setting to compare beside the default, such as `march:0.2px` or `hermite 0.1px`; again for\n"
-           "more [a ladder of all methods]",
+           "A setting to compare with the default, such as `march:0.2px` or `hermite 0.1px`; may be\n"
+           "given again [a ladder of all methods]",
            settings);
-  add(app, "--repeats", "N", "Rounds of timing, at most: what is slow is timed less often [5]", integer_from(1, 1000),
+  add(app, "--repeats", "N", "Largest number of timing rounds; slow settings run in fewer [5]", integer_from(1, 1000),
       [&accuracy](std::int64_t v) { accuracy.repeats = static_cast<int>(v); });
-  add(app, "-t,--threads", "N", "[all cores]", integer_from(1, 1024), [&accuracy](std::int64_t v) {
-    accuracy.threads = static_cast<int>(v);
-  });
+  add(app, "-t,--threads", "N", "Number of threads [all cores]", integer_from(1, 1024),
+      [&accuracy](std::int64_t v) { accuracy.threads = static_cast<int>(v); });
 }
 
 }  // namespace
@@ -245,11 +243,12 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
   app.footer(std::string(kFooter));
 
   CLI::App* const render = app.add_subcommand("render", "Render a scene to image files");
-  CLI::App* const check = app.add_subcommand("check", "Read and evaluate a scene; tell its problems and what it holds");
-  CLI::App* const plan = app.add_subcommand("plan", "List the effects that a scene calls for, and what is left out");
-  CLI::App* const dump = app.add_subcommand("dump", "Print what a scene is at one stage on its way to a picture");
+  CLI::App* const check = app.add_subcommand("check", "Read and evaluate a scene; report its problems and contents");
+  CLI::App* const plan =
+      app.add_subcommand("plan", "List the effects that a scene calls for, and those that are left out");
+  CLI::App* const dump = app.add_subcommand("dump", "Print a scene at one stage on its way to a picture");
   CLI::App* const accuracy =
-      app.add_subcommand("accuracy", "Measure what accuracy costs: error and time of one solver setting after the other");
+      app.add_subcommand("accuracy", "Measure the error and the time of several solver settings");
   // Commands have their own footers; this one belongs to the overview.
   app.footer("`isl help COMMAND` lists the options of a command.\n\n" + std::string(kFooter));
   // Declaring options takes longer than reading a small scene, and only those of the given command are needed.
@@ -265,7 +264,8 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
     if (command == render) add_picture_options(*render, raw.picture);
     if (command == plan) add_quality(*plan, raw.plan_quality, "The picture");
     if (command == accuracy) add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
-    if (command == dump) dump->add_option("--stage", raw.stage, "Which stage")->type_name("tokens|ast|database|grid");
+    if (command == dump)
+      dump->add_option("--stage", raw.stage, "Stage to print")->type_name("tokens|ast|database|grid");
   }
 }
 

@@ -111,8 +111,8 @@ Parsed<Define> parse_define(std::string_view text) {
   const std::string_view name = text.substr(0, equals);
   std::string_view value = text.substr(equals + 1);
   if (!is_identifier(name)) {
-    return Parsed<Define>::error(
-        fmt::format("`{}` is no name of a variable: letters, digits and _, no digit first", name));
+    return Parsed<Define>::error(fmt::format(
+        "expected a variable's name of letters, digits and _, not beginning with a digit, found `{}`", name));
   }
   if (const auto number = number_of<double>(value)) return Define{std::string(name), *number};
   if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
@@ -133,7 +133,7 @@ Parsed<std::size_t> parse_memory(std::string_view text) {
   }
   if (value && *value > 0 && factor > 0 && *value * factor < 0x1p62) return static_cast<std::size_t>(*value * factor);
   return Parsed<std::size_t>::error(
-      fmt::format("expected a share of the memory (75%) or bytes (4G, 512M), found `{}`", text));
+      fmt::format("expected a percentage of the memory (75%) or bytes (4G, 512M), found `{}`", text));
 }
 
 std::string to_text(const render::Tolerance& tolerance) {

@@ -50,7 +50,7 @@ std::optional<Finished> check_rest(const CLI::App& app, const SceneOptions& scen
   }
   if (!app.remaining().empty()) {
     return bad_command_line(
-        fmt::format("one scene at a time: found `{}` after `{}`", app.remaining().front(), scene.scene.string()));
+        fmt::format("expected one scene, found `{}` after `{}`", app.remaining().front(), scene.scene.string()));
   }
   return std::nullopt;
 }
@@ -75,7 +75,7 @@ std::optional<Finished> check_picture_options(const SceneOptions& scene, const P
                                         fmt::join(*picture.crop, ","), scene.size.width, scene.size.height));
   }
   if (picture.solver && picture.solver->name == render::SolverName::exact && picture.tolerance) {
-    return bad_command_line("--tolerance: the solver exact has none of its own", "leave out one of the two");
+    return bad_command_line("--tolerance: the solver exact takes no tolerance", "leave out one of the two");
   }
   if (const auto complaint = check_output_options(picture, scene.format)) {
     return bad_command_line(complaint->message, complaint->hint);
@@ -90,18 +90,19 @@ Finished from_cli11(const CLI::Error& error) {
 }
 
 std::optional<Finished> check_first_word(std::span<const std::string> arguments) {
-  if (arguments.empty()) return bad_command_line("no command given", "isl render SCENE; `isl --help` tells more");
+  if (arguments.empty())
+    return bad_command_line("no command given", "`isl render SCENE` renders a scene; `isl --help` lists the commands");
   if (const auto switches = find_povray_switches(arguments)) {
-    std::string hint = fmt::format("here it is: {}", switches->equivalent);
+    std::string hint = fmt::format("isl's form is: {}", switches->equivalent);
     if (!switches->ignored.empty()) hint += fmt::format("  ({}: no counterpart)", switches->ignored);
     return bad_command_line(fmt::format("`{}` is a switch of POV-Ray's", switches->first), hint);
   }
   const std::string& word = arguments.front();
   if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end())
     return std::nullopt;
-  std::string hint = fmt::format("there are {}", fmt::join(kCommands, ", "));
+  std::string hint = fmt::format("the commands are {}", fmt::join(kCommands, ", "));
   if (word.ends_with(".isl") || word.ends_with(".pov") || ini_name(word)) {
-    hint = "isl render " + word;
+    hint = fmt::format("write `isl render {}`", word);
   } else if (word == "test") {
     hint = "`./isl test` in a source checkout builds and runs the tests";
   } else if (const auto similar = grammar::closest(word, kCommands)) {
@@ -121,7 +122,8 @@ std::vector<std::string> with_help_as_option(std::span<const std::string> argume
 std::optional<Finished> parse(CLI::App& app, std::span<const std::string> arguments) {
   // Only --help and --version may precede the command.
   const auto unknown_option = [](const std::string& option) {
-    return bad_command_line(fmt::format("unknown option `{}`", option), "isl render SCENE; `isl --help` tells more");
+    return bad_command_line(fmt::format("unknown option `{}`", option),
+                            "write options after the command; `isl --help` lists the commands");
   };
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // CLI11 takes them from the back
@@ -135,7 +137,8 @@ std::optional<Finished> parse(CLI::App& app, std::span<const std::string> argume
     return bad_command_line(fmt::format("{}: {}", bad.option, bad.message));
   } catch (const CLI::RequiredError&) {
     if (app.get_subcommands().empty()) return unknown_option(arguments.front());
-    return bad_command_line("no scene given", fmt::format("isl {} SCENE", app.get_subcommands().front()->get_name()));
+    return bad_command_line("no scene given",
+                            fmt::format("write `isl {} SCENE`", app.get_subcommands().front()->get_name()));
   } catch (const CLI::ExtrasError&) {
     return unknown_option(arguments.front());
   } catch (const CLI::Error& error) {

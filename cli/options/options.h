@@ -58,7 +58,7 @@ struct PictureOptions {
   bool alpha = false;
   std::optional<SolverChoice> solver;
   std::optional<render::Tolerance> tolerance;
-  bool skeleton = false;            ///< blobs without blending: components as solids
+  bool unblended = false;           ///< blobs without blending: components as solids
   std::string simd;                 ///< "": the best that the machine has
   std::vector<std::string> layers;  ///< names of --aov, without duplicates, in canonical order
   std::optional<std::array<int, 4>> crop;
@@ -93,7 +93,7 @@ struct AccuracyCommand {
   int threads = 0;               ///< 0: all cores
   std::vector<SolverSetting> settings;  ///< to compare; empty: the ladder of accuracy/ladder.h
   int repeats = 5;               ///< rounds of timing
-  bool skeleton = false;         ///< blobs without blending: components as solids
+  bool unblended = false;        ///< blobs without blending: components as solids
   bool shadows = false;          ///< also the shadow rays of visible points
 };
 

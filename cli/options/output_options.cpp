@@ -31,7 +31,7 @@ std::optional<OutputComplaint> check_bits(const PictureOptions& picture) {
     }
   }
   if (has_any || linear.empty()) return std::nullopt;
-  return OutputComplaint{fmt::format("--bits: {} holds floating-point numbers, which have no such choice", linear),
+  return OutputComplaint{fmt::format("--bits: {} holds floating-point numbers only", linear),
                          "png and tif have 8 or 16 bits a channel"};
 }
 
@@ -55,7 +55,8 @@ std::optional<OutputComplaint> check_layers(const PictureOptions& picture) {
 
 std::optional<OutputComplaint> check_standard_output(const PictureOptions& picture, OutputFormat format) {
   for (const fs::path& output : picture.outputs) {
-    if (output == "-") return OutputComplaint{"-o -: the format of standard output is not said", "as in `-o png:-`"};
+    if (output == "-")
+      return OutputComplaint{"-o -: the format of standard output is missing", "write it as in `-o png:-`"};
     if (format == OutputFormat::json && !standard_output_format(output).empty()) {
       return OutputComplaint{fmt::format("-o {}: --format json needs standard output for itself", output.string()),
                              "write the picture to a file"};

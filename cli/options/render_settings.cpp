@@ -61,7 +61,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.packets = !settings.solver.single;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
-  settings.tracer.skeleton = picture.skeleton;
+  settings.tracer.skeleton = picture.unblended;
   settings.tracer.simd = picture.simd;
 
   settings.render.width = size.width;
@@ -89,7 +89,7 @@ std::string canonical_options(const RenderCommand& command, const RenderSettings
   text += fmt::format(" --quality {}", picture.quality);
   if (!command.scene.without.empty()) text += fmt::format(" --without {}", fmt::join(command.scene.without, ","));
   if (picture.alpha) text += " --alpha";
-  if (picture.skeleton) text += " --skeleton";
+  if (picture.unblended) text += " --skeleton";
   text += " --solver " + to_text(settings.solver);
   if (settings.solver.name != render::SolverName::exact) text += " --tolerance " + settings.tolerance_text;
   if (command.scene.lenient) text += " --lenient";

@@ -44,20 +44,20 @@ constexpr int kMaxInterpolants = 128;
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   const auto similar = grammar::closest(word, candidates);
-  return similar ? fmt::format(", did you mean `{}`?", *similar) : ";";
+  return similar ? fmt::format("; did you mean `{}`?", *similar) : ";";
 }
 
 Parsed<SolverChoice> unknown_solver(std::string_view text, std::string_view word) {
   std::vector<std::string_view> words;
   for (const NamedSolver& solver : kSolvers) words.push_back(solver.word);
   return Parsed<SolverChoice>::error(
-      fmt::format("unknown solver `{}`{} there are {}", text, did_you_mean(word, words), solvers_text()));
+      fmt::format("unknown solver `{}`{} the solvers are {}", text, did_you_mean(word, words), solvers_text()));
 }
 
 Parsed<SolverChoice> unknown_switch(std::string_view word) {
   std::vector<std::string_view> words = {kPlain};
   for (const PaperSwitch& s : render::kPaperSwitches) words.insert(words.end(), {s.on, s.off});
-  return Parsed<SolverChoice>::error(fmt::format("unknown switch `{}` of the solver{} there are {}", word,
+  return Parsed<SolverChoice>::error(fmt::format("unknown switch `{}` of the solver{} the switches are {}", word,
                                                  did_you_mean(word, words), solver_switches_text()));
 }
 
@@ -160,7 +160,7 @@ Parsed<SolverChoice> parse_solver(std::string_view text) {
   if (comma == text.size()) return choice;
   if (!render::is_published(choice.name)) {
     return Parsed<SolverChoice>::error(
-        fmt::format("the solver {} has no switches, found `{}`", word, text.substr(comma)));
+        fmt::format("the solver {} takes no switches, found `{}`", word, text.substr(comma)));
   }
   for (bool is_last = false; !is_last;) {
     is_last = switches.find(',') == std::string_view::npos;

@@ -57,12 +57,12 @@ OutputProblem check_outputs(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     if (output_format(file).empty()) {
       return {ExitCode::command_line_error,
-              fmt::format("{}: the name says no known format; there are {}, and `png:-` for standard output",
+              fmt::format("{}: the format is unknown; the formats are {}, and `png:-` for standard output",
                           file.string(), render::kImageFormats)};
     }
     fs::path same = identity(file);
     if (std::find(seen.begin(), seen.end(), same) != seen.end()) {
-      return {ExitCode::command_line_error, fmt::format("{}: named twice as an output", display_name(file))};
+      return {ExitCode::command_line_error, fmt::format("{}: the output is named twice", display_name(file))};
     }
     seen.push_back(std::move(same));
   }

@@ -121,7 +121,7 @@ void Session::warn_of_faint_components() {
                      {},
                      {},
                      origin.chain};
-  if (faint->count > 1) warning.hint = fmt::format("{} components do not, this is the first", faint->count);
+  if (faint->count > 1) warning.hint = fmt::format("{} components have none, this is the first", faint->count);
   sink_.report(std::move(warning));
 }
 

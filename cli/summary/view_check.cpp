@@ -13,7 +13,7 @@ void warn_of_view(Session& session, const SceneSummary& summary, const SceneExte
     session.sink().warning({}, message, fmt::format("this one sees it: {}", suggest_camera(extent.box)));
   }
   if (summary.primitives() > 0 && summary.lights == 0) {
-    session.sink().warning({}, "the scene has no light_source: only ambient light shows");
+    session.sink().warning({}, "the scene has no light_source: only ambient light is visible");
   }
 }
 

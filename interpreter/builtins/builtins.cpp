@@ -187,8 +187,8 @@ const std::string& Arguments::string(std::size_t i) const {
   if (value.kind() != ValueKind::string) {
     context_.fail(span(i),
                   fmt::format("`{}`: expected a string, found {}", context_.text(call_.function), describe(value)),
-                  value.is_number()    ? "`str(…, 0, -1)` writes a number as a string"
-                  : value.is_numeric() ? "`vstr(3, …, \", \", 0, -1)` writes a vector as a string"
+                  value.is_number()    ? "`str(…, 0, -1)` converts a number to a string"
+                  : value.is_numeric() ? "`vstr(3, …, \", \", 0, -1)` converts a vector to a string"
                                        : "");
   }
   return value.as<StringValue>().text;

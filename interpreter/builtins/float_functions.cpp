@@ -20,7 +20,7 @@ namespace word = grammar::word;
 double clamped(const Arguments& a) {
   const double value = a.number(0);
   if (std::abs(value) <= 1) return value;
-  a.context().warn(a.span(), fmt::format("{:g} is outside of -1 to 1", value));
+  a.context().warn(a.span(), fmt::format("expected a number from -1 to 1, found {:g}; the nearest is used", value));
   return std::clamp(value, -1.0, 1.0);
 }
 
@@ -47,14 +47,14 @@ Value power(const Arguments& a) {
   if (a.number(0) == 0 && a.number(1) == 0) a.fail(0, "0 to the power of 0 has no value");
   const double result = std::pow(a.number(0), a.number(1));
   if (std::isnan(result)) {
-    a.context().warn(a.span(), fmt::format("{:g} to the power of {:g} is no real number", a.number(0), a.number(1)));
+    a.context().warn(a.span(), fmt::format("{:g} to the power of {:g} is not a real number", a.number(0), a.number(1)));
   }
   return Value(result);
 }
 
 Value arc_tangent(const Arguments& a) {
   const double y = a.number(0), x = a.number(1);
-  if (std::abs(y) < kTolerance && std::abs(x) < kTolerance) a.fail(0, "the origin has no direction");
+  if (std::abs(y) < kTolerance && std::abs(x) < kTolerance) a.fail(0, "both arguments are 0, which gives no angle");
   return Value(std::atan2(y, x));
 }
 

@@ -21,8 +21,7 @@ constexpr double kFarthest = 1e10;
 Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
 
 scene::Queries& queries(const Arguments& a) {
-  if (!a.context().options.queries)
-    a.context().fail(a.span(), "nothing is here that could answer this about an object");
+  if (!a.context().options.queries) a.context().fail(a.span(), "properties of objects are not available here");
   return *a.context().options.queries;
 }
 
@@ -40,7 +39,8 @@ Value trace(const Arguments& a) {
   const Vec3 origin = a.vector(1), direction = a.vector(2);
   Slot* const normal = a.size() == 4 ? &a.variable(3) : nullptr;
   if (normal && normal->value.term_count() != 3) {
-    a.fail(3, fmt::format("the variable for the normal holds a 3-term vector, found {}", describe(normal->value)));
+    a.fail(3,
+           fmt::format("expected a variable with a 3-term vector for the normal, found {}", describe(normal->value)));
   }
   const auto hit = queries(a).trace(context.database, target, origin, direction);
   if (normal) normal->value = to_value(hit ? hit->normal : Vec3(0));

@@ -62,7 +62,8 @@ Value substring(const Arguments& a) {
   if (first == 0 || count == 0) return result(a, {});
   const std::optional<std::string_view> part = characters(text, first - 1, count);
   if (!part) {
-    a.fail(0, fmt::format("characters {} to {} of a string of {}", first, first + count - 1, character_count(text)));
+    a.fail(0, fmt::format("expected positions in a string of {} characters, found {} to {}", character_count(text),
+                          first, first + count - 1));
   }
   return result(a, std::string(*part));
 }

@@ -20,15 +20,16 @@ constexpr double kMaxDays = 1e7;              ///< a later year does not fit the
 
 Value date_and_time(const Arguments& a) {
   const double days = a.number(0);
-  if (!(std::abs(days) < kMaxDays)) a.fail(0, fmt::format("{:g} days from the year 2000 is no date", days));
+  if (!(std::abs(days) < kMaxDays)) a.fail(0, fmt::format("{:g} days from the year 2000 is not a valid date", days));
   const std::string format = a.size() == 2 ? a.string(1) : "%Y-%m-%d %H:%M:%SZ";
   if (format.empty()) a.fail(1, "the format is empty");
   const auto seconds = static_cast<std::time_t>(std::floor(days * kSecondsPerDay + kSecondsTo2000 + 0.5));
   std::tm calendar{};
-  if (gmtime_r(&seconds, &calendar) == nullptr) a.fail(0, fmt::format("{:g} days from the year 2000 is no date", days));
+  if (gmtime_r(&seconds, &calendar) == nullptr)
+    a.fail(0, fmt::format("{:g} days from the year 2000 is not a valid date", days));
   std::array<char, 512> text{};
   const std::size_t size = std::strftime(text.data(), text.size(), format.c_str(), &calendar);
-  if (size == 0) a.fail(1, "the format gives no text, or too much");
+  if (size == 0) a.fail(1, "the format gives an empty text, or one that is too long");
   return make_string(a.context(), std::string(text.data(), size), a.span());
 }
 

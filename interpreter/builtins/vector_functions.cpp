@@ -21,7 +21,7 @@ Value normalise(const Arguments& a) {
   const Vec3 v = a.vector(0);
   const double length = std::sqrt(v.dot(v));
   if (length == 0) {
-    a.context().warn(a.span(), "a vector of length zero has no direction; it stays as it is");
+    a.context().warn(a.span(), "a vector of length zero has no direction; it is left unchanged");
     return to_value(v);
   }
   return to_value(v / length);

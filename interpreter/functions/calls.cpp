@@ -96,7 +96,7 @@ Value call(Context& context, const grammar::Call& call, const SplineValue& value
   const scene::Spline& spline = *value.spline;
   scene::SplineKind kind = spline.kind;
   if (call.arguments.empty() || call.arguments.size() > 2) {
-    context.fail(call.span, fmt::format("a spline takes a parameter and perhaps its kind, found {} arguments",
+    context.fail(call.span, fmt::format("a spline takes a parameter and optionally its kind, found {} arguments",
                                         call.arguments.size()));
   }
   ElementStream parameter(context, call.arguments[0], call.span);

@@ -90,12 +90,12 @@ class Compiler {
       case NodeKind::function_call: return compile_builtin(as<grammar::FunctionCall>(node));
       case NodeKind::dot: return compile_dot(as<grammar::Dot>(node));
       case NodeKind::error: context_.meet(as<grammar::Error>(node)); throw Failed{};
-      case NodeKind::vector: context_.fail(node.span, "a function computes with numbers; there are no vectors in it");
-      case NodeKind::string: context_.fail(node.span, "a function computes with numbers, found a string");
-      case NodeKind::array: context_.fail(node.span, "a function computes with numbers, found an array");
-      case NodeKind::function: context_.fail(node.span, "a function computes with numbers, found a function");
+      case NodeKind::vector: context_.fail(node.span, "expected a number in a function, found a vector");
+      case NodeKind::string: context_.fail(node.span, "expected a number in a function, found a string");
+      case NodeKind::array: context_.fail(node.span, "expected a number in a function, found an array");
+      case NodeKind::function: context_.fail(node.span, "expected a number in a function, found a function");
       case NodeKind::conditional:
-        context_.fail(node.span, "there is no `?:` in a function", "`select(a, negative, zero, positive)` chooses");
+        context_.fail(node.span, "`?:` is not allowed in a function", "write `select(a, negative, zero, positive)`");
       default: {
         const Node* const items[] = {&node};
         ElementStream stream(context_, grammar::Items(items), node.span);
@@ -152,7 +152,7 @@ class Compiler {
     }
     const Value value = evaluate(context_, node);
     if (!value.is_number()) {
-      context_.fail(node.span, fmt::format("only numbers can stand in a function, found {}", describe(value)));
+      context_.fail(node.span, fmt::format("expected a number in a function, found {}", describe(value)));
     }
     return builder_.constant(value.number());
   }
@@ -161,7 +161,7 @@ class Compiler {
     const Operand at = builder_.top();
     const Operand operand = compile(*node.operand);
     if (node.op == grammar::UnaryOp::plus) return operand;
-    if (node.op == grammar::UnaryOp::logical_not) context_.fail(node.span, "there is no `!` in a function");
+    if (node.op == grammar::UnaryOp::logical_not) context_.fail(node.span, "`!` is not allowed in a function");
     return builder_.apply(Opcode::negate, operand, operand, at);
   }
 
@@ -198,7 +198,7 @@ class Compiler {
       const Symbol name = as<grammar::Name>(*node.callee).name;
       const std::string suggestion = context_.suggest_declared(name);
       context_.fail(node.callee->span, fmt::format("undeclared function `{}`", context_.text(name)),
-                    suggestion.empty() ? "a function calls what is declared before it, and never itself" : suggestion);
+                    suggestion.empty() ? "declare it before this function; a function cannot call itself" : suggestion);
     }
     Slot& slot = find_slot(context_, *node.callee);
     if (slot.value.kind() == ValueKind::poison) throw Failed{};
@@ -225,19 +225,21 @@ class Compiler {
     }
     if (callee.kind() != ValueKind::function) {
       context_.fail(node.span, fmt::format("{} cannot be called in a function", describe(callee)),
-                    callee.kind() == ValueKind::spline ? "`function { spline { … } }` makes a function of it" : "");
+                    callee.kind() == ValueKind::spline ? "convert it with `function { spline { … } }`" : "");
     }
     const scene::FunctionPointer& function = callee.as<FunctionValue>().function;
     if (function->result_count != 1) {
-      context_.fail(node.span, fmt::format("this function yields {} terms, and one is wanted", function->result_count),
-                    "`.x`, `.red` and so on take one of them");
+      context_.fail(node.span,
+                    fmt::format("expected a function that yields a number, found one that yields {} terms",
+                                function->result_count),
+                    "`.x`, `.red` and so on select one term");
     }
     return compile_function_call(node, function);
   }
 
   Operand compile_dot(const grammar::Dot& node) {
     if (node.base->kind != NodeKind::call)
-      context_.fail(node.span, fmt::format("`.{}` in a function follows a call", context_.text(node.item)));
+      context_.fail(node.span, fmt::format("expected a call before `.{}` in a function", context_.text(node.item)));
     const auto& call = as<grammar::Call>(*node.base);
     const Value callee = callee_slot(call).value;
     if (callee.kind() != ValueKind::function || callee.as<FunctionValue>().function->result_count == 1)
@@ -262,7 +264,7 @@ class Compiler {
     if (node.function == word::kw_sum || node.function == word::kw_prod) return compile_loop(node);
     const BuiltinOperation* const builtin = builtin_operation(node.function);
     if (!builtin)
-      context_.fail(node.span, fmt::format("`{}` cannot stand in a function", context_.text(node.function)));
+      context_.fail(node.span, fmt::format("`{}` is not allowed in a function", context_.text(node.function)));
     const std::size_t found = node.arguments.size();
     const bool is_variadic = builtin->is_variadic;
     if (is_variadic ? found < 2 : found != builtin->argument_count) {
@@ -297,15 +299,14 @@ class Compiler {
       return argument.size() == 1 && (argument[0]->kind == NodeKind::name || argument[0]->kind == NodeKind::constant);
     };
     if (node.arguments.size() != 4 || !is_name(node.arguments[0])) {
-      context_.fail(node.span,
-                    fmt::format("`{0}` is written `{0}(i, first, last, expression)`", context_.text(node.function)));
+      context_.fail(node.span, fmt::format("expected `{0}(i, first, last, expression)`", context_.text(node.function)));
     }
     const Node& variable = *node.arguments[0][0];
     const Symbol name =
         variable.kind == NodeKind::name ? as<grammar::Name>(variable).name : as<grammar::Constant>(variable).word;
     if (variable.kind == NodeKind::name && context_.scopes.find(name)) {
-      context_.fail(variable.span,
-                    fmt::format("`{}` is declared already; the loop needs a name of its own", context_.text(name)));
+      context_.fail(variable.span, fmt::format("`{}` is already declared; choose another name for the loop variable",
+                                               context_.text(name)));
     }
     const bool is_sum = node.function == word::kw_sum;
     const Operand result = builder_.take();

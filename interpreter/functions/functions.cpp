@@ -62,10 +62,10 @@ void check_parameters(Context& context, const grammar::Function& node) {
       context.fail(node.span, fmt::format("`{}` is a reserved word; it cannot name a parameter", context.text(name)));
     const Slot* const slot = without_wrapper(context.scopes.find(name));
     if (slot) {
-      context.fail(
-          node.span,
-          fmt::format("parameter `{}` has the name of {} that is declared", context.text(name), describe(slot->value)),
-          "give the parameter a name of its own");
+      context.fail(node.span,
+                   fmt::format("parameter `{}` has the same name as {} that is declared", context.text(name),
+                               describe(slot->value)),
+                   "choose another name for the parameter");
     }
   }
 }
@@ -163,7 +163,8 @@ scene::FunctionId function_id(Context& context, const FunctionValue& value, Sour
                                         function->parameter_count, function->parameter_count == 1 ? "" : "s"));
   const bool is_image = !node.size.empty();
   if (function->result_count != 1 && !(is_image && function->result_count == 5))
-    context.fail(node.span, fmt::format("this function yields {} terms, and one is wanted", function->result_count));
+    context.fail(node.span, fmt::format("expected a function that yields a number, found one that yields {} terms",
+                                        function->result_count));
   return function_id(context, value.as<FunctionValue>(), node.span);
 }
 

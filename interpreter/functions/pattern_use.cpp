@@ -72,8 +72,8 @@ class Walk {
 
   void check(std::uint32_t depth) const {
     if (depth <= scene::Function::kMaxDepth) return;
-    context_.fail(span_,
-                  fmt::format("this function is of patterns nested more than {} deep", scene::Function::kMaxDepth));
+    context_.fail(
+        span_, fmt::format("the patterns of this function are nested more than {} deep", scene::Function::kMaxDepth));
   }
 
   Context& context_;

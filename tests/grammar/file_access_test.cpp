@@ -80,7 +80,7 @@ TEST_F(FileAccessTest, AnotherNameOfAFileOutsideIsNotWrittenThrough) {
 TEST_F(FileAccessTest, AnotherNameOfAnInputIsAnInput) {
   access_->add_input(stamp_of(path("scenes/inner/a.inc")));
   fs::create_hard_link(path("scenes/inner/a.inc"), path("scenes/out.txt"));
-  EXPECT_THAT(access_->find_writable("out.txt").problem.message, HasSubstr("the scene is read from it"));
+  EXPECT_THAT(access_->find_writable("out.txt").problem.message, HasSubstr("it is an input of the scene"));
 }
 
 TEST_F(FileAccessTest, AFileThatTheRunWroteMayBeReadAndWrittenAgain) {
@@ -152,7 +152,7 @@ TEST_F(FileAccessTest, TheFileThatIsMeantIsNamed) {
   folder_.write("scenes/Maps/Wood.png", "W");
   const auto hint = [&](const char* name) { return access_->find(name, path("scenes")).problem.hint; };
   EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("there is `inner/a.inc` in"));
-  EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("capitals count"));
+  EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("file names distinguish capitals"));
   EXPECT_THAT(hint("maps\\wood.png"), HasSubstr("there is `Maps/Wood.png` in"));
   EXPECT_THAT(hint("inner\\a.inc"), HasSubstr("folders are separated by `/`"));
   EXPECT_THAT(hint("C:\\my pictures\\inner\\a.inc"), HasSubstr("folders are separated by `/`"));

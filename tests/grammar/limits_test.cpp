@@ -36,7 +36,7 @@ TEST(Limits, RefusesTreesThatAreHighWithoutBrackets) {
     EXPECT_GE(ParsedText(fmt::format("#if ({}1) #end", repeat(link, 100'000))).error_count(), 1u) << link;
   }
   EXPECT_THAT(ParsedText(fmt::format("#if (1) {} #end", repeat("#elseif (1) ", 100'000))).tree(),
-              testing::HasSubstr("operations and brackets within one another"));
+              testing::HasSubstr("nested operations and brackets"));
   EXPECT_GE(ParsedText(fmt::format("A{}", repeat(".x", 100'000))).error_count(), 1u);
 }
 

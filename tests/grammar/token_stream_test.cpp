@@ -114,7 +114,7 @@ TEST(TokenStream, TakesAMisspeltDirectiveForTheNearestOutsideOfDirectivesOnly) {
   EXPECT_EQ(inside.kinds(), "#if ( ) ( ) #end");
   ASSERT_EQ(inside.said().size(), 2u);
   ASSERT_EQ(inside.said()[1].diagnostic.notes.size(), 1u);
-  EXPECT_EQ(inside.said()[1].diagnostic.notes[0].message, "this is no directive; did you mean `#while`?");
+  EXPECT_EQ(inside.said()[1].diagnostic.notes[0].message, "this is not a directive; did you mean `#while`?");
 }
 
 TEST(TokenStream, KnowsDeprecationMarksInDeclarationsOnly) {

@@ -124,7 +124,7 @@ TEST(Limits, AWarningOfALoopIsSaidOnce) {
 TEST(Limits, WarningsAreNotWithoutEnd) {
   const EvaluatedText scene("#for (I, 1, 1000) #warning str(I, 0, 0) #end");
   EXPECT_EQ(scene.sink().diagnostics().size(), 101u);
-  EXPECT_EQ(scene.sink().diagnostics().back().message, "100 warnings were shown; no more will be");
+  EXPECT_EQ(scene.sink().diagnostics().back().message, "100 warnings were shown; further warnings are suppressed");
 }
 
 TEST(Limits, ReadingStopsAfterTwentyErrors) {

@@ -79,7 +79,7 @@ TEST_F(Reading, NoFolderPipeSocketOrLoop) {
   EXPECT_THAT(try_reading("inner"), HasSubstr("it is a folder"));
   EXPECT_THAT(try_reading("."), HasSubstr("it is a folder"));
   EXPECT_THAT(try_reading("loop.inc"), HasSubstr("cannot read"));
-  EXPECT_THAT(try_reading(""), HasSubstr("a file needs a name"));
+  EXPECT_THAT(try_reading(""), HasSubstr("the file name is empty"));
   close(descriptor);
 }
 

@@ -56,7 +56,7 @@ TEST_F(Writing, NothingUnlessItIsAllowed) {
 TEST_F(Writing, NotEvenLeniently) {
   const ProcessResult result = try_writing("x.txt", "write", {"--lenient"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("warning: `x.txt` is not written"));
+  EXPECT_THAT(result.err, HasSubstr("warning: `x.txt` is kept in memory only"));
   EXPECT_FALSE(exists("scenes/x.txt"));
   EXPECT_FALSE(exists("x.txt"));
 }
@@ -89,7 +89,7 @@ TEST_F(Writing, NeverTheFilesThatTheSceneIsReadFrom) {
     for (const std::string mode : {"write", "append"}) {
       const ProcessResult result = try_writing(name, mode, {"--allow-write", "scenes"});
       EXPECT_EQ(result.exit_code, 1) << name;
-      EXPECT_THAT(result.err, HasSubstr("the scene is read from it")) << name;
+      EXPECT_THAT(result.err, HasSubstr("it is an input of the scene")) << name;
     }
   }
   EXPECT_THAT(read("scenes/scene.isl"), testing::StartsWith(kScene));

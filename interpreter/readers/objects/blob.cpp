@@ -67,7 +67,7 @@ class BlobReader {
   /// Completes a blob that is an object of its own.
   void finish() {
     if (is_copy_) return;
-    if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "a blob without components is empty");
+    if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "this blob has no components and is empty");
     check_threshold();
     assembly_.check_choices(stream_.span());
     draft_.object.kind = scene::Object::Kind::blob;
@@ -125,8 +125,8 @@ class BlobReader {
       return true;
     } else if (leading_name(next) == context_.words.skeleton) {
       if (is_part_) {
-        context_.fail(next.span, "a part of a blob has no skeleton of its own",
-                      "the whole blob may be its `skeleton`");
+        context_.fail(next.span, "`skeleton` is not allowed in a part of a blob",
+                      "write `skeleton` in the outermost blob");
       }
       stream_.drop();
       assembly_.blob().is_skeleton = read_optional_truth(stream_);
@@ -201,8 +201,8 @@ class BlobReader {
                           object.hollow || object.inverse || object.clip != scene::kNoGroup ||
                           draft.interior != scene::kNoInterior || draft.interior_texture;
     if (has_more) {
-      context_.fail(block.word_span, "a part of a blob has transforms and a texture only",
-                    "what holds for the whole object stands behind the blob's parts");
+      context_.fail(block.word_span, "a part of a blob accepts only transforms and a texture",
+                    "put modifiers of the whole blob after its components");
     }
     const BlobAssembly::Placement placement{object.parent_from_object, draft.texture, branch};
     if (part.is_copy_) {
@@ -219,8 +219,8 @@ class BlobReader {
     const std::string name = read_string(stream_, "a kernel's name as a string");
     const auto* const known = std::ranges::find(scene::kKernelWords, name);
     if (known == std::end(scene::kKernelWords)) {
-      context_.fail(span, fmt::format("there is no kernel \"{}\"", name),
-                    fmt::format("there are \"{}\"", fmt::join(scene::kKernelWords, "\", \"")));
+      context_.fail(span, fmt::format("unknown kernel \"{}\"", name),
+                    fmt::format("the kernels are \"{}\"", fmt::join(scene::kKernelWords, "\", \"")));
     }
     const auto shape = static_cast<KernelShape>(known - std::begin(scene::kKernelWords));
     Kernel kernel{shape, RadiusMeaning::surface, 4, kernel_.kernel.mode};
@@ -228,8 +228,8 @@ class BlobReader {
       const SourceSpan hardness_span = stream_.peek().span;
       kernel.hardness = read_contextual_number(stream_, "a number after `hardness`");
       if (!(kernel.hardness > 0 && kernel.hardness <= kMaxHardness)) {
-        context_.fail(hardness_span,
-                      fmt::format("`hardness` is above 0 and at most {:g}, found {:g}", kMaxHardness, kernel.hardness));
+        context_.fail(hardness_span, fmt::format("`hardness` must be above 0 and at most {:g}, found {:g}",
+                                                 kMaxHardness, kernel.hardness));
       }
     }
     kernel_ = {kernel, {}, true, false};
@@ -275,7 +275,7 @@ class BlobReader {
     if (has_word) stream.drop();
     if (kernel_.is_ours && !has_word) {
       if (stream.peek().is(ElementKind::value)) {
-        context_.fail(stream.peek().span, "with a kernel in force a strength is written `strength s`");
+        context_.fail(stream.peek().span, "expected `strength` before the number, because a kernel is in force");
       }
       if (has_comma) fail_expected(stream, "`strength`");
       return;
@@ -283,8 +283,8 @@ class BlobReader {
     const SourceSpan span = stream.peek().span;
     component.strength = read_number(stream, "a strength");
     if (!std::isfinite(component.strength))
-      context_.fail(span, fmt::format("a strength is finite, found {:g}", component.strength));
-    if (component.strength == 0) context_.warn(span, "a component of strength zero changes nothing");
+      context_.fail(span, fmt::format("a strength must be finite, found {:g}", component.strength));
+    if (component.strength == 0) context_.warn(span, "a component of strength zero has no effect");
   }
 
   /// `component strength, radius, <centre>` of POV-Ray 1, without braces and modifiers.
@@ -299,7 +299,7 @@ class BlobReader {
     add(component, keyword.span, kOwnSum);
   }
 
-  /// Returns the turn that was baked into the component.
+  /// Returns the rotation that was baked into the component.
   scene::Turn read_modifiers(ElementStream& stream, Component& component) {
     std::optional<scene::Texture> texture;
     std::optional<scene::Transform> blob_from_component;
@@ -338,7 +338,7 @@ class BlobReader {
   /// Threshold zero is refused: its surface is the end of the fields, which is no surface.
   void check_threshold() {
     if (!threshold_ || (*threshold_ > 0 && std::isfinite(*threshold_))) return;
-    context_.fail(threshold_span_, fmt::format("`threshold` is above 0, found {:g}", *threshold_));
+    context_.fail(threshold_span_, fmt::format("`threshold` must be above 0, found {:g}", *threshold_));
   }
 
   ElementStream& stream_;

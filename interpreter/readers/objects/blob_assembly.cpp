@@ -162,8 +162,8 @@ void BlobAssembly::check_choices(SourceSpan span) const {
     if (branch.maximum == b) of_branch[branch.parent] *= of_maximum[b];
   }
   if (of_branch.empty() || of_branch[0] <= kMostChoices) return;
-  context_.fail(span, fmt::format("the unions in this blob can be combined in more than {:g} ways", kMostChoices),
-                "put what belongs together into one `union`");
+  context_.fail(span, fmt::format("the unions in this blob have more than {:g} combinations", kMostChoices),
+                "put components that belong together into one `union`");
 }
 
 scene::Blob BlobAssembly::take() {

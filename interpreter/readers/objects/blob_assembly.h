@@ -51,7 +51,7 @@ class BlobAssembly {
     double threshold;
   };
   void multiply_strengths(const ThresholdOfPart& part, double threshold);
-  /// Returns the turn that was baked into the component.
+  /// Returns the rotation that was baked into the component.
   scene::Turn move(scene::Component& component, const scene::Transform& blob_from_part,
                    std::unordered_map<std::uint32_t, scene::TransformId>& moved);
 
@@ -62,7 +62,7 @@ class BlobAssembly {
 };
 
 /// Moves a component. A similarity leaves a point, segment or cone of the same kind; any other map, and that of any
-/// other skeleton, is stored beside it. Returns the turn that was baked into the component.
+/// other skeleton, is stored beside it. Returns the rotation that was baked into the component.
 scene::Turn move(Context& context, scene::Component& component, const scene::Transform& blob_from_component);
 
 }  // namespace isl::interpreter

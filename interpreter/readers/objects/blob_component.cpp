@@ -57,7 +57,7 @@ void read_box(ElementStream& stream, Component& c, scene::Blob&) {
     c.a[i] = std::min(p[i], q[i]);
     c.b[i] = std::max(p[i], q[i]);
   }
-  c.radius_a = c.radius_b = read_positive(stream, "a radius about the box");
+  c.radius_a = c.radius_b = read_positive(stream, "a radius around the box");
 }
 
 /// About the y axis, as POV-Ray's torus.
@@ -77,12 +77,12 @@ void read_triangle(ElementStream& stream, Component& c, scene::Blob& blob) {
   stream.accept_comma();
   const Vec3 third = read_vector(stream, "the third corner");
   stream.accept_comma();
-  c.radius_a = c.radius_b = read_positive(stream, "a radius about the triangle");
+  c.radius_a = c.radius_b = read_positive(stream, "a radius around the triangle");
   // The sine of the angle at the first corner; rounding alone makes some 1e-16 of it.
   const Vec3 ab = c.b - c.a, ac = third - c.a;
   if (!(ab.cross(ac).length() > kTolerance * ab.length() * ac.length()) || !(ab.length() > 0 && ac.length() > 0)) {
     stream.context().fail(stream.span(), "the corners of the triangle lie on one line",
-                          "a `cylinder` has the segment between two points");
+                          "use a `cylinder` for the segment between two points");
   }
   c.corner = static_cast<std::uint32_t>(blob.corners.size());
   blob.corners.push_back(third);
@@ -122,7 +122,7 @@ constexpr auto kWords = [] {
 void check_convolution(Context& context, const Element& block, const Row& row, const scene::Kernel& kernel) {
   constexpr const char* kHint =
       "a `cylinder`, a `torus` or a `plane` can be convolved, with the kernel \"quartic\" or "
-      "\"cauchy\"; `convolution off` ends it";
+      "\"cauchy\"; `convolution off` turns it off";
   if (!row.has_convolution)
     context.fail(block.word_span, fmt::format("a `{}` has no convolution", context.text(block.word)), kHint);
   if (kernel.shape != scene::KernelShape::quartic && kernel.shape != scene::KernelShape::cauchy) {
@@ -156,7 +156,7 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   const bool crosses_axis = component.skeleton == Skeleton::circle && component.radius_a >= component.radius_b;
   if (crosses_axis && !is_convolved) {
     context.warn(block.span, "this torus crosses its own axis, where its field has a crease",
-                 "keep the minor radius below the major one, or write `convolution on`, whose field has none");
+                 "keep the minor radius below the major one, or write `convolution on`, which has no crease");
   }
   // A segment of any length has a convolution, which depends on its length.
   const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;

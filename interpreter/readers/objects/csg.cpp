@@ -61,11 +61,11 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
   // POV-Ray also warns of a union with one child; generated scenes have many, and their meaning is clear.
   if (count == 0) context.warn(stream.span(), fmt::format("this `{}` is empty", name));
   if (count == 1 && needs_inside)
-    context.warn(stream.span(), fmt::format("`{}` is made for two objects or more", name));
+    context.warn(stream.span(), fmt::format("`{}` needs two objects or more, found one", name));
   if (!needs_inside) return;
   const auto has_no_inside = [&](const scene::Object& child) { return is_triangle(context, child); };
   if (std::ranges::any_of(group.children, has_no_inside))
-    context.warn(stream.span(), fmt::format("a triangle has no inside, which `{}` asks for", name));
+    context.warn(stream.span(), fmt::format("a triangle has no inside, which `{}` needs", name));
 }
 
 /// Fails if an object follows the modifiers of a group.
@@ -107,7 +107,7 @@ void read_light_group(ElementStream& stream, ObjectDraft& draft) {
       stream.drop();
       group.global_lights = read_optional_truth(stream);
     } else if (const Ref<ObjectValue> child = read_child(stream)) {
-      stream.context().fail(stream.span(), "the objects of a `light_group` come before its modifiers");
+      stream.context().fail(stream.span(), "put the objects of a `light_group` before its modifiers");
     } else {
       refuse(stream, object_words());
     }

@@ -113,7 +113,8 @@ void flatten(ElementStream& stream, std::vector<Vec3>& points, const Vec3& norma
   }
   if (farthest > kPlanar * size)
     stream.context().warn(
-        stream.span(), "the points of this polygon do not lie in one plane; they are moved to that of the first three");
+        stream.span(),
+        "the points of this polygon do not lie in one plane; they are projected onto that of the first three");
 }
 
 }  // namespace
@@ -123,7 +124,7 @@ void read_polygon(ElementStream& stream, ObjectDraft& draft) {
   Context& context = stream.context();
   const SourceSpan span = stream.peek().span;
   const double number = read_number(stream, "the number of points of the polygon");
-  if (!(number >= 3)) context.fail(span, fmt::format("a polygon has at least 3 points, found {:g}", number));
+  if (!(number >= 3)) context.fail(span, fmt::format("a polygon needs at least 3 points, found {:g}", number));
   const auto count = static_cast<std::size_t>(std::min(number, context.options.limits.max_primitives));
   std::vector<Vec3> points;
   while (points.size() < count) {

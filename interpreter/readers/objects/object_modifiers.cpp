@@ -103,7 +103,7 @@ bool read_hint(ElementStream& stream, const ObjectDraft& draft) {
 bool read_cutaway_textures(ElementStream& stream, ObjectDraft& draft) {
   if (!stream.peek().is_word(word::kw_cutaway_textures)) return false;
   if (!takes_cutaway_textures(stream, draft)) {
-    stream.context().fail(stream.peek().span, "`cutaway_textures` is for an intersection or difference");
+    stream.context().fail(stream.peek().span, "`cutaway_textures` is allowed only in an intersection or difference");
   }
   stream.drop();
   return draft.cutaway_textures = true;
@@ -166,7 +166,7 @@ bool read_stray_colour(ElementStream& stream) {
   const Element next = stream.peek();
   if (!is_colour_word(next.word)) return false;
   static_cast<void>(read_colour(stream));
-  stream.context().warn(next.span, "a colour is no modifier of an object and has no effect here",
+  stream.context().warn(next.span, "a colour is not a modifier of an object and has no effect here",
                         "write `pigment { … }` around it");
   return true;
 }

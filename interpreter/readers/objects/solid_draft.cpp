@@ -33,7 +33,7 @@ bool read_copy(ElementStream& stream, ObjectDraft& draft) {
 double read_radius(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const double radius = std::abs(read_number(stream, what));
-  if (!std::isfinite(radius)) stream.context().fail(span, fmt::format("{} is finite, found {:g}", what, radius));
+  if (!std::isfinite(radius)) stream.context().fail(span, fmt::format("{} must be finite, found {:g}", what, radius));
   return radius;
 }
 

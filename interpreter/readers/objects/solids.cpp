@@ -129,9 +129,9 @@ void read_superellipsoid(ElementStream& stream, ObjectDraft& draft) {
   solid.radius_a = value.terms()[0];
   solid.radius_b = value.is_number() ? value.number() : value.terms()[1];
   if (!(solid.radius_a > 0 && solid.radius_b > 0 && std::isfinite(solid.radius_a + solid.radius_b))) {
-    stream.context().fail(next.span,
-                          fmt::format("both exponents of a superellipsoid are above 0 and finite, found <{:g}, {:g}>",
-                                      solid.radius_a, solid.radius_b));
+    stream.context().fail(
+        next.span, fmt::format("both exponents of a superellipsoid must be above 0 and finite, found <{:g}, {:g}>",
+                               solid.radius_a, solid.radius_b));
   }
   add_solid(stream, draft, solid);
 }

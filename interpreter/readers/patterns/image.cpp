@@ -43,7 +43,7 @@ Image read_function_image(ElementStream& stream) {
     const double side = evaluate_number(context, *node.size[i]);
     if (!(side >= 1 && side <= kMaxSide)) {
       context.fail(node.size[i]->span,
-                   fmt::format("a picture's width and height are from 1 to {:g}, found {:g}", kMaxSide, side));
+                   fmt::format("a picture's width and height must be from 1 to {:g}, found {:g}", kMaxSide, side));
     }
     *sides[i] = static_cast<int>(side);
   }

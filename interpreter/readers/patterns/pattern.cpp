@@ -94,16 +94,16 @@ void check_host(Context& context, const Element& element, PatternKind kind, Patt
   const bool is_normals = kind == PatternKind::facets || kind == PatternKind::bump_map;
   if (is_normals && host != PatternHost::normal) {
     context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
-                 fmt::format("`{}` stands only in a `normal`", context.text(element.word)));
+                 fmt::format("`{}` is allowed only in a `normal`", context.text(element.word)));
   }
   if (kind == PatternKind::image_map && host != PatternHost::pigment) {
-    context.fail(element.word_span, "`image_map` stands only in a `pigment`", "did you mean `image_pattern`?");
+    context.fail(element.word_span, "`image_map` is allowed only in a `pigment`", "did you mean `image_pattern`?");
   }
   const bool needs_more = kind == PatternKind::aoi || kind == PatternKind::slope || kind == PatternKind::average;
   if (needs_more && host == PatternHost::function) {
     context.fail(
         element.is(ElementKind::block) ? element.word_span : element.span,
-        fmt::format("`{}` is no pattern of points alone; it cannot stand in a function", context.text(element.word)));
+        fmt::format("`{}` depends on more than a point and is not allowed in a function", context.text(element.word)));
   }
 }
 

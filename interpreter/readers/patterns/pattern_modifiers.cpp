@@ -88,11 +88,11 @@ bool read_exponent(ElementStream& stream, Pattern& pattern, std::string_view wha
   auto* const fractal = std::get_if<FractalOperands>(&pattern.operands);
   if (!fractal) return false;
   const SourceSpan span = stream.peek().span;
-  if (fractal->magnet != 0) stream.context().fail(span, "a `magnet` has no `exponent`");
+  if (fractal->magnet != 0) stream.context().fail(span, "`exponent` is not allowed with `magnet`");
   const double exponent = read_number(stream, what);
   const bool is_known = exponent >= 2 && exponent < 34;
   if (!is_known)
-    stream.context().warn(span, fmt::format("`exponent` is from 2 to 33, found {:g}; 2 is taken", exponent));
+    stream.context().warn(span, fmt::format("`exponent` must be from 2 to 33, found {:g}; 2 is used", exponent));
   fractal->exponent = is_known ? static_cast<int>(exponent) : 2;
   return true;
 }
@@ -120,7 +120,7 @@ bool read_sides(ElementStream& stream, Pattern& pattern, std::string_view what) 
   const SourceSpan span = stream.peek().span;
   pavement->sides = static_cast<int>(read_number(stream, what));
   if (pavement->sides != 3 && pavement->sides != 4 && pavement->sides != 6) {
-    stream.context().fail(span, fmt::format("`number_of_sides` is 3, 4 or 6, found {}", pavement->sides));
+    stream.context().fail(span, fmt::format("`number_of_sides` must be 3, 4 or 6, found {}", pavement->sides));
   }
   return true;
 }
@@ -156,7 +156,7 @@ bool read_operand_modifier(ElementStream& stream, Pattern& pattern) {
   stream.drop();
   const std::string_view name = context.text(next.word);
   if (!row->read(stream, pattern, fmt::format("`{}`", name))) {
-    context.fail(next.span, fmt::format("`{}` belongs to {}, and this is `{}`", name, row->owners,
+    context.fail(next.span, fmt::format("`{}` applies to {}, found it in `{}`", name, row->owners,
                                         name_of(context, pattern.kind)));
   }
   return true;

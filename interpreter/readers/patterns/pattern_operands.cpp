@@ -122,7 +122,7 @@ void read_slope(ElementStream& stream, Pattern& pattern) {
   }
   slope.direction = read_vector(stream, "a direction");
   if (!slope.is_reference && slope.direction.length() == 0) {
-    stream.context().fail(stream.span(), "the direction of `slope` is not <0, 0, 0>");
+    stream.context().fail(stream.span(), "the direction of `slope` must not be <0, 0, 0>");
   }
   if (stream.accept_comma() || stream.peek().is(ElementKind::value)) {
     slope.low_slope = read_number(stream, "the low slope");
@@ -131,7 +131,7 @@ void read_slope(ElementStream& stream, Pattern& pattern) {
   }
   if (stream.peek().is_word(word::kw_altitude)) {
     const SourceSpan span = stream.take().span;
-    if (slope.is_reference) stream.context().fail(span, "`altitude` does not go with `point_at`");
+    if (slope.is_reference) stream.context().fail(span, "`altitude` cannot be used with `point_at`");
     slope.has_altitude = true;
     slope.altitude = read_vector(stream, "a vector after `altitude`");
     if (stream.accept_comma() || stream.peek().is(ElementKind::value)) {

@@ -31,8 +31,8 @@ RepeatWarp read_repeat(ElementStream& stream) {
     warp.width = direction[i];
   }
   if (axes != 1) {
-    context.fail(span, fmt::format("`repeat` goes along one axis, found <{:g}, {:g}, {:g}>", direction.x, direction.y,
-                                   direction.z));
+    context.fail(span, fmt::format("expected a vector along one axis after `repeat`, found <{:g}, {:g}, {:g}>",
+                                   direction.x, direction.y, direction.z));
   }
   while (true) {
     if (stream.peek().is_word(word::kw_offset)) {

@@ -119,7 +119,8 @@ bool read_number_row(ElementStream& stream, Finish& finish) {
   }
   const SourceSpan span = stream.peek().span;
   finish.*row->value = read_number(stream, after(stream, name));
-  if (name == word::kw_roughness && finish.roughness == 0) stream.context().warn(span, "a `roughness` of zero");
+  if (name == word::kw_roughness && finish.roughness == 0)
+    stream.context().warn(span, "`roughness` must be above 0, found 0");
   if (name == word::kw_diffuse && (stream.accept_comma() || starts_number(stream))) {
     finish.diffuse_back = read_number(stream, "a number for the light from behind");
   }
@@ -252,7 +253,7 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
   }
   while (!stream.peek().is(ElementKind::end)) {
     if (is_finish(context, stream.peek()))
-      context.fail(stream.peek().span, "the name of a declared finish comes first in its block, before other items");
+      context.fail(stream.peek().span, "put the name of a declared finish first in its block");
     note_place(context, stream.peek(), kPlaces, finish.said_at);
     if (!read_item(stream, finish)) refuse(stream, kKnown);
   }

@@ -43,7 +43,8 @@ bool read_item(ElementStream& stream, Interior& interior) {
     const SourceSpan span = stream.peek().span;
     interior.*row->value = read_number(stream, fmt::format("a number after `{}`", context.text(next.word)));
     if (interior.dispersion_samples < kMinDispersionSamples) {
-      context.fail(span, fmt::format("`dispersion_samples` is at least 2, found {:g}", interior.dispersion_samples));
+      context.fail(span,
+                   fmt::format("`dispersion_samples` must be at least 2, found {:g}", interior.dispersion_samples));
     }
     return true;
   }

@@ -135,7 +135,7 @@ class NormalReader {
     }
     if (starts_pattern(next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
-                    "the pattern of a `normal` comes first, and there is one");
+                    "a `normal` has at most one pattern, before its other items");
     }
     return read_pattern_modifier(stream_, draft_);
   }

@@ -121,7 +121,7 @@ class PigmentReader {
     }
     if (starts_pattern(next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
-                    "the pattern or colour of a `pigment` comes first, and there is one");
+                    "a `pigment` has at most one pattern or colour, before its other items");
     }
     if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
     // As in POV-Ray, a pigment that was declared with the surface's coordinates is not moved.
@@ -136,7 +136,7 @@ class PigmentReader {
     const bool is_colours = block.word != word::kw_pigment_map;
     const bool fits = takes_map(kind) && !(is_colours && kind == PatternKind::average);
     if (kind == PatternKind::plain && !has_type) {
-      context_.warn(block.word_span, "a map without a pattern before it says nothing");
+      context_.warn(block.word_span, "a map without a pattern before it has no effect");
     } else if (!fits) {
       const std::string what =
           kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(context_, kind));

@@ -33,7 +33,7 @@ void read_part(Context& context, const Element& block, std::optional<Texture>& t
   Texture top = texture.value_or(context.default_texture);
   if (top.pattern != scene::kNoTexturePattern) {
     context.fail(block.word_span,
-                 fmt::format("`{}` does not go with a texture that is chosen by a pattern", context.text(block.word)));
+                 fmt::format("`{}` cannot be used with a texture that has a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
     const scene::Pigment base = is_own ? moved(context, top.pigment, space) : top.pigment;
@@ -112,7 +112,7 @@ bool read_texture_modifier(ElementStream& stream, std::optional<Texture>& textur
 bool read_surface_modifier(ElementStream& stream, Surface& surface, const Transform& space) {
   Context& context = stream.context();
   if (stream.peek().is_word(word::kw_uv_mapping)) {
-    if (surface.texture) context.fail(stream.peek().span, "`uv_mapping` comes before the textures of an object");
+    if (surface.texture) context.fail(stream.peek().span, "put `uv_mapping` before the textures of an object");
     stream.drop();
     return surface.uv_mapping = true;
   }

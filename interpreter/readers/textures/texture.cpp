@@ -97,7 +97,7 @@ class TextureReader {
     }
     if (starts_pattern(next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
-                    "the pattern of a `texture` comes first, and there is something before it");
+                    "put the pattern of a `texture` first, before its other items");
     }
     const std::optional<scene::Transform> transform = read_transform(stream_);
     if (transform) texture_ = moved(context_, texture_, *transform);
@@ -107,8 +107,8 @@ class TextureReader {
   /// A texture that a pattern chooses has no pigment, normal or finish of its own.
   void check_plain(const Element& block) {
     if (texture_.pattern == scene::kNoTexturePattern) return;
-    context_.fail(block.word_span, fmt::format("`{}` does not go with a texture that is chosen by a pattern",
-                                               context_.text(block.word)));
+    context_.fail(block.word_span,
+                  fmt::format("`{}` cannot be used with a texture that has a pattern", context_.text(block.word)));
   }
 
   // ---- Textures with a pattern --------------------------------------------------------------------------------------

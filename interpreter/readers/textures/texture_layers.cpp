@@ -39,7 +39,7 @@ bool is_opaque(const Context& context, Texture layer) {
 
 Texture layered(Context& context, const Texture& below, const Texture& top, SourceSpan span) {
   if (below.pattern != scene::kNoTexturePattern || top.pattern != scene::kNoTexturePattern) {
-    context.fail(span, "a texture that is chosen by a pattern cannot be a layer");
+    context.fail(span, "a texture with a pattern cannot be a layer");
   }
   if (is_opaque(context, top)) return top;
   return each_layer(

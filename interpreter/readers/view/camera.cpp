@@ -174,10 +174,10 @@ class CameraReader {
   /// The angle of a view with straight rays. As in POV-Ray, a missing angle is the same as 0.
   void apply_angle() {
     if (angle_degrees_ && *angle_degrees_ < 0)
-      context_.fail(angle_span_, fmt::format("`angle` is not below 0, found {:g}", *angle_degrees_));
+      context_.fail(angle_span_, fmt::format("`angle` must be at least 0, found {:g}", *angle_degrees_));
     if (!is_flat(camera_.kind) || !angle_degrees_ || *angle_degrees_ == 0) return;
     if (*angle_degrees_ >= 180)
-      context_.fail(angle_span_, fmt::format("`angle` is below 180 degrees, found {:g}", *angle_degrees_));
+      context_.fail(angle_span_, fmt::format("`angle` must be below 180 degrees, found {:g}", *angle_degrees_));
     check_vectors();
     set_horizontal_angle(camera_, *angle_degrees_);
   }

@@ -72,10 +72,10 @@ void FocalBlurReader::read_samples(ElementStream& stream) {
   const double min = has_second ? first : 0;
   const double max = has_second ? std::trunc(read_number(stream, "the largest number of rays of a pixel")) : first;
   if (!(max >= 1 && max <= kMaxSamples))
-    stream.context().fail(span, fmt::format("`blur_samples` is from 1 to {:g}, found {:g}", kMaxSamples, max));
+    stream.context().fail(span, fmt::format("`blur_samples` must be from 1 to {:g}, found {:g}", kMaxSamples, max));
   if (min > max)
-    stream.context().fail(span,
-                          fmt::format("`blur_samples` begins with the smaller number, found {:g}, {:g}", min, max));
+    stream.context().fail(
+        span, fmt::format("expected the smaller number of `blur_samples` first, found {:g}, {:g}", min, max));
   blur_.min_samples = static_cast<int>(std::max(min, 0.0));
   blur_.max_samples = static_cast<int>(max);
 }
@@ -88,7 +88,7 @@ void FocalBlurReader::read_share(ElementStream& stream, double& share, bool may_
     share = value;
   } else {
     stream.context().warn(span,
-                          fmt::format("a number between 0 and 1 is expected, found {:g}; {:g} is used", value, share));
+                          fmt::format("expected a number between 0 and 1, found {:g}; {:g} is used", value, share));
   }
 }
 

@@ -97,8 +97,8 @@ namespace {
 
 /// Tells how the value can become the expected number.
 std::string hint_for_number(const Value& value) {
-  if (value.kind() == ValueKind::string) return "`val(…)` reads a string as a number";
-  if (value.is_numeric()) return "`.x`, `.y` and so on take one term of a vector, `vlength(…)` its length";
+  if (value.kind() == ValueKind::string) return "`val(…)` converts a string to a number";
+  if (value.is_numeric()) return "`.x`, `.y` and so on select one term of a vector, `vlength(…)` gives its length";
   return {};
 }
 
@@ -118,7 +118,7 @@ double read_number_in(ElementStream& stream, std::string_view what, double low, 
   const SourceSpan span = stream.peek().span;
   const double value = read_number(stream, what);
   if (!(value >= low && value <= high)) {
-    stream.context().fail(span, fmt::format("{} is from {:g} to {:g}, found {:g}", what, low, high, value));
+    stream.context().fail(span, fmt::format("{} must be from {:g} to {:g}, found {:g}", what, low, high, value));
   }
   return value;
 }
@@ -127,7 +127,7 @@ double read_positive(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const double value = read_number(stream, what);
   if (!(value > 0 && std::isfinite(value)))
-    stream.context().fail(span, fmt::format("{} is above 0, found {:g}", what, value));
+    stream.context().fail(span, fmt::format("{} must be above 0, found {:g}", what, value));
   return value;
 }
 
@@ -182,8 +182,7 @@ void refuse_declared_block(Context& context, const Element& block) {
   if (slot->value.kind() == ValueKind::poison) throw Failed{};
   const std::string_view name = context.text(block.word);
   const std::string_view word = block_word(slot->value.kind());
-  context.fail(block.word_span,
-               fmt::format("`{}` is {}, and no word that braces can follow", name, describe(slot->value)),
+  context.fail(block.word_span, fmt::format("`{}` is {}; braces cannot follow its name", name, describe(slot->value)),
                word.empty() ? "" : fmt::format("write `{} {{ {} … }}`", word, name));
 }
 
@@ -209,7 +208,7 @@ void refuse_declared_block(Context& context, const Element& block) {
   const bool is_term = next.is(ElementKind::value) && next.node->kind < NodeKind::vector;
   stream.context().fail(
       span, fmt::format("unexpected `,` {}", where),
-      is_term ? "the terms of a vector or colour stand in angle brackets, as in `rgb <1, 0.5, 0>`" : "");
+      is_term ? "put the terms of a vector or colour in angle brackets, as in `rgb <1, 0.5, 0>`" : "");
 }
 
 }  // namespace
@@ -227,7 +226,7 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   if (next.is(ElementKind::comma)) refuse_comma(stream, span, where);
   if (next.is(ElementKind::value)) {
     const Value value = evaluate(context, *next.node);
-    context.fail(span, fmt::format("{} means nothing {}", describe(value), where));
+    context.fail(span, fmt::format("{} is not allowed {}", describe(value), where));
   }
   context.fail(span, fmt::format("unexpected {} {}", describe(context, next), where),
                hint_for_misplaced(context, next, stream.word()));
@@ -276,7 +275,7 @@ double read_contextual_number(ElementStream& stream, std::string_view what) {
 scene::Vec3 read_normal(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const scene::Vec3 normal = read_vector(stream, what);
-  if (!(normal.length() > 0)) stream.context().fail(span, fmt::format("{} has a length above 0", what));
+  if (!(normal.length() > 0)) stream.context().fail(span, fmt::format("{} must have a length above 0", what));
   return normal / normal.length();
 }
 

@@ -57,7 +57,7 @@ Colour read_vector_form(ElementStream& stream, const VectorForm& form) {
                  fmt::format("`{}` takes {} terms, found {}", context.text(form.word), form.terms, describe(value)));
   }
   if (value.term_count() == 2) {
-    context.warn(span, fmt::format("`{}` takes {} terms, found {}; what is missing is 0", context.text(form.word),
+    context.warn(span, fmt::format("`{}` takes {} terms, found {}; missing terms are 0", context.text(form.word),
                                    form.terms, describe(value)));
   }
   const Value full = promoted(value, form.terms);

@@ -96,7 +96,7 @@ std::string hint_for_object(Context& context, Symbol stream_word) {
     return fmt::format("the objects of `{}` come before its modifiers: move this before them",
                        context.text(stream_word));
   }
-  return stream_word == grammar::kNoSymbol ? "" : "is a `}` missing before it?";
+  return stream_word == grammar::kNoSymbol ? "" : "check for a missing `}` before it";
 }
 
 std::string hint_for_word(Context& context, const Element& element, Symbol stream_word) {
@@ -122,11 +122,12 @@ std::string hint_for_misplaced(Context& context, const Element& element, Symbol 
     return "`threshold` comes before the modifiers of the blob";
   const bool is_inside = stream_word != grammar::kNoSymbol;
   if (is_inside && is_of_top_level(element))
-    return fmt::format("a `{}` stands in no other block: is a `}}` missing before it?", context.text(element.word));
+    return fmt::format("a `{}` is not allowed inside another block: check for a missing `}}` before it",
+                       context.text(element.word));
   const bool is_in_texture = is_one_of(stream_word, {kw_pigment, kw_normal, kw_finish, kw_interior});
   if (is_in_texture && is_of_objects(element.word)) {
-    return fmt::format("`{}` stands beside `{}`, not in it: is a `}}` missing before it?", context.text(element.word),
-                       context.text(stream_word));
+    return fmt::format("`{}` belongs beside `{}`, not inside it: check for a missing `}}` before it",
+                       context.text(element.word), context.text(stream_word));
   }
   return hint_for_word(context, element, stream_word);
 }

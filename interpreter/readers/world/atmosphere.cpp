@@ -88,7 +88,7 @@ constexpr ItemWord<scene::FogItem> kFogPlaces[] = {{word::kw_fog_type, scene::Fo
 void read_fog_type(ElementStream& stream, Fog& fog) {
   const SourceSpan span = stream.peek().span;
   const double type = read_number(stream, "a number after `fog_type`");
-  if (type != 1 && type != 2) stream.context().fail(span, fmt::format("`fog_type` is 1 or 2, found {:g}", type));
+  if (type != 1 && type != 2) stream.context().fail(span, fmt::format("`fog_type` must be 1 or 2, found {:g}", type));
   fog.kind = type == 1 ? Fog::Kind::constant : Fog::Kind::ground;
 }
 
@@ -97,7 +97,7 @@ void read_fog_value(ElementStream& stream, Fog& fog) {
   const Element next = stream.peek();
   const Value value = stream.take_value();
   if (value.is_number()) {
-    stream.context().warn(next.span, "write `distance` before this");
+    stream.context().warn(next.span, "found a number without a word; write `distance` before it");
     fog.distance = value.number();
   } else if (value.is_numeric() && next.node->kind != grammar::NodeKind::vector) {
     fog.colour = to_colour(read_colour_after(stream, value));
@@ -188,11 +188,11 @@ void check_rainbow(ElementStream& stream, Rainbow& rainbow) {
   rainbow.direction.normalize();
   const scene::Vec3 up = rainbow.up - rainbow.direction * rainbow.up.dot(rainbow.direction);
   if (up.length() <= 1e-7 * rainbow.up.length()) {  // parallel within rounding: a cosine of one
-    context.fail(stream.span(), "`up` and `direction` of a `rainbow` are one direction");
+    context.fail(stream.span(), "`up` and `direction` of a `rainbow` are parallel");
   }
   rainbow.up = up.normalized();
   if (rainbow.falloff_angle > rainbow.arc_angle) {
-    context.fail(stream.span(), "`falloff_angle` is at most `arc_angle`");
+    context.fail(stream.span(), "`falloff_angle` must be at most `arc_angle`");
   }
 }
 

@@ -85,8 +85,8 @@ class LightReader {
 
   void need_beam(const Element& item) {
     if (light_.kind != LightKind::point) return;
-    context_.fail(item.span, fmt::format("`{}` is for a spotlight or cylinder of light, which comes before it",
-                                         context_.text(item.word)));
+    context_.fail(item.span,
+                  fmt::format("`{}` needs the word `spotlight` or `cylinder` before it", context_.text(item.word)));
   }
 
   /// Reads items of one number. Angles of a spotlight are in degrees in this interface.
@@ -109,7 +109,7 @@ class LightReader {
     const SourceSpan span = stream_.peek().span;
     const double number = read_number(stream_, fmt::format("a number after `{}`", context_.text(item.word)));
     if (!std::isfinite(number))
-      context_.fail(span, fmt::format("`{}` is finite, found {:g}", context_.text(item.word), number));
+      context_.fail(span, fmt::format("`{}` must be finite, found {:g}", context_.text(item.word), number));
     light_.*row->member = row->is_angle && light_.kind == LightKind::spotlight ? radians_from_degrees(number) : number;
     return true;
   }
@@ -165,8 +165,8 @@ class LightReader {
     const SourceSpan span = stream_.peek().span;
     const double count = std::trunc(std::abs(read_number(stream_, "the number of lights along the edge")));
     if (!(count >= 1 && count <= kMaxCount)) {
-      context_.fail(span,
-                    fmt::format("an area light has from 1 to {:g} lights along an edge, found {:g}", kMaxCount, count));
+      context_.fail(span, fmt::format("an area light must have from 1 to {:g} lights along an edge, found {:g}",
+                                      kMaxCount, count));
     }
     return static_cast<int>(count);
   }
@@ -175,7 +175,7 @@ class LightReader {
 
   bool read_object_item(const Element& block) {
     if (block.word == word::kw_looks_like) {
-      if (looks_like_) context_.fail(block.word_span, "a light has one `looks_like`");
+      if (looks_like_) context_.fail(block.word_span, "a light has at most one `looks_like`, found a second");
       stream_.drop();
       read_looks_like(block);
       return looks_like_ = true;
@@ -227,9 +227,9 @@ class LightReader {
     if (!area_.circular) context_.warn(stream_.span(), "`orient` makes this area light circular");
     area_.circular = true;
     if (std::abs(area_.edge_a.length() - area_.edge_b.length()) > kTolerance)
-      context_.warn(stream_.span(), "with `orient` both edges are as long as the first");
+      context_.warn(stream_.span(), "with `orient` both edges get the length of the first");
     if (area_.count_a != area_.count_b)
-      context_.warn(stream_.span(), "with `orient` both edges should have as many lights");
+      context_.warn(stream_.span(), "with `orient` both edges should have the same number of lights");
   }
 
   ElementStream& stream_;

@@ -118,7 +118,7 @@ void read_default(Context& context, grammar::Items items, SourceSpan span) {
       stream.drop();
       texture = read_texture(context, next, context.default_texture);
       if (texture->pattern != scene::kNoTexturePattern || texture->below != scene::kNoTexture) {
-        context.fail(next.word_span, "the default texture is a plain one, without layers");
+        context.fail(next.word_span, "the default texture cannot have layers");
       }
     } else if (!read_texture_modifier(stream, texture)) {
       static constexpr grammar::Symbol kKnown[] = {word::kw_texture, word::kw_pigment, word::kw_normal, word::kw_finish,

@@ -42,14 +42,14 @@ void read_tolerance(ElementStream& stream, scene::Settings& settings) {
     }
     if (!value.is_number() || !(value.number() > 0)) {
       context.fail(span,
-                   fmt::format("`tolerance` is above 0 in scene units, or a string as \"0.05px\", found {}",
+                   fmt::format("`tolerance` must be above 0 in scene units, or a string such as \"0.05px\", found {}",
                                value.is_number() ? fmt::format("{:g}", value.number()) : std::string(describe(value))));
     }
     settings.tolerance = fmt::format("{}", value.number());
     return;
   }
   const double value = read_contextual_number(stream, "a number after `tolerance`");
-  if (!(value > 0)) context.fail(lead.span, fmt::format("`tolerance` is above 0, found {:g}", value));
+  if (!(value > 0)) context.fail(lead.span, fmt::format("`tolerance` must be above 0, found {:g}", value));
   settings.tolerance = fmt::format("{}", value);
 }
 
@@ -76,9 +76,9 @@ void read_max_trace_level(ElementStream& stream, scene::Settings& settings) {
   const SourceSpan span = stream.peek().span;
   const double level = std::trunc(read_number(stream, "a number after `max_trace_level`"));
   if (!(level >= 1))
-    stream.context().fail(span, fmt::format("`max_trace_level` is from 1 to {:g}, found {:g}", kMost, level));
+    stream.context().fail(span, fmt::format("`max_trace_level` must be from 1 to {:g}, found {:g}", kMost, level));
   if (level > kMost)
-    stream.context().warn(span, fmt::format("`max_trace_level` is at most {:g}, found {:g}", kMost, level));
+    stream.context().warn(span, fmt::format("`max_trace_level` must be at most {:g}, found {:g}", kMost, level));
   settings.max_trace_level = static_cast<int>(std::min(level, kMost));
 }
 
@@ -87,7 +87,7 @@ void read_number_of_waves(ElementStream& stream, scene::Settings& settings) {
   const SourceSpan span = stream.peek().span;
   const double number = std::trunc(read_number(stream, "a number after `number_of_waves`"));
   if (!(number >= 1 && number <= kMost))
-    stream.context().warn(span, fmt::format("`number_of_waves` is from 1 to {:g}, found {:g}", kMost, number));
+    stream.context().warn(span, fmt::format("`number_of_waves` must be from 1 to {:g}, found {:g}", kMost, number));
   settings.number_of_waves = static_cast<int>(std::clamp(number, 1.0, kMost));
 }
 
@@ -115,7 +115,7 @@ void read_hf_gray_16(ElementStream& stream, scene::Settings&) {
   const SourceSpan span = stream.peek().span;
   if (read_optional_truth(stream))
     stream.context().warn(span,
-                          "`hf_gray_16` has no effect; what the picture's file holds is an option of the program");
+                          "`hf_gray_16` has no effect; options of the program set the format of the picture's file");
 }
 
 struct SettingWord {

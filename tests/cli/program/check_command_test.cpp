@@ -43,7 +43,7 @@ TEST_F(CheckCommand, NamesWhatIsTooShortToHaveASurfaceByItself) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("a.isl:4:18: warning: this `cylinder` is too short to have a surface by itself: "
                                     "convolved, it reaches 0.134 of the threshold"));
-  EXPECT_THAT(result.err, HasSubstr("11 components do not, this is the first"));
+  EXPECT_THAT(result.err, HasSubstr("11 components have none, this is the first"));
 }
 
 TEST_F(CheckCommand, ReadsStandardInput) {

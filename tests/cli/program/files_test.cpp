@@ -109,7 +109,7 @@ TEST_F(Files, OfTheSystemsLibrariesLeadNowhereElse) {
 
 TEST_F(Files, ThatTheCommandLineMissesAreNamedWithTheFileMeant) {
   write("sub/Ball.pov", kSmallScene);
-  EXPECT_THAT(run({"check", "sub/ball.pov"}).err, HasSubstr("capitals count in names of files"));
+  EXPECT_THAT(run({"check", "sub/ball.pov"}).err, HasSubstr("file names distinguish capitals"));
   EXPECT_THAT(run({"check", "sub\\Ball.pov"}).err, HasSubstr("there is `sub/Ball.pov` in .: write that name"));
   write("sub/a.ini", "Input_File_Name=BALL.POV\n");
   EXPECT_THAT(run({"check", "sub/a.ini"}).err, HasSubstr("there is `Ball.pov` in sub"));

@@ -93,8 +93,9 @@ TEST_F(ObjectFunctions, TellWhatTheyCannotAnswer) {
 #declare P = min_extent(3);
 )");
   EXPECT_THAT(errors, HasSubstr("4:20: error: `trace`: expected an object, found a number"));
-  EXPECT_THAT(errors,
-              HasSubstr("5:43: error: `trace`: the variable for the normal holds a 3-term vector, found a number"));
+  EXPECT_THAT(
+      errors,
+      HasSubstr("5:43: error: `trace`: expected a variable with a 3-term vector for the normal, found a number"));
   EXPECT_THAT(errors, HasSubstr("6:40: error: `trace`: expected the name of a variable"));
   EXPECT_THAT(errors, HasSubstr("7:21: error: `inside`: a light has no surface"));
   EXPECT_THAT(errors, HasSubstr("8:25: error: `min_extent`: expected an object, found a number"));

@@ -168,7 +168,7 @@ TEST_F(RenderOutput, CtrlCSendsNoPartOfAPictureToStandardOutput) {
                                     .limit = std::chrono::seconds(60)});
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_EQ(result.out, "");
-  EXPECT_THAT(result.err, HasSubstr("interrupted; nothing is written"));
+  EXPECT_THAT(result.err, HasSubstr("interrupted; no file was written"));
 }
 
 }  // namespace

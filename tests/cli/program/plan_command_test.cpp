@@ -70,7 +70,7 @@ TEST_F(PlanCommand, AnswersInJson) {
 TEST_F(PlanCommand, AnUnknownEffectIsACommandLineError) {
   const ProcessResult result = run({"plan", "scene.isl", "--without", "reflexion"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("there is no effect `reflexion`; did you mean `reflection`?"));
+  EXPECT_THAT(result.err, HasSubstr("unknown effect `reflexion`; did you mean `reflection`?"));
 }
 
 TEST_F(PlanCommand, ARefusalPointsAtTheWordAndAtTheTextureThatItBelongsTo) {
