@@ -88,7 +88,7 @@ Picture make_picture(const RenderCommand& command, RenderSettings settings, cons
   const bool shows_bar = isatty(STDERR_FILENO) != 0 && !command.picture.quiet;
   ProgressBar bar(shows_bar ? stderr : nullptr);
   // Rendering shades and samples pixels several times; measuring only finds first hits, one or two a pixel.
-  const bool measures = settings.render.aovs.any_measured();
+  const bool measures = render::any_measured(settings.render.aovs);
   const double render_share = measures ? 0.7 : 1;
   settings.render.progress = [&](double done) { bar.update(render_share * done); };
   settings.render.stop = &interrupt_flag();
@@ -156,7 +156,7 @@ ExitCode run(const RenderCommand& command) {
   OutputWriter writer(std::move(options));
   for (const fs::path& file : files) writer.add(file, image);
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
-    writer.add(layer.file, render::layer_picture(image, layer.layer));
+    writer.add(layer.file, render::layer_picture(image, *image.layer(layer.layer->name)));
     files.push_back(layer.file);
   }
   if (const OutputProblem problem = writer.finish(); !problem.none()) return tell(problem);

@@ -1,13 +1,12 @@
 #include "cli/options/option_declarations.h"
 
+#include "cli/options/aovs.h"
 #include "cli/output/version.h"
-#include "grammar/suggest.h"
 #include "renderer/effects/effect.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string_view>
 
@@ -15,10 +14,6 @@ namespace isl::cli {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::max();
-
-/// Layers in canonical order.
-constexpr std::array<std::string_view, 10> kLayers{"depth",   "position", "normal", "albedo",       "primitive",
-                                                   "samples", "cost",     "error",  "solver_steps", "missed"};
 
 constexpr std::string_view kFooter =
     "Exit codes: 0 done, 1 the scene has errors, 2 the command line has errors,\n"
@@ -52,43 +47,34 @@ auto number_from(double low, double high) {
   return [low, high](const std::string& text) { return parse_number(text, low, high); };
 }
 
-Parsed<std::vector<std::string>> parse_layers(std::string_view text) {
-  std::vector<std::string> asked;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view name = text.substr(begin, end - begin);
-    if (std::find(kLayers.begin(), kLayers.end(), name) == kLayers.end()) {
-      return Parsed<std::vector<std::string>>::error(
-          fmt::format("unknown layer `{}`; the layers are {}", name, fmt::join(kLayers, ", ")));
-    }
-    asked.emplace_back(name);
-    begin = end + 1;
-  }
-  std::vector<std::string> layers;  // canonical order, without duplicates
-  for (const std::string_view layer : kLayers) {
-    if (std::find(asked.begin(), asked.end(), layer) != asked.end()) layers.emplace_back(layer);
+std::vector<std::string_view> names_of(const render::Aovs& aovs) {
+  std::vector<std::string_view> names;
+  for (const render::Aov* const aov : aovs) names.push_back(aov->name);
+  return names;
+}
+
+/// In the order of all_aovs(), each once.
+Parsed<render::Aovs> parse_layers(std::string_view text) {
+  const Parsed<std::vector<std::string_view>> names = parse_names(text, "layer", names_of(all_aovs()));
+  if (!names.ok()) return Parsed<render::Aovs>::error(names.message());
+  render::Aovs layers;
+  for (const render::Aov* const aov : all_aovs()) {
+    if (std::ranges::find(names.value(), aov->name) != names.value().end()) layers.push_back(aov);
   }
   return layers;
 }
 
-Parsed<std::vector<std::string>> parse_effects(std::string_view text) {
+Parsed<std::vector<std::string_view>> parse_effects(std::string_view text) {
   std::vector<std::string_view> known;
   for (const render::Effect& effect : render::all_effects()) known.push_back(effect.name);
-  std::vector<std::string> names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view name = text.substr(begin, end - begin);
-    if (std::ranges::find(known, name) == known.end()) {
-      const auto similar = grammar::closest(name, known);
-      return Parsed<std::vector<std::string>>::error(
-          fmt::format("unknown effect `{}`; {}", name,
-                      similar ? fmt::format("did you mean `{}`?", *similar)
-                              : fmt::format("the effects are {}", fmt::join(known, ", "))));
-    }
-    names.emplace_back(name);
-    begin = end + 1;
-  }
-  return names;
+  return parse_names(text, "effect", known);
+}
+
+/// The layers that are written as pictures of their own, too.
+render::Aovs pictured_aovs() {
+  render::Aovs pictured = all_aovs();
+  std::erase_if(pictured, [](const render::Aov* aov) { return aov->picture.kind == render::AovPicture::Kind::none; });
+  return pictured;
 }
 
 Parsed<int> parse_bits(const std::string& text) {
@@ -183,9 +169,10 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   })->group(group);
   app.add_flag("--alpha", picture.alpha, "Make the background transparent")->group(group);
   app.add_flag("--skeleton", picture.unblended, "Render the components of blobs without blending")->group(group);
-  add(app, "--aov", "LIST", fmt::format("Layers for an .exr, comma-separated: {}; the last four also as NAME.LAYER.png beside NAME.png",
-                  fmt::join(kLayers, " ")),
-      parse_layers, [&picture](const std::vector<std::string>& v) { picture.layers = v; })
+  add(app, "--aov", "LIST",
+      fmt::format("Layers for an .exr, comma-separated: {}; {} also as NAME.LAYER.png beside NAME.png",
+                  fmt::join(names_of(all_aovs()), " "), fmt::join(names_of(pictured_aovs()), " ")),
+      parse_layers, [&picture](const render::Aovs& v) { picture.layers = v; })
       ->group(group);
   add(app, "--crop", "X0,Y0,X1,Y1", "Render only these pixels; column X1 and row Y1 are excluded", parse_crop,
       [&picture](const std::array<int, 4>& v) { picture.crop = v; })

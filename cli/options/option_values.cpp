@@ -1,9 +1,12 @@
 #include "cli/options/option_values.h"
 
+#include "grammar/suggest.h"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -138,6 +141,25 @@ Parsed<std::size_t> parse_memory(std::string_view text) {
 
 std::string to_text(const render::Tolerance& tolerance) {
   return fmt::format("{}{}", tolerance.value, tolerance.in_pixels ? "px" : "");
+}
+
+Parsed<std::vector<std::string_view>> parse_names(std::string_view text, std::string_view kind,
+                                                  const std::vector<std::string_view>& known) {
+  std::vector<std::string_view> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+      const auto similar = grammar::closest(name, known);
+      return Parsed<std::vector<std::string_view>>::error(
+          fmt::format("unknown {} `{}`; {}", kind, name,
+                      similar ? fmt::format("did you mean `{}`?", *similar) : fmt::format("there are {}", fmt::join(known, ", "))));
+    }
+    names.push_back(*found);
+    begin = end + 1;
+  }
+  return names;
 }
 
 }  // namespace isl::cli

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace isl::cli {
 
@@ -66,5 +67,9 @@ using Define = std::pair<std::string, std::variant<double, std::string>>;
 
 /// The reverse: the shortest text that reads as the same value.
 [[nodiscard]] std::string to_text(const render::Tolerance& tolerance);
+
+/// Names behind commas, each of them known; `kind` says in the message what they name.
+[[nodiscard]] Parsed<std::vector<std::string_view>> parse_names(std::string_view text, std::string_view kind,
+                                                                const std::vector<std::string_view>& known);
 
 }  // namespace isl::cli

@@ -7,6 +7,7 @@
 #include "cli/options/solver_setting.h"
 #include "cli/output/exit_code.h"
 #include "interpreter/evaluate.h"
+#include "renderer/image/aov.h"
 
 #include <array>
 #include <cstdint>
@@ -60,7 +61,7 @@ struct PictureOptions {
   std::optional<render::Tolerance> tolerance;
   bool unblended = false;           ///< blobs without blending: components as solids
   std::string simd;                 ///< "": the best that the machine has
-  std::vector<std::string> layers;  ///< names of --aov, without duplicates, in canonical order
+  render::Aovs layers;              ///< of --aov, each once, in the order of all_aovs()
   std::optional<std::array<int, 4>> crop;
   std::filesystem::path statistics;  ///< "": none
   bool quiet = false;

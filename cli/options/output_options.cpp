@@ -2,7 +2,6 @@
 
 #include "cli/output/output_files.h"
 #include "cli/output/standard_output.h"
-#include "renderer/image/layer_picture.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +35,9 @@ std::optional<OutputComplaint> check_bits(const PictureOptions& picture) {
 }
 
 std::optional<OutputComplaint> check_layers(const PictureOptions& picture) {
-  const auto has_picture = [](const std::string& layer) { return render::is_pictured_layer(layer); };
+  const auto has_picture = [](const render::Aov* layer) {
+    return layer->picture.kind != render::AovPicture::Kind::none;
+  };
   const auto is_exr = [](const fs::path& output) { return output_format(output) == "exr"; };
   if (!std::all_of(picture.layers.begin(), picture.layers.end(), has_picture) &&
       std::none_of(picture.outputs.begin(), picture.outputs.end(), is_exr)) {

@@ -11,22 +11,6 @@
 namespace isl::cli {
 namespace {
 
-render::Aovs aovs_of(const std::vector<std::string>& layers) {
-  const auto has = [&layers](const char* name) {
-    return std::find(layers.begin(), layers.end(), name) != layers.end();
-  };
-  return {.depth = has("depth"),
-          .position = has("position"),
-          .normal = has("normal"),
-          .albedo = has("albedo"),
-          .primitive = has("primitive"),
-          .samples = has("samples"),
-          .cost = has("cost"),
-          .error = has("error"),
-          .solver_steps = has("solver_steps"),
-          .missed = has("missed")};
-}
-
 std::string value_text(const std::variant<double, std::string>& value) {
   if (const double* const number = std::get_if<double>(&value)) return fmt::format("{}", *number);
   return fmt::format("\"{}\"", std::get<std::string>(value));
@@ -76,7 +60,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
     const auto& [x0, y0, x1, y1] = *picture.crop;
     settings.render.crop = render::PixelRect{x0, y0, x1, y1};
   }
-  settings.render.aovs = aovs_of(picture.layers);
+  settings.render.aovs = picture.layers;
   return settings;
 }
 

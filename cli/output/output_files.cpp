@@ -1,7 +1,6 @@
 #include "cli/output/output_files.h"
 
 #include "cli/output/standard_output.h"
-#include "renderer/image/layer_picture.h"
 
 #include <fmt/format.h>
 
@@ -76,13 +75,14 @@ OutputProblem check_outputs(const std::vector<fs::path>& files) {
 
 OutputProblem check_place(const fs::path& file) { return file_problem(render::why_not_writable(file.string())); }
 
-std::vector<LayerFile> layer_files(const std::vector<fs::path>& files, const std::vector<std::string>& layers) {
+std::vector<LayerFile> layer_files(const std::vector<fs::path>& files, const render::Aovs& layers) {
   std::vector<LayerFile> result;
   for (const fs::path& file : files) {
     if (output_format(file) == "exr" || !standard_output_format(file).empty()) continue;
-    for (const std::string& layer : layers) {
-      if (!render::is_pictured_layer(layer)) continue;
-      result.push_back({file.parent_path() / (file.stem().string() + "." + layer + file.extension().string()), layer});
+    for (const render::Aov* const layer : layers) {
+      if (layer->picture.kind == render::AovPicture::Kind::none) continue;
+      const std::string name = fmt::format("{}.{}{}", file.stem().string(), layer->name, file.extension().string());
+      result.push_back({file.parent_path() / name, layer});
     }
   }
   return result;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/output/exit_code.h"
+#include "renderer/image/aov.h"
 #include "renderer/image/atomic_file.h"
 #include "renderer/image/image_file.h"
 
@@ -37,12 +38,12 @@ struct OutputProblem {
 /// A layer's own picture, beside the picture.
 struct LayerFile {
   std::filesystem::path file;
-  std::string layer;
+  const render::Aov* layer;
 };
 
 /// `NAME.LAYER.EXT` for every NAME.EXT that holds no layers itself, and every layer that has a picture.
 [[nodiscard]] std::vector<LayerFile> layer_files(const std::vector<std::filesystem::path>& files,
-                                                 const std::vector<std::string>& layers);
+                                                 const render::Aovs& layers);
 
 /// `NAME.partial.EXT` for each `NAME.EXT`: the file for an interrupted picture. None for standard output, whose reader
 /// could not distinguish it from a complete one.

@@ -1,11 +1,11 @@
 #include "renderer/accuracy/measured_layers.h"
 
 #include "base/parallel.h"
-#include "renderer/accuracy/ray_errors.h"
+#include "renderer/accuracy/measured_aovs.h"
 #include "renderer/film/camera.h"
 #include "renderer/scene/default_camera.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace isl::render {
 namespace {
@@ -20,37 +20,27 @@ std::vector<Ray> rays_of(const scene::Camera& camera, const Image& image) {
   return rays;
 }
 
-void set_costs(std::span<const RayMeasure> found, const Aovs& aovs, Layers& layers) {
-  for (const RayMeasure& ray : found) {
-    if (aovs.cost) layers.cost.insert(layers.cost.end(), {static_cast<float>(ray.field_evaluations), ray.seconds});
-    if (aovs.solver_steps) layers.solver_steps.push_back(ray.solver_steps);
+std::vector<const MeasuredAov*> asked_of(const Aovs& aovs) {
+  std::vector<const MeasuredAov*> rows;
+  for (const MeasuredAov& row : measured_aovs()) {
+    if (std::ranges::find(aovs, &row.aov) != aovs.end()) rows.push_back(&row);
   }
-}
-
-void set_errors(std::span<const RayError> errors, const Aovs& aovs, Layers& layers) {
-  constexpr float kNever = std::numeric_limits<float>::infinity();
-  for (const RayError& error : errors) {
-    const bool is_missed = error.outcome == RayOutcome::missed, is_false = error.outcome == RayOutcome::false_surface;
-    if (aovs.missed) layers.missed.push_back(is_missed ? 1 : is_false ? 2 : 0);
-    if (!aovs.error) continue;
-    if (is_missed || is_false) {
-      layers.error.insert(layers.error.end(), {kNever, kNever});
-    } else {
-      layers.error.insert(layers.error.end(), {static_cast<float>(error.pixels), static_cast<float>(error.units)});
-    }
-  }
+  return rows;
 }
 
 }  // namespace
 
+bool any_measured(const Aovs& aovs) { return !asked_of(aovs).empty(); }
+
 bool measure_layers(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,
                     const Aovs& aovs, int threads, const std::atomic<bool>* stop, const TellProgress& tell,
                     Image& image) {
-  if (!aovs.any_measured()) return true;
+  const std::vector<const MeasuredAov*> rows = asked_of(aovs);
+  if (rows.empty()) return true;
   const std::vector<Ray> rays =
       rays_of(database.camera.value_or(scene::default_camera(image.full_width, image.full_height)), image);
   std::vector<RayMeasure> found(rays.size()), truth;
-  const bool wants_errors = aovs.error || aovs.missed;
+  const bool wants_errors = std::ranges::any_of(rows, &MeasuredAov::needs_reference);
   const double first_share = wants_errors ? 0.5 : 1;
   const auto told = [&](double begin, double share) -> TellProgress {
     if (!tell) return {};
@@ -65,14 +55,16 @@ bool measure_layers(const scene::Database& database, const TracerOptions& option
     truth.resize(rays.size());
     measure_each(reference, rays, truth, stop, told(first_share, 1 - first_share));
   });
-  set_costs(found, aovs, image.layers);
-  if (wants_errors) {
-    std::vector<RayError> errors;
-    errors.reserve(rays.size());
+  std::vector<RayError> errors(rays.size());
+  for (std::size_t i = 0; wants_errors && i < rays.size(); ++i) {
+    errors[i] = error_of(rays[i], found[i], truth[i], options.pixel_angle);
+  }
+  for (const MeasuredAov* const row : rows) {
+    Layer& layer = image.layers.emplace_back(row->aov, rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      errors.push_back(error_of(rays[i], found[i], truth[i], options.pixel_angle));
+      row->fill(found[i], errors[i], layer.at(i));
+      layer.round(i);
     }
-    set_errors(errors, aovs, image.layers);
   }
   return stop == nullptr || !stop->load();
 }

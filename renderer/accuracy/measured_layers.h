@@ -7,7 +7,10 @@
 
 namespace isl::render {
 
-/// Fills those of the layers cost, error, solver_steps and missed of `image` that `aovs` asks for, over its window.
+/// Whether any of them is measured (accuracy/measured_aovs.h).
+[[nodiscard]] bool any_measured(const Aovs& aovs);
+
+/// Adds those layers of `image` that `aovs` asks for and that are measured, over its window.
 /// `tracer` is of `database` and with `options`; errors are against the exact solver. False if stopped: the layers are
 /// there, but say nothing.
 bool measure_layers(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,

@@ -7,43 +7,34 @@
 namespace isl::render {
 namespace {
 
-void set_triple(std::vector<float>& layer, std::size_t pixel, const Vec3& value) {
-  for (int i = 0; i < 3; ++i) layer[3 * pixel + static_cast<std::size_t>(i)] = static_cast<float>(value[i]);
-}
-
-/// Rows of `window` out of a layer that covers `rect`, `channels` values a pixel.
-template <class Value>
-std::vector<Value> cropped(const std::vector<Value>& layer, const PixelRect& rect, const PixelRect& window,
-                           std::size_t channels) {
-  std::vector<Value> result;
-  if (layer.empty()) return result;
-  result.reserve(window.area() * channels);
+/// Rows of `window` out of a layer that covers `rect`.
+Layer cropped(const Layer& layer, const PixelRect& rect, const PixelRect& window) {
+  Layer result(*layer.aov, 0);
+  const std::size_t channels = layer.aov->channels.size();
+  result.values.reserve(window.area() * channels);
   for (int y = window.y0; y < window.y1; ++y) {
-    const auto row = layer.begin() + static_cast<std::ptrdiff_t>(rect.index(window.x0, y) * channels);
-    result.insert(result.end(), row, row + static_cast<std::ptrdiff_t>(channels) * window.width());
+    const auto row = layer.values.begin() + static_cast<std::ptrdiff_t>(rect.index(window.x0, y) * channels);
+    result.values.insert(result.values.end(), row, row + static_cast<std::ptrdiff_t>(channels) * window.width());
   }
   return result;
 }
 
 }  // namespace
 
-Film::Film(const PixelRect& rect, const Aovs& aovs)
-    : rect_(rect), aovs_(aovs), sums_(4 * rect.area()), counts_(rect.area()) {
-  const std::size_t pixels = rect.area();
-  if (aovs.depth) layers_.depth.assign(pixels, std::numeric_limits<float>::infinity());
-  if (aovs.position) layers_.position.resize(3 * pixels);
-  if (aovs.normal) layers_.normal.resize(3 * pixels);
-  if (aovs.albedo) layers_.albedo.resize(3 * pixels);
-  if (aovs.primitive) layers_.primitive.assign(pixels, scene::kNone);
+Film::Film(const PixelRect& rect, const Aovs& aovs) : rect_(rect), sums_(4 * rect.area()), counts_(rect.area()) {
+  const auto is_asked = [&](const Aov& aov) { return std::ranges::find(aovs, &aov) != aovs.end(); };
+  for (const SurfaceAov& row : surface_aovs()) {
+    if (is_asked(row.aov)) surfaces_.push_back({&row, Layer(row.aov, rect.area())});
+  }
+  keeps_samples_ = is_asked(samples_aov());
 }
 
 void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
   if (seen.hit->is_miss()) return;
-  if (aovs_.depth) layers_.depth[pixel] = static_cast<float>(seen.hit->t);
-  if (aovs_.primitive) layers_.primitive[pixel] = seen.hit->instance;
-  if (aovs_.position) set_triple(layers_.position, pixel, seen.point->position);
-  if (aovs_.normal) set_triple(layers_.normal, pixel, seen.point->normal);
-  if (aovs_.albedo) set_triple(layers_.albedo, pixel, seen.albedo);
+  for (SurfaceLayer& surface : surfaces_) {
+    surface.row->fill(seen, surface.layer.at(pixel));
+    surface.layer.round(pixel);
+  }
 }
 
 std::array<double, 4> Film::mean(std::size_t pixel) const {
@@ -68,12 +59,12 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
       image.rgba.insert(image.rgba.end(), value.begin(), value.end());
     }
   }
-  image.layers.depth = cropped(layers_.depth, rect_, window, 1);
-  image.layers.position = cropped(layers_.position, rect_, window, 3);
-  image.layers.normal = cropped(layers_.normal, rect_, window, 3);
-  image.layers.albedo = cropped(layers_.albedo, rect_, window, 3);
-  image.layers.primitive = cropped(layers_.primitive, rect_, window, 1);
-  if (aovs_.samples) image.layers.samples = cropped(counts_, rect_, window, 1);
+  for (const SurfaceLayer& surface : surfaces_) image.layers.push_back(cropped(surface.layer, rect_, window));
+  if (keeps_samples_) {
+    Layer samples(samples_aov(), 0);
+    samples.values.assign(counts_.begin(), counts_.end());
+    image.layers.push_back(cropped(samples, rect_, window));
+  }
   return image;
 }
 

@@ -2,25 +2,18 @@
 // and from one thread at a time; different pixels do not touch one another. Linear light only.
 #pragma once
 
+#include "renderer/film/surface_aovs.h"
 #include "renderer/image/image.h"
-#include "renderer/rays/ray.h"
-#include "renderer/rays/surface_point.h"
 #include "renderer/shading/material.h"
 
 #include <array>
 
 namespace isl::render {
 
-/// What the centre sample of a pixel saw, for the layers.
-struct SeenSurface {
-  const Hit* hit = nullptr;             ///< never null
-  const SurfacePoint* point = nullptr;  ///< null for a miss
-  Rgb albedo{0};                        ///< linear
-};
-
 class Film {
  public:
-  /// Covers `rect` of the picture. Every pixel starts without samples: transparent black.
+  /// Covers `rect` of the picture. Every pixel starts without samples: transparent black. Of `aovs` those of surfaces and samples
+  /// are kept.
   Film(const PixelRect& rect, const Aovs& aovs);
 
   /// `colour` is multiplied by `alpha` already.
@@ -38,17 +31,22 @@ class Film {
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
 
   [[nodiscard]] const PixelRect& rect() const { return rect_; }
-  [[nodiscard]] const Aovs& aovs() const { return aovs_; }
+  /// Whether set_surface() has something to do.
+  [[nodiscard]] bool keeps_surfaces() const { return !surfaces_.empty(); }
 
   /// The part `window` (within rect()) as a picture of a whole of the given size.
   [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) const;
 
  private:
   PixelRect rect_;
-  Aovs aovs_;
   std::vector<double> sums_;  ///< 4 a pixel
   std::vector<std::uint32_t> counts_;
-  Layers layers_;  ///< over rect_; `samples` stays empty: counts_ has them
+  struct SurfaceLayer {
+    const SurfaceAov* row;
+    Layer layer;  ///< over rect_
+  };
+  std::vector<SurfaceLayer> surfaces_;
+  bool keeps_samples_ = false;
 };
 
 }  // namespace isl::render

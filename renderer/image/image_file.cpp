@@ -73,37 +73,14 @@ void add_linear_planes(PlaneSet& planes, const Image& image, IslSampleType type,
   }
 }
 
-void add_triple(PlaneSet& planes, const char* layer, const char* suffixes, const std::vector<float>& values) {
-  for (std::size_t i = 0; i < 3 && !values.empty(); ++i) {
-    planes.add(fmt::format("{}.{}", layer, suffixes[i]), ISL_FLOAT,
-               [&](std::size_t pixel) { return values[3 * pixel + i]; });
-  }
-}
-
-void add_pair(PlaneSet& planes, const char* first, const char* second, const std::vector<float>& values) {
-  if (values.empty()) return;
-  planes.add(first, ISL_FLOAT, [&](std::size_t pixel) { return values[2 * pixel]; });
-  planes.add(second, ISL_FLOAT, [&](std::size_t pixel) { return values[2 * pixel + 1]; });
-}
-
-void add_layers(PlaneSet& planes, const Layers& layers) {
-  if (!layers.depth.empty()) planes.add("depth.Z", ISL_FLOAT, [&](std::size_t pixel) { return layers.depth[pixel]; });
-  add_triple(planes, "position", "XYZ", layers.position);
-  add_triple(planes, "normal", "XYZ", layers.normal);
-  add_triple(planes, "albedo", "RGB", layers.albedo);
-  if (!layers.primitive.empty()) {
-    planes.add("primitive.id", ISL_UINT32, [&](std::size_t pixel) { return layers.primitive[pixel]; });
-  }
-  if (!layers.samples.empty()) {
-    planes.add("samples.count", ISL_UINT32, [&](std::size_t pixel) { return layers.samples[pixel]; });
-  }
-  add_pair(planes, "cost.evaluations", "cost.seconds", layers.cost);
-  add_pair(planes, "error.pixels", "error.units", layers.error);
-  if (!layers.solver_steps.empty()) {
-    planes.add("solver_steps.count", ISL_UINT32, [&](std::size_t pixel) { return layers.solver_steps[pixel]; });
-  }
-  if (!layers.missed.empty()) {
-    planes.add("missed.kind", ISL_UINT32, [&](std::size_t pixel) { return layers.missed[pixel]; });
+void add_layers(PlaneSet& planes, const std::vector<Layer>& layers) {
+  for (const Layer& layer : layers) {
+    const Aov& aov = *layer.aov;
+    for (std::size_t channel = 0; channel < aov.channels.size(); ++channel) {
+      planes.add(fmt::format("{}.{}", aov.name, aov.channels[channel]),
+                 aov.value == AovValue::whole ? ISL_UINT32 : ISL_FLOAT,
+                 [&](std::size_t pixel) { return layer.at(pixel, channel); });
+    }
   }
 }
 

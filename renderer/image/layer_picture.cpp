@@ -17,15 +17,10 @@ const Rgb kPaper{0.0}, kInk{0.7};
 
 /// What stands below the picture: a bar of the map with numbers, or coloured words.
 struct Legend {
-  std::string title;
+  const AovPicture& words;
   bool has_scale = true;
   ColourScale scale;
   double step = 10;  ///< ratio from one number to the next
-  struct Word {
-    const char* text;
-    Rgb colour;
-  };
-  std::vector<Word> words;
 };
 
 /// Dots of the legend's letters: so that they are read at the size that the picture is looked at.
@@ -65,11 +60,11 @@ void draw_scale(Image& image, int top, int scale, const Legend& legend) {
 void draw_legend(Image& image, int top, int scale, const Legend& legend) {
   fill(image, 0, top, image.window.width(), legend_height(scale), kPaper);
   int x = kLetterWidth * scale;
-  draw_text(image, x, top + 2 * scale, legend.title, scale, kInk);
-  x += (static_cast<int>(legend.title.size()) + 2) * kLetterWidth * scale;
-  for (const Legend::Word& word : legend.words) {
-    draw_text(image, x, top + 2 * scale, word.text, scale, word.colour);
-    x += (static_cast<int>(std::string_view(word.text).size()) + 2) * kLetterWidth * scale;
+  draw_text(image, x, top + 2 * scale, std::string(legend.words.title), scale, kInk);
+  x += (static_cast<int>(legend.words.title.size()) + 2) * kLetterWidth * scale;
+  for (const AovPicture::Word& word : legend.words.words) {
+    draw_text(image, x, top + 2 * scale, std::string(word.text), scale, word.colour);
+    x += (static_cast<int>(word.text.size()) + 2) * kLetterWidth * scale;
   }
   if (legend.has_scale) draw_scale(image, top + (kLetterHeight + 4) * scale, scale, legend);
 }
@@ -92,47 +87,42 @@ Image painted(const Image& image, const Legend& legend, const ColourOf& colour_o
   return picture;
 }
 
-/// `stride` values a pixel, of which the first counts.
-template <class Value>
-Image counts(const Image& image, const char* title, const std::vector<Value>& values, std::size_t stride) {
+Image counts(const Image& image, const Layer& layer) {
   double most = 0;
-  for (std::size_t i = 0; i < values.size(); i += stride) most = std::max(most, static_cast<double>(values[i]));
+  for (std::size_t pixel = 0; pixel < image.window.area(); ++pixel) most = std::max(most, layer.at(pixel, 0));
   const ColourScale scale = count_scale(most);
-  return painted(image, {title, true, scale, 2, {}}, [&](std::size_t pixel) {
-    const double count = static_cast<double>(values[stride * pixel]);
+  return painted(image, {layer.aov->picture, true, scale, 2}, [&](std::size_t pixel) {
+    const double count = layer.at(pixel, 0);
     return count == 0 ? kBackgroundColour : false_colour(scale.share_of(count));
   });
 }
 
-Image errors(const Image& image) {
-  return painted(image, {"error px", true, kErrorScale, 10, {{"missed or false", kMissedColour}}},
-                 [&](std::size_t pixel) {
-                   const double error = image.layers.error[2 * pixel];
-                   return std::isinf(error) ? kMissedColour : false_colour(kErrorScale.share_of(error));
-                 });
+Image errors(const Image& image, const Layer& layer) {
+  return painted(image, {layer.aov->picture, true, kErrorScale, 10}, [&](std::size_t pixel) {
+    const double error = layer.at(pixel, 0);
+    return std::isinf(error) ? layer.aov->picture.words[0].colour : false_colour(kErrorScale.share_of(error));
+  });
 }
 
-Image missed(const Image& image) {
-  return painted(image, {"surfaces", false, {}, 10, {{"missed", kMissedColour}, {"false", kFalseColour}}},
-                 [&](std::size_t pixel) {
-                   const std::uint32_t kind = image.layers.missed[pixel];
-                   return kind == 0 ? kBackgroundColour : kind == 1 ? kMissedColour : kFalseColour;
-                 });
+Image kinds(const Image& image, const Layer& layer) {
+  return painted(image, {layer.aov->picture, false, {}, 10}, [&](std::size_t pixel) {
+    const auto kind = static_cast<std::size_t>(layer.at(pixel, 0));
+    return kind == 0 ? kBackgroundColour : layer.aov->picture.words[kind - 1].colour;
+  });
 }
 
 }  // namespace
 
 ColourScale count_scale(double most) { return {1, std::exp2(std::ceil(std::log2(std::max(most, 2.0)))), true}; }
 
-bool is_pictured_layer(std::string_view layer) {
-  return layer == "cost" || layer == "error" || layer == "solver_steps" || layer == "missed";
-}
-
-Image layer_picture(const Image& image, std::string_view layer) {
-  ISL_CHECK(is_pictured_layer(layer), "layer {}", layer);
-  if (layer == "cost") return counts(image, "field evaluations", image.layers.cost, 2);
-  if (layer == "solver_steps") return counts(image, "solver steps", image.layers.solver_steps, 1);
-  return layer == "error" ? errors(image) : missed(image);
+Image layer_picture(const Image& image, const Layer& layer) {
+  switch (layer.aov->picture.kind) {
+    case AovPicture::Kind::counts: return counts(image, layer);
+    case AovPicture::Kind::errors: return errors(image, layer);
+    case AovPicture::Kind::kinds: return kinds(image, layer);
+    case AovPicture::Kind::none: break;
+  }
+  ISL_CHECK(false, "layer {} has no picture", layer.aov->name);
 }
 
 }  // namespace isl::render

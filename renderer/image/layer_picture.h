@@ -1,10 +1,8 @@
-// Layers of cost and error as pictures that any viewer shows: in false colours, with a legend below.
+// Layers as pictures that any viewer shows: in false colours, with a legend below.
 #pragma once
 
 #include "renderer/image/false_colour.h"
 #include "renderer/image/image.h"
-
-#include <string_view>
 
 namespace isl::render {
 
@@ -15,11 +13,7 @@ inline constexpr ColourScale kErrorScale{1e-4, 1e2, true};
 /// For counts up to `most`: from 1 to the next power of two, at least 2.
 [[nodiscard]] ColourScale count_scale(double most);
 
-/// Whether a layer has such a picture: cost, error, solver_steps, missed.
-[[nodiscard]] bool is_pictured_layer(std::string_view layer);
-
-/// The picture of one of these layers of the image, as large as its window and the legend. Precondition: it has the
-/// layer.
-[[nodiscard]] Image layer_picture(const Image& image, std::string_view layer);
+/// The picture of one of the image's layers, as large as its window and the legend. Precondition: layer.aov->picture is one.
+[[nodiscard]] Image layer_picture(const Image& image, const Layer& layer);
 
 }  // namespace isl::render

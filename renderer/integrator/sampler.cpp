@@ -28,7 +28,7 @@ void Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace)
   rays.clear();
   for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
   LayerKeeper keeper(samples, working_space_, film_);
-  integrator_.trace(paths, film_.aovs().any_of_surface() ? &keeper : nullptr);
+  integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     film_.add_sample(samples[i].pixel, working_space_.to_linear(paths.colours[i]), paths.alphas[i]);
   }

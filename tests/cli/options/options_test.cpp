@@ -25,6 +25,12 @@ std::string refusal(std::vector<std::string> arguments) {
   return finished->text;
 }
 
+std::vector<std::string_view> names_of(const render::Aovs& aovs) {
+  std::vector<std::string_view> names;
+  for (const render::Aov* const aov : aovs) names.push_back(aov->name);
+  return names;
+}
+
 TEST(Options, DefaultsAreThoseOfTheManual) {
   const RenderCommand command = render({"a.isl"});
   EXPECT_EQ(command.scene.scene, "a.isl");
@@ -64,7 +70,7 @@ TEST(Options, AMinusIsStandardInputAndNegativeNumbersAreValues) {
 
 TEST(Options, LayersAreInCanonicalOrderEachOnce) {
   const RenderCommand command = render({"a.isl", "-o", "a.exr", "--aov", "normal,depth,normal"});
-  EXPECT_THAT(command.picture.layers, testing::ElementsAre("depth", "normal"));
+  EXPECT_THAT(names_of(command.picture.layers), testing::ElementsAre("depth", "normal"));
 }
 
 TEST(Options, HelpAndVersionAreNoErrors) {
@@ -114,8 +120,8 @@ TEST(Options, StandardOutputIsForOnePictureAlone) {
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "-"}), HasSubstr("as in `-o png:-`"));
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--format", "json"}), HasSubstr("--format json"));
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--aov", "cost"}), HasSubstr("--aov"));
-  EXPECT_THAT(render({"a.isl", "-o", "exr:-", "--aov", "depth"}).picture.layers, testing::ElementsAre("depth"));
-  EXPECT_THAT(render({"a.isl", "-o", "png:-", "-o", "a.exr", "--aov", "depth"}).picture.layers,
+  EXPECT_THAT(names_of(render({"a.isl", "-o", "exr:-", "--aov", "depth"}).picture.layers), testing::ElementsAre("depth"));
+  EXPECT_THAT(names_of(render({"a.isl", "-o", "png:-", "-o", "a.exr", "--aov", "depth"}).picture.layers),
               testing::ElementsAre("depth"));
 }
 
@@ -135,7 +141,7 @@ TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depht", "-o", "a.exr"}), HasSubstr("unknown layer `depht`"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depth"}), HasSubstr(".exr"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "cost,depth"}), HasSubstr(".exr"));
-  EXPECT_EQ(render({"a.isl", "--aov", "missed,cost"}).picture.layers, (std::vector<std::string>{"cost", "missed"}));
+  EXPECT_THAT(names_of(render({"a.isl", "--aov", "missed,cost"}).picture.layers), testing::ElementsAre("cost", "missed"));
   EXPECT_THAT(refusal({"render", "a.isl", "--solver", "exact", "--tolerance", "1px"}), HasSubstr("--tolerance"));
   EXPECT_THAT(refusal({"render", "a.isl", "-D", "Levels"}), HasSubstr("expected NAME=VALUE"));
   EXPECT_THAT(refusal({"check", "a.isl", "--format", "xml"}), HasSubstr("`xml`"));

@@ -1,5 +1,6 @@
 // What is told of errors, and what proves a reference: neither may praise what is wrong.
 #include "renderer/accuracy/comparison.h"
+#include "renderer/accuracy/measured_aovs.h"
 #include "renderer/accuracy/measured_layers.h"
 #include "renderer/film/camera.h"
 
@@ -145,33 +146,32 @@ Image layers_of(SolverName solver, const PixelRect& window) {
   image.full_width = 40;
   image.full_height = 30;
   image.window = window;
-  const Aovs aovs{.cost = true, .error = true, .solver_steps = true, .missed = true};
+  Aovs aovs;
+  for (const MeasuredAov& row : measured_aovs()) aovs.push_back(&row.aov);
   EXPECT_TRUE(measure_layers(database, options, tracer, aovs, 0, nullptr, {}, image));
   return image;
 }
 
 TEST(MeasuredLayers, HoldWhatEachCentreRayCostsAndGetsWrong) {
-  const Layers layers = layers_of(SolverName::paper, {0, 0, 40, 30}).layers;
-  ASSERT_EQ(layers.cost.size(), 2u * 1200);
-  ASSERT_EQ(layers.error.size(), 2u * 1200);
-  ASSERT_EQ(layers.solver_steps.size(), 1200u);
-  ASSERT_EQ(layers.missed.size(), 1200u);
+  const Image image = layers_of(SolverName::paper, {0, 0, 40, 30});
+  ASSERT_EQ(image.layers.size(), measured_aovs().size());
+  const auto value = [&](const char* layer, std::size_t pixel) { return image.layer(layer)->at(pixel, 0); };
   const std::size_t corner = 0, on_ball = 15 * 40 + 13;
-  EXPECT_EQ(layers.cost[2 * corner], 0) << "no field reaches the corner";
-  EXPECT_EQ(layers.error[2 * corner], 0);
-  EXPECT_GT(layers.cost[2 * on_ball], 0);
-  EXPECT_GT(layers.solver_steps[on_ball], 0u);
-  EXPECT_GT(layers.error[2 * on_ball], 0);
-  for (std::size_t i = 0; i < 1200; ++i) EXPECT_EQ(std::isinf(layers.error[2 * i]), layers.missed[i] != 0) << i;
+  EXPECT_EQ(value("cost", corner), 0) << "no field reaches the corner";
+  EXPECT_EQ(value("error", corner), 0);
+  EXPECT_GT(value("cost", on_ball), 0);
+  EXPECT_GT(value("solver_steps", on_ball), 0);
+  EXPECT_GT(value("error", on_ball), 0);
+  for (std::size_t i = 0; i < 1200; ++i) EXPECT_EQ(std::isinf(value("error", i)), value("missed", i) != 0) << i;
 }
 
 TEST(MeasuredLayers, AreThoseOfTheWindow) {
-  const Layers whole = layers_of(SolverName::paper, {0, 0, 40, 30}).layers;
-  const Layers part = layers_of(SolverName::paper, {10, 15, 14, 17}).layers;
-  ASSERT_EQ(part.error.size(), 2u * 8);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(part.error[2 * i], whole.error[2 * (15 * 40 + 10 + i)]) << i;
-    EXPECT_EQ(part.cost[2 * i], whole.cost[2 * (15 * 40 + 10 + i)]) << i;
+  const Image whole = layers_of(SolverName::paper, {0, 0, 40, 30});
+  const Image part = layers_of(SolverName::paper, {10, 15, 14, 17});
+  ASSERT_EQ(part.layer("error")->values.size(), 2u * 8);
+  for (const char* layer : {"error", "cost"}) {
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(part.layer(layer)->at(i, 0), whole.layer(layer)->at(15 * 40 + 10 + i, 0)) << layer << i;
   }
 }
 

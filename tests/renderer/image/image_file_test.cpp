@@ -3,6 +3,7 @@
 #include "renderer/image/atomic_file.h"
 #include "renderer/image/transfer.h"
 
+#include "tests/renderer/image/test_layers.h"
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -29,10 +30,12 @@ Image sample_picture() {
 }
 
 void add_layers(Image& image) {
-  image.layers.depth = {1.25f, 2, 3, 4, 1e9f, std::numeric_limits<float>::infinity()};
-  for (int i = 0; i < 18; ++i) image.layers.normal.push_back(static_cast<float>(i) / 18);
-  image.layers.primitive = {0, 1, 70000, 16777217, 5, 0xFFFFFFFFu};
-  image.layers.samples = {1, 16, 1, 16, 1, 1};
+  using test::add_layer;
+  add_layer(image, test::kDepth, {1.25, 2, 3, 4, 1e9, std::numeric_limits<double>::infinity()});
+  Layer& normal = add_layer(image, test::kNormal);
+  for (int i = 0; i < 18; ++i) normal.values[static_cast<std::size_t>(i)] = static_cast<float>(i) / 18;
+  add_layer(image, test::kPrimitive, {0, 1, 70000, 16777217, 5, 0xFFFFFFFFu});
+  add_layer(image, test::kSamples, {1, 16, 1, 16, 1, 1});
 }
 
 /// A file's channels as floats, pixel by pixel.
@@ -155,13 +158,13 @@ TEST(ImageFile, exr_holds_layers_exactly) {
   EXPECT_EQ(file.at(0, "depth.Z"), 1.25f);
   EXPECT_TRUE(std::isinf(file.at(5, "depth.Z")));
   for (std::size_t pixel = 0; pixel < 6; ++pixel) {
-    EXPECT_EQ(file.at(pixel, "normal.X"), image.layers.normal[3 * pixel]);
-    EXPECT_EQ(file.at(pixel, "normal.Z"), image.layers.normal[3 * pixel + 2]);
+    EXPECT_EQ(file.at(pixel, "normal.X"), image.layer("normal")->at(pixel, 0));
+    EXPECT_EQ(file.at(pixel, "normal.Z"), image.layer("normal")->at(pixel, 2));
   }
-  EXPECT_EQ(file.counts, image.layers.samples);
+  EXPECT_EQ(std::vector<double>(file.counts.begin(), file.counts.end()), image.layer("samples")->values);
   // Numbers of primitives are whole: as 32-bit integers, not as floats.
   EXPECT_EQ(file.spec.channelformat(file.spec.channelindex("primitive.id")), OIIO::TypeDesc::UINT32);
-  EXPECT_EQ(file.ids, image.layers.primitive);
+  EXPECT_EQ(std::vector<double>(file.ids.begin(), file.ids.end()), image.layer("primitive")->values);
 }
 
 TEST(ImageFile, exr_knows_where_a_crop_stands) {

@@ -1,6 +1,7 @@
 #include "renderer/image/layer_picture.h"
 
 #include "renderer/image/tiny_text.h"
+#include "tests/renderer/image/test_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +16,6 @@ Image measured(int width, int height) {
   image.full_width = width;
   image.full_height = height;
   image.window = {0, 0, width, height};
-  const std::size_t pixels = image.window.area();
-  image.layers.cost.assign(2 * pixels, 0);
-  image.layers.error.assign(2 * pixels, 0);
-  image.layers.solver_steps.assign(pixels, 0);
-  image.layers.missed.assign(pixels, 0);
   return image;
 }
 
@@ -30,9 +26,10 @@ Rgb colour_at(const Image& image, int x, int y) {
 
 TEST(LayerPictures, ShowErrorsOnOneScale) {
   Image image = measured(200, 50);
-  image.layers.error[2 * 1] = 0.1F;
-  image.layers.error[2 * 2] = std::numeric_limits<float>::infinity();
-  const Image picture = layer_picture(image, "error");
+  Layer& layer = test::add_layer(image, test::kError);
+  layer.at(1)[0] = 0.1;
+  layer.at(2)[0] = std::numeric_limits<double>::infinity();
+  const Image picture = layer_picture(image, layer);
   EXPECT_EQ(colour_at(picture, 0, 0), false_colour(0));
   EXPECT_LT((colour_at(picture, 1, 0) - false_colour(0.5)).length(), 1e-6);
   EXPECT_EQ(colour_at(picture, 2, 0), kMissedColour);
@@ -40,9 +37,10 @@ TEST(LayerPictures, ShowErrorsOnOneScale) {
 
 TEST(LayerPictures, ShowCountsUpToTheGreatest) {
   Image image = measured(200, 50);
-  image.layers.cost[2 * 1] = 64;
-  image.layers.cost[2 * 2] = 1;
-  const Image picture = layer_picture(image, "cost");
+  Layer& layer = test::add_layer(image, test::kCost);
+  layer.at(1)[0] = 64;
+  layer.at(2)[0] = 1;
+  const Image picture = layer_picture(image, layer);
   EXPECT_EQ(colour_at(picture, 0, 0), kBackgroundColour);
   EXPECT_EQ(colour_at(picture, 1, 0), false_colour(1));
   EXPECT_EQ(colour_at(picture, 2, 0), false_colour(0));
@@ -50,15 +48,17 @@ TEST(LayerPictures, ShowCountsUpToTheGreatest) {
 
 TEST(LayerPictures, TellWhatIsMissedFromWhatIsInvented) {
   Image image = measured(200, 50);
-  image.layers.missed[1] = 1;
-  image.layers.missed[2] = 2;
-  const Image picture = layer_picture(image, "missed");
+  Layer& layer = test::add_layer(image, test::kMissed);
+  layer.at(1)[0] = 1;
+  layer.at(2)[0] = 2;
+  const Image picture = layer_picture(image, layer);
   EXPECT_EQ(colour_at(picture, 1, 0), kMissedColour);
   EXPECT_EQ(colour_at(picture, 2, 0), kFalseColour);
 }
 
 TEST(LayerPictures, HaveALegendBelow) {
-  const Image picture = layer_picture(measured(300, 50), "error");
+  Image image = measured(300, 50);
+  const Image picture = layer_picture(image, test::add_layer(image, test::kError));
   EXPECT_EQ(picture.window.width(), 300);
   ASSERT_GT(picture.window.height(), 50);
   const int bar = 50 + kLetterHeight + 6;
@@ -67,10 +67,11 @@ TEST(LayerPictures, HaveALegendBelow) {
 }
 
 TEST(LayerPictures, ManageWithoutRoomForALegend) {
-  for (const char* layer : {"cost", "error", "solver_steps", "missed"}) {
-    const Image picture = layer_picture(measured(1, 1), layer);
-    EXPECT_EQ(picture.window.width(), 1) << layer;
-    EXPECT_EQ(picture.rgba.size(), 4 * picture.window.area()) << layer;
+  for (const Aov* aov : {&test::kCost, &test::kError, &test::kMissed}) {
+    Image image = measured(1, 1);
+    const Image picture = layer_picture(image, test::add_layer(image, *aov));
+    EXPECT_EQ(picture.window.width(), 1) << aov->name;
+    EXPECT_EQ(picture.rgba.size(), 4 * picture.window.area()) << aov->name;
   }
 }
 

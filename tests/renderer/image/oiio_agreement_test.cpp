@@ -1,6 +1,7 @@
 // PNG and EXR are written without OpenImageIO. What it reads of these files is what it reads of the files that it
 // writes itself of the same pictures: every attribute, every channel, every bit of the pixels.
 #include "tests/renderer/image/oiio_reference.h"
+#include "tests/renderer/image/test_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -29,24 +30,19 @@ Image picture(const PixelRect& window, int full_width, int full_height) {
 }
 
 void add_layers(Image& image) {
-  const auto fill = [&](std::vector<float>& values, std::size_t channels, float scale) {
-    for (std::size_t i = 0; i < channels * image.window.area(); ++i)
-      values.push_back(scale * static_cast<float>(i) - 1);
+  const auto fill = [&](const Aov& aov, double scale, double first) {
+    Layer& layer = test::add_layer(image, aov);
+    for (std::size_t i = 0; i < layer.values.size(); ++i) layer.values[i] = scale * static_cast<double>(i) + first;
+    for (std::size_t pixel = 0; pixel < image.window.area(); ++pixel) layer.round(pixel);
   };
-  const auto count = [&](std::vector<std::uint32_t>& values, std::uint32_t step) {
-    for (std::uint32_t i = 0; i < image.window.area(); ++i) values.push_back(step * i);
-  };
-  fill(image.layers.depth, 1, 0.1f);
-  image.layers.depth[0] = std::numeric_limits<float>::infinity();
-  fill(image.layers.position, 3, 10.5f);
-  fill(image.layers.normal, 3, 0.01f);
-  fill(image.layers.albedo, 3, 0.001f);
-  fill(image.layers.cost, 2, 100);
-  fill(image.layers.error, 2, 1e-6f);
-  count(image.layers.primitive, 16777259);
-  count(image.layers.samples, 1);
-  count(image.layers.solver_steps, 3);
-  count(image.layers.missed, 2);
+  fill(test::kDepth, 0.1, -1);
+  image.layers.back().values[0] = std::numeric_limits<double>::infinity();
+  fill(test::kNormal, 0.01, -1);
+  fill(test::kCost, 100, -1);
+  fill(test::kError, 1e-6, -1);
+  fill(test::kPrimitive, 16777259, 0);
+  fill(test::kSamples, 1, 0);
+  fill(test::kMissed, 2, 0);
 }
 
 void expect_agreement(const Image& image, const std::string& format, const ImageFileOptions& options) {

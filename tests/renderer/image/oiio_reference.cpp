@@ -24,32 +24,19 @@ struct Channel {
   std::function<double(std::size_t)> value;
 };
 
-void add_layer(std::vector<Channel>& channels, const std::string& layer, const std::vector<std::string>& suffixes,
-               TypeDesc type, const auto& values) {
-  for (std::size_t i = 0; i < suffixes.size() && !values.empty(); ++i) {
-    channels.push_back({layer + "." + suffixes[i], type, [&values, i, n = suffixes.size()](std::size_t pixel) {
-                          return static_cast<double>(values[n * pixel + i]);
-                        }});
-  }
-}
-
 std::vector<Channel> exr_channels(const Image& image, TypeDesc colour) {
   std::vector<Channel> channels;
   for (std::size_t i = 0; i < (image.has_alpha ? 4 : 3); ++i) {
     channels.push_back(
         {std::string(1, "RGBA"[i]), colour, [&image, i](std::size_t p) { return image.rgba[4 * p + i]; }});
   }
-  const Layers& layers = image.layers;
-  add_layer(channels, "depth", {"Z"}, TypeDesc::FLOAT, layers.depth);
-  add_layer(channels, "position", {"X", "Y", "Z"}, TypeDesc::FLOAT, layers.position);
-  add_layer(channels, "normal", {"X", "Y", "Z"}, TypeDesc::FLOAT, layers.normal);
-  add_layer(channels, "albedo", {"R", "G", "B"}, TypeDesc::FLOAT, layers.albedo);
-  add_layer(channels, "primitive", {"id"}, TypeDesc::UINT32, layers.primitive);
-  add_layer(channels, "samples", {"count"}, TypeDesc::UINT32, layers.samples);
-  add_layer(channels, "cost", {"evaluations", "seconds"}, TypeDesc::FLOAT, layers.cost);
-  add_layer(channels, "error", {"pixels", "units"}, TypeDesc::FLOAT, layers.error);
-  add_layer(channels, "solver_steps", {"count"}, TypeDesc::UINT32, layers.solver_steps);
-  add_layer(channels, "missed", {"kind"}, TypeDesc::UINT32, layers.missed);
+  for (const Layer& layer : image.layers) {
+    const TypeDesc type = layer.aov->value == AovValue::whole ? TypeDesc::UINT32 : TypeDesc::FLOAT;
+    for (std::size_t i = 0; i < layer.aov->channels.size(); ++i) {
+      channels.push_back({fmt::format("{}.{}", layer.aov->name, layer.aov->channels[i]), type,
+                          [&layer, i](std::size_t pixel) { return layer.at(pixel, i); }});
+    }
+  }
   return channels;
 }
 

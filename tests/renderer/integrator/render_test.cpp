@@ -40,6 +40,12 @@ scene::Database lit_sphere(const Vec3& light, double diffuse) {
   return database;
 }
 
+Aovs surface_and_samples() {
+  Aovs aovs{&samples_aov()};
+  for (const SurfaceAov& row : surface_aovs()) aovs.push_back(&row.aov);
+  return aovs;
+}
+
 TEST(Render, a_lit_sphere_is_lamberts_law) {
   const Vec3 light(3, 5, -6);
   RenderOptions options = small();
@@ -84,7 +90,7 @@ TEST(Render, is_the_same_whatever_the_threads_and_the_order_of_tiles) {
   for (const std::optional<int> samples : {std::optional<int>(), std::optional<int>(3)}) {
     RenderOptions options = small(150, 110);
     options.samples = samples;
-    options.aovs = {true, true, true, true, true, true};
+    options.aovs = surface_and_samples();
     options.threads = 1;
     const RenderResult reference = rendered(database, options);
     for (const int threads : {1, 2, 5}) {
@@ -93,10 +99,8 @@ TEST(Render, is_the_same_whatever_the_threads_and_the_order_of_tiles) {
         options.tile_order = order;
         const RenderResult other = rendered(database, options);
         EXPECT_EQ(other.image.rgba, reference.image.rgba);
-        EXPECT_EQ(other.image.layers.depth, reference.image.layers.depth);
-        EXPECT_EQ(other.image.layers.normal, reference.image.layers.normal);
-        EXPECT_EQ(other.image.layers.primitive, reference.image.layers.primitive);
-        EXPECT_EQ(other.image.layers.samples, reference.image.layers.samples);
+        ASSERT_EQ(other.image.layers.size(), 6u);
+        for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(other.image.layers[i].values, reference.image.layers[i].values);
         EXPECT_EQ(other.statistics.paths.shadow, reference.statistics.paths.shadow);
         EXPECT_EQ(other.statistics.counters.cells, reference.statistics.counters.cells);
       }
@@ -107,8 +111,7 @@ TEST(Render, is_the_same_whatever_the_threads_and_the_order_of_tiles) {
 TEST(Render, a_crop_is_that_part_of_the_whole) {
   const scene::Database database = povray_solids();
   RenderOptions options = small(100, 75);
-  options.aovs.depth = true;
-  options.aovs.samples = true;
+  options.aovs = surface_and_samples();
   const Image whole = rendered(database, options).image;
   options.crop = PixelRect{37, 20, 81, 200};
   const Image part = rendered(database, options).image;
@@ -116,25 +119,26 @@ TEST(Render, a_crop_is_that_part_of_the_whole) {
   for (int y = 20; y < 75; ++y) {
     for (int x = 37; x < 81; ++x) {
       ASSERT_EQ(pixel(part, x, y), pixel(whole, x, y)) << x << ", " << y;
-      ASSERT_EQ(part.layers.depth[part.window.index(x, y)], whole.layers.depth[whole.window.index(x, y)]);
-      ASSERT_EQ(part.layers.samples[part.window.index(x, y)], whole.layers.samples[whole.window.index(x, y)]);
+      for (const char* layer : {"depth", "samples"}) {
+        ASSERT_EQ(part.layer(layer)->at(part.window.index(x, y), 0), whole.layer(layer)->at(whole.window.index(x, y), 0));
+      }
     }
   }
 }
 
 TEST(Render, refines_edges_only_and_never_beyond_sixteen) {
   RenderOptions options = small();
-  options.aovs.samples = true;
+  options.aovs = {&samples_aov()};
   const RenderResult result = rendered(lit_sphere({0, 0, -100}, 1), options);
   std::uint64_t rays = 0;
-  for (const std::uint32_t count : result.image.layers.samples) {
+  for (const double count : result.image.layer("samples")->values) {
     EXPECT_TRUE(count == 1 || count == 16);
-    rays += count;
+    rays += static_cast<std::uint64_t>(count);
   }
   EXPECT_EQ(rays, result.statistics.paths.camera);
-  const auto count_at = [&](int x, int y) { return result.image.layers.samples[result.image.window.index(x, y)]; };
-  EXPECT_EQ(count_at(0, 0), 1u) << "background";
-  EXPECT_EQ(count_at(35, 25), 1u) << "the middle of the sphere";
+  const auto count_at = [&](int x, int y) { return result.image.layer("samples")->at(result.image.window.index(x, y), 0); };
+  EXPECT_EQ(count_at(0, 0), 1) << "background";
+  EXPECT_EQ(count_at(35, 25), 1) << "the middle of the sphere";
   EXPECT_GT(result.statistics.samples_per_pixel, 1.1);
   EXPECT_LT(result.statistics.samples_per_pixel, 4);
 }
@@ -142,14 +146,14 @@ TEST(Render, refines_edges_only_and_never_beyond_sixteen) {
 TEST(Render, fully_sampled_pixels_are_those_of_sixteen_samples) {
   const scene::Database database = povray_solids();
   RenderOptions options = small();
-  options.aovs.samples = true;
+  options.aovs = {&samples_aov()};
   const Image adaptive = rendered(database, options).image;
   options.samples = 16;
   const Image full = rendered(database, options).image;
   int refined = 0;
-  for (std::size_t i = 0; i < adaptive.layers.samples.size(); ++i) {
-    ASSERT_EQ(full.layers.samples[i], 16u);
-    if (adaptive.layers.samples[i] != 16) continue;
+  for (std::size_t i = 0; i < adaptive.window.area(); ++i) {
+    ASSERT_EQ(full.layer("samples")->at(i, 0), 16);
+    if (adaptive.layer("samples")->at(i, 0) != 16) continue;
     ++refined;
     for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(adaptive.rgba[4 * i + k], full.rgba[4 * i + k]);
   }
@@ -235,19 +239,18 @@ TEST(Render, a_transmitting_background_is_dimmed) {
 
 TEST(Render, keeps_the_layers_asked_for) {
   RenderOptions options = small(3, 3);
-  options.aovs = {true, true, true, true, true, true};
+  options.aovs = surface_and_samples();
   const Image image = rendered(lit_sphere({0, 0, -100}, 1), options).image;
-  const Layers& layers = image.layers;
   constexpr std::size_t kMiddle = 4;
-  EXPECT_EQ(layers.depth[kMiddle], 3.0f);
-  EXPECT_EQ(layers.position[3 * kMiddle + 2], -1.0f);
-  EXPECT_EQ(layers.normal[3 * kMiddle + 2], -1.0f);
-  EXPECT_EQ(layers.albedo[3 * kMiddle], 1.0f);
-  EXPECT_EQ(layers.primitive[kMiddle], 0u);
-  EXPECT_TRUE(std::isinf(layers.depth[0]));
-  EXPECT_EQ(layers.primitive[0], 0xFFFFFFFFu);
+  EXPECT_EQ(image.layer("depth")->at(kMiddle, 0), 3);
+  EXPECT_EQ(image.layer("position")->at(kMiddle, 2), -1);
+  EXPECT_EQ(image.layer("normal")->at(kMiddle, 2), -1);
+  EXPECT_EQ(image.layer("albedo")->at(kMiddle, 0), 1);
+  EXPECT_EQ(image.layer("primitive")->at(kMiddle, 0), 0);
+  EXPECT_TRUE(std::isinf(image.layer("depth")->at(0, 0)));
+  EXPECT_EQ(image.layer("primitive")->at(0, 0), 0xFFFFFFFFu);
   options.aovs = {};
-  EXPECT_TRUE(rendered(lit_sphere({0, 0, -100}, 1), options).image.layers.depth.empty());
+  EXPECT_TRUE(rendered(lit_sphere({0, 0, -100}, 1), options).image.layers.empty());
 }
 
 TEST(Render, tells_its_progress_and_ends_at_one) {

@@ -1,0 +1,55 @@
+#include "renderer/accuracy/measured_aovs.h"
+
+#include <limits>
+
+namespace isl::render {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::span<const MeasuredAov> measured_aovs() {
+  static const std::vector<MeasuredAov> kAovs{
+      // Seconds are those of one run: no two have the same.
+      {.aov = {.name = "cost",
+               .channels = {"evaluations", "seconds"},
+               .picture = {AovPicture::Kind::counts, "field evaluations"}},
+       .fill =
+           [](const RayMeasure& found, const RayError& /*error*/, double* values) {
+             values[0] = found.field_evaluations;
+             values[1] = found.seconds;
+           }},
+      // Along the ray, in pixels and in scene units; infinite where a surface was missed or false.
+      {.aov = {.name = "error",
+               .channels = {"pixels", "units"},
+               .picture = {AovPicture::Kind::errors, "error px", {{"missed or false", kMissedColour}}}},
+       .needs_reference = true,
+       .fill =
+           [](const RayMeasure& /*found*/, const RayError& error, double* values) {
+             const bool has_both = error.outcome == RayOutcome::hit || error.outcome == RayOutcome::background;
+             values[0] = has_both ? error.pixels : kNever;
+             values[1] = has_both ? error.units : kNever;
+           }},
+      // Cells of the grid whose fields were solved.
+      {.aov = {.name = "solver_steps",
+               .channels = {"count"},
+               .value = AovValue::whole,
+               .picture = {AovPicture::Kind::counts, "solver steps"}},
+       .fill = [](const RayMeasure& found, const RayError& /*error*/,
+                  double* values) { *values = found.solver_steps; }},
+      // 1: a surface is there and none was found; 2: the other way round.
+      {.aov = {.name = "missed",
+               .channels = {"kind"},
+               .value = AovValue::whole,
+               .picture = {AovPicture::Kind::kinds, "surfaces", {{"missed", kMissedColour}, {"false", kFalseColour}}}},
+       .needs_reference = true,
+       .fill =
+           [](const RayMeasure& /*found*/, const RayError& error, double* values) {
+             *values = error.outcome == RayOutcome::missed ? 1 : error.outcome == RayOutcome::false_surface ? 2 : 0;
+           }},
+  };
+  return kAovs;
+}
+
+}  // namespace isl::render

@@ -1,0 +1,30 @@
+// Output variables of the surface that a pixel's centre ray sees, unfiltered: an average of two depths or two numbers is on neither
+// surface. A new one is a row of the table in surface_aovs.cpp.
+#pragma once
+
+#include "renderer/image/aov.h"
+#include "renderer/rays/ray.h"
+#include "renderer/rays/surface_point.h"
+
+#include <span>
+
+namespace isl::render {
+
+/// What the centre sample of a pixel saw.
+struct SeenSurface {
+  const Hit* hit = nullptr;             ///< never null
+  const SurfacePoint* point = nullptr;  ///< null for a miss
+  Rgb albedo{0};                        ///< linear
+};
+
+struct SurfaceAov {
+  Aov aov;
+  void (*fill)(const SeenSurface& seen, double* values);  ///< not called for a miss
+};
+
+[[nodiscard]] std::span<const SurfaceAov> surface_aovs();
+
+/// How many camera rays a pixel got. The film counts them anyway.
+[[nodiscard]] const Aov& samples_aov();
+
+}  // namespace isl::render
