@@ -34,7 +34,7 @@ render::ColourScale cost_scale(const AccuracyReport& report) {
   double most = 0;
   for (const render::Measured& measured : report.comparison.settings) {
     for (const render::RayMeasure& ray : measured.rays)
-      most = std::max(most, static_cast<double>(ray.field_evaluations));
+      most = std::max(most, static_cast<double>(ray.counters.field_evaluations));
   }
   return render::count_scale(most);
 }
@@ -67,7 +67,7 @@ AccuracyPictures accuracy_pictures(const AccuracyReport& report, const render::I
     pictures.errors.push_back(
         address_of(painted(report.size, [&](std::size_t i) { return error_colour(measured.errors[i]); })));
     pictures.costs.push_back(address_of(painted(report.size, [&](std::size_t i) {
-      const std::uint32_t evaluations = measured.rays[i].field_evaluations;
+      const auto evaluations = static_cast<double>(measured.rays[i].counters.field_evaluations);
       return evaluations == 0 ? render::kBackgroundColour : colour_of(pictures.scales.cost, evaluations);
     })));
   }

@@ -17,7 +17,7 @@ std::span<const MeasuredAov> measured_aovs() {
                .picture = {AovPicture::Kind::counts, "field evaluations"}},
        .fill =
            [](const RayMeasure& found, const RayError& /*error*/, double* values) {
-             values[0] = found.field_evaluations;
+             values[0] = static_cast<double>(found.counters.field_evaluations);
              values[1] = found.seconds;
            }},
       // Along the ray, in pixels and in scene units; infinite where a surface was missed or false.
@@ -37,7 +37,7 @@ std::span<const MeasuredAov> measured_aovs() {
                .value = AovValue::whole,
                .picture = {AovPicture::Kind::counts, "solver steps"}},
        .fill = [](const RayMeasure& found, const RayError& /*error*/,
-                  double* values) { *values = found.solver_steps; }},
+                  double* values) { *values = static_cast<double>(found.counters.cells); }},
       // 1: a surface is there and none was found; 2: the other way round.
       {.aov = {.name = "missed",
                .channels = {"kind"},

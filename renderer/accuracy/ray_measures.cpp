@@ -28,8 +28,7 @@ RayMeasure measure(const Tracer& tracer, const Ray& ray) {
   tracer.first_hits(std::span(&ray, 1), std::span(&hit, 1), counters);
   const std::chrono::duration<float> seconds = Clock::now() - begin;
   return {.t = hit.is_miss() ? std::numeric_limits<double>::infinity() : hit.t,
-          .field_evaluations = static_cast<std::uint32_t>(counters.field_evaluations),
-          .solver_steps = static_cast<std::uint32_t>(counters.cells),
+          .counters = counters,
           .seconds = seconds.count()};
 }
 

@@ -15,8 +15,7 @@ namespace isl::render {
 
 struct RayMeasure {
   double t = 0;  ///< along the ray, scene units; infinite for a miss
-  std::uint32_t field_evaluations = 0;
-  std::uint32_t solver_steps = 0;  ///< cells of the grid whose fields were solved
+  TraceCounters counters{};  ///< of this ray
   float seconds = 0;               ///< by the wall clock, some 30 ns of its own included
 
   [[nodiscard]] bool is_miss() const { return t == std::numeric_limits<double>::infinity(); }
