@@ -46,7 +46,17 @@ Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const
 
 // ---- Complaints -----------------------------------------------------------------------------------------------------
 
+bool Context::is_said(Severity severity, SourceSpan span, const std::string& message) {
+  return !said_.emplace(severity, span.begin, span.end, message).second;
+}
+
 void Context::error(SourceSpan span, std::string message, std::string hint) {
+  // Loops and macros meet the same mistake again and again. One that only repeats it must still end.
+  constexpr std::size_t kMaxRepeatedErrors = 1000;
+  if (is_said(Severity::error, span, message)) {
+    if (++repeated_errors_ == kMaxRepeatedErrors) throw Stopped{};
+    return;
+  }
   sink_.report({Severity::error, span, std::move(message), std::move(hint), {}, chain()});
   if (sink_.is_full()) throw Stopped{};
 }
@@ -62,7 +72,7 @@ void Context::stop(SourceSpan span, std::string message, std::string hint) {
 }
 
 void Context::warn(SourceSpan span, std::string message, std::string hint) {
-  if (sink_.is_full_of_warnings() || !warnings_.emplace(span.begin, span.end, message).second) return;
+  if (sink_.is_full_of_warnings() || is_said(Severity::warning, span, message)) return;
   sink_.report({Severity::warning, span, std::move(message), std::move(hint), {}, chain()});
 }
 

@@ -155,12 +155,15 @@ class Context {
   void look_at_turns(SourceSpan span);
   [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
   void check_stop(SourceSpan span);
+  /// Whether this was told before of the same place; from now on it was.
+  [[nodiscard]] bool is_said(Severity severity, SourceSpan span, const std::string& message);
   [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
 
   DiagnosticSink& sink_;
-  std::set<const grammar::Complaint*> told_;                                  ///< complaints of the texts
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> warnings_;  ///< already reported
+  std::set<const grammar::Complaint*> told_;  ///< complaints of the texts
+  std::set<std::tuple<Severity, std::uint32_t, std::uint32_t, std::string>> said_;  ///< already reported
+  std::size_t repeated_errors_ = 0;  ///< errors that were found again at their place, and not told again
   std::size_t depth_ = 0;
   std::uint64_t turns_ = 0;
   std::uint64_t next_look_ = 1;  ///< value of turns_ at the next look
