@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 12> kBinaryOps{"+", "-", "*", "/", "<", "
 constexpr std::array<std::string_view, 3> kMessageKinds{"debug", "warning", "error"};
 
 /// The text as a string literal on one line.
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '\n') {
@@ -83,7 +83,7 @@ class TreeDump {
 void TreeDump::expression(const Node& node) {
   switch (node.kind) {
     case NodeKind::number: return line(fmt::format("number {}", as<Number>(node).value));
-    case NodeKind::string: return line("string " + quoted(as<String>(node).text));
+    case NodeKind::string: return line("string " + quoted_text(as<String>(node).text));
     case NodeKind::constant: return line(fmt::format("constant {}", text(as<Constant>(node).word)));
     case NodeKind::name: return line(fmt::format("name {}", text(as<Name>(node).name)));
     case NodeKind::index:
@@ -146,7 +146,7 @@ void TreeDump::element(const Node& node) {
       const Complaint* const complaint = as<Error>(node).complaint;
       if (complaint == nullptr) return line("error");
       const char* const severity = complaint->is_error() ? "error" : "warning";
-      return line(fmt::format("{} {}", severity, quoted(complaint->diagnostic.message)));
+      return line(fmt::format("{} {}", severity, quoted_text(complaint->diagnostic.message)));
     }
     default: return directive(node);
   }
