@@ -16,7 +16,9 @@ self=$0
 root=$(CDPATH='' cd -- "$(dirname -- "$self")" && pwd -P) || exit 3
 build=$root/build/release
 program=$build/bin/isl
-stamp=$build/launcher.stamp  # holds the checkout's path; its time is when the last good build began
+stamp=$build/launcher.stamp  # holds the checkout's path and the machine; its time is when the last good build began
+rivals=$build/launcher.rivals  # the same for the module of the rival solvers
+rival_solvers="interval lg march climb sphere segment inclusion"
 log=$root/build/launcher.log
 
 say() { printf 'isl: %s\n' "$*" >&2; }
@@ -34,11 +36,63 @@ run() {
   exit 3
 }
 
-# True if the program was built here and no input of the build is newer. `find` sees a removed file by its folder's time.
+# show_progress TITLE: copies what ninja prints to the log, and shows its count: always on a terminal, else at every tenth.
+show_progress() {
+  shown=0
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >>"$log"
+    case $line in "["[0-9]*/[0-9]*"] "*) ;; *) continue ;; esac
+    count=${line%%]*}
+    count=${count#[}
+    if [ -t 2 ]; then
+      printf '\risl: %s [%s] ' "$1" "$count" >&2
+      continue
+    fi
+    tenth=$((10 * ${count%/*} / ${count#*/}))
+    [ "$tenth" -le "$shown" ] || say "$1 [$count]"
+    [ "$tenth" -le "$shown" ] || shown=$tenth
+  done
+  [ ! -t 2 ] || printf '\r\033[K' >&2
+}
+
+# run_build TITLE COMMAND…: as `run`, with ninja's progress.
+run_build() {
+  title=$1
+  shift
+  say "$title …"
+  printf '\n==> %s: %s\n' "$title" "$*" >>"$log"
+  begin=$(($(wc -l <"$log") + 1))
+  status=$({ { "$@" 2>&1 </dev/null; echo $? >&3; } | show_progress "$title"; } 3>&1)
+  [ "$status" = 0 ] && return
+  say "$title failed; the end of $log:"
+  tail -n "+$begin" "$log" | tail -n 30 >&2
+  exit 3
+}
+
+# The inner loops are compiled for this machine's vectors, so another machine that shares the folder builds anew.
+built_here() { printf '%s on %s' "$root" "$(sed -n '/^flags/{p;q}' /proc/cpuinfo 2>/dev/null | cksum)"; }
+
+# is_fresh STAMP FILE: true if FILE was built here and no input of the build is newer. `find` sees a removed file by its folder's
+# time.
 is_fresh() {
-  [ -x "$program" ] && [ -r "$stamp" ] && read -r built_from <"$stamp" && [ "$built_from" = "$root" ] || return 1
+  [ -e "$2" ] && [ -r "$1" ] && read -r built <"$1" && [ "$built" = "$(built_here)" ] || return 1
   [ -z "$(cd "$root" && find isl CMakeLists.txt CMakePresets.json cmake base grammar interpreter renderer cli \
-    -newer "$stamp" -print 2>/dev/null | head -n 1)" ]
+    -newer "$1" -print 2>/dev/null | head -n 1)" ]
+}
+
+# needs_rivals ARGUMENT…: true if the command compares solvers or names a rival.
+needs_rivals() {
+  [ "${1:-}" != accuracy ] || return 0
+  for argument in "$@"; do
+    for rival in $rival_solvers; do
+      case ${argument#*=} in "$rival" | "$rival":* | "$rival "*) return 0 ;; esac
+    done
+  done
+  return 1
+}
+
+is_ready() {
+  is_fresh "$stamp" "$program" && { ! needs_rivals "$@" || is_fresh "$rivals" "$build/lib/isl/isl_rivals.so"; }
 }
 
 is_debian_12() {
@@ -87,42 +141,56 @@ unlock() { exec 9>&-; }
 
 cores() { nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; }
 
-# A build folder that was copied along with the checkout points to the old place.
+# A build folder that was copied along with the checkout points to the old place; one for another machine's vectors is of no use.
 drop_foreign() {
-  [ ! -f "$1/CMakeCache.txt" ] || grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" || rm -rf "$1"
+  [ -f "$1/CMakeCache.txt" ] || return 0
+  grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" || rm -rf "$1"
+  ! grep -q '^ISL_VECTOR_WIDTHS:STRING=machine$' "$1/CMakeCache.txt" 2>/dev/null || [ ! -r "$1/launcher.stamp" ] ||
+    [ "$(head -n 1 "$1/launcher.stamp")" = "$(built_here)" ] || rm -rf "$1"
 }
 
-# is_configured FOLDER [-DNAME=VALUE]: true if CMake need not run again; ninja detects changes of CMakeLists.txt.
+# is_configured FOLDER -DNAME=VALUE…: true if CMake need not run again; ninja detects changes of CMakeLists.txt.
 is_configured() {
   [ -f "$1/build.ninja" ] && [ -z "$(find "$root/CMakePresets.json" -newer "$1/build.ninja")" ] || return 1
-  [ -n "${2:-}" ] || return 0
-  name=${2#-D}
-  grep -q "^${name%%=*}:[A-Z]*=${name#*=}\$" "$1/CMakeCache.txt"
+  cache=$1/CMakeCache.txt
+  shift
+  for setting in "$@"; do
+    name=${setting#-D}
+    grep -q "^${name%%=*}:[A-Z]*=${name#*=}\$" "$cache" || return 1
+  done
 }
 
-# build_with PRESET TARGET [-DNAME=VALUE]: configures if necessary and builds.
+# build_with PRESET TARGET STAMP -DNAME=VALUE…: configures if necessary and builds.
 build_with() {
-  folder=$root/build/$1
+  preset=$1 target=$2 next=$3.next last=$3
+  shift 3
+  folder=$root/build/$preset
   drop_foreign "$folder"
-  [ -f "$folder/launcher.stamp" ] || say "the first build takes some minutes"
-  mkdir -p "$folder" && printf '%s\n' "$root" >"$folder/launcher.next" || exit 3
-  is_configured "$folder" "${3:-}" || run "configuring ($1)" cmake -S "$root" --preset "$1" ${3:-}
-  run "building ($1)" cmake --build "$folder" --target "$2" -j "$(cores)"
-  mv "$folder/launcher.next" "$folder/launcher.stamp"
+  [ -f "$folder/build.ninja" ] || say "the first build takes some minutes"
+  mkdir -p "$folder" && printf '%s\n' "$(built_here)" >"$next" || exit 3
+  is_configured "$folder" "$@" || run "configuring ($preset)" cmake -S "$root" --preset "$preset" "$@"
+  run_build "building ($preset)" cmake --build "$folder" --target "$target" -j "$(cores)"
+  mv "$next" "$last"
+}
+
+# build_program TARGET STAMP: with the settings of an earlier build, which may have had the tests, or else for this machine alone.
+build_program() {
+  drop_foreign "$build"
+  if [ -f "$build/build.ninja" ]; then
+    (cd "$root" && build_with release "$1" "$2") || exit $?
+  else
+    (cd "$root" && build_with release "$1" "$2" -DISL_TESTS=OFF -DISL_VECTOR_WIDTHS=machine) || exit $?
+  fi
 }
 
 set_up() {
   lock
-  if ! is_fresh; then  # another run may have built it while this one waited
+  if ! is_ready "$@"; then  # another run may have built it while this one waited
     : >"$log"
-    require $build_packages
     began=$(date +%s)
-    drop_foreign "$build"
-    if [ -f "$build/build.ninja" ]; then  # keeps the tests if they were configured last
-      (cd "$root" && build_with release isl_program) || exit $?
-    else
-      (cd "$root" && build_with release isl_program -DISL_TESTS=OFF) || exit $?
-    fi
+    require $build_packages
+    is_fresh "$stamp" "$program" || build_program isl_program "$stamp"
+    ! needs_rivals "$@" || build_program isl_rivals "$rivals"
     say "ready after $(($(date +%s) - began)) s"
   fi
   unlock
@@ -136,8 +204,9 @@ run_tests() {
   : >"$log"
   require $build_packages $test_packages
   cd "$root" || exit 3
-  (build_with release all -DISL_TESTS=ON) || exit $?
-  [ -z "$asan" ] || (build_with asan all) || exit $?
+  (build_with release all "$stamp" -DISL_TESTS=ON -DISL_VECTOR_WIDTHS=all) || exit $?
+  cp -p "$stamp" "$rivals"
+  [ -z "$asan" ] || (build_with asan all "$root/build/asan/launcher.stamp") || exit $?
   status=0
   if [ -n "$asan" ]; then
     say "quick tests with the address and undefined-behaviour sanitizers"
@@ -151,5 +220,5 @@ if [ "${1:-}" = test ]; then
   shift
   run_tests "$@"
 fi
-is_fresh || set_up
+is_ready "$@" || set_up "$@"
 exec "$program" "$@"

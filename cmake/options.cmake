@@ -12,9 +12,4 @@ target_compile_options(isl_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   $<$<BOOL:${ISL_WERROR}>:-Werror>)
 
-# With one vector width: what makes it Highway's baseline. Its own on x86 is one lane, which takes the compiler longer than four
-# registers of two.
-if(ISL_ONE_VECTOR_WIDTH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(ISL_ONE_WIDTH_DEFINITIONS
-    "HWY_BASELINE_TARGETS=(HWY_SSE4|HWY_SCALAR)" "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX2|HWY_AVX3|HWY_AVX3_DL)")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/vector_widths.cmake)

@@ -104,6 +104,12 @@ ExitCode run(const AccuracyCommand& command) {
   report.command = command_text(command);
   report.size = command.scene.size;
   report.rungs = ladder(command, drawable.database());
+  for (const Rung& rung : report.rungs) {
+    if (const std::string problem = render::Tracer::problem_of(rung.tracer.solver); !problem.empty()) {
+      print_error(fmt::format("--setting {}: {}", rung.setting.name(), problem));
+      return ExitCode::file_error;
+    }
+  }
   report.comparison = measure(command, report.rungs, drawable.database());
   if (!report.comparison.complete) return report_failure(session, ExitCode::interrupted);
 

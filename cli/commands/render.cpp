@@ -135,6 +135,12 @@ ExitCode run(const RenderCommand& command) {
                             command.picture.simd));
     return ExitCode::command_line_error;
   }
+  if (command.picture.solver) {
+    if (const std::string problem = render::Tracer::problem_of(command.picture.solver->name); !problem.empty()) {
+      print_error(fmt::format("--solver: {}", problem));
+      return ExitCode::file_error;
+    }
+  }
   std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
   if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);

@@ -6,7 +6,7 @@
 #include "renderer/solids/solid.h"
 #include "renderer/trace/cutaway.h"
 #include "renderer/trace/face.h"
-#include "renderer/trace/rival_kernel.h"
+#include "renderer/trace/rival_module.h"
 #include "renderer/trace/trace_kernel.h"
 
 namespace isl::render {
@@ -96,11 +96,18 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
   }
   impl_->kernel = trace_kernel(options.simd);
   ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
-  impl_->loops = is_rival(options.solver) ? rival_kernel(options.simd) : &impl_->kernel->loops;
+  impl_->loops = &impl_->kernel->loops;
+  if (is_rival(options.solver)) {
+    const RivalLoops rivals = rival_loops(options.simd);
+    ISL_CHECK(rivals.loops != nullptr, "{}", rivals.error);
+    impl_->loops = rivals.loops;
+  }
 }
 
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
+
+std::string Tracer::problem_of(SolverName solver) { return is_rival(solver) ? rival_loops("").error : ""; }
 
 bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name) != nullptr; }
 

@@ -20,6 +20,7 @@ struct Face;  // trace/face.h
 /// A database made ready to be traced. Immutable; every member may be called from many threads.
 class Tracer {
  public:
+  /// Precondition: problem_of(options.solver) is empty, and the program has options.simd.
   Tracer(const scene::Database& database, const TracerOptions& options);
   ~Tracer();
   Tracer(Tracer&&) noexcept;
@@ -42,6 +43,9 @@ class Tracer {
   /// The face that was hit, at a point of the surface or near it, and how far rounding may have moved it. `reach` is
   /// the point's (trace/face.h).
   [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const;
+
+  /// The reason why this program has no such solver (lower case, no full stop), or "". A rival's module is loaded here.
+  [[nodiscard]] static std::string problem_of(SolverName solver);
 
   /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
   [[nodiscard]] static bool has_simd_target(const std::string& name);

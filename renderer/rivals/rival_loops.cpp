@@ -1,9 +1,9 @@
 // The rival solvers' inner loops, compiled and chosen as the product's are (trace_kernel.cpp), which they leave as it
 // is: the world, the grids and the cells' driver are the same code, and only what finds a root in a cell is a rival's.
-#include "renderer/trace/rival_kernel.h"
+#include "renderer/trace/rival_module.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "renderer/trace/rival_kernel.cpp"
+#define HWY_TARGET_INCLUDE "renderer/rivals/rival_loops.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
@@ -60,7 +60,7 @@ void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
 }
 
-const TraceLoops* rival_loops() {
+const TraceLoops* loops() {
   static const TraceLoops instance{rival_first_hits, rival_occlusions};
   return &instance;
 }
@@ -71,13 +71,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "renderer/simd/vector_targets.h"
+#include "renderer/trace/header_stamp.h"
 
-namespace isl::render {
+const char* isl_rivals_stamp() { return isl::render::kHeaderStamp; }
 
-const TraceLoops* rival_kernel(const std::string& target) {
-  static constexpr VectorTarget<TraceLoops> kTargets[] = {ISL_VECTOR_TARGETS(rival_loops)};
+const isl::render::TraceLoops* isl_rivals_loops(const char* target) {
+  using namespace isl::render;
+  static constexpr VectorTarget<TraceLoops> kTargets[] = {ISL_VECTOR_TARGETS(loops)};
   return kernel_of<TraceLoops>(kTargets, target);
 }
-
-}  // namespace isl::render
 #endif
