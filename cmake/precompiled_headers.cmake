@@ -21,35 +21,38 @@ function(isl_compiled_header name)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
-# isl_share_compiled_header(FOLDER HEADER): for all programs and libraries of the folder and those below.
+# isl_share_compiled_header(FOLDER HEADER LIBRARIES …): for all programs and libraries of the folder and those below.
 function(isl_share_compiled_header folder header)
+  cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(type MATCHES "^(STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$")
       target_compile_options(${target} PRIVATE -fpch-preprocess)
+      target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})  # their definitions must agree with the compiled header's
       target_precompile_headers(${target} REUSE_FROM ${header})
     endif()
   endforeach()
   get_property(subfolders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(subfolder IN LISTS subfolders)
-    isl_share_compiled_header(${subfolder} ${header})
+    isl_share_compiled_header(${subfolder} ${header} LIBRARIES ${arg_LIBRARIES})
   endforeach()
 endfunction()
 
 if(ISL_PCH AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(libraries fmt::fmt Imath::Imath nlohmann_json::nlohmann_json)
   isl_compiled_header(isl_production_header
-    LIBRARIES fmt::fmt Imath::Imath nlohmann_json::nlohmann_json
+    LIBRARIES ${libraries}
     HEADERS ${isl_pch_standard} <fmt/format.h> <ImathBox.h> <ImathMatrix.h> <ImathVec.h> <nlohmann/json.hpp>)
   foreach(part base grammar interpreter renderer cli)
-    isl_share_compiled_header(${PROJECT_SOURCE_DIR}/${part} isl_production_header)
+    isl_share_compiled_header(${PROJECT_SOURCE_DIR}/${part} isl_production_header LIBRARIES ${libraries})
   endforeach()
   if(ISL_TESTS)
     find_package(GTest REQUIRED)  # found before in the scope of tests/ only
     isl_compiled_header(isl_tests_header
-      LIBRARIES fmt::fmt Imath::Imath nlohmann_json::nlohmann_json GTest::gmock
+      LIBRARIES ${libraries} GTest::gmock
       HEADERS ${isl_pch_standard} <fstream> <random> <sstream> <fmt/format.h> <ImathBox.h> <ImathMatrix.h> <ImathVec.h>
         <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>)
-    isl_share_compiled_header(${PROJECT_SOURCE_DIR}/tests isl_tests_header)
+    isl_share_compiled_header(${PROJECT_SOURCE_DIR}/tests isl_tests_header LIBRARIES ${libraries} GTest::gmock)
   endif()
 endif()

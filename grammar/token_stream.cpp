@@ -276,7 +276,7 @@ void TokenStream::complain_half_split(const Opening& directive) {
   Diagnostic diagnostic;
   diagnostic.span = directive.split_else;
   diagnostic.message = "expected `}` before `#else`";
-  diagnostic.notes.push_back({directive.split_brace, "to close this `{`"});
+  diagnostic.notes.emplace_back(directive.split_brace, "to close this `{`");
   complaints_.report(std::move(diagnostic));
 }
 
