@@ -1,6 +1,7 @@
 #!/bin/sh
 # Launcher of a source checkout: installs what is missing (Debian 12), builds, then runs the program with the same
-# arguments. `./isl test` builds and runs the tests instead. The launcher prints to standard error only.
+# arguments. `./isl test` builds and runs the tests instead; `./isl style` checks how the code is written. The launcher prints to
+# standard error only.
 # The installed program (cmake --install) is the one that this script starts at its end; it needs no launcher.
 # shellcheck disable=SC1091,SC2086  # lists of packages are split into words on purpose
 set -u
@@ -10,6 +11,8 @@ set -u
 build_packages="g++ cmake ninja-build flex bison libfmt-dev libimath-dev libhwy-dev libtbb-dev libcli11-dev
 nlohmann-json3-dev libpng-dev zlib1g-dev libopenexr-dev libopenimageio-dev openimageio-tools"
 test_packages="libgtest-dev libgmock-dev librapidcheck-dev libboost-dev libmpfr-dev"
+
+style_packages="clang-format clang-tidy git"
 
 self=$0
 [ ! -h "$self" ] || self=$(readlink -f -- "$self")
@@ -204,7 +207,8 @@ run_tests() {
   : >"$log"
   require $build_packages $test_packages
   cd "$root" || exit 3
-  (build_with release all "$stamp" -DISL_TESTS=ON -DISL_VECTOR_WIDTHS=all) || exit $?
+  # Another compiler may warn of what this one does not, so warnings are errors in checks only.
+  (build_with release all "$stamp" -DISL_TESTS=ON -DISL_VECTOR_WIDTHS=all ${asan:+-DISL_WERROR=ON}) || exit $?
   cp -p "$stamp" "$rivals"
   [ -z "$asan" ] || (build_with asan all "$root/build/asan/launcher.stamp") || exit $?
   status=0
@@ -216,6 +220,30 @@ run_tests() {
   exit $status
 }
 
+# check_style [COMMIT]: the format of every file, and clang-tidy on what changed since the commit (the one before the last).
+check_style() {
+  lock
+  : >"$log"
+  require $build_packages $test_packages $style_packages
+  cd "$root" || exit 3
+  status=0
+  say "format of every file"
+  git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror || status=1
+  base=${1:-HEAD~1}
+  changed=$(git diff --name-only --diff-filter=d "$base" -- '*.cpp' 2>/dev/null) || changed=
+  [ -n "$changed" ] || { say "no source changed since $base"; exit $status; }
+  # The lexer and the parser are included by others, so they must have been made.
+  (build_with release isl_grammar "$build/launcher.style" -DISL_TESTS=ON) || exit $?
+  say "clang-tidy on $(printf '%s\n' "$changed" | wc -l) files that changed since $base"
+  printf '%s\n' "$changed" | xargs -P "$(cores)" -n 1 clang-tidy -p "$build" --quiet --warnings-as-errors='*' \
+    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument || status=1
+  exit $status
+}
+
+if [ "${1:-}" = style ]; then
+  shift
+  check_style "$@"
+fi
 if [ "${1:-}" = test ]; then
   shift
   run_tests "$@"
