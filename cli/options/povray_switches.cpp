@@ -39,7 +39,7 @@ bool takes_next(string_view option) {
          (option.starts_with("--") && option.find('=') == string_view::npos);
 }
 
-std::string quoted(string_view value) {
+std::string shell_quoted(string_view value) {
   return value.find_first_of(" \t\"'$") == string_view::npos ? std::string(value) : fmt::format("'{}'", value);
 }
 
@@ -55,7 +55,7 @@ class Translation {
   void add(const PovraySetting& setting, const std::string& argument) {
     const string_view key = setting.option->key;
     if (!setting.option->ours.empty()) {
-      options_ += fmt::format(" {} {}", setting.option->ours, quoted(setting.value));
+      options_ += fmt::format(" {} {}", setting.option->ours, shell_quoted(setting.value));
     } else if (key == "antialias_threshold") {
       options_ += setting.on ? " --aa " + (setting.value.empty() ? "0.3" : setting.value) : " --samples 1";
     } else if (key == "output_alpha" && setting.on) {
@@ -73,9 +73,9 @@ class Translation {
   [[nodiscard]] const std::string& ignored() const { return ignored_; }
 
   [[nodiscard]] std::string command_line() const {
-    std::string line = "isl render " + (scene_.empty() ? "SCENE" : quoted(scene_));
+    std::string line = "isl render " + (scene_.empty() ? "SCENE" : shell_quoted(scene_));
     if (!output_.empty()) {
-      line += " -o " + quoted(output_);
+      line += " -o " + shell_quoted(output_);
     } else if (extension(type_) != ".png") {
       line += fmt::format(" -o NAME{}", extension(type_));
     }
