@@ -18,7 +18,9 @@ struct Rivals {
 
 Rivals load() {
   ProgramModule module = load_program_module("isl_rivals.so");
-  if (!module.error.empty()) return {.error = module.error};
+  if (!module.error.empty()) {
+    return {.error = module.error + "; it holds the rival solvers and is made by the build's target `isl_rivals`"};
+  }
   const auto stamp = module.function<Stamp>("isl_rivals_stamp");
   const auto loops = module.function<Loops>("isl_rivals_loops");
   if (stamp == nullptr || loops == nullptr || std::strcmp(stamp(), kHeaderStamp) != 0) module.fail_as_foreign();
