@@ -21,7 +21,7 @@ build=$root/build/release
 program=$build/bin/isl
 stamp=$build/launcher.stamp  # holds the checkout's path and the machine; its time is when the last good build began
 rivals=$build/launcher.rivals  # the same for the module of the rival solvers
-rival_solvers="interval lg march climb sphere segment inclusion"
+rival_solvers=$(sed -n 's/^ISL_RIVAL(\([a-z]*\),.*/\1/p' "$root/renderer/rays/solvers.def")
 log=$root/build/launcher.log
 
 say() { printf 'isl: %s\n' "$*" >&2; }

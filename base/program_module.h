@@ -1,5 +1,5 @@
-// Shared libraries that belong to the program and are loaded when they are first needed, so that nobody waits for a library that
-// they do not use. The only place that knows of dynamic loading.
+// Shared libraries that belong to the program and are loaded when they are first needed, so that nobody waits for a
+// library that they do not use. The only place that knows of dynamic loading.
 #pragma once
 
 #include "base/program_folder.h"
@@ -13,8 +13,8 @@
 
 namespace isl {
 
-/// A loaded module, or the reason why it could not be loaded (lower case, no full stop). It is never unloaded: libraries keep threads
-/// and static objects that outlive each use.
+/// A loaded module, or the reason why it could not be loaded (lower case, no full stop). It is never unloaded:
+/// libraries keep threads and static objects that outlive each use.
 struct ProgramModule {
   void* handle = nullptr;
   std::filesystem::path path;

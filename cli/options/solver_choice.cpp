@@ -12,29 +12,12 @@
 namespace isl::cli {
 namespace {
 
+using render::kSolvers;
+using render::NamedSolver;
 using render::PaperSwitch;
 using render::PaperSwitches;
 using render::SolverName;
-
-/// The kind of argument after a solver's colon.
-enum class Argument { none, interpolants, step, relaxation, octree, single };
-
-struct NamedSolver {
-  std::string_view word;
-  SolverName name;
-  Argument argument = Argument::none;
-};
-constexpr NamedSolver kSolvers[] = {{"hermite", SolverName::hermite, Argument::single},
-                                    {"exact", SolverName::exact, Argument::single},
-                                    {"paper", SolverName::paper, Argument::interpolants},
-                                    {"iso", SolverName::iso},
-                                    {"interval", SolverName::interval},
-                                    {"lg", SolverName::lg, Argument::octree},
-                                    {"march", SolverName::march, Argument::step},
-                                    {"climb", SolverName::climb, Argument::step},
-                                    {"sphere", SolverName::sphere, Argument::relaxation},
-                                    {"segment", SolverName::segment},
-                                    {"inclusion", SolverName::inclusion}};
+using Argument = render::SolverArgument;
 
 constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kOctree = "octree";

@@ -3,30 +3,46 @@
 
 #include "renderer/rays/paper_switches.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace isl::render {
 
 enum class SolverName : std::uint8_t {
-  hermite,
-  paper,
-  exact,
-  iso,
-  interval,
-  lg,
-  march,
-  climb,
-  sphere,
-  segment,
-  inclusion
+#define ISL_SOLVER(word, family, argument) word,
+#include "renderer/rays/solvers.def"
 };
 
-/// Whether it is the published solver or one of its kin, which has its switches.
-[[nodiscard]] inline bool is_published(SolverName name) { return name == SolverName::paper || name == SolverName::iso; }
+/// The certified solver, Sherstyuk's published one with its kin, or another way of finding a root in a cell, for
+/// comparison.
+enum class SolverFamily : std::uint8_t { product, published, rival };
 
-/// Whether it is another way of finding a root in a cell, for comparison (solvers/baselines/rival_solver-inl.h).
-[[nodiscard]] inline bool is_rival(SolverName name) { return name >= SolverName::interval; }
+/// The kind of text that may follow the solver's name.
+enum class SolverArgument : std::uint8_t { none, interpolants, step, relaxation, octree, single };
+
+struct NamedSolver {
+  std::string_view word;
+  SolverName name;
+  SolverFamily family;
+  SolverArgument argument;
+};
+/// In the order of SolverName.
+inline constexpr NamedSolver kSolvers[] = {
+#define ISL_SOLVER(word, family, argument) {#word, SolverName::word, SolverFamily::family, SolverArgument::argument},
+#include "renderer/rays/solvers.def"
+};
+
+[[nodiscard]] constexpr SolverFamily family_of(SolverName name) {
+  return kSolvers[static_cast<std::size_t>(name)].family;
+}
+
+/// True of the published solver and its kin, which have its switches.
+[[nodiscard]] constexpr bool is_published(SolverName name) { return family_of(name) == SolverFamily::published; }
+
+/// True of the solvers in renderer/solvers/baselines, which are a module of their own (renderer/rivals).
+[[nodiscard]] constexpr bool is_rival(SolverName name) { return family_of(name) == SolverFamily::rival; }
 
 /// A length along the ray: in pixels of the ray's own footprint, or in scene units.
 struct Tolerance {

@@ -35,13 +35,10 @@ struct RivalSearch {
   [[nodiscard]] static BlobHit first_hit(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
                                          TraceCounters& counters, const BlobRay& ray) {
     switch (settings.name) {
-      case SolverName::interval: return search<IntervalSolver>(blob, settings, memory, counters, ray);
-      case SolverName::lg: return search<LgSolver>(blob, settings, memory, counters, ray);
-      case SolverName::march: return search<MarchSolver>(blob, settings, memory, counters, ray);
-      case SolverName::climb: return search<ClimbSolver>(blob, settings, memory, counters, ray);
-      case SolverName::sphere: return search<SphereSolver>(blob, settings, memory, counters, ray);
-      case SolverName::segment: return search<SegmentSolver>(blob, settings, memory, counters, ray);
-      case SolverName::inclusion: return search<InclusionSolver>(blob, settings, memory, counters, ray);
+#define ISL_SOLVER(word, family, argument)
+#define ISL_RIVAL(word, Type, argument) \
+  case SolverName::word: return search<Type>(blob, settings, memory, counters, ray);
+#include "renderer/rays/solvers.def"
       default: break;
     }
     ISL_CHECK(false, "no rival: {}", static_cast<int>(settings.name));
