@@ -13,3 +13,7 @@ target_compile_options(isl_options INTERFACE
   $<$<BOOL:${ISL_WERROR}>:-Werror>)
 
 include(${CMAKE_CURRENT_LIST_DIR}/vector_widths.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)
+if(ISL_HARDENING)
+  isl_harden(isl_options)
+endif()

@@ -1,0 +1,24 @@
+# Hardening as Debian's packages have it: position-independent programs, relocations that are read-only before main() begins, guards
+# for stacks and for the C library's buffers; and the checks of the C++ library's preconditions. Only optimised builds: the
+# sanitizers have checks of their own. What it costs is in docs/decisions.md.
+option(ISL_HARDENING "Hardened programs, in release builds" ON)
+
+function(isl_harden target)
+  # -fPIE and not -fPIC for libraries, too: they end in programs, where a function of ours is never replaced by another's.
+  set(type $<TARGET_PROPERTY:TYPE>)
+  target_compile_options(${target} INTERFACE
+    $<$<NOT:$<STREQUAL:${type},MODULE_LIBRARY>>:-fPIE> $<$<CONFIG:Release>:-fstack-protector-strong>)
+  target_compile_definitions(${target} INTERFACE $<$<CONFIG:Release>:_FORTIFY_SOURCE=2> $<$<CONFIG:Release>:_GLIBCXX_ASSERTIONS>)
+  target_link_options(${target} INTERFACE $<$<STREQUAL:${type},EXECUTABLE>:-pie> LINKER:-z,relro LINKER:-z,now)
+endfunction()
+
+# isl_inner_loops(FILE…): these go without guards, which would be looked at for every ray and cell. They keep no buffers of text, and
+# what they index is checked by the tests with assertions on.
+function(isl_inner_loops)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  # One large function a vector width: following its variables for a debugger takes the compiler longer than all else.
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-var-tracking)
+  if(ISL_HARDENING)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-stack-protector -U_GLIBCXX_ASSERTIONS)
+  endif()
+endfunction()
