@@ -74,9 +74,9 @@ TEST(OptionValues, RivalsHaveTheirNumberBehindAColon) {
 
 TEST(OptionValues, AMisspeltSolverOrSwitchIsToldWhatIsNear) {
   const auto complaint = [](const char* text) { return parse_solver(text).message(); };
-  EXPECT_THAT(complaint("hermit"), HasSubstr("unknown solver `hermit`, did you mean `hermite`?"));
+  EXPECT_THAT(complaint("hermit"), HasSubstr("unknown solver `hermit`; did you mean `hermite`?"));
   EXPECT_THAT(complaint("newton"), HasSubstr("unknown solver `newton`; the solvers are hermite"));
-  EXPECT_THAT(complaint("paper,rejct"), HasSubstr("unknown switch `rejct` of the solver, did you mean `reject`?"));
+  EXPECT_THAT(complaint("paper,rejct"), HasSubstr("unknown switch `rejct` of the solver; did you mean `reject`?"));
   EXPECT_THAT(complaint("paper,no-pool"), HasSubstr("did you mean `no-pools`?"));
   EXPECT_THAT(complaint("iso,x"), HasSubstr("plain on-demand reject monotone reuse permanent|volatile pools eq10"));
   for (const char* bad : {"paper,", "paper,,reject", "paper,reject,"}) {
