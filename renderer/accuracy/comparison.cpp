@@ -35,10 +35,10 @@ class Contest {
         pixel_angle_(reference.pixel_angle),
         rays_(centre_rays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
                           options.height)),
-        order_(wave_order(options.width, options.height)),
+        order_(batch_order(options.width, options.height)),
         truth_(rays_.size()),
         parts_(2 + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
-    for (const std::uint32_t ray : order_) wave_rays_.push_back(rays_[ray]);
+    for (const std::uint32_t ray : order_) batch_rays_.push_back(rays_[ray]);
     for (const TracerOptions& setting : settings) tracers_.emplace_back(database, setting);
     times_.resize(settings.size());
     result_.settings.resize(settings.size());
@@ -70,12 +70,12 @@ class Contest {
     return [this, done](double share) { options_.progress((done + share) / static_cast<double>(parts_)); };
   }
 
-  /// What setting i finds in waves, and what each ray costs by itself.
+  /// What setting i finds in batches, and what each ray costs by itself.
   void examine(std::size_t i) {
     Measured& measured = result_.settings[i];
     measured.rays.resize(rays_.size());
     measure_each(tracers_[i], rays_, measured.rays, options_.stop, part());
-    const std::vector<double> places = hits_of(tracers_[i], wave_rays_, options_.stop);
+    const std::vector<double> places = hits_of(tracers_[i], batch_rays_, options_.stop);
     for (std::size_t k = 0; k < order_.size(); ++k) measured.rays[order_[k]].t = places[k];
     measured.errors.reserve(rays_.size());
     for (std::size_t r = 0; r < rays_.size(); ++r) {
@@ -88,7 +88,7 @@ class Contest {
 
   /// Camera rays, and where asked for their shadow rays.
   [[nodiscard]] BatchCost cost_of_all(std::size_t i, const TellProgress& tell) const {
-    BatchCost cost = cost_of(tracers_[i], wave_rays_, options_.stop, tell);
+    BatchCost cost = cost_of(tracers_[i], batch_rays_, options_.stop, tell);
     if (shadow_rays_.empty()) return cost;
     const BatchCost shadows = shadow_cost_of(tracers_[i], shadow_rays_, options_.stop);
     cost.processor_seconds += shadows.processor_seconds;
@@ -155,8 +155,8 @@ class Contest {
   std::size_t base_;
   double pixel_angle_;
   std::vector<Ray> rays_;                ///< row by row
-  std::vector<std::uint32_t> order_;     ///< in which waves have them
-  std::vector<Ray> wave_rays_;           ///< in that order
+  std::vector<std::uint32_t> order_;     ///< in which batches have them
+  std::vector<Ray> batch_rays_;          ///< in that order
   std::vector<RayMeasure> truth_;
   std::vector<Ray> shadow_rays_;
   std::vector<std::uint8_t> shadow_truth_;

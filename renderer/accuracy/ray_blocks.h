@@ -1,4 +1,4 @@
-// Rays handed out to threads in blocks as large as the waves that rendering traces.
+// Rays handed out to threads in blocks as large as the batches that rendering traces.
 #pragma once
 
 #include "base/parallel.h"
@@ -10,7 +10,7 @@
 
 namespace isl::render {
 
-/// Rays of a task: as many as a wave has (renderer/render.cpp), so that batches cost what they cost there.
+/// Rays of a task: as many as a batch has (renderer/render.cpp), so that they cost what they cost there.
 inline constexpr std::size_t kBlock = 1024;
 
 /// Calls work(first, count) for blocks of `total` rays on all threads, until `stop`.

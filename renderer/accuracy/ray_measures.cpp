@@ -45,7 +45,7 @@ std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height)
   return rays;
 }
 
-std::vector<std::uint32_t> wave_order(int width, int height) {
+std::vector<std::uint32_t> batch_order(int width, int height) {
   std::vector<std::uint32_t> order;
   order.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::vector<Pixel> pixels;

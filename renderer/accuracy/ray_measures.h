@@ -1,5 +1,5 @@
 // What rays cost and find: the same rays as a picture's, one by one, so that work and time can be told for each, and in
-// waves, as rendering traces them. Knows nothing of references or pictures.
+// batches, as rendering traces them. Knows nothing of references or pictures.
 #pragma once
 
 #include "renderer/scene/camera.h"
@@ -28,14 +28,14 @@ using TellProgress = std::function<void(double)>;
 [[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height);
 
 /// The same rays in the order in which rendering traces them, neighbours together: the numbers that they have there.
-[[nodiscard]] std::vector<std::uint32_t> wave_order(int width, int height);
+[[nodiscard]] std::vector<std::uint32_t> batch_order(int width, int height);
 
 /// measures[i] of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is true the rest stays
 /// as it is.
 void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
                   const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
 
-/// The t of each ray's hit, infinite for a miss, as found in waves.
+/// The t of each ray's hit, infinite for a miss, as found in batches.
 [[nodiscard]] std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays,
                                           const std::atomic<bool>* stop = nullptr);
 
@@ -44,7 +44,7 @@ struct BatchCost {
   TraceCounters counters;
 };
 
-/// What finding the first hits of all rays costs in waves, as rendering traces them.
+/// What finding the first hits of all rays costs in batches, as rendering traces them.
 [[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays,
                                 const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
 
