@@ -76,10 +76,10 @@ class CellSearch {
 
   /// What there is to do in a cell that the ray has come to.
   enum class Arrival {
-    crosses,  ///< nothing: the ray has changed sides on the way, and the search is over
-    passes,   ///< nothing
-    leaves,   ///< a root may be in it, of a ray that comes from outside
-    solves    ///< there is more to it: solve_in
+    crosses,         ///< nothing: the ray has changed sides on the way, and the search is over
+    passes,          ///< nothing
+    candidate_leaf,  ///< a root may be in it, of a ray that comes from outside
+    other_candidate  ///< there is more to it: solve_in
   };
   [[nodiscard]] Arrival arrive(const CellStretch& stretch) {
     const auto& [index, cell, t0, t1] = stretch;
@@ -102,7 +102,7 @@ class CellSearch {
     last_cell_ = index;
     reached_ = t1;
     const bool is_plain = cell.kind() == CellKind::leaf && side_ == Side::outside && !(starts_on_surface_ && t0 == 0);
-    return is_plain ? Arrival::leaves : Arrival::solves;
+    return is_plain ? Arrival::candidate_leaf : Arrival::other_candidate;
   }
   /// Whether the ray crosses in a cell that it has arrived at.
   [[nodiscard]] bool solve_in(const CellStretch& stretch) {

@@ -78,8 +78,8 @@ class PacketSearch {
       switch (searches_[lane]->arrive({index, cell, packet_.t0[lane], packet_.t1[lane]})) {
         case Arrival::crosses: done |= 1u << lane; break;
         case Arrival::passes: break;
-        case Arrival::leaves: together |= 1u << lane; break;
-        case Arrival::solves:
+        case Arrival::candidate_leaf: together |= 1u << lane; break;
+        case Arrival::other_candidate:
           if (solve_alone(index, cell, lane)) done |= 1u << lane;
           break;
       }
