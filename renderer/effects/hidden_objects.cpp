@@ -14,7 +14,7 @@ Effect hiding(std::string_view name, std::string_view summary, std::string_view 
           .summary = summary,
           .find =
               [=](const SceneUse& use, Requests& requests, std::string_view& reason) {
-                reason = "every object is seen";
+                reason = "no object has this flag";
                 for (const Use<Object>& object : use.objects()) {
                   if (object.record->*flag) requests.add(what, object.record->said_at[item], object.user);
                 }
@@ -31,12 +31,12 @@ Effect hiding(std::string_view name, std::string_view summary, std::string_view 
 }  // namespace
 
 Effect no_image() {
-  return hiding("no_image", "objects that only reflections and shadows show", "`no_image`", &Object::no_image,
+  return hiding("no_image", "objects seen only in reflections and by their shadows", "`no_image`", &Object::no_image,
                 scene::ObjectItem::no_image);
 }
 
 Effect no_reflection() {
-  return hiding("no_reflection", "objects that reflections do not show", "`no_reflection`", &Object::no_reflection,
+  return hiding("no_reflection", "objects not seen in reflections", "`no_reflection`", &Object::no_reflection,
                 scene::ObjectItem::no_reflection);
 }
 

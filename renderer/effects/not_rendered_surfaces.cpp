@@ -136,14 +136,16 @@ struct TextureRow {
 };
 
 constexpr TextureRow kTextureRows[] = {
-    {"texture_by_surface", "textures chosen by a file, paving or slope",
-     "a texture chosen by a file, paving or the surface's slope", chosen_unseen, choose_first},
-    {"pigment_by_surface", "pigments by a file, paving or slope", "a pigment by a file, paving or the surface's slope",
+    {"texture_by_surface", "textures that depend on a file, paving or slope",
+     "a texture that depends on a file, paving or the surface's slope", chosen_unseen, choose_first},
+    {"pigment_by_surface", "pigments that depend on a file, paving or slope",
+     "a pigment that depends on a file, paving or the surface's slope",
      [](const Database& database, const Texture& texture) { return find_in(database, texture.pigment, is_undrawable); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
-    {"transparency", "what is behind shows through", "a transparent pigment", transparent_part, make_opaque, 6, "refraction"},
+    {"transparency", "surfaces that let light through", "a transparent pigment", transparent_part, make_opaque, 6,
+     "refraction"},
     {"normal", "bumps", "`normal`",
      [](const Database& database, const Texture& texture) {
        if (texture.normal == scene::kNoNormal) return Found();
@@ -165,21 +167,22 @@ bool shines(const Colour& colour) { return colour.red != 0 || colour.green != 0 
 
 // `conserve_energy` and `use_alpha` are not here: they say nothing without transparency.
 constexpr FinishRow kFinishRows[] = {
-    {"fresnel", "reflection that follows from the ior", "`fresnel` reflection", scene::FinishItem::fresnel,
+    {"fresnel", "reflection computed from the ior", "`fresnel` reflection", scene::FinishItem::fresnel,
      [](const Finish& finish) { return reflects(finish) && finish.fresnel; },
      [](Finish& finish) { finish.fresnel = false; }, 8},
-    {"reflection_exponent", "a curve for what is reflected", "`exponent` of a reflection", scene::FinishItem::exponent,
+    {"reflection_exponent", "an exponent for the reflected light", "`exponent` of a reflection",
+     scene::FinishItem::exponent,
      [](const Finish& finish) { return reflects(finish) && finish.reflection.exponent != 1; },
      [](Finish& finish) { finish.reflection.exponent = 1; }, 8},
     {"emission", "surfaces that shine by themselves", "`emission`", scene::FinishItem::emission,
      [](const Finish& finish) { return shines(finish.emission); }, [](Finish& finish) { finish.emission = {}; }},
-    {"diffuse_back", "light from behind lights a surface", "`diffuse` of light from behind", scene::FinishItem::diffuse,
+    {"diffuse_back", "surfaces lit from behind", "`diffuse` of light from behind", scene::FinishItem::diffuse,
      [](const Finish& finish) { return finish.diffuse_back != 0; }, [](Finish& finish) { finish.diffuse_back = 0; }},
-    {"albedo", "finishes by the light that they reflect in all", "`albedo`", scene::FinishItem::diffuse,
+    {"albedo", "finishes given by their total reflected light", "`albedo`", scene::FinishItem::diffuse,
      [](const Finish& finish) { return finish.diffuse_albedo || finish.phong_albedo || finish.specular_albedo; },
      [](Finish& finish) { finish.diffuse_albedo = finish.phong_albedo = finish.specular_albedo = false; }},
-    {"irid", "colours of thin films", "`irid`", scene::FinishItem::irid, [](const Finish& finish) { return finish.irid != 0; },
-     [](Finish& finish) { finish.irid = 0; }},
+    {"irid", "colours of thin films", "`irid`", scene::FinishItem::irid,
+     [](const Finish& finish) { return finish.irid != 0; }, [](Finish& finish) { finish.irid = 0; }},
     {"crand", "grain", "`crand`", scene::FinishItem::crand, [](const Finish& finish) { return finish.crand != 0; },
      [](Finish& finish) { finish.crand = 0; }},
 };

@@ -37,7 +37,10 @@ OriginId said(const Record& record) {
 /// A camera that bends rays or sends them side by side shows what a perspective one of its vectors shows, more or less.
 template <CameraKind kind>
 constexpr Row<Camera> camera_kind(std::string_view name, std::string_view what) {
-  return {name, "rays that leave the camera in another way than in perspective", what, said<Camera, CameraItem::kind>,
+  return {name,
+          "a projection other than perspective",
+          what,
+          said<Camera, CameraItem::kind>,
           [](const Camera& camera) { return camera.kind == kind; },
           [](Camera& camera) { camera.kind = CameraKind::perspective; }};
 }
@@ -50,9 +53,9 @@ constexpr Row<Camera> kCameraRows[] = {
     camera_kind<CameraKind::panoramic>("panoramic", "a `panoramic` camera"),
     camera_kind<CameraKind::cylinder>("cylinder_camera", "a `cylinder` camera"),
     camera_kind<CameraKind::spherical>("spherical", "a `spherical` camera"),
-    {"focal_blur", "what is out of focus is blurred", "focal blur", said<Camera, CameraItem::blur>,
+    {"focal_blur", "blur outside the focus", "focal blur", said<Camera, CameraItem::blur>,
      [](const Camera& camera) { return camera.blur.has_value(); }, [](Camera& camera) { camera.blur.reset(); }},
-    {"camera_normal", "bumps in the lens", "`normal` of a camera", said<Camera, CameraItem::normal>,
+    {"camera_normal", "bumps that bend the camera's rays", "`normal` of a camera", said<Camera, CameraItem::normal>,
      [](const Camera& camera) { return camera.normal != scene::kNoNormal; },
      [](Camera& camera) { camera.normal = scene::kNoNormal; }},
 };
@@ -64,24 +67,26 @@ constexpr Row<Light> kLightRows[] = {
     {"cylinder_light", "light within a cylinder", "a `cylinder` of light", said<Light, LightItem::kind>,
      [](const Light& light) { return light.kind == LightKind::cylinder; },
      [](Light& light) { light.kind = LightKind::point; }},
-    {"parallel", "light in one direction", "`parallel`", said<Light, LightItem::parallel>, [](const Light& light) { return light.parallel; },
-     [](Light& light) { light.parallel = false; }},
-    {"area_light", "light of many points, with soft shadows", "`area_light`", said<Light, LightItem::area>,
+    {"parallel", "light in one direction", "`parallel`", said<Light, LightItem::parallel>,
+     [](const Light& light) { return light.parallel; }, [](Light& light) { light.parallel = false; }},
+    {"area_light", "lights with an area, which throw soft shadows", "`area_light`", said<Light, LightItem::area>,
      [](const Light& light) { return light.area.has_value(); }, [](Light& light) { light.area.reset(); }},
     {"fading_light", "light that fades with the distance", "`fade_distance`", said<Light, LightItem::fade>,
      [](const Light& light) { return light.fade_distance > 0 && light.fade_power > 0; },
      [](Light& light) { light.fade_distance = light.fade_power = 0; }},
-    {"projected_through", "light that shines through an object only", "`projected_through`", said<Light, LightItem::projected_through>,
+    {"projected_through", "light that shines only through an object", "`projected_through`",
+     said<Light, LightItem::projected_through>,
      [](const Light& light) { return light.projected_through != scene::kNoGroup; },
      [](Light& light) { light.projected_through = scene::kNoGroup; }},
 };
 
 // `hollow` is not here: it changes fog, which asks for it itself.
 constexpr Row<Object> kObjectRows[] = {
-    {"double_illuminate", "light from behind lights a surface too", "`double_illuminate`", said<Object, ObjectItem::double_illuminate>,
-     [](const Object& object) { return object.double_illuminate; },
+    {"double_illuminate", "surfaces lit from both sides", "`double_illuminate`",
+     said<Object, ObjectItem::double_illuminate>, [](const Object& object) { return object.double_illuminate; },
      [](Object& object) { object.double_illuminate = false; }},
-    {"interior_texture", "another texture on the inside of a surface", "`interior_texture`", said<Object, ObjectItem::interior_texture>,
+    {"interior_texture", "another texture on the inside of a surface", "`interior_texture`",
+     said<Object, ObjectItem::interior_texture>,
      [](const Object& object) { return object.interior_texture != scene::kNoTexture; },
      [](Object& object) { object.interior_texture = scene::kNoTexture; }},
 };
@@ -164,9 +169,10 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
     effects.push_back(record_effect(
         row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) { leave_out(group_row, database.groups); }));
   }
-  effects.push_back(fog_effect("ground_fog", "fog that thins out with the height", "`fog_type 2`", FogItem::type, is_ground));
-  effects.push_back(fog_effect("turbulent_fog", "fog in wisps", "`turbulence` of a fog",
-                               FogItem::turbulence, is_turbulent));
+  effects.push_back(
+      fog_effect("ground_fog", "fog that thins out with height", "`fog_type 2`", FogItem::type, is_ground));
+  effects.push_back(
+      fog_effect("turbulent_fog", "turbulent fog", "`turbulence` of a fog", FogItem::turbulence, is_turbulent));
   effects.push_back({.name = "rainbow",
                      .summary = "rainbows",
                      .from_quality = 9,

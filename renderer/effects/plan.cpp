@@ -8,8 +8,8 @@ namespace {
 
 /// Nothing of the plan's options speaks against the effect; else why not.
 std::string_view excluded(const Effect& effect, const PlanOptions& options) {
-  if (options.quality < effect.from_quality) return "the quality asked for is without it";
-  if (options.quality > effect.to_quality) return "the quality asked for shows light";
+  if (options.quality < effect.from_quality) return "`--quality` is too low for it";
+  if (options.quality > effect.to_quality) return "`--quality` is high enough for light";
   if (std::ranges::find(options.without, effect.name) != options.without.end()) return "excluded by --without";
   return {};
 }
@@ -35,7 +35,7 @@ Plan plan_of(const scene::Database& database, const PlanOptions& options) {
   Plan plan;
   for (const Effect& effect : all_effects()) {
     Requests requests;
-    std::string_view reason = "nothing calls for it";
+    std::string_view reason = "the scene does not call for it";
     effect.find(use, requests, reason);
     PlannedEffect planned{&effect, requests.take(), {}};
     if (planned.requests.empty()) {

@@ -91,14 +91,15 @@ class ReflectionStage final : public Stage<SpawnWork> {
 
 Effect reflection() {
   return {.name = "reflection",
-          .summary = "surfaces mirror what is around them",
+          .summary = "surfaces that mirror their surroundings",
           .rays = "reflection",
           .from_quality = 8,
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& reason) {
                 reason = "no finish reflects";
                 for (const Use<scene::Finish>& finish : use.finishes()) {
-                  if (reflects(*finish.record)) requests.add("`reflection`", finish.record->said_at[scene::FinishItem::reflection], finish.user);
+                  if (reflects(*finish.record))
+                    requests.add("`reflection`", finish.record->said_at[scene::FinishItem::reflection], finish.user);
                 }
               },
           .stages = {.spawn = make_stage<ReflectionStage, SpawnWork>}};

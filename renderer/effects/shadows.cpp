@@ -19,7 +19,7 @@ bool can_throw_shadow(const scene::Database& database, const scene::Object& obje
 
 Effect shadows() {
   return {.name = "shadows",
-          .summary = "light is stopped by what stands in its way",
+          .summary = "objects that block light",
           .from_quality = 4,
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& reason) {

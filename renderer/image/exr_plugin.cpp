@@ -47,7 +47,7 @@ Imf::PixelType type_of(IslSampleType type) {
     case ISL_UINT8:
     case ISL_UINT16: break;
   }
-  throw std::invalid_argument("no picture for EXR: it holds 32-bit numbers, floats and halfs");
+  throw std::invalid_argument("found a plane of 8 or 16 bits, expected 32-bit integers, floats or halfs for EXR");
 }
 
 Imf::Header header_of(const IslImage& image) {
@@ -96,7 +96,8 @@ class Pixels {
 }  // namespace
 
 std::vector<unsigned char> encode_picture(const IslImage& image) {
-  if (std::string(image.format) != "exr") throw std::invalid_argument("no picture for EXR");
+  if (std::string(image.format) != "exr")
+    throw std::invalid_argument("found another format than exr in the EXR module");
   const Imf::Header header = header_of(image);
   const Pixels pixels(image);
   MemoryStream stream;

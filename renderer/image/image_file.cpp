@@ -126,7 +126,7 @@ EncodedFile encode_image(const Image& image, std::string_view format, const Imag
   ISL_CHECK(image_format_of(fmt::format(".{}", format)) == format, "format {}", format);
   ISL_CHECK(options.bits == 0 || is_linear_format(format) || format_holds_bits(format, options.bits), "{} bits of {}",
             options.bits, format);
-  if (image.window.empty()) return {{}, "there is no picture: its window is empty"};
+  if (image.window.empty()) return {{}, "the picture has no pixels: its window is empty"};
   const bool with_alpha = image.has_alpha && has_alpha_channel(format);
   PlaneSet planes(image.window.area());
   add_planes(planes, image, format, with_alpha, options);

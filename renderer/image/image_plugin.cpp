@@ -20,7 +20,7 @@ OIIO::TypeDesc type_of(IslSampleType type) {
     case ISL_UINT32:
     case ISL_HALF: break;
   }
-  throw std::invalid_argument("only EXR holds halfs and 32-bit numbers");
+  throw std::invalid_argument("found a plane of halfs or 32-bit integers, which only EXR can hold");
 }
 
 /// Precondition: all planes are of one type.

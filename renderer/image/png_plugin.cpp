@@ -40,7 +40,7 @@ void on_bytes(png_structp png, png_bytep bytes, std::size_t size) {
   } catch (const std::bad_alloc&) {
     has_room = false;
   }
-  if (!has_room) png_error(png, "there is no memory left");
+  if (!has_room) png_error(png, "out of memory");
 }
 
 void on_flush(png_structp) {}
@@ -90,7 +90,7 @@ bool write_all(png_structp png, png_infop info, const IslImage& image, Output& o
 std::vector<unsigned char> encode_picture(const IslImage& image) {
   if (std::string_view(image.format) != "png" || image.plane_count != (image.alpha_plane < 0 ? 3 : 4) ||
       (image.planes[0].type != ISL_UINT8 && image.planes[0].type != ISL_UINT16)) {
-    throw std::invalid_argument("no picture for PNG: it holds 3 or 4 planes of 8 or 16 bits");
+    throw std::invalid_argument("expected 3 or 4 planes of 8 or 16 bits for PNG");
   }
   Output output;
   output.data = png_data(image, std::max(1, image.threads));
@@ -100,7 +100,7 @@ std::vector<unsigned char> encode_picture(const IslImage& image) {
   png_infop info = png_create_info_struct(png);
   const bool good = info != nullptr && write_all(png, info, image, output);
   png_destroy_write_struct(&png, &info);
-  if (!good) throw std::runtime_error(output.error[0] != '\0' ? output.error : "there is no memory left");
+  if (!good) throw std::runtime_error(output.error[0] != '\0' ? output.error : "out of memory");
   return std::move(output.bytes);
 }
 

@@ -159,7 +159,7 @@ double apply(Opcode operation, double a, double b) noexcept {
     case Opcode::loop:
     case Opcode::repeat: break;
   }
-  ISL_CHECK(false, "operation {} is not of two numbers", static_cast<int>(operation));
+  ISL_CHECK(false, "found operation {}, expected one on numbers", static_cast<int>(operation));
 }
 
 void evaluate(const scene::Function& function, double* frame, Environment& environment) noexcept {

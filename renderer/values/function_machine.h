@@ -27,7 +27,7 @@ class Environment {
 
   [[nodiscard]] NoiseGenerator noise_generator() const noexcept { return noise_generator_; }
   [[nodiscard]] const PatternSource& patterns() const noexcept {
-    ISL_DCHECK(patterns_, "a function of a pattern where nobody knows patterns");
+    ISL_DCHECK(patterns_, "a function of a pattern was called without patterns");
     return *patterns_;
   }
   /// One more turn, call or pattern; false where there is none left.

@@ -58,7 +58,7 @@ TEST_P(Golden, GivesWhatIsExpected) {
   fs::current_path(folder_of(*test_case.stage));  // so that messages name files without their folder
   const StageResult result = test_case.stage->run(test_case.name + ".isl");
   if (test_case.is_mistake()) {
-    ASSERT_FALSE(result.text.starts_with("{")) << "nothing is told of the mistake";
+    ASSERT_FALSE(result.text.starts_with("{")) << "the mistake is not reported";
   } else {
     ASSERT_EQ(result.is_okay, !test_case.should_fail()) << result.text;
   }

@@ -89,7 +89,7 @@ TEST_F(FileAccessTest, AFileThatTheRunWroteMayBeReadAndWrittenAgain) {
     ASSERT_EQ(place.problem.error, AccessError::none) << place.problem.message;
     EXPECT_EQ(access_->write(place, "out.txt", text), "");
     const FoundFile found = access_->find("out.txt", path("secret"));
-    EXPECT_EQ(access_->read(found, kPlenty).text, text) << "asked from anywhere";
+    EXPECT_EQ(access_->read(found, kPlenty).text, text) << "whichever folder the request comes from";
     access_->add_input(found.stamp);
   }
 }
@@ -158,7 +158,8 @@ TEST_F(FileAccessTest, TheFileThatIsMeantIsNamed) {
   EXPECT_THAT(hint("C:\\my pictures\\inner\\a.inc"), HasSubstr("separate folders by `/`"));
   EXPECT_THAT(hint("nothing.inc"), HasSubstr("looked for it in"));
   folder_.write("secret/other.inc", "Secret");
-  EXPECT_THAT(hint("../Secret/OTHER.inc"), testing::Not(HasSubstr("other.inc"))) << "names outside are not told";
+  EXPECT_THAT(hint("../Secret/OTHER.inc"), testing::Not(HasSubstr("other.inc")))
+      << "names outside the folders are not shown";
 }
 
 TEST_F(FileAccessTest, AFileBesideTheSceneIsNamedWhereAPathLeadsElsewhere) {

@@ -92,7 +92,7 @@ TEST_F(LoaderTest, RemembersThatAFileHasErrors) {
     EXPECT_EQ(loader.last_error(), LoadError::syntax);
   }
   EXPECT_EQ(loader.complaints().size(), 1u);
-  EXPECT_FALSE(sink_.has_errors()) << "whoever executes the file tells it";
+  EXPECT_FALSE(sink_.has_errors()) << "the mistake is reported when the file is executed";
 }
 
 TEST_F(LoaderTest, ReadsNothingOutsideItsFolders) {

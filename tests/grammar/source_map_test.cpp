@@ -16,7 +16,7 @@ TEST(SourceMap, TellsFilesApart) {
   const SourceSpan empty = map.add("b", "").value();
   const SourceSpan last = map.add("c", "two").value();
   EXPECT_EQ(map.position(first.begin).file, "a");
-  EXPECT_EQ(map.position(first.end).file, "a") << "a file owns its end";
+  EXPECT_EQ(map.position(first.end).file, "a") << "the end of a file belongs to it";
   EXPECT_EQ(map.position(empty.begin).file, "b");
   EXPECT_EQ(map.position(last.begin).file, "c");
 }
@@ -29,7 +29,7 @@ TEST(SourceMap, CountsLinesAndColumnsFromOne) {
     return std::pair(position.line, position.column);
   };
   EXPECT_EQ(at(0), std::pair(std::size_t{1}, std::size_t{1}));
-  EXPECT_EQ(at(2), std::pair(std::size_t{1}, std::size_t{3})) << "the line's end belongs to the line";
+  EXPECT_EQ(at(2), std::pair(std::size_t{1}, std::size_t{3})) << "the end of a line belongs to it";
   EXPECT_EQ(at(3), std::pair(std::size_t{2}, std::size_t{1}));
   EXPECT_EQ(at(5), std::pair(std::size_t{3}, std::size_t{2}));
   EXPECT_EQ(at(7), std::pair(std::size_t{4}, std::size_t{1})) << "the end of the file";

@@ -42,7 +42,7 @@ TEST(Closest, FindsWordsThatDifferInCase) { EXPECT_EQ(closest("BOX", kWords), "b
 
 TEST(Closest, ProposesNothingForWordsThatAreFar) {
   EXPECT_EQ(closest("superellipsoid", kWords), std::nullopt);
-  EXPECT_EQ(closest("ab", kWords), std::nullopt) << "two letters are near to anything";
+  EXPECT_EQ(closest("ab", kWords), std::nullopt) << "two letters are similar to any word";
   EXPECT_EQ(closest("fog", kWords), std::nullopt) << "half of three letters differ";
 }
 

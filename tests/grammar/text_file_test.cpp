@@ -36,7 +36,7 @@ TEST(TextFile, IsNoFolderPipeOrDevice) {
   const TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe.isl";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(read_text_file(pipe, kPlenty).trouble, "it is not a regular file") << "and nobody waited for a writer";
+  EXPECT_EQ(read_text_file(pipe, kPlenty).trouble, "it is not a regular file") << "without waiting for a writer";
   EXPECT_EQ(read_text_file("/dev/zero", kPlenty).trouble, "it is not a regular file");
   EXPECT_EQ(read_text_file(folder.path(), kPlenty).trouble, "it is a folder");
 }
@@ -64,9 +64,9 @@ TEST(TextFile, InAWideEncodingIsNamedWithTheRemedy) {
   using namespace std::string_view_literals;
   EXPECT_EQ(trouble("\xFF\xFEs\0p\0h\0"sv), "it is UTF-16 text");
   EXPECT_EQ(trouble("\xFE\xFF\0s\0p\0h"sv), "it is UTF-16 text");
-  EXPECT_EQ(trouble("\xFF\xFE\x2E\x73\x12\x61\x4B\x52"sv), "it is UTF-16 text") << "without a byte below 32 but one";
-  EXPECT_EQ(trouble("s\0p\0h\0e\0r\0e\0"sv), "it is UTF-16 text") << "without a mark";
-  EXPECT_EQ(trouble("\0s\0p\0h\0e\0r\0e"sv), "it is UTF-16 text") << "without a mark";
+  EXPECT_EQ(trouble("\xFF\xFE\x2E\x73\x12\x61\x4B\x52"sv), "it is UTF-16 text") << "with only one byte below 32";
+  EXPECT_EQ(trouble("s\0p\0h\0e\0r\0e\0"sv), "it is UTF-16 text") << "without a byte order mark";
+  EXPECT_EQ(trouble("\0s\0p\0h\0e\0r\0e"sv), "it is UTF-16 text") << "without a byte order mark";
   EXPECT_EQ(trouble("\xFF\xFE\0\0s\0\0\0"sv), "it is UTF-32 text");
   EXPECT_EQ(trouble("\xEF\xBB\xBFsphere"sv), "") << "UTF-8 with a mark is read";
 }

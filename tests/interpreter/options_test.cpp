@@ -48,7 +48,7 @@ TEST(Options, LenientKeepsANameOfWhatIsNotSupported) {
   EXPECT_FALSE(scene.sink().has_errors());
   EXPECT_THAT(scene.messages(), HasSubstr("warning: `text` is not supported"));
   ASSERT_EQ(scene.database().groups.size(), 2u);
-  EXPECT_EQ(scene.database().groups[0].children.size(), 0u) << "what stands for the text";
+  EXPECT_EQ(scene.database().groups[0].children.size(), 0u) << "an empty group replaces the text";
   EXPECT_EQ(scene.database().groups[1].children.size(), 2u);
 }
 

@@ -107,7 +107,8 @@ TEST_F(WorkingTree, IsNeverTheHomeFolder) {
   set_home((folder() / "tree").string());
   EXPECT_THAT(try_reading("../key.inc"), HasSubstr("is outside the folders"));
   set_home((folder() / "tree/scenes").string());
-  EXPECT_THAT(try_reading("../key.inc"), HasSubstr("is outside the folders")) << "nor what holds it";
+  EXPECT_THAT(try_reading("../key.inc"), HasSubstr("is outside the folders"))
+      << "nor is a folder that holds the home folder";
 }
 
 TEST_F(WorkingTree, IsNoFolderIntoWhichEverybodyMayWrite) {

@@ -50,7 +50,7 @@ TEST_F(Writing, NothingUnlessItIsAllowed) {
     EXPECT_THAT(result.err, HasSubstr("`--allow-write DIR` lets it write below DIR"));
     EXPECT_THAT(result.err, HasSubstr("scene.isl:2:10"));
   }
-  EXPECT_EQ(tree().size(), before.size() + 1) << "the scene, and no more";
+  EXPECT_EQ(tree().size(), before.size() + 1) << "only the scene is new";
 }
 
 TEST_F(Writing, NotEvenLeniently) {

@@ -49,13 +49,13 @@ def compare(program, scene):
     theirs, their_errors = said_by_povray(scene)
     problems = our_errors + their_errors
     if len(ours) != len(theirs):
-        problems.append(f"{len(ours)} words, POV-Ray prints {len(theirs)}")
+        problems.append(f"found {len(ours)} words, POV-Ray prints {len(theirs)}")
     if not theirs:
         problems.append("POV-Ray printed nothing")
     label = "the start"
     for i, (our, their) in enumerate(zip(ours, theirs)):
         if not same(our, their):
-            problems.append(f"after {label}: {our}, POV-Ray prints {their}")
+            problems.append(f"after {label}: found {our}, POV-Ray prints {their}")
             break
         if their[0].isalpha():
             label = f"{their} (word {i})"

@@ -114,7 +114,7 @@ inline void paper_point(const CompiledBlob& blob, std::uint32_t cell, const Pape
     return set_blob_point(blob, items, point, rule, result);
   }
   ISL_CHECK(cell < records->records.size() && records->records[cell].blob == &blob,
-            "hit {} of {}: of an earlier batch, or of another thread", cell, records->records.size());
+            "hit {} of {} belongs to an earlier batch or to another thread", cell, records->records.size());
   const PaperMemory::Record& record = records->records[cell];
   const std::span<const std::uint32_t> items(records->record_items.data() + record.first, record.count);
   const std::span<const double> values(records->record_values.data() + record.first, record.count);

@@ -107,7 +107,7 @@ TEST(IniOptions, GiveWayToTheCommandLine) {
   EXPECT_THAT(translated("Output_File_Name=a.png\n", "", said).picture.outputs, ElementsAre("mine.png"));
   EXPECT_THAT(translated("Library_Path=a\n", "", said).scene.include_paths, ElementsAre("mine", "a"));
   EXPECT_EQ(translated("Declare=N=5\n", "", said).scene.defines, (std::vector<Define>{{"N", 5.0}, {"N", 1.0}}))
-      << "of two for one name the later counts";
+      << "the later of two settings of one name counts";
 }
 
 TEST(IniOptions, SwitchAntialiasingAsPovRayDoes) {

@@ -34,7 +34,7 @@ class AccuracyCommand : public ProgramTest {
 TEST_F(AccuracyCommand, TellsATableAndEndsWithAdvice) {
   const ProcessResult result = measure({});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.err, "") << "quiet where nobody looks on";
+  EXPECT_EQ(result.err, "") << "no progress without a terminal";
   for (const char* text :
        {"paper:2", "paper:16", "hermite 0.05px", "exact", "default", "worst px", "48x36 camera rays"})
     EXPECT_THAT(result.out, HasSubstr(text));

@@ -75,7 +75,7 @@ TEST_F(RenderOutput, ATerminalGetsNoPicture) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err, HasSubstr("standard output is a terminal"));
-  EXPECT_THAT(result.err, Not(HasSubstr("evaluated"))) << "told before the scene is read";
+  EXPECT_THAT(result.err, Not(HasSubstr("evaluated"))) << "the error is reported before the scene is read";
 }
 
 TEST_F(RenderOutput, AReaderThatIsGoneIsAnErrorOfFiles) {
@@ -145,7 +145,7 @@ TEST_F(RenderOutput, AClosingLineTellsWhatWasWritten) {
     EXPECT_EQ(render({"-q"}, {.err_terminal = is_terminal}).err, "");
   }
   EXPECT_THAT(render({"-o", "a.png", "--crop", "8,8,24,16"}).err, StartsWith("isl: a.png, 16x8 of 48x36, "));
-  EXPECT_EQ(render({"--format", "json"}).err, "") << "the document tells it";
+  EXPECT_EQ(render({"--format", "json"}).err, "") << "the document contains it";
 }
 
 TEST_F(RenderOutput, OnATerminalAScenesTextHasNoControlCharacters) {
@@ -153,7 +153,7 @@ TEST_F(RenderOutput, OnATerminalAScenesTextHasNoControlCharacters) {
   const ProcessResult seen = run({"check", "ball.isl"}, {.err_terminal = true});
   EXPECT_THAT(seen.err, StartsWith("\\x1b[31mred\\x07\n"));
   const ProcessResult piped = run({"check", "ball.isl"});
-  EXPECT_THAT(piped.err, StartsWith("\x1b[31mred\x07\n")) << "as it is";
+  EXPECT_THAT(piped.err, StartsWith("\x1b[31mred\x07\n")) << "unchanged";
 }
 
 TEST_F(RenderOutput, CtrlCSendsNoPartOfAPictureToStandardOutput) {

@@ -52,7 +52,7 @@ TEST_F(PlanCommand, LeavesOutWhatTheUserSays) {
 TEST_F(PlanCommand, HasTheQualityOfAPicture) {
   const ProcessResult result = run({"plan", "scene.isl", "--quality", "1"});
   EXPECT_THAT(result.out, HasSubstr("plain_colours  the quality"));
-  EXPECT_THAT(result.out, HasSubstr("the quality asked for is without it"));
+  EXPECT_THAT(result.out, HasSubstr("`--quality` is too low for it"));
 }
 
 TEST_F(PlanCommand, AnswersInJson) {

@@ -38,7 +38,8 @@ class Gamma : public ProgramTest {
 TEST_F(Gamma, IsOffWhereNoFileStatesAVersion) {
   EXPECT_EQ(pixel("a.pov", with("")), off);
   EXPECT_EQ(pixel("A.POV", with("")), off);
-  EXPECT_EQ(pixel("a.pov", with("#if (version < 3.7) #version 3.7; #end\n")), off) << "what is not executed";
+  EXPECT_EQ(pixel("a.pov", with("#if (version < 3.7) #version 3.7; #end\n")), off)
+      << "a statement that is not executed does not count";
 }
 
 TEST_F(Gamma, IsLinearWhereOurOwnFilesStateNone) { EXPECT_EQ(pixel("a.isl", with("")), linear); }

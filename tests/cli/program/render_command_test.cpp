@@ -108,7 +108,7 @@ TEST_F(RenderCommand, ChecksThePlacesBeforeTracing) {
         run({"render", "dear.isl", "-o", place, "-s", "20000x20000"}, {.limit = std::chrono::seconds(20)});
     EXPECT_EQ(result.exit_code, 3) << place;
     EXPECT_THAT(result.err, HasSubstr(place));
-    EXPECT_THAT(result.err, Not(HasSubstr("evaluated"))) << "told before the scene is read";
+    EXPECT_THAT(result.err, Not(HasSubstr("evaluated"))) << "the error is reported before the scene is read";
   }
   fs::create_directory(folder() / "folder.png");
   EXPECT_EQ(render({"-o", "folder.png"}).exit_code, 3);

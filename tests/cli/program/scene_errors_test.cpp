@@ -31,7 +31,7 @@ TEST_F(SceneErrors, AFolderOrAPipeIsNoScene) {
   EXPECT_EQ(run({"check", "folder.isl"}).exit_code, 3);
   ASSERT_EQ(mkfifo((folder() / "pipe.isl").c_str(), 0600), 0);
   EXPECT_EQ(run({"check", "pipe.isl"}, {.limit = std::chrono::seconds(10)}).exit_code, 3)
-      << "nobody writes to it: no waiting";
+      << "a pipe without a writer must not be waited for";
 }
 
 TEST_F(SceneErrors, AnEmptySceneIsReadAndRemarkedOn) {

@@ -126,7 +126,7 @@ TEST(Comparisons, MeasureEverySettingAgainstTheReference) {
   ASSERT_EQ(comparison.settings.size(), 3u);
   const auto& [paper, hermite, same] = std::tie(comparison.settings[0], comparison.settings[1], comparison.settings[2]);
   EXPECT_GT(paper.summary.worst_pixels, 0.01);
-  EXPECT_LT(hermite.summary.worst_pixels, 0.05) << "what the tolerance promises";
+  EXPECT_LT(hermite.summary.worst_pixels, 0.05) << "the tolerance promises this";
   EXPECT_EQ(same.summary.worst_pixels, 0);
   EXPECT_EQ(hermite.relative_time, 1);
   EXPECT_GT(paper.relative_time, 0);

@@ -177,7 +177,7 @@ TEST(StartsOnCombinations, neither_meet_themselves_nor_leak) {
       if (hit.is_miss()) continue;
       SurfacePoint point;
       tracer.surface_at(ray, hit, point);
-      ASSERT_LT(point.normal.dot(direction), 1e-9) << "outward normals face who comes from outside";
+      ASSERT_LT(point.normal.dot(direction), 1e-9) << "an outward normal faces a ray from outside";
       const Vec3 across = point.normal.cross(random.direction());
       if (!(across.length() > 0.1)) continue;
       ++starts;

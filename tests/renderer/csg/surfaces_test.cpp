@@ -124,7 +124,8 @@ TEST_F(Surfaces, OfADifferenceHaveTheTextureOfWhatWasTakenAway) {
   const Object block = scene_.solid(box(Vec3(-1), Vec3(1)));
   Object plain = scene_.group(Operation::subtract, {block, ball});
   plain.texture = scene::TextureId{3};
-  EXPECT_EQ(seen(plain, 0).textures[0].texture, scene::TextureId{3}) << "that of the whole where it has none";
+  EXPECT_EQ(seen(plain, 0).textures[0].texture, scene::TextureId{3})
+      << "the texture of the whole, if the part has none";
   EXPECT_EQ(seen(plain, 0).normal, Vec3(0, 1, 0));
   ball.texture = scene::TextureId{4};
   Object cut = scene_.group(Operation::subtract, {block, ball});

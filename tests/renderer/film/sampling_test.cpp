@@ -36,7 +36,8 @@ TEST(SamplePattern, of_16_keeps_its_points_apart) {
     const double x = offsets[i].x, y = offsets[i].y;
     nearest = std::min(nearest, std::hypot(x, y));
   }
-  EXPECT_NEAR(nearest, std::sqrt(10.0) / 16, 1e-12) << "the most that a 16-point lattice with odd generator allows";
+  EXPECT_NEAR(nearest, std::sqrt(10.0) / 16, 1e-12)
+      << "the greatest distance in a 16-point lattice with an odd generator";
 }
 
 TEST(Tiles, cover_every_pixel_once_in_any_order) {

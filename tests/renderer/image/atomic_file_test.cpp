@@ -101,7 +101,7 @@ TEST_F(AtomicFile, a_staged_file_shows_only_when_it_takes_its_place) {
     EXPECT_EQ(content(path("a")), "old");
     EXPECT_EQ(files_in_folder(), 2u);
   }
-  EXPECT_EQ(files_in_folder(), 1u) << "one that took no place is gone";
+  EXPECT_EQ(files_in_folder(), 1u) << "a file that did not take its place is removed";
   StagedFile kept(path("a"), bytes);
   EXPECT_EQ(kept.take_place(), "");
   EXPECT_EQ(content(path("a")), "new");

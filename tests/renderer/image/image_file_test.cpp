@@ -229,7 +229,7 @@ TEST(ImageFile, knows_formats_by_the_name) {
 }
 
 TEST(ImageFile, a_picture_without_pixels_is_none) {
-  EXPECT_EQ(encode_image({}, "png", {}).error, "there is no picture: its window is empty");
+  EXPECT_EQ(encode_image({}, "png", {}).error, "the picture has no pixels: its window is empty");
 }
 
 }  // namespace
