@@ -13,7 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A turn repeats what takes less than this: three orders above the clock's steps and what waking a thread costs.
+/// A turn that takes less time is repeated. The value is three orders above the clock's steps and the cost of waking a
+/// thread.
 constexpr double kShortestTurn = 0.02;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -63,14 +64,14 @@ class Contest {
  private:
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  /// Tells the progress of the next of the parts that the whole consists of.
+  /// The progress function of the next of the parts that the whole consists of.
   [[nodiscard]] TellProgress part() {
     const double done = static_cast<double>(part_++);
     if (!options_.progress) return {};
     return [this, done](double share) { options_.progress((done + share) / static_cast<double>(parts_)); };
   }
 
-  /// What setting i finds in batches, and what each ray costs by itself.
+  /// Measures the hits of setting i in batches, and the cost of each ray by itself.
   void examine(std::size_t i) {
     Measured& measured = result_.settings[i];
     measured.rays.resize(rays_.size());
@@ -86,7 +87,7 @@ class Contest {
     measured.shadows = summarise_shadows(occlusions_of(tracers_[i], shadow_rays_, options_.stop), shadow_truth_);
   }
 
-  /// Camera rays, and where asked for their shadow rays.
+  /// The cost of the camera rays and, if asked for, of their shadow rays.
   [[nodiscard]] BatchCost cost_of_all(std::size_t i, const TellProgress& tell) const {
     BatchCost cost = cost_of(tracers_[i], batch_rays_, options_.stop, tell);
     if (shadow_rays_.empty()) return cost;
@@ -123,7 +124,7 @@ class Contest {
     }
   }
 
-  /// Whether another turn of setting i fits into its share of the time.
+  /// True if another turn of setting i fits into its share of the time.
   [[nodiscard]] bool has_time(std::size_t i, double elapsed) const {
     double used = 0;
     for (const Turn& turn : times_[i]) used += turn.seconds;
@@ -155,13 +156,13 @@ class Contest {
   std::size_t base_;
   double pixel_angle_;
   std::vector<Ray> rays_;                ///< row by row
-  std::vector<std::uint32_t> order_;     ///< in which batches have them
-  std::vector<Ray> batch_rays_;          ///< in that order
+  std::vector<std::uint32_t> order_;     ///< order of the rays in batches
+  std::vector<Ray> batch_rays_;          ///< rays_ in that order
   std::vector<RayMeasure> truth_;
   std::vector<Ray> shadow_rays_;
   std::vector<std::uint8_t> shadow_truth_;
   std::size_t parts_, part_ = 0;
-  std::vector<double> times_of_round_;  ///< 0: no turn
+  std::vector<double> times_of_round_;  ///< 0 if the setting had no turn
   std::vector<std::vector<Turn>> times_;
   Comparison result_;
 };

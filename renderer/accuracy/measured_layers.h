@@ -1,5 +1,5 @@
-// The layers that tell what a picture's rays cost and how far off they are. Not made while rendering, which so pays
-// nothing for them: the pixels' centre rays are traced again, each by itself.
+// The layers that tell what a picture's rays cost and how far off they are. They cost nothing while rendering, because
+// the pixels' centre rays are traced again for them, one by one.
 #pragma once
 
 #include "renderer/accuracy/ray_measures.h"

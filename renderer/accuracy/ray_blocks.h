@@ -1,4 +1,4 @@
-// Rays handed out to threads in blocks as large as the batches that rendering traces.
+// Hands out rays to threads in blocks as large as the batches that rendering traces.
 #pragma once
 
 #include "base/parallel.h"
@@ -10,10 +10,10 @@
 
 namespace isl::render {
 
-/// Rays of a task: as many as a batch has (renderer/render.cpp), so that they cost what they cost there.
+/// Number of rays in a task: the size of a batch (renderer/render.cpp), so that they cost what they cost there.
 inline constexpr std::size_t kBlock = 1024;
 
-/// Calls work(first, count) for blocks of `total` rays on all threads, until `stop`.
+/// Calls work(first, count) for blocks of `total` rays on all threads, until `stop` is set.
 template <class Work>
 void in_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell, const Work& work) {
   const std::size_t blocks = (total + kBlock - 1) / kBlock;

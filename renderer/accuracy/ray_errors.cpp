@@ -14,7 +14,7 @@ double quantile(const std::vector<double>& ascending, double share) {
   return ascending[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-/// Whether the reference has a surface at the pixel and at all around it; false at the picture's border.
+/// True if the reference has a surface at the pixel and at all eight around it; false at the picture's border.
 bool is_within_surface(std::span<const RayError> errors, std::size_t width, std::size_t pixel) {
   const std::size_t x = pixel % width, y = pixel / width;
   if (x == 0 || y == 0 || x + 1 == width || (y + 2) * width > errors.size()) return false;

@@ -1,9 +1,9 @@
-// How far what a solver found is off, ray by ray and in numbers for all: against a reference taken for the truth
-// (accuracy/reference_check.h says how far it can be).
+// Errors of a solver, ray by ray and summed up, relative to a reference that is taken for the truth
+// (accuracy/reference_check.h says how far the reference can be off).
 //
-// Errors are lengths along the ray. In pixels: over the width of the pixel's footprint at the reference's root. Along
-// the ray and not across the surface, because that is what position, texture and shadow inherit; where a ray grazes, a
-// small change of the field is a long way along the ray, in every method.
+// Errors are lengths along the ray. In pixels, they are divided by the width of the pixel's footprint at the
+// reference's root. They are measured along the ray and not across the surface, because position, texture and shadow
+// inherit that error; where a ray grazes, a small change of the field is a long way along the ray, in every method.
 #pragma once
 
 #include "renderer/accuracy/ray_measures.h"
@@ -23,27 +23,27 @@ enum class RayOutcome : std::uint8_t {
 
 struct RayError {
   RayOutcome outcome = RayOutcome::background;
-  double units = 0;   ///< scene units; 0 where there are not two roots to compare
-  double pixels = 0;  ///< likewise
+  double units = 0;   ///< scene units; 0 if there are not two roots to compare
+  double pixels = 0;  ///< in pixels; likewise
 };
 
 /// `pixel_angle` as in TracerOptions.
 [[nodiscard]] RayError error_of(const Ray& ray, const RayMeasure& found, const RayMeasure& reference,
                                 double pixel_angle);
 
-/// Over the rays where both found a surface; all lengths 0 where there are none. A quantile q is the least error that
-/// at least a share q of them does not exceed.
+/// Statistics over the rays where both found a surface; all lengths are 0 if there are none. The quantile q is the
+/// least error that at least a share q of these rays does not exceed.
 struct ErrorSummary {
   std::uint64_t hits = 0;
   double median_pixels = 0, p99_pixels = 0, worst_pixels = 0;
   double worst_units = 0;
-  std::uint64_t beyond_pixel = 0;  ///< of the hits: off by more than a pixel
+  std::uint64_t beyond_pixel = 0;  ///< hits that are off by more than a pixel
   std::uint64_t missed = 0;
   std::uint64_t false_surfaces = 0;
-  std::uint64_t holes = 0;  ///< of the missed: with a surface at all eight pixels around, so that they show as holes
+  std::uint64_t holes = 0;  ///< missed rays with a surface at all eight pixels around, so that they show as holes
 };
 
-/// Errors of a picture's centre rays, row by row, `width` a row.
+/// `errors` are those of a picture's centre rays, row by row, with `width` rays in a row.
 [[nodiscard]] ErrorSummary summarise_errors(std::span<const RayError> errors, int width);
 
 }  // namespace isl::render

@@ -13,7 +13,7 @@
 namespace isl::render {
 namespace {
 
-/// Of this thread alone, so that being interrupted costs nothing.
+/// Processor time of this thread alone, so that interruptions do not count.
 double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -79,7 +79,7 @@ std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays, con
 
 namespace {
 
-/// `trace` is handed the thread's share of the cost, the first ray and their number.
+/// `trace` gets the thread's share of the cost, the first ray and the number of rays.
 template <class Trace>
 BatchCost cost_of_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell,
                          const Trace& trace) {

@@ -1,4 +1,4 @@
-// What rays cost and find: the same rays as a picture's, one by one, so that work and time can be told for each, and in
+// Costs and hits of rays: the rays of a picture are traced one by one, so that work and time are known for each, and in
 // batches, as rendering traces them. Knows nothing of references or pictures.
 #pragma once
 
@@ -21,17 +21,17 @@ struct RayMeasure {
   [[nodiscard]] bool is_miss() const { return t == std::numeric_limits<double>::infinity(); }
 };
 
-/// Told the share done (0 to 1) now and then, from any thread but one call at a time.
+/// Receives the share done (0 to 1) now and then, from any thread but one call at a time.
 using TellProgress = std::function<void(double)>;
 
 /// Rays through the middles of the pixels of a picture, row by row.
 [[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height);
 
-/// The same rays in the order in which rendering traces them, neighbours together: the numbers that they have there.
+/// The indices of the same rays in the order in which rendering traces them, neighbours together.
 [[nodiscard]] std::vector<std::uint32_t> batch_order(int width, int height);
 
-/// measures[i] of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is true the rest stays
-/// as it is.
+/// measures[i] becomes the measure of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is
+/// true, the rest stays as it is.
 void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
                   const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
 
@@ -40,15 +40,15 @@ void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<Ray
                                           const std::atomic<bool>* stop = nullptr);
 
 struct BatchCost {
-  double processor_seconds = 0;  ///< of all threads together: what others do on the machine hardly counts
+  double processor_seconds = 0;  ///< sum over all threads, so that other load on the machine hardly counts
   TraceCounters counters;
 };
 
-/// What finding the first hits of all rays costs in batches, as rendering traces them.
+/// The cost of finding the first hits of all rays in batches, as rendering traces them.
 [[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays,
                                 const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
 
-/// The same of whether shadow rays are occluded.
+/// The cost of testing whether shadow rays are occluded, likewise.
 [[nodiscard]] BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays,
                                        const std::atomic<bool>* stop = nullptr);
 

@@ -15,10 +15,11 @@ enum class Verdict { proven, undecided, refuted, unchecked };
 
 struct Judgement {
   Verdict verdict = Verdict::unchecked;
-  double delta = 0;  ///< where proven: the root is certain to within it
+  double delta = 0;  ///< if proven: the root is certain to within delta
 };
 
-/// Pieces of one ray in one blob before it counts as undecided: thousands of times what rays take that do not graze.
+/// Most pieces of one ray in one blob before it counts as undecided: thousands of times more than a ray needs that does
+/// not graze.
 constexpr int kMostPieces = 1 << 14;
 
 /// Part of a ray in a blob's own space.
@@ -27,8 +28,8 @@ struct Way {
   double begin, end;
 };
 
-/// A point at t is computed, here and by any solver, from a transformed origin and direction: some eight roundings of
-/// numbers no larger than these, 2⁻⁵³ each, are within this.
+/// A point at t is computed, here and by any solver, from a transformed origin and direction. Its rounding, some eight
+/// roundings of 2⁻⁵³ of numbers no larger than these, is within this bound.
 double rounding_of(const Way& way) {
   const auto largest = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   return 0x1p-49 * (largest(way.origin) + std::abs(way.end) * largest(way.direction));
@@ -42,10 +43,10 @@ class BlobWay {
     std::iota(all_.begin(), all_.end(), 0u);
   }
 
-  /// `empty` or `inside` where that is certain of all points with t0 ≤ t ≤ t1, else something else.
+  /// `empty` or `inside` if that is certain for all points with t0 ≤ t ≤ t1; else another kind.
   [[nodiscard]] CellKind kind(double t0, double t1) const { return kind(t0, t1, all_, kept_); }
 
-  /// That every point with t0 ≤ t ≤ t1 is of the kind `side`; `refuted` where some are certainly of the other.
+  /// Tests that every point with t0 ≤ t ≤ t1 is of the kind `side`; `refuted` if some are certainly of the other kind.
   [[nodiscard]] Verdict stays(CellKind side, double t0, double t1) const {
     int pieces = 0;
     return stays(side, t0, t1, all_, pieces);
@@ -90,7 +91,7 @@ class Checker {
     Judgement result;
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
       const Instance& instance = scene_.instances[i];
-      if (instance.kind == scene::Object::Kind::group) return {};  // its surface may be a blob's, or not
+      if (instance.kind == scene::Object::Kind::group) return {};  // its surface may or may not be a blob's
       if (instance.kind != scene::Object::Kind::blob) continue;
       const Judgement one = i == hit.instance ? judge_root(instance, ray, hit) : judge_clear(instance, ray, hit.t);
       if (one.verdict != Verdict::proven) return one;
@@ -119,7 +120,8 @@ class Checker {
       result = {way.stays(before, 0, last), delta};
       if (result.verdict != Verdict::undecided) return result;
     }
-    // On the other side already a pixel before the root, or nowhere near it: then it is not the first.
+    // The ray is on the other side already a pixel before the root, or there is no root near it: then it is not the
+    // first.
     const double begin = std::max(0.0, hit.t - pixel);
     if (way.kind(begin, begin) == after || way.stays(before, begin, hit.t + pixel) == Verdict::proven) {
       return {Verdict::refuted, 0};
@@ -127,7 +129,7 @@ class Checker {
     return result;
   }
 
-  /// That the blob has no surface before `end`.
+  /// Tests that the blob has no surface before `end`.
   [[nodiscard]] Judgement judge_clear(const Instance& instance, const Ray& ray, double end) const {
     const CompiledBlob& blob = scene_.blobs[instance.shape];
     Way part = way_in(instance, ray, end);
@@ -140,12 +142,12 @@ class Checker {
       }
       const double one = (bounds.min[axis] - part.origin[axis]) / part.direction[axis];
       const double other = (bounds.max[axis] - part.origin[axis]) / part.direction[axis];
-      // A few roundings, each less than 2⁻⁵² of the values.
+      // This covers a few roundings, each less than 2⁻⁵² of the values.
       part.begin = std::max(part.begin, std::min(one, other) * (1 - 0x1p-48));
       part.end = std::min(part.end, std::max(one, other) * (1 + 0x1p-48));
     }
     if (!(part.begin <= part.end)) return {Verdict::proven, 0};
-    if (!std::isfinite(part.end)) return {};  // half-spaces go on for ever: no bisecting ends
+    if (!std::isfinite(part.end)) return {};  // half-spaces have no end, so bisecting would not end
     const BlobWay way(blob, part);
     const CellKind side = way.kind(part.begin, part.begin);
     if (side != CellKind::empty && side != CellKind::inside) return {Verdict::undecided, 0};
@@ -156,7 +158,7 @@ class Checker {
   double pixel_angle_;
 };
 
-/// At most `most` of the numbers, evenly spread.
+/// Keeps at most `most` of the numbers, evenly spread.
 void thin(std::vector<std::size_t>& numbers, std::size_t most) {
   if (numbers.size() <= most) return;
   for (std::size_t i = 0; i < most; ++i) numbers[i] = numbers[i * numbers.size() / most];

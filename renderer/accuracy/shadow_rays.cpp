@@ -7,7 +7,7 @@
 namespace isl::render {
 namespace {
 
-/// Appends those of one camera ray. A light behind the surface is not asked about (shading/lighting.h).
+/// Appends the shadow rays of one camera ray. Lights behind the surface are left out (shading/lighting.h).
 void add_shadow_rays(const scene::Database& database, const Tracer& tracer, const Ray& ray, SurfacePoint& point,
                      std::vector<Ray>& shadows) {
   Hit hit;

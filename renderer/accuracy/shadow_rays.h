@@ -1,5 +1,5 @@
-// Shadow rays of a picture's centre rays: the same for every setting, so that answers compare. They begin on the
-// surfaces that the reference found and lead to the lights that rendering would ask about.
+// Shadow rays of a picture's centre rays, the same for every setting, so that results can be compared. They begin on
+// the surfaces that the reference found and lead to the lights for which rendering would trace them.
 #pragma once
 
 #include "renderer/accuracy/ray_measures.h"
@@ -10,11 +10,11 @@
 
 namespace isl::render {
 
-/// One for each place that `rays` meet and each light in front of it that throws shadows, in this order.
+/// One ray for each point that `rays` meet and each light in front of it that throws shadows, in this order.
 [[nodiscard]] std::vector<Ray> shadow_rays(const scene::Database& database, const Tracer& reference,
                                            std::span<const Ray> rays, const std::atomic<bool>* stop = nullptr);
 
-/// Of each ray whether something stands in its way: 1 or 0.
+/// For each ray, 1 if something stands in its way, else 0.
 [[nodiscard]] std::vector<std::uint8_t> occlusions_of(const Tracer& tracer, std::span<const Ray> rays,
                                                       const std::atomic<bool>* stop = nullptr);
 
