@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
   return {blob.grid.items.data() + list.first, list.count};
 }
 
-/// Of a cell with several sums, the components of the greatest one.
+/// The components of the list whose sum is greatest at the point, for a cell with several lists (CellKind::choice).
 [[nodiscard]] inline std::span<const std::uint32_t> greatest_items(const CompiledBlob& blob, std::uint32_t cell_index,
                                                                    const Vec3& point, const ShareRule& rule,
                                                                    BlobPoint& result) {

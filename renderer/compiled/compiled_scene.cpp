@@ -23,7 +23,7 @@ class Flattener {
   Flattener(const scene::Database& database, CompiledScene& compiled)
       : database_(database), compiled_(compiled), csg_(database) {}
 
-  /// What an object hands down to its children.
+  /// State that an object hands down to its children.
   struct Inherited {
     scene::Transform world_from_parent{};
     scene::TextureId texture = scene::kNoTexture;

@@ -1,5 +1,5 @@
-// A database made ready for rays: every blob compiled once in its own space, everything placed flattened into instances, and a
-// top-level grid over them. Immutable; one struct on one screen.
+// A database made ready for rays: every blob is compiled once in its own space, every placed object is flattened into
+// an instance, and a top-level grid stands over the instances. Immutable; one struct on one screen.
 #pragma once
 
 #include "renderer/compiled/paper_tables.h"
@@ -19,50 +19,51 @@ namespace isl::render {
 struct CompiledBlob {
   ComponentTable components;
   Grid grid;
-  PaperTables paper;  ///< empty but for the published solver
+  PaperTables paper;  ///< filled only for the published solver
   double size = 0;    ///< the largest coordinate that its surface is computed from
 
-  /// Of all that it has, in its own space; infinite where it has half-spaces, empty where it has no surface.
+  /// Bounds of the content in the blob's own space; infinite if the blob has half-spaces, empty if it has no surface.
   [[nodiscard]] Box bounds() const {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     return grid.beyond == scene::kNone ? grid.bounds : Box(Vec3(-kFar), Vec3(kFar));
   }
 };
 
-/// A solid, a blob or a combination of such that stands somewhere. Its number is its InstanceId.
+/// A placed solid, blob or CSG tree. Its index is its InstanceId.
 struct Instance {
-  scene::Object::Kind kind;  ///< `group`: `shape` is the number of a CSG tree
-  std::uint8_t hidden_from;  ///< kinds of rays that pass it by: the bits of RayKind
+  scene::Object::Kind kind;  ///< for `group`, `shape` is the index of a CSG tree
+  std::uint8_t hidden_from;  ///< the kinds of rays that do not meet it, as bits of RayKind
   bool is_placed;   ///< false: object space is world space
-  bool is_inverse;  ///< its normals point inwards; a CSG tree knows that itself
+  bool is_inverse;  ///< normals point inwards; false for a CSG tree, whose leaves know it
   std::uint32_t shape;
   scene::TextureId texture;
   TextureSpace texture_space;
   scene::Transform world_from_object;
   OriginId origin;
-  double size = 0;  ///< of a solid or blob: the largest coordinate in its own space that its surface is computed from
-  Spread spread;    ///< in the world
+  double size = 0;  ///< for a solid or blob: the largest coordinate, in its own space, that its surface is computed
+                    ///< from
+  Spread spread;    ///< in world space
 };
 
 struct CompiledScene {
   std::vector<scene::Solid> solids;
-  SolidDetails details;  ///< of those
+  SolidDetails details;  ///< details of the solids
   std::vector<CompiledBlob> blobs;
   scene::CoordinateTextures coordinate_textures;
   std::vector<CsgTree> trees;
-  std::vector<scene::Transform> texture_spaces;  ///< world_from_space, of groups that hand a pattern down
+  std::vector<scene::Transform> texture_spaces;  ///< world_from_space of each group that hands a pattern down
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
   std::vector<std::uint32_t> bounded;    ///< all other instances
-  Grid grid;                             ///< over the bounded ones
-  Box bounds;                            ///< of those
+  Grid grid;                             ///< grid over the bounded instances
+  Box bounds;                            ///< bounds of the bounded instances
 
   [[nodiscard]] std::size_t grid_bytes() const;
 };
 
 struct CompileOptions {
   CellRule cells = CellRule::ranges;
-  bool skeleton = false;  ///< every blob as its skeleton model
+  bool skeleton = false;  ///< every blob is drawn unblended
 };
 
 [[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);

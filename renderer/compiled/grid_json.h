@@ -1,4 +1,4 @@
-// What a compiled scene's grids look like, for `isl dump --stage grid`: sizes and counts by kind and depth, as stable JSON.
+// Sizes and counts of a compiled scene's grids, by kind of cell and depth, as stable JSON for `isl dump --stage grid`.
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"

@@ -9,8 +9,9 @@
 namespace isl::render {
 namespace {
 
-/// Cells are laid out by sizes, centres and margins of boxes that hold several of these: sums of at most eight
-/// coordinates, which must not overflow. What reaches farther is kept outside the grid, as what has no end.
+/// The largest coordinate of a box in the grid. The layout of cells computes sizes, centres and margins, which are sums
+/// of at most eight such coordinates and must not overflow. A box that reaches farther is kept outside the grid, like
+/// an endless one.
 constexpr double kFarthest = std::numeric_limits<double>::max() / 16;
 
 bool is_finite(const Box& box) {
@@ -43,7 +44,7 @@ Box world_bounds(const CompiledScene& scene, const Instance& instance) {
                  corner & 4 ? box.max.z : box.min.z);
     world.extendBy(instance.world_from_object.point(p));
   }
-  // A corner that overflowed is infinite or no number, which a box leaves out.
+  // A corner that overflows is infinite or NaN; extendBy ignores NaN.
   return is_finite(world) ? world : endless_box();
 }
 
@@ -63,7 +64,7 @@ class BoxClassifier {
 
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return boxes_[item]; }
 
-  /// A cell smaller than the smallest thing in it separates nothing any more.
+  /// A cell smaller than its smallest item separates nothing, so it is not divided.
   [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
     if (kept.size() <= kShortList) return false;
     double least = size;

@@ -1,4 +1,4 @@
-// The top-level grid: which placed solids and blobs a ray may meet where, by their boxes.
+// The top-level grid: it tells which instances a ray may meet in each cell, from their bounding boxes.
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"

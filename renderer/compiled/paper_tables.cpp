@@ -5,7 +5,7 @@
 namespace isl::render {
 namespace {
 
-/// φ falls with v: the place where amplitude · φ passes the threshold, between neighbouring doubles.
+/// The argument v at which amplitude · φ passes the threshold, bisected to neighbouring doubles. φ falls with v.
 IsoLevel iso_level(const KernelConstants& kernel, double amplitude, double threshold) {
   if (!(amplitude * kernel_profile(kernel, 0) > threshold)) return {};
   double inside = 0, outside = kernel.support;

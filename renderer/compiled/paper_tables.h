@@ -1,8 +1,8 @@
-// What the published solver knows of a blob's fields before any ray: how high their kernels are, for its fast
-// rejection, and where each alone is at its own surface, for `iso`.
+// Tables that the published solver makes from a blob's fields before any ray: upper bounds of their kernels for its
+// fast rejection and, for `iso`, where each field alone reaches the threshold.
 //
-// A peak is read off the kernel's profile at equal steps of v, between which it lies below the chord: every kernel is
-// convex in v. So no kernel is evaluated for it.
+// A bound is interpolated linearly from the kernel's profile at equal steps of v. Every kernel is convex in v, so its
+// chord lies above it, and no kernel is evaluated for the bound.
 #pragma once
 
 #include "renderer/fields/component_table.h"
@@ -13,19 +13,22 @@
 
 namespace isl::render {
 
-/// Where a field alone reaches the threshold: v and the field's slope in v. v = 0 for one that does not.
+/// The argument v at which a field alone reaches the threshold, and the field's slope in v there. v = 0 if it does not
+/// reach it.
 struct IsoLevel {
   double v = 0, slope = 0;
 };
 
 struct PaperTables {
-  /// At 64 steps the hardest Gaussian's chord, over a factor e^(15/64), is 0.7 % above it.
+  /// With 64 steps the hardest Gaussian falls by the factor e^(15/64) in a step, and its chord is at most 0.7 % above
+  /// it.
   static constexpr int kSteps = 64;
 
   std::vector<std::array<double, kSteps + 1>> profiles;  ///< φ by group
-  std::vector<IsoLevel> iso;                             ///< by component; of convolved ones and half-spaces none
+  std::vector<IsoLevel> iso;                             ///< by component; unset for convolved fields, half-spaces and
+                                                         ///< sheets
 
-  /// φ of a group of fields is at most this where the argument is at least v.
+  /// Upper bound of φ for the fields of a group whose argument is at least v.
   [[nodiscard]] double profile_bound(const ComponentTable& table, const FieldGroup& group, double v) const {
     const double place = v / group.kernel.support * kSteps;
     if (!(place < kSteps)) return 0;
@@ -35,7 +38,7 @@ struct PaperTables {
   }
 };
 
-/// `iso`: with the levels of components.
+/// `iso`: also makes the levels of the components.
 [[nodiscard]] PaperTables make_paper_tables(const ComponentTable& table, bool iso);
 
 }  // namespace isl::render
