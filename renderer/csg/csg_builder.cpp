@@ -28,8 +28,8 @@ CsgNode::Kind kind_of(Operation operation, bool is_inverse) {
   return is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all;
 }
 
-/// A box that rounding cannot move a ray out of: a leaf that its box wrongly excludes loses no more than what a ray
-/// that touches it by rounding sees.
+/// Widens a box by more than rounding moves a ray, so that a leaf is wrongly excluded at most for rays that touch it
+/// only by a rounding.
 Box widened(Box box) {
   if (box.isEmpty()) return box;
   for (int i = 0; i < 3; ++i) {
@@ -47,12 +47,12 @@ bool needs_csg(const scene::Database& database, const Object& object, bool is_in
   if (object.clip != scene::kNoGroup) return true;
   if (object.kind != Object::Kind::group) return false;
   const Group& group = database.groups[object.shape];
-  // The only child of whatever operation is what it is.
+  // A group with one child is that child, whatever its operation.
   if (group.children.size() <= 1) return false;
   return group.operation != Operation::unite || is_inverse != object.inverse;
 }
 
-/// What an object is added below.
+/// State that an object inherits from its parent.
 struct CsgBuilder::Above {
   std::uint32_t parent = scene::kNone;
   scene::Transform group_from_parent{};
@@ -103,7 +103,8 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
     add_shape(tree, object, own);
     return;
   }
-  // Both the shape and what clips it, whose own surface is not seen. Inverting the shape does not invert the clip.
+  // A clipped shape is the intersection of the shape and its clip, whose own surface is not seen. Inverting the shape
+  // does not invert the clip.
   ++tree.nodes[above.parent].child_count;
   own.parent = static_cast<std::uint32_t>(tree.nodes.size());
   tree.nodes.push_back({above.is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all, above.parent, 0});
@@ -126,7 +127,7 @@ void CsgBuilder::add_group(CsgTree& tree, const Group& group, const Above& above
   ++tree.nodes[above.parent].child_count;
   Above own = above;
   own.parent = static_cast<std::uint32_t>(tree.nodes.size());
-  // Of nothing nothing is made, whatever the operation; a union of none holds nowhere.
+  // An empty group is the empty set, whatever its operation: a union without children holds nowhere.
   const Operation operation = group.children.empty() ? Operation::unite : group.operation;
   tree.nodes.push_back({kind_of(operation, above.is_inverse), above.parent, 0});
   if (group.cutaway_textures) own.cutaway = own.parent;

@@ -1,4 +1,4 @@
-// From the database's groups to CSG trees.
+// Compiles the database's groups to CSG trees.
 #pragma once
 
 #include "renderer/csg/csg_tree.h"
@@ -10,17 +10,17 @@
 
 namespace isl::render {
 
-/// Whether an object is more than its parts side by side: combined by an operation, clipped, or a union turned inside
-/// out. `is_inverse`: what holds it is.
+/// True if an object is more than its parts side by side: combined by an operation, clipped, or a union turned inside
+/// out. `is_inverse`: the object's parent is inverse.
 [[nodiscard]] bool needs_csg(const scene::Database& database, const scene::Object& object, bool is_inverse);
 
-/// Makes each distinct tree once.
+/// Makes the CSG trees of a scene, each distinct tree once.
 class CsgBuilder {
  public:
   explicit CsgBuilder(const scene::Database& database) : database_(database), extents_(database) {}
 
-  /// The number of the object's tree among those taken in the end. The object's own place and texture are no part of
-  /// it.
+  /// Index of the object's tree in what take_trees() will return. The tree does not depend on the object's own
+  /// transform and texture.
   [[nodiscard]] std::uint32_t tree_of(const scene::Object& object, bool is_inverse);
 
   [[nodiscard]] std::vector<CsgTree> take_trees() { return std::move(trees_); }
@@ -35,7 +35,7 @@ class CsgBuilder {
 
   const scene::Database& database_;
   Extents extents_;
-  /// By kind, shape, clip, the object's own inverse, and that of what holds it.
+  /// The key is the kind, the shape, the clip, the object's own inverse, and its parent's.
   std::map<std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool, bool>, std::uint32_t> known_;
   std::vector<CsgTree> trees_;
 };

@@ -1,9 +1,9 @@
-// What `intersection`, `difference`, `merge` and `clipped_by` make of solids and blobs, flat and ready for rays: an
-// expression over leaves, each of which is inside or outside at any place of a ray. Compiled once for each distinct
-// group (csg_builder.h) and shared by its copies; followed along rays by csg_search.h.
+// A combination of solids and blobs by `intersection`, `difference`, `merge` and `clipped_by`, flat and ready for rays:
+// an expression over leaves, each of which is inside or outside at any point of a ray. It is compiled once for each
+// distinct group (csg_builder.h), shared by its copies, and followed along rays by csg_search.h.
 //
-// There are no negations but at the leaves: `difference` is an intersection with what is inverse, and an inverse
-// intersection is a merge of inverses.
+// Only leaves are negated: `difference` is an intersection with inverse objects, and an inverse intersection is a merge
+// of inverses.
 #pragma once
 
 #include "renderer/csg/spread.h"
@@ -16,13 +16,14 @@
 
 namespace isl::render {
 
-/// Where the texture of an instance or leaf lives: kOwnSpace is that of the shape itself, kOuterSpace that around it (the
-/// world, or the tree's group), all else the number of a space that a group in between handed down with the texture.
+/// The space in which the texture of an instance or leaf lives. kOwnSpace is that of the shape itself, kOuterSpace is
+/// the one around it (the world, or the tree's group), and any other value is the index of the space of a group in
+/// between, which handed the texture down.
 using TextureSpace = std::uint32_t;
 inline constexpr TextureSpace kOwnSpace = 0xFFFFFFFF, kOuterSpace = 0xFFFFFFFE;
 
 struct CsgNode {
-  /// `unite` differs from `merge` by the surfaces inside, which stay.
+  /// `unite` differs from `merge` in that it keeps the surfaces inside.
   enum class Kind : std::uint8_t { all, unite, merge };
   Kind kind = Kind::all;
   std::uint32_t parent = scene::kNone;
@@ -35,30 +36,30 @@ struct CsgNode {
 
 struct CsgLeaf {
   scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
-  bool is_seen = true;      ///< false: of what clips, whose surface is none of the object's
-  bool is_inverse = false;  ///< holds outside rather than inside; its normals are turned round
-  bool is_sheet = false;    ///< without an inside: holds nowhere, inverse or not, as in POV-Ray
+  bool is_seen = true;                                    ///< false for a leaf that clips: its surface is not drawn
+  bool is_inverse = false;                                ///< holds outside rather than inside; its normals are flipped
+  bool is_sheet = false;    ///< has no inside: holds nowhere, inverse or not, as in POV-Ray
   bool is_placed = false;   ///< false: its space is the group's
   std::uint32_t shape = 0;
-  std::uint32_t parent = 0;  ///< node
-  /// Its own, or that of the nearest group in the tree that has one; else kNoTexture.
+  std::uint32_t parent = 0;  ///< index of its node
+  /// Its own texture, or that of the nearest group in the tree that has one; else kNoTexture.
   scene::TextureId texture = scene::kNoTexture;
   TextureSpace texture_space = kOuterSpace;
-  /// The nearest group above with `cutaway_textures`, where the leaf has no texture from within it; else kNone.
+  /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
-  Imath::Box3d box;    ///< in the group's space; outside it the leaf is outside. Sides may be infinite
+  Imath::Box3d box;    ///< in the group's space; the leaf is outside beyond it. Sides may be infinite
   double size = 0;     ///< the largest coordinate in its own space that its surface is computed from
 };
 
 struct CsgTree {
   std::vector<CsgNode> nodes;  ///< parents before children; the first is the root
   std::vector<CsgLeaf> leaves;
-  std::vector<scene::Transform> texture_spaces;  ///< group_from_space
-  /// For every node, how many children hold where no leaf is inside.
+  std::vector<scene::Transform> texture_spaces;  ///< group_from_space of each group that hands a pattern down
+  /// For every node, the number of its children that hold where no leaf is inside.
   std::vector<std::uint32_t> holding_at_rest;
-  Imath::Box3d bounds;  ///< of the surface; sides may be infinite
-  Spread spread;        ///< of every leaf
+  Imath::Box3d bounds;  ///< bounds of the surface; sides may be infinite
+  Spread spread;        ///< covers every leaf
 
   [[nodiscard]] std::size_t bytes() const {
     return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +

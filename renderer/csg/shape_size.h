@@ -1,4 +1,4 @@
-// How large the numbers are that a shape's surface is computed from.
+// The size of the numbers that a shape's surface is computed from.
 #pragma once
 
 #include "renderer/scene/database.h"

@@ -21,12 +21,13 @@ double frobenius_norm(const scene::Matrix& m) {
   return std::sqrt(sum);
 }
 
-/// |n|·e ≤ √3 (largest reach + size) for every normal.
+/// For every unit normal n, |n|·e ≤ √3 (r + size), where r is the largest coordinate of the reach.
 Spread spread_of_shape(double size) { return {std::sqrt(3.0), std::sqrt(3.0) * size}; }
 
 Spread spread_through(const scene::Transform& map, const Spread& inner) {
   const Vec3 offset(map.inverse[3][0], map.inverse[3][1], map.inverse[3][2]);
-  // No coordinate of a vector is stretched by more than √3 norm; distances come back multiplied by at most the norm.
+  // No coordinate of a vector is stretched by more than √3 times the norm; distances are multiplied by at most the norm
+  // on the way back.
   const double in = std::sqrt(3.0) * frobenius_norm(map.inverse), out = frobenius_norm(map.matrix);
   return {out * inner.factor * in, out * inner.at(largest(offset))};
 }

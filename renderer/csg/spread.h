@@ -7,22 +7,23 @@
 namespace isl::render {
 
 inline constexpr double kRounding = 0x1p-47;
-/// Where a ray meets a surface under a smaller angle, no surface that bends is known any better: quotients end here.
+/// The smallest sine of the angle between a ray and a surface by which a rounding is divided. At smaller angles the
+/// bend of a surface, and not its slope, decides how well the crossing is known.
 inline constexpr double kGrazing = 0x1p-24;
-/// Crossings of two faces that lie within their rounding are no farther apart than this times Spread::at().
+/// The rounding of t at a crossing is at most this times Spread::at(): the rounding of the face over the smallest
+/// slope.
 inline constexpr double kNear = kRounding / kGrazing;
 
-/// No face of a shape is rounded by more than kRounding times at(the largest coordinate of a point's
-/// reach).
+/// No face of a shape is rounded by more than kRounding · at(r), where r is the largest coordinate of a point's reach.
 struct Spread {
   double factor = 1, size = 0;
 
   [[nodiscard]] double at(double reach) const { return factor * reach + size; }
 };
 
-/// The spread of a shape whose numbers are of that size.
+/// The spread of a shape whose numbers have this size.
 [[nodiscard]] Spread spread_of_shape(double size);
-/// The same shape's around its place.
+/// The spread of the same shape as the space around it sees it.
 [[nodiscard]] Spread spread_through(const scene::Transform& outer_from_inner, const Spread& inner);
 
 /// The Frobenius norm of the linear part: no vector is stretched by more.
