@@ -1,5 +1,5 @@
-// Light that comes from everywhere: pigment × finish ambient × ambient_light, whatever stands around. At the lowest qualities,
-// which show no light at all, it is the pigment itself.
+// Light that comes from everywhere: pigment × finish ambient × ambient_light, whatever stands around. It is replaced by
+// the pigment itself at the lowest qualities, which show no light at all.
 #include "renderer/effects/effect.h"
 
 namespace isl::render {

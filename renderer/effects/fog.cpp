@@ -1,6 +1,7 @@
-// Fog of constant density. Along s, the share e^(−s/distance) of what is behind gets through, but at least the fog colour's
-// transmit; the rest is the fog's colour. What gets through is tinted by the colour as far as its filter says. Several fogs
-// attenuate one after the other, and their colours add up, as in POV-Ray. Inside of what is not `hollow` there is no fog.
+// Fog of constant density. Over a distance s, the share e^(−s/distance) of the light from behind gets through, but at
+// least the transmit of the fog's colour; the rest is the fog's colour. The colour tints the light that gets through,
+// as far as its filter says. Several fogs attenuate one after the other, and their colours add up, as in POV-Ray. There
+// is no fog inside objects that are not `hollow`.
 #include "renderer/effects/effect.h"
 #include "renderer/numerics/power.h"
 

@@ -1,5 +1,5 @@
-// Objects that some rays pass by. Rays know what they are traced for (RayKind), and the tracer asks the object's flags; these records
-// say which scenes have such objects.
+// Objects that some rays do not meet. A ray has its purpose (RayKind), and the tracer tests the object's flags. These
+// records tell which scenes have such objects.
 #include "renderer/effects/effect.h"
 
 namespace isl::render {
@@ -7,7 +7,7 @@ namespace {
 
 using scene::Object;
 
-/// The effect of a flag of objects. `what`: the flag as the language calls it.
+/// The effect of a flag of objects. `what` is the flag as the language writes it.
 Effect hiding(std::string_view name, std::string_view summary, std::string_view what, bool Object::*flag,
               scene::ObjectItem item) {
   return {.name = name,

@@ -1,4 +1,4 @@
-// What effects of light ask of a scene's lights.
+// Questions about a scene's lights that effects of light have in common.
 #pragma once
 
 #include "renderer/scene/light.h"

@@ -1,4 +1,4 @@
-// Metal: highlights take the pigment's colour, less so at grazing angles (shading/metallic.h).
+// Metallic finishes: highlights take the pigment's colour, less so at grazing angles (shading/metallic.h).
 #include "renderer/effects/effect.h"
 #include "renderer/shading/metallic.h"
 
@@ -12,7 +12,7 @@ class MetallicStage final : public Stage<LightWork> {
   explicit MetallicStage(const StageContext& /*context*/) {}
 
   void run(LightWork& work) const override {
-    if (work.shine.empty()) return;  // highlights are left out
+    if (work.shine.empty()) return;  // highlights are left out of the picture
     auto shine = work.shine.begin();
     for (const LitPoint& lit : work.lit) {
       for (const LitTexture& texture : work.block.points[lit.point].textures) {

@@ -1,6 +1,6 @@
-// Effects that the language has and the renderer does not draw yet: their records have no stage, so that a scene that calls for
-// one is refused by name, or with `--lenient` is rendered without. Whoever makes one drawable gives it a file and a row of
-// effects.def, and takes it out here.
+// Effects that the language has and the renderer does not draw yet. Their records have no stage, so that a scene that
+// calls for one is refused by name, or is rendered without it if `--lenient` is given. To make one drawable, give it a
+// file and a row of effects.def, and remove it here.
 #pragma once
 
 #include "renderer/effects/effect.h"
@@ -11,7 +11,7 @@ namespace isl::render {
 
 [[nodiscard]] std::vector<Effect> effects_not_rendered();
 
-/// Parts of the above: cameras, lights, objects and the air; and what surfaces look like.
+/// Parts of the above: first cameras, lights, objects and the air; then the looks of surfaces.
 void add_world_not_rendered(std::vector<Effect>& effects);
 void add_surfaces_not_rendered(std::vector<Effect>& effects);
 

@@ -33,7 +33,8 @@ constexpr PatternKind kNotDrawn[] = {
 /// Where the scene says something; its place may be unknown.
 using Found = std::optional<OriginId>;
 
-/// Finds the first of the pigments that one is made of, itself included, which is as `is_such` says. Each is looked at once.
+/// Finds the first of the pigments that one is made of, itself included, for which `is_such` holds. Each is looked at
+/// once.
 class PigmentWalk {
  public:
   using IsSuch = bool (*)(const Pigment&, const PatternedPigment*);
@@ -73,8 +74,8 @@ Found find_in(const Database& database, const Pigment& pigment, PigmentWalk::IsS
   return PigmentWalk(database, is_such).find(pigment);
 }
 
-/// For a pigment that cannot be drawn: its preview colour, else the mean of the plain colours that it chooses from,
-/// else grey.
+/// Replaces a pigment that cannot be drawn: by its preview colour, else by the mean of the plain colours that it
+/// chooses from, else by grey.
 Colour stand_in(const Database& database, const PatternedPigment& pigment) {
   if (pigment.quick_colour) return *pigment.quick_colour;
   Colour sum;
@@ -101,7 +102,7 @@ void make_opaque(const Database& database, Texture& texture) {
   texture.pigment = {colour};
 }
 
-/// The pattern that cannot be drawn by which the texture is chosen.
+/// The place of the pattern that cannot be drawn and that chooses the texture.
 Found chosen_unseen(const Database& database, const Texture& texture) {
   if (texture.pattern == scene::kNoTexturePattern) return {};
   const Pattern& pattern = database.texture_patterns[index(texture.pattern)].pattern;
@@ -110,7 +111,7 @@ Found chosen_unseen(const Database& database, const Texture& texture) {
   return inner ? find_in(database, {.pattern = inner->pigment}, is_undrawable) : Found();
 }
 
-/// The first of the textures that the pattern chooses from.
+/// Takes the first of the textures that the pattern chooses from.
 void choose_first(const Database& database, Texture& texture) {
   while (chosen_unseen(database, texture)) {
     const scene::TextureMapId map = database.texture_patterns[index(texture.pattern)].map;
@@ -119,16 +120,16 @@ void choose_first(const Database& database, Texture& texture) {
   }
 }
 
-/// Of layers the lowest alone: what the others let through shows the next.
+/// Layers above the lowest do not count: they let the next one show through.
 Found transparent_part(const Database& database, const Texture& texture) {
   if (texture.below != scene::kNoTexture || texture.pattern != scene::kNoTexturePattern) return {};
   return find_in(database, texture.pigment, lets_light_through);
 }
 
-/// A texture refers to other columns, so both ask for the database.
+/// A texture refers to other columns, so both functions need the database.
 struct TextureRow {
   std::string_view name, summary;
-  std::string_view what;  ///< as the language calls it, for refusals
+  std::string_view what;  ///< as the language writes it, for refusals
   Found (*find)(const Database&, const Texture&);
   void (*leave_out)(const Database&, Texture&);
   int from_quality = 0;
@@ -165,7 +166,7 @@ struct FinishRow {
 
 bool shines(const Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; }
 
-// `conserve_energy` and `use_alpha` are not here: they say nothing without transparency.
+// `conserve_energy` and `use_alpha` are not here, because they have no meaning without transparency.
 constexpr FinishRow kFinishRows[] = {
     {"fresnel", "reflection computed from the ior", "`fresnel` reflection", scene::FinishItem::fresnel,
      [](const Finish& finish) { return reflects(finish) && finish.fresnel; },

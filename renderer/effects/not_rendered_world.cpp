@@ -18,23 +18,23 @@ using scene::LightKind;
 using scene::Object;
 using scene::ObjectItem;
 
-/// An effect by something that one kind of record says.
+/// An effect that one kind of record calls for.
 template <class Record>
 struct Row {
   std::string_view name, summary;
-  std::string_view what;  ///< as the language calls it, for refusals
+  std::string_view what;  ///< as the language writes it, for refusals
   OriginId (*word)(const Record&);
   bool (*is_used)(const Record&);
   void (*leave_out)(Record&);
 };
 
-/// The place of an item.
+/// The place of an item in the text.
 template <class Record, auto item>
 OriginId said(const Record& record) {
   return record.said_at[item];
 }
 
-/// A camera that bends rays or sends them side by side shows what a perspective one of its vectors shows, more or less.
+/// A camera with curved or parallel rays shows roughly what a perspective one with its vectors shows.
 template <CameraKind kind>
 constexpr Row<Camera> camera_kind(std::string_view name, std::string_view what) {
   return {name,
@@ -80,7 +80,7 @@ constexpr Row<Light> kLightRows[] = {
      [](Light& light) { light.projected_through = scene::kNoGroup; }},
 };
 
-// `hollow` is not here: it changes fog, which asks for it itself.
+// `hollow` is not here, because it only changes fog, which reads it itself.
 constexpr Row<Object> kObjectRows[] = {
     {"double_illuminate", "surfaces lit from both sides", "`double_illuminate`",
      said<Object, ObjectItem::double_illuminate>, [](const Object& object) { return object.double_illuminate; },
@@ -120,7 +120,7 @@ void leave_out(const Row<Record>& row, std::vector<Record>& records) {
   }
 }
 
-/// `uses`: where SceneUse has the records; `leave_out_all` leaves the row out of all of them.
+/// `uses`: the function of SceneUse that returns the records; `leave_out_all` leaves the row out of all of them.
 template <class Record, class Uses, class LeaveOut>
 Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) {
   return {.name = row.name,
@@ -134,7 +134,7 @@ Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) 
           .leave_out = [&row, leave_out_all](Database& database) { leave_out_all(row, database); }};
 }
 
-/// Fogs that say something which is not drawn.
+/// The effect of fogs with a property that is not drawn.
 Effect fog_effect(std::string_view name, std::string_view summary, std::string_view what, FogItem item,
                   bool (*is_used)(const Fog&)) {
   return {.name = name,

@@ -1,4 +1,4 @@
-// Pigments as they are, without any light: what the lowest qualities show.
+// Pigments as they are, without any light. The lowest qualities show these.
 #include "renderer/effects/effect.h"
 
 namespace isl::render {

@@ -6,7 +6,7 @@
 namespace isl::render {
 namespace {
 
-/// Nothing of the plan's options speaks against the effect; else why not.
+/// Why the options exclude the effect; empty if they do not.
 std::string_view excluded(const Effect& effect, const PlanOptions& options) {
   if (options.quality < effect.from_quality) return "`--quality` is too low for it";
   if (options.quality > effect.to_quality) return "`--quality` is high enough for light";
@@ -54,7 +54,7 @@ Plan plan_of(const scene::Database& database, const PlanOptions& options) {
 
 namespace {
 
-/// Calls visit(effect) with each that the database calls for and the picture has not.
+/// Calls visit(effect) with each effect that the database calls for and the picture does not have.
 template <class Visit>
 void for_each_lacking(const Plan& plan, Visit&& visit) {
   for (const PlannedEffect& planned : plan.refused) visit(*planned.effect);

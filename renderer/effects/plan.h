@@ -1,5 +1,6 @@
-// Which effects a scene calls for. Asked once, before anything is traced: the integrator runs the stages of the effects in the plan
-// and knows of no other, so what is left out costs nothing. `isl plan`, the statistics and the refusals read the same lists.
+// The effects that a scene calls for. They are found once, before anything is traced: the integrator runs the stages of
+// the effects in the plan and knows of no others, so an effect that is left out costs nothing. `isl plan`, the
+// statistics and the refusals read the same lists.
 #pragma once
 
 #include "renderer/effects/effect.h"
@@ -21,24 +22,25 @@ struct Plan {
   std::vector<PlannedEffect> left_out;    ///< not called for, beyond the quality, or excluded
   std::vector<PlannedEffect> refused;     ///< called for, and not rendered yet
 
-  /// Whether the effect is rendered.
+  /// True if the effect is rendered.
   [[nodiscard]] bool has(std::string_view name) const;
 };
 
-/// How many rays an effect spawned in a rendering.
+/// The number of rays that an effect spawned in a rendering.
 [[nodiscard]] std::uint64_t spawned_rays(const Plan& plan, const PathCounts& counts, const Effect& effect);
 
 struct PlanOptions {
-  int quality = 9;                   ///< as POV-Ray's +Q: each effect says from where on it has it
-  std::vector<std::string> without = {};  ///< names of effects to render without, whatever calls for them
+  int quality = 9;                        ///< as POV-Ray's +Q: each effect says from which quality on it is drawn
+  std::vector<std::string> without = {};  ///< names of effects to leave out, even if the scene calls for them
 };
 
 [[nodiscard]] Plan plan_of(const scene::Database& database, const PlanOptions& options = {});
 
-/// Whether the database has to change before the plan is rendered: it calls for what is refused or excluded.
+/// True if the database has to change before the plan is rendered, because it calls for effects that are refused or
+/// excluded.
 [[nodiscard]] bool must_leave_out(const Plan& plan);
 
-/// Changes the database so.
+/// Changes the database so that it no longer calls for these effects.
 void leave_out(const Plan& plan, scene::Database& database);
 
 }  // namespace isl::render

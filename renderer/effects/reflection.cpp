@@ -1,7 +1,7 @@
-// Reflection of other things. A surface with the reflectivity R(c) = minimum + (maximum − minimum)(1 − c)^falloff, c being the
-// cosine of the angle between the view and the normal, adds R × what a ray mirrored in the surface sees. `metallic` tints R by the
-// pigment (shading/metallic.h). As in POV-Ray each layer of a texture reflects by itself, however much it lets through, and what
-// lies above it does not filter that.
+// Mirror reflection. A surface with the reflectivity R(c) = minimum + (maximum − minimum)(1 − c)^falloff, where c is
+// the cosine of the angle between the view and the normal, adds R × the light that a ray mirrored in the surface sees.
+// `metallic` tints R by the pigment (shading/metallic.h). As in POV-Ray, each layer of a texture reflects by itself,
+// however much it lets through, and the layers above it do not filter its reflection.
 //
 // All layers and textures of a point mirror in the same direction, so their reflectivities add up to one ray.
 #include "renderer/effects/effect.h"
@@ -17,10 +17,10 @@ double largest(const Rgb& colour) { return std::max({colour.x, colour.y, colour.
 
 struct Reflectivity {
   Rgb share{0};
-  double bound = 0;  ///< of what POV-Ray takes a layer to reflect at most, whatever the angle
+  double bound = 0;  ///< the greatest reflectivity of a layer that POV-Ray assumes, at any angle
 };
 
-/// What the surface mirrors of what the path sees, the layers left out that adc_bailout ends.
+/// The surface's reflectivity for the path. Layers that adc_bailout ends are left out.
 Reflectivity reflectivity(const ShadingPoint& point, double cosine, double weight, double least_weight,
                           EndedPaths& ended) {
   Reflectivity sum;

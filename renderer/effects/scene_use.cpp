@@ -20,7 +20,8 @@ SceneUse::SceneUse(const scene::Database& database) : database_(database) {
       follow(record, OriginId{});
     }
   });
-  // In the order in which they were met, so that the first statement is the first of the walk. A list, so that depth costs no stack.
+  // Records are followed in the order in which they were met, so that the first statement is the first of the walk. A
+  // list is used, so that depth costs no stack.
   for (std::size_t next = 0; next < pending_.size(); ++next) {
     const Pending pending = pending_[next];
     pending.follow(*this, pending.record, pending.origin);

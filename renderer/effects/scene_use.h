@@ -1,4 +1,4 @@
-// What a scene makes use of: the records that the world refers to, each once, and by what the first time.
+// The records of a scene that are in use: those that the world refers to, each once, with the place of its first use.
 #pragma once
 
 #include "renderer/scene/edges.h"
@@ -14,7 +14,7 @@ namespace isl::render {
 template <class Record>
 struct Use {
   const Record* record;
-  OriginId user;  ///< of a texture or finish that the scene names, the name; else the object or component
+  OriginId user;  ///< for a texture or finish that has a name in the scene: the name; else the object or component
 };
 
 class SceneUse {
@@ -22,7 +22,7 @@ class SceneUse {
   explicit SceneUse(const scene::Database& database);
 
   [[nodiscard]] const scene::Database& database() const { return database_; }
-  /// In the world and in groups, each group's once.
+  /// Objects in the world and in groups; those of a group come once.
   [[nodiscard]] std::span<const Use<scene::Object>> objects() const { return objects_; }
   [[nodiscard]] std::span<const Use<scene::Light>> lights() const { return lights_; }
   [[nodiscard]] std::span<const Use<scene::Group>> groups() const { return groups_; }

@@ -1,5 +1,5 @@
-// Shadows: light counts only where nothing stands in its way. The queue of shadow rays is the integrator's
-// (paths/shadow_queue.h); this record says when there is one.
+// Shadows: light counts only if nothing stands in its way. The queue of shadow rays belongs to the integrator
+// (paths/shadow_queue.h); this record tells when there is one.
 #include "renderer/effects/effect.h"
 #include "renderer/effects/light_requests.h"
 

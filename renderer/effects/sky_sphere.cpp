@@ -1,7 +1,8 @@
-// The sky: pigments looked up at the ray's direction, as points of a unit sphere. Each layer shows the opaque part of its colour and
-// lets through the rest; the background lies under the last.
+// The sky: pigments looked up at the ray's direction, as points of a unit sphere. Each layer shows the opaque part of
+// its colour and lets through the rest; the background lies under the last.
 //
-// What the layers above let through, as observed of POV-Ray 3.7, with colours c, filters f and transmits t of these layers:
+// The light that passes the layers above, as observed in POV-Ray 3.7, where c are these layers' colours, f filters and
+// t transmits:
 //   - from version 3.7 on, Π (c f + t), as transparent layers do elsewhere;
 //   - before, Π f + Π t of the layers below, and Π c f + Π t of the background: layers are dimmed but not coloured.
 #include "renderer/effects/effect.h"
@@ -11,7 +12,7 @@
 namespace isl::render {
 namespace {
 
-/// As POV-Ray weighs colours to one number.
+/// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
 class SkyStage final : public Stage<MissWork> {
@@ -45,7 +46,7 @@ class SkyStage final : public Stage<MissWork> {
   }
 
  private:
-  /// What layers let through together.
+  /// The light that layers let through together.
   struct Layers {
     Rgb through{1};   ///< Π (c f + t)
     Rgb filtered{1};  ///< Π c f

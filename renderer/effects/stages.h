@@ -1,5 +1,6 @@
-// Where effects take part in following paths. A stage works on a whole batch, or on a block of its surface points, never on a
-// single one; the integrator calls the stages of the plan in the order of the list of effects and knows none of them by name.
+// The stages of following paths in which effects take part. A stage works on a whole batch, or on a block of its
+// surface points, never on a single one. The integrator calls the stages of the plan in the order of the list of
+// effects and knows none of them by name.
 #pragma once
 
 #include "renderer/paths/path.h"
@@ -13,14 +14,14 @@
 
 namespace isl::render {
 
-/// What a rendering's stages are made from. Everything outlives them.
+/// The things that a rendering's stages are made from. They all outlive the stages.
 struct StageContext {
   const scene::Database& database;
   const Tracer& tracer;
   const PointTextures& textures;
 };
 
-/// Segments that were traced, before anything at their ends: what lies along them changes factors and adds light.
+/// Segments that were traced, before anything at their ends is shaded. Media along them change factors and add light.
 struct AlongWork {
   PathBatch& batch;
   std::span<Rgb> colours;  ///< by sample
@@ -30,10 +31,10 @@ struct AlongWork {
 struct MissWork {
   const PathBatch& batch;
   std::span<const std::uint32_t> misses;  ///< numbers in the batch
-  Rgb background;                         ///< what is seen where the stage lets through
+  Rgb background;                         ///< the colour that is seen where the stage lets light through
   double background_alpha;
   std::span<Rgb> colours;   ///< by sample
-  std::span<double> alphas; ///< by sample; empty but for camera rays
+  std::span<double> alphas;  ///< by sample; empty except for camera rays
 };
 
 /// The points where some segments of a batch end, with their textures.
@@ -53,15 +54,15 @@ struct SurfaceWork {
   std::span<Rgb> colours;  ///< by sample
 };
 
-/// A block's points that one light may reach: those that face it.
+/// A point of a block that one light may reach, because it faces the light.
 struct LitPoint {
   std::uint32_t point = 0;  ///< number in the block
   LightSample light;
   double incidence = 0;  ///< N·L, above 0
-  Rgb colour{0};         ///< of what reaches the eye, before the light's own colour
+  Rgb colour{0};         ///< the light that reaches the eye, before the light's own colour
 };
 
-/// The share of each of a lit point's textures in highlights, in the order of lit points and their textures.
+/// The share of each of a lit point's textures in highlights, in the order of lit points and of their textures.
 using Shine = std::vector<Rgb>;
 
 struct LightWork {
@@ -71,7 +72,7 @@ struct LightWork {
   Shine& shine;  ///< empty in the stages before highlights
 };
 
-/// Segments that surfaces send on: they are traced after everything else of the batch.
+/// Segments that surfaces send on. They are traced after everything else of the batch.
 struct SpawnWork {
   const PathBatch& batch;
   const SurfaceBlock& block;
@@ -92,7 +93,7 @@ class Stage {
 template <class Work>
 using MakeStage = std::unique_ptr<const Stage<Work>> (*)(const StageContext&);
 
-/// For a record: `.along = make_stage<FogStage, AlongWork>`.
+/// Used in a record: `.along = make_stage<FogStage, AlongWork>`.
 template <class Made, class Work>
 std::unique_ptr<const Stage<Work>> make_stage(const StageContext& context) {
   return std::make_unique<const Made>(context);
