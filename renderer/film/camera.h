@@ -1,5 +1,6 @@
-// Pixels → rays. POV-Ray's convention: pixel (x, y) is the square from x to x + 1 and y to y + 1, y down from the top
-// edge, so its centre is at x + ½, y + ½; image coordinates are u = x/width − ½ to the right and v = ½ − y/height up.
+// Turns pixels into rays by POV-Ray's convention: pixel (x, y) is the square from x to x + 1 and y to y + 1, y down
+// from the top edge, so its centre is at x + ½, y + ½; image coordinates are u = x/width − ½ to the right and v = ½ −
+// y/height up.
 #pragma once
 
 #include "renderer/rays/ray.h"
@@ -9,7 +10,7 @@
 
 namespace isl::render {
 
-/// The camera of a picture of some size. The picture's shape does not change the view: a camera's right and up do.
+/// The camera of a picture of some size. The picture's shape does not change the view; the camera's right and up do.
 class CameraRays {
  public:
   CameraRays(const scene::Camera& camera, int width, int height)
@@ -30,8 +31,8 @@ class CameraRays {
   double per_column_, per_row_;
 };
 
-/// Radians that a pixel in the middle of the picture subtends: TracerOptions::pixel_angle. The smaller of its two
-/// sides.
+/// The angle in radians that a pixel in the middle of the picture subtends, on the smaller of its two sides
+/// (TracerOptions::pixel_angle).
 [[nodiscard]] inline double pixel_angle(const scene::Camera& camera, int width, int height) {
   return std::min(camera.right.length() / width, camera.up.length() / height) / camera.direction.length();
 }

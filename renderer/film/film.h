@@ -1,5 +1,5 @@
 // Sums of samples, pixel by pixel, and the layers of the surfaces seen. Samples of one pixel must come in a fixed order
-// and from one thread at a time; different pixels do not touch one another. Linear light only.
+// and from one thread at a time; different pixels are independent. Linear light only.
 #pragma once
 
 #include "renderer/film/surface_aovs.h"
@@ -16,7 +16,7 @@ class Film {
   /// are kept.
   Film(const PixelRect& rect, const Aovs& aovs);
 
-  /// `colour` is multiplied by `alpha` already.
+  /// Precondition: `colour` is already multiplied by `alpha`.
   void add_sample(std::size_t pixel, const Rgb& colour, double alpha) {
     double* sum = &sums_[4 * pixel];
     sum[0] += colour.x;
@@ -27,7 +27,7 @@ class Film {
   }
   void set_surface(std::size_t pixel, const SeenSurface& seen);
 
-  /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros without samples.
+  /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros if it has no samples.
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
 
   [[nodiscard]] const PixelRect& rect() const { return rect_; }

@@ -1,4 +1,4 @@
-// How much of a rendering is done, told to whoever wants to know.
+// Reports how much of a rendering is done.
 #pragma once
 
 #include <atomic>
@@ -7,13 +7,13 @@
 
 namespace isl::render {
 
-/// Counts work units from many threads. A report that would wait for another thread's is dropped: the next one says
-/// more.
+/// Counts work units from many threads. A report that would have to wait for another thread's is dropped, because the
+/// next one says more.
 class Progress {
  public:
   explicit Progress(std::function<void(double)> tell) : tell_(std::move(tell)) {}
 
-  /// The work to come takes the share done from where it is to `end`, in `units` steps.
+  /// Begins a stage that takes the share done from where it is to `end`, in `units` steps.
   void begin_stage(double end, std::size_t units) {
     start_ = end_;
     end_ = end;
@@ -21,13 +21,13 @@ class Progress {
     done_ = 0;
   }
 
-  /// One unit is done. Any thread.
+  /// Counts one unit as done. Any thread may call it.
   void step() {
     const std::size_t done = done_.fetch_add(1) + 1;
     report(start_ + (end_ - start_) * static_cast<double>(done) / static_cast<double>(units_));
   }
 
-  /// Everything is done. One thread, after the others.
+  /// Reports that everything is done. One thread calls it, after the others.
   void finish() { report(1); }
 
  private:

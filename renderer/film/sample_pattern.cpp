@@ -1,6 +1,6 @@
 // A rank-1 lattice of N points: (i, g i mod N)/N, wrapped so that i = 0 is the centre. With g coprime to N every row
-// and every column of the N × N raster holds one point, which is what edges near the axes ask for; among those g, the
-// lattice whose nearest points are farthest apart is the most even one (Dammertz and Keller, Image Synthesis by Rank-1
+// and every column of the N × N raster holds one point, which serves edges near the axes; among those g, the lattice
+// whose nearest points are farthest apart is the most even one (Dammertz and Keller, Image Synthesis by Rank-1
 // Lattices). The shortest vector of the lattice spanned by (1, g) and (0, N) comes from Gauss' reduction in O(log N).
 #include "renderer/film/sample_pattern.h"
 

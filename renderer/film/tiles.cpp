@@ -14,7 +14,7 @@ int even_bits(unsigned n) {
   return result;
 }
 
-/// A fixed permutation: Fisher–Yates with the generator of POV-Ray's rand(), which needs no library's promise.
+/// A fixed permutation: Fisher–Yates with the generator of POV-Ray's rand(), so that it does not depend on a library.
 void shuffle(std::vector<PixelRect>& tiles) {
   std::uint32_t state = 1;
   for (std::size_t i = tiles.size(); i > 1; --i) {

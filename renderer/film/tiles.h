@@ -11,7 +11,7 @@ namespace isl::render {
 /// gives 475 tiles, enough to keep any number of threads of one machine busy to the end.
 inline constexpr int kTileSize = 32;
 
-/// The order in which tiles are handed out. A picture must not depend on it: the others exist for tests of that.
+/// The order in which tiles are handed out. A picture must not depend on it; the other orders exist to test that.
 enum class TileOrder : std::uint8_t { rows, reversed, shuffled };
 
 /// Tiles of `rect`, aligned to multiples of kTileSize of the whole picture.
