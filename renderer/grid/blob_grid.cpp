@@ -9,7 +9,7 @@
 namespace isl::render {
 namespace {
 
-/// Half-spaces and sheets reach everywhere: what they are beyond the box of all else is a cell of its own.
+/// Adds one cell for all that lies beyond the grid's box, where half-spaces and sheets still reach.
 void add_beyond(const FieldClassifier& classifier, std::vector<std::uint32_t> endless_items, Grid& grid) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Box everywhere{Vec3(-kFar), Vec3(kFar)};
@@ -36,7 +36,7 @@ Grid build_blob_grid(const ComponentTable& table, CellRule rule) {
   for (const FieldGroup& group : table.groups) {
     if (scene::is_endless(group.skeleton)) continue;
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
-      // Where only negative fields reach there is no surface, unless they carve what has no end.
+      // Negative fields alone make no surface, unless they carve something endless.
       if (table.amplitude[i] > 0 || !endless_items.empty()) bounds.extendBy(support_bounds(table, group, i));
     }
   }

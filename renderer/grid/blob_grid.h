@@ -1,5 +1,5 @@
-// The grid of one blob: cells classified from the ranges of their fields. Where the sum's upper bound stays below the threshold
-// nothing can be seen; where its lower bound stays above, everything is inside; only the rest is ever solved.
+// The grid of one blob: cells classified from the ranges of their fields. Where the sum's upper bound stays below the
+// threshold nothing can be seen; where its lower bound stays above, everything is inside; only the rest is ever solved.
 #pragma once
 
 #include "renderer/fields/component_table.h"
@@ -7,13 +7,13 @@
 
 namespace isl::render {
 
-/// How cells are told apart.
+/// The rule by which cells are classified.
 enum class CellRule : std::uint8_t {
   ranges,     ///< by the ranges of their fields
-  lipschitz,  ///< by values in their middles and Lipschitz constants, divided down to half the smallest support: the octree of `lg`, two
-              ///< of its levels a brick (Kalra and Barr 1989)
-  none,       ///< not at all: every cell that a support reaches keeps its list. The published solver needs that: its error moves
-              ///< the surface into cells where the true field has none.
+  lipschitz,  ///< by values in their middles and Lipschitz constants, divided down to half the smallest support: the
+              ///< octree of `lg`, with two of its levels to a brick (Kalra and Barr 1989)
+  none,       ///< not at all: every cell that a support reaches keeps its list. The published solver needs this,
+              ///< because its error moves the surface into cells where the true field has none.
 };
 
 [[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule);

@@ -1,5 +1,5 @@
-// What a box of a blob's space is, from the ranges of the fields that reach it: certainly outside, certainly inside, or in
-// need of a solver. The classifier of grid/grid_builder.h for blobs.
+// Classifies a box of a blob's space from the ranges of the fields that reach it: certainly outside, certainly inside,
+// or in need of a solver. This is the classifier that grid/grid_builder.h uses for blobs.
 #pragma once
 
 #include "renderer/fields/component_table.h"
@@ -31,7 +31,7 @@ class FieldClassifier {
         is_limb_[i] = is_limb;
       }
     }
-    // Without classes nothing is gained by small cells but short lists.
+    // If cells are not classified, small cells gain nothing but short lists.
     if (rule == CellRule::ranges && !table.is_skeleton)
       limb_cost_ = std::clamp((kWorthASplit + 1) * std::sqrt(kFewFields / static_cast<double>(table.size())), 1.0, kWorthASplit + 1);
   }
@@ -63,7 +63,7 @@ class FieldClassifier {
     return CellKind::leaf;
   }
 
-  /// One list for each selection of branches that may be the greatest; of a skeleton one for each component.
+  /// One list for each selection of branches that may be the greatest; for an unblended blob, one for each component.
   void list(const Box& box, const std::vector<std::uint32_t>& kept, ListSink& lists) const {
     if (table_.is_skeleton) {
       for (const std::uint32_t item : kept) lists.add({&item, 1});
@@ -88,9 +88,9 @@ class FieldClassifier {
 
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return support_bounds(table_, table_.group_of(item), item); }
 
-  /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add: down to half the smallest
-  /// support that reaches it where lists are long, else to the size that fits one of the fields. (An octree that culls by
-  /// Lipschitz constants has nothing but its size to go by.)
+  /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add. A cell with a long
+  /// list is divided down to half the smallest support that reaches it, any other down to the size that fits one of its
+  /// fields. (An octree that culls by Lipschitz constants is divided by size alone.)
   [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
     double least = reach_[kept.front()], fitting = fitting_[kept.front()], cost = 0;
     for (const std::uint32_t item : kept) {
@@ -104,7 +104,7 @@ class FieldClassifier {
   }
 
  private:
-  /// Of a skeleton: what may have a surface here, or fills it.
+  /// Classifies a box of an unblended blob; keeps the components that may have a surface in it or that fill it.
   CellKind classify_greatest(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
     bool is_inside = false;
     for_each_range(box, items, [&](std::uint32_t item, const FieldRange& range) {
@@ -117,11 +117,11 @@ class FieldClassifier {
     return is_inside && classify_ ? CellKind::inside : CellKind::leaf;
   }
 
-  /// Each range is exact but for its rounding, a few units in the last place of the component's own value even where the
-  /// exponential magnifies its argument (hardness ≤ 500: 2⁹ units); a sum adds one a component.
+  /// Each range is exact except for rounding, which is a few units in the last place of the component's own value even
+  /// where the exponential magnifies its argument (hardness ≤ 500: 2⁹ units). A sum adds one unit for each component.
   static constexpr double kRangeSlack = 0x1p-42;
 
-  /// Calls use(item, range) for the items, which ascend, whose support reaches the box.
+  /// Calls use(item, range) for each item whose support reaches the box. Items ascend.
   template <class Use>
   void for_each_range(const Box& box, std::span<const std::uint32_t> items, const Use& use) const {
     auto group = table_.groups.begin();
@@ -133,14 +133,15 @@ class FieldClassifier {
     }
   }
 
-  // Points are set up and evaluated eight at a time. Measured on the 7,381 flake, quartic and Gaussian: flat from 6 to 16, with
-  // the quartic gaining towards 12.
+  // Points are set up and evaluated eight at a time. Measured on the 7,381 flake, quartic and Gaussian, the time is
+  // flat from 6 to 16, with the quartic gaining towards 12.
   static constexpr double kWorthASplit = 12;
-  // Limbs and mapped points are set up one by one, and their bounds over long stretches are wide: cells down to their size, with
-  // one field in them, take the coral 0.6, the urchin 0.7 and the crab 0.4 of the time that lists of 12 take. They need 5 to 40
-  // kB a limb, so that above this many fields a limb's cost falls with the root of their number, to 1 at 169,000.
+  // Limbs and mapped points are set up one by one, and their bounds over long stretches are wide. Cells down to their
+  // size, with one field in each, take the coral 0.6, the urchin 0.7 and the crab 0.4 of the time that lists of 12
+  // take. Such cells need 5 to 40 kB a limb; therefore, above this number of fields, the cost of a limb falls with the
+  // root of the number, to 1 at 169,000.
   static constexpr double kFewFields = 1000;
-  // A thread may be a million times as long as thick: no limb alone has more cells than this along it.
+  // A thread may be a million times as long as thick, so a single limb gets at most this many cells along it.
   static constexpr double kMostAlong = 16;
 
   const ComponentTable& table_;
@@ -148,9 +149,9 @@ class FieldClassifier {
   CellRule rule_;
   bool classify_;
   std::vector<double> reach_;
-  std::vector<double> fitting_;  ///< the size of cells that fit a component: its reach, or a share of its length
-  std::vector<bool> is_limb_;  ///< anything but a point in the blob's own space
-  double limb_cost_ = 1;       ///< of a limb, in points
+  std::vector<double> fitting_;  ///< the cell size that fits a component: its reach, or a share of its length
+  std::vector<bool> is_limb_;    ///< true for anything but a point in the blob's own space
+  double limb_cost_ = 1;         ///< the cost of a limb, in points
 };
 
 }  // namespace isl::render

@@ -1,8 +1,8 @@
-// The sparse nested grid: where on a ray there is anything to solve. A brick of 4×4×4 cubic cells, any of which may be
-// a brick of smaller ones, to any depth, so that empty space costs a step and detail costs what it needs. Every cell is
-// classified when the grid is built (grid/blob_grid.cpp for fields, compiled/instance_grid.cpp for placed things), and
-// a cell's list is complete: a cell stands alone. After Klimaszewski and Sederberg 1997 (nested grids), walked as
-// Amanatides and Woo 1987.
+// The sparse nested grid tells where on a ray there is anything to solve. A brick has 4×4×4 cubic cells, any of which
+// may be a brick of smaller ones, to any depth, so that empty space costs one step and detail costs what it needs.
+// Every cell is classified when the grid is built (grid/blob_grid.cpp for fields, compiled/instance_grid.cpp for
+// instances), and its list is complete, so that each cell is solved by itself. After Klimaszewski and Sederberg 1997
+// (nested grids), walked as in Amanatides and Woo 1987.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -41,8 +41,8 @@ static_assert(sizeof(Cell) == 8);
 inline constexpr int kBrickSide = 4;
 inline constexpr std::uint32_t kBrickCells = 64;
 
-/// Levels below the top one. 4¹⁶ to 1 is more than the 2³² that separate the largest scene from its smallest part with bits
-/// to spare in a double.
+/// Levels below the top one. They divide the cells of the top by 4¹⁶ = 2³², which is more than separates the largest
+/// scene from its smallest part if a double is to have bits to spare.
 inline constexpr int kMaxGridDepth = 16;
 
 /// items[first … first + count − 1] of a grid.
@@ -53,17 +53,18 @@ struct ItemList {
 struct Grid {
   static constexpr std::size_t kListTail = 7;
 
-  Box bounds;                     ///< of the content; empty if there is none
-  Box box;                        ///< of the top brick's cells in use
-  double cell_size = 0;           ///< of the top brick's cells, on every axis
-  int dimensions[3] = {0, 0, 0};  ///< how many of them are in use, 1 to 4 an axis; the others are empty
+  Box bounds;                     ///< bounds of the content; empty if there is none
+  Box box;                        ///< bounds of the top brick's cells in use
+  double cell_size = 0;           ///< side of the top brick's cells, the same on every axis
+  int dimensions[3] = {0, 0, 0};  ///< number of cells in use, 1 to 4 an axis; the others are empty
   std::vector<Cell> cells;        ///< bricks of 64, x fastest; the first is the top
-  std::vector<std::uint64_t> occupied;  ///< a bit for each cell of a brick: it is not empty
-  std::vector<std::uint32_t> items;     ///< the lists of leaves, then kListTail zeros: lists are read eight entries at a time
+  std::vector<std::uint64_t> occupied;  ///< one bit for each cell of a brick, set if the cell is not empty
+  std::vector<std::uint32_t> items;     ///< the lists of leaves, then kListTail zeros, because lists are read eight
+                                        ///< entries at a time
   std::vector<ItemList> choices;
   std::uint32_t longest_list = 0;
 
-  /// Items without end, and the cell that stands for all that lies beyond the box; kNone where only empty space does.
+  /// Items without end, and the cell for all that lies beyond the box; kNone if only empty space does.
   std::vector<std::uint32_t> endless_items;
   std::uint32_t beyond = scene::kNone;
 

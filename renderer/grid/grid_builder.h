@@ -1,14 +1,14 @@
-// Builds a Grid from the top down. What a cell is, and whether dividing it pays, is the classifier's to say (its members are
-// called from several threads):
+// Builds a Grid from the top down. A classifier decides how a cell is classified and whether dividing it pays. Its
+// members are called from several threads:
 //
-//   CellKind  classify(box, items, kept)   what the cell is, given the items of its parent; fills `kept` if it is a leaf
-//   bool      should_divide(size, kept)    whether a leaf is worth dividing, size = its side
+//   CellKind  classify(box, items, kept)   the kind of the cell, given the items of its parent; fills `kept` for a leaf
+//   bool      should_divide(size, kept)    true if a leaf is worth dividing; size is its side
 //   void      list(box, kept, lists)       one list for a leaf, or those of a choice: lists.add(numbers)
 //   Box       item_bounds(item)            a box around all that the item touches
 //
-// A box is handed over enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few units in
-// the last place of the grid's extent) never decides which items a point sees. The 64 cells of the top brick are built side by
-// side and joined in their order, so that the grid is the same whatever the number of threads.
+// A box is handed over enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few
+// units in the last place of the grid's extent) never decides which items a point sees. The 64 cells of the top brick
+// are built side by side and joined in their order, so that the grid is the same whatever the number of threads.
 #pragma once
 
 #include "base/parallel.h"
@@ -23,7 +23,7 @@
 
 namespace isl::render {
 
-/// Where a classifier leaves the lists of a cell.
+/// Receives the lists of a cell from a classifier.
 class ListSink {
  public:
   explicit ListSink(std::vector<std::uint32_t>& items) : items_(items) {}
@@ -38,7 +38,7 @@ class ListSink {
   std::vector<ItemList> lists_;
 };
 
-/// The cell of these lists; several go into `choices`.
+/// The cell that has these lists; several lists are appended to `choices`.
 [[nodiscard]] inline Cell cell_of(std::span<const ItemList> lists, std::vector<ItemList>& choices) {
   if (lists.size() == 1) return Cell::make(CellKind::leaf, lists[0].first, lists[0].count);
   const Cell cell = Cell::make(CellKind::choice, static_cast<std::uint32_t>(choices.size()),
@@ -52,8 +52,8 @@ class GridBuilder {
  public:
   explicit GridBuilder(const Classifier& classifier) : classifier_(classifier) {}
 
-  /// `bounds` holds everything that has an end; `items` are all item numbers, ascending. `has_endless`: some have none, so
-  /// that no cell of the top brick may be left empty without a look, not even one that a ray grazes by a rounding.
+  /// `bounds` holds everything that has an end; `items` are all item numbers, ascending. `has_endless`: some items have
+  /// no end, so that every cell of the top brick must be classified, even one that a ray only grazes by a rounding.
   [[nodiscard]] Grid build(const Box& bounds, std::span<const std::uint32_t> items, bool has_endless = false) {
     grid_ = {};
     if (bounds.isEmpty() || items.empty()) return std::move(grid_);
@@ -71,7 +71,7 @@ class GridBuilder {
   }
 
  private:
-  /// What lies in one cell of the top brick; `first` counts from the part's own beginning.
+  /// The content of one cell of the top brick. Indices count from the part's own beginning.
   struct Part {
     Cell top;
     std::vector<Cell> cells;
@@ -81,7 +81,8 @@ class GridBuilder {
     std::array<std::vector<std::uint32_t>, kMaxGridDepth + 1> kept;  ///< working memory, by depth
   };
 
-  /// Cubic cells, four on the longest side of the content, about its centre; wider by 2⁻²⁰, as every cell is.
+  /// Lays out cubic cells, four along the longest side of the content and centred on it. They are wider by 2⁻²⁰, as
+  /// every cell is.
   void lay_out_top_brick(const Box& bounds, bool has_endless) {
     const Vec3 size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z, std::numeric_limits<double>::min()});
@@ -101,7 +102,8 @@ class GridBuilder {
     return {double(index % kBrickSide), double(row % kBrickSide), double(layer)};
   }
 
-  /// Which items may touch which cell of the top brick, by their boxes (a cell wider on every side, for rounding's sake).
+  /// The items that may touch each cell of the top brick, by their boxes. One more cell on every side allows for
+  /// rounding.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> deal_out(std::span<const std::uint32_t> items) const {
     std::vector<std::vector<std::uint32_t>> lists(kBrickCells);
     for (const std::uint32_t item : items) {
@@ -140,14 +142,14 @@ class GridBuilder {
     part.cells.resize(first + kBrickCells);
     const double child_size = size * (1.0 / kBrickSide);
     for (std::uint32_t child = 0; child < kBrickCells; ++child) {
-      // `cells` may move while a child is built.
+      // `cells` may be reallocated while a child is built.
       const Cell cell = build_cell(part, low + corner(child) * child_size, child_size, kept, depth + 1);
       part.cells[first + child] = cell;
     }
     return Cell::make(CellKind::brick, first);
   }
 
-  /// Puts the parts behind the top brick, one after another.
+  /// Appends the parts behind the top brick, one after another.
   void join(std::vector<Part>& parts) {
     std::size_t cells = kBrickCells, items = Grid::kListTail;
     for (const Part& part : parts) {

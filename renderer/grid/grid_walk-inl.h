@@ -1,7 +1,8 @@
-// A ray through a Grid: its leaf and inside cells in order, with the stretch of the ray in each. On entering a brick, the t of
-// each of its planes is computed once, from the plane's own number and not from the plane before, so that nothing accumulates;
-// from then on walking is counting (Amanatides and Woo 1987, nested). A zero direction component never steps (its planes are at
-// +∞). Stretches join without gaps, since each begins where the last one ended.
+// Walks one ray through a Grid: visits leaf and inside cells in order, with the stretch of the ray in each. On entering
+// a brick, the t of each of its planes is computed once, from the plane's own number and not from the plane before, so
+// that no error accumulates. From then on, walking is counting (Amanatides and Woo 1987, nested). A zero direction
+// component never steps, because its planes are at +∞. Stretches join without gaps, since each begins where the last
+// one ended.
 #if defined(ISL_RENDERER_GRID_GRID_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_GRID_GRID_WALK_INL_H_
 #undef ISL_RENDERER_GRID_GRID_WALK_INL_H_
@@ -20,7 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Where the line is within the box, between t0 and t1: [enter, leave], empty if enter > leave. Zero components apart.
+/// The part of the line between t0 and t1 that is within the box: [enter, leave], empty if enter > leave. Axes along
+/// which the line does not move are handled separately.
 struct BoxSpan {
   double enter, leave;
 };
@@ -38,10 +40,10 @@ HWY_INLINE BoxSpan clip_to_box(const Box& box, const Vec3& origin, const Vec3& d
   return {t0, t1};
 }
 
-/// What of a ray the walk needs in every brick. Slabs are counted in the order in which the ray meets them, so that every step
-/// adds one; `mirror` turns a position counted so into that of the cell.
+/// Values of a ray that the walk needs in every brick. Slabs are counted in the order in which the ray meets them, so
+/// that every step adds one; `mirror` turns a position counted so into that of the cell.
 struct WalkAxes {
-  double inverse[3];  ///< of the direction; +∞ where it does not move
+  double inverse[3];  ///< 1 / direction; +∞ on an axis along which the ray does not move
   unsigned mirror = 0;
 };
 
@@ -72,15 +74,16 @@ HWY_INLINE void enter_brick(const WalkAxes& axes, double size, double t, WalkLev
   }
 }
 
-/// Calls visit(cell_index, cell, t_in, t_out) for each leaf and inside cell that the ray meets between t0 and t1 (which lie
-/// within the grid's box), in order, until visit returns true. Stretches of no length are left out.
+/// Calls visit(cell_index, cell, t_in, t_out) for each leaf and inside cell that the ray meets between t0 and t1 (which
+/// lie within the grid's box), in order, until visit returns true. Stretches of no length are left out.
 template <class Visit>
 HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction, double t0, double t1, Visit&& visit) {
   WalkLevel stack[kMaxGridDepth + 2];
   WalkAxes axes;
   for (unsigned axis = 0; axis < 3; ++axis) {
     double inverse = 1 / direction[static_cast<int>(axis)];
-    // A component so small that its inverse overflows moves by less than a rounding over any stretch: it is zero.
+    // A component so small that its inverse overflows moves the ray by less than a rounding over any stretch, so it
+    // counts as zero.
     if (!std::isfinite(inverse)) inverse = std::numeric_limits<double>::infinity();
     axes.inverse[axis] = inverse;
     if (inverse < 0) axes.mirror |= 3u << (2 * axis);
@@ -88,7 +91,8 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
   }
   WalkLevel* level = stack;
   double size = grid.cell_size, t = t0;
-  // Where the ray leaves its slab on each axis, in registers: written to memory and read back they would take up half the time.
+  // The t at which the ray leaves its slab on each axis is kept in registers: writing it to memory and reading it back
+  // would take half of the time.
   double next_x = 0, next_y = 0, next_z = 0;
   const auto read_next = [&]() HWY_ATTR {
     next_x = level->leave[0][level->position & 3];
@@ -122,8 +126,8 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
     }
     t = out > t ? out : t;
     if (t >= t1) return;
-    // To the next cell, up a level wherever the ray leaves one. A level's plane may differ from its child's by a rounding;
-    // t stays as it is then, so that nothing is skipped.
+    // Goes to the next cell, and up a level wherever the ray leaves a brick. A level's plane may differ from its
+    // child's by a rounding; t then stays as it is, so that nothing is skipped.
     for (;;) {
       const unsigned slab = level->position >> (2 * axis) & 3;
       if (slab + 1 < kBrickSide) {

@@ -1,12 +1,14 @@
-// Eight rays through a Grid together: every leaf and inside cell that any of them meets, once, with the stretch of each ray in it.
+// Walks eight rays through a Grid together: visits every leaf and inside cell that any of them meets, once, with the
+// stretch of each ray in it.
 //
-// For rays whose directions have the same signs there is an order of a brick's cells in which each of them meets its own: slab by
-// slab, axis within axis, counted in the rays' direction. For every slab, row and cell of a brick, then, the stretches of all rays
-// in it come out of a minimum and a maximum with the planes, and where none is left all behind it is passed over. That costs less
-// than letting each ray step from cell to cell (grid_walk-inl.h) as long as they stay together, and they cannot lose each other.
+// Rays whose directions have the same signs share an order of a brick's cells in which each ray meets its own cells:
+// slab by slab, axis within axis, counted in the rays' direction. For every slab, row and cell of a brick, the
+// stretches of all rays in it are a minimum and a maximum with the planes, and where no stretch is left everything
+// inside is skipped. As long as the rays stay together, that costs less than letting each of them step from cell to
+// cell (grid_walk-inl.h), and no ray can get out of step with the others.
 //
-// A plane between two cells of a brick has one t for both, and a brick's outer planes do not count, its parent's having: stretches
-// join without gaps.
+// A plane between two cells of a brick has one t for both, and a brick's outer planes are ignored in favour of its
+// parent's. Therefore stretches join without gaps.
 #if defined(ISL_RENDERER_GRID_PACKET_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_GRID_PACKET_WALK_INL_H_
 #undef ISL_RENDERER_GRID_PACKET_WALK_INL_H_
@@ -26,8 +28,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Visit: OctetMask visit(std::uint32_t index, const Cell&, const OctetMask& lanes, const Octet& enter, const Octet& leave),
-/// which tells which of the rays are done.
+/// Visit: OctetMask visit(std::uint32_t index, const Cell&, const OctetMask& lanes, const Octet& enter, const Octet&
+/// leave). It returns the rays that are done.
 template <class Visit>
 class PacketWalk {
  public:
@@ -35,7 +37,8 @@ class PacketWalk {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Octet direction = load(rays.direction[axis]);
       const Octet inverse = Octet(1.0) / direction, infinity(kInfinity);
-      // A component so small that its inverse overflows moves by less than a rounding over any stretch: it is zero.
+      // A component so small that its inverse overflows moves the ray by less than a rounding over any stretch, so it
+      // counts as zero.
       flat_[axis] = abs(inverse) >= infinity;
       inverse_[axis] = inverse;
       backward_[axis] = bits(and_not(flat_[axis], direction < Octet(0.0)));
@@ -43,7 +46,7 @@ class PacketWalk {
     }
   }
 
-  /// Those whose bits are set in `lanes`, between t0 and t1, which lie within the grid's box.
+  /// Walks the rays whose bits are set in `lanes`, between t0 and t1, which lie within the grid's box.
   void walk(std::uint32_t lanes, const Octet& t0, const Octet& t1) {
     while (lanes != 0) {
       std::uint32_t alike = lanes;
@@ -133,10 +136,10 @@ class PacketWalk {
   const Grid& grid_;
   const Visit& visit_;
   Octet inverse_[3], low_[3];
-  OctetMask flat_[3];              ///< of rays that do not move along the axis
-  std::uint32_t backward_[3]{};    ///< of those that move against it
-  bool is_backward_[3]{};          ///< of all that are walked together
-  OctetMask active_;               ///< of those that are not done
+  OctetMask flat_[3];            ///< rays that do not move along the axis
+  std::uint32_t backward_[3]{};  ///< bits of the rays that move against the axis
+  bool is_backward_[3]{};        ///< true if the rays that are walked together move against the axis
+  OctetMask active_;             ///< rays that are not done
 };
 
 }  // namespace HWY_NAMESPACE
