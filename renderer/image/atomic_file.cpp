@@ -21,7 +21,7 @@ std::string failure(const char* doing, const fs::path& path, int error) {
   return fmt::format("cannot {} {}: {}", doing, path.string(), std::generic_category().message(error));
 }
 
-/// The file that a path names in the end: renaming over a link would replace the link.
+/// The file that a path finally names. Renaming over a link would replace the link.
 fs::path resolved(const fs::path& path) {
   std::error_code problem;
   if (!fs::is_symlink(path, problem)) return path;
@@ -29,7 +29,7 @@ fs::path resolved(const fs::path& path) {
   return problem ? path : target;
 }
 
-/// A name beside `target` that no other process and no other call uses.
+/// A name in the folder of `target` that no other process and no other call uses.
 fs::path temporary_beside(const fs::path& target) {
   static std::atomic<unsigned> counter = 0;
   fs::path temporary = target;
@@ -45,7 +45,7 @@ void copy_mode(int descriptor, const fs::path& target) {
   if (stat(target.c_str(), &status) == 0) static_cast<void>(fchmod(descriptor, status.st_mode & 07777));
 }
 
-/// Makes the renaming itself survive a power cut. File systems that cannot do this are left alone.
+/// Makes the renaming itself survive a power cut. File systems that cannot do this are ignored.
 void flush_folder(const fs::path& folder) {
   const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;

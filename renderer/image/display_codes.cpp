@@ -1,7 +1,7 @@
-// The error of the interpolation. f(v) = 1.055 v^(5/12) − 0.055 on a piece [a, a + h], matched in value and slope at
-// both ends, is off by at most h⁴/384 · max|f⁗| (Hermite's remainder). |f⁗(v)| = 1.055 · 5/12 · 7/12 · 19/12 · 31/12 ·
-// v^(5/12 − 4) < 1.05 v^(5/12 − 4), which is greatest at a, and h ≤ a/32; so the error is below
-// 1.05/(384 · 32⁴) · a^(5/12) < 2.61e-9. Rounding in the curve and in the cubic adds less than 1e-13.
+// The error of the interpolation. f(v) = 1.055 v^(5/12) − 0.055, interpolated on a piece [a, a + h] with its value and
+// slope at both ends, is off by at most h⁴/384 · max|f⁗| (Hermite's remainder). |f⁗(v)| = 1.055 · 5/12 · 7/12 · 19/12 ·
+// 31/12 · v^(5/12 − 4) < 1.05 v^(5/12 − 4), which is greatest at a, and h ≤ a/32; so the error is below 1.05/(384 ·
+// 32⁴) · a^(5/12) < 2.61e-9. Rounding in the curve and in the cubic adds less than 1e-13.
 #include "renderer/image/display_codes.h"
 
 #include "base/check.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInterpolationError = 2.7e-9;
 
-/// The slope of the power law at `linear`, whose curve has the value `code` there.
+/// The slope of the power law at `linear`, where the curve has the value `code`.
 double slope(double linear, double code) { return (code + 0.055) / (2.4 * linear); }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Linear light → the whole numbers of integer files, for many values: the numbers that transfer.h's curve gives, in a
-// fraction of its time. Knows nothing of pixels or files.
+// Converts many values of linear light to the whole numbers of integer files: the same numbers as with transfer.h's
+// curve, in a fraction of its time. Knows nothing of pixels or files.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace isl::render {
 
 /// Code values from 0 to `most`: ⌊display_from_linear(v)·most + ½⌋ for every v, NaN and infinities included.
 ///
-/// The curve's power law is interpolated by cubics, and where the interpolation's error could change the code (a few
-/// values in ten thousand), the curve itself is asked.
+/// The curve's power law is interpolated by cubics. Where the interpolation's error could change the code (a few values
+/// in ten thousand), the curve itself is evaluated.
 class DisplayCodes {
  public:
   /// Precondition: 1 ≤ most ≤ 65535.
@@ -35,13 +35,13 @@ class DisplayCodes {
   static constexpr double kFirst = 0x1p-8;  ///< above 0.0031308, where the curve turns from a line into the power law
   static constexpr std::size_t kPieces = kOctaves << kPieceBits;
 
-  /// The exponent and the first bits of the mantissa: the pieces in order, one number apart.
+  /// The exponent and the first bits of the mantissa, which number the pieces in order.
   [[nodiscard]] static std::uint64_t piece_bits(double linear) {
     return std::bit_cast<std::uint64_t>(linear) >> (52 - kPieceBits);
   }
 
   struct Cubic {
-    double begin;             ///< of the piece
+    double begin;             ///< start of the piece
     std::array<double, 4> c;  ///< Σ cᵢ (v − begin)ⁱ
   };
 
@@ -53,7 +53,7 @@ class DisplayCodes {
   [[nodiscard]] std::uint32_t exact(double linear) const;
 
   double most_;
-  double margin_;  ///< in codes: nearer than this to where two codes meet, the interpolation does not decide
+  double margin_;  ///< in codes: closer than this to the border between two codes, the interpolation does not decide
   std::array<Cubic, kPieces> pieces_;
 };
 

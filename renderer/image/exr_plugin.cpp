@@ -65,7 +65,7 @@ Imf::Header header_of(const IslImage& image) {
   return header;
 }
 
-/// Where the pixels of the planes lie. Halfs are given as floats, and are made here.
+/// Describes the pixels of the planes to OpenEXR. Halfs are given as floats, and are converted here.
 class Pixels {
  public:
   explicit Pixels(const IslImage& image) {
@@ -78,7 +78,7 @@ class Pixels {
         values = halfs_.emplace_back(floats, floats + count).data();
       }
       const std::size_t size = plane.type == ISL_HALF ? sizeof(half) : sizeof(float);
-      // OpenEXR reads from here although its type says that it might write.
+      // OpenEXR only reads from here, although its type does not say so.
       auto* const bytes = static_cast<char*>(const_cast<void*>(values));
       const Imath::Box2i window({image.x, image.y}, {image.x + image.width - 1, image.y + image.height - 1});
       frame_.insert(plane.name, Imf::Slice::Make(type_of(plane.type), bytes, window, size,
@@ -105,7 +105,7 @@ std::vector<unsigned char> encode_picture(const IslImage& image) {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(pixels.frame());
     file.writePixels(image.height);
-  }  // the end of `file` writes the table of offsets
+  }  // the destructor of `file` writes the table of offsets
   return stream.take();
 }
 

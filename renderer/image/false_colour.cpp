@@ -15,14 +15,14 @@ struct OkLab {
 double distance(const OkLab& p, const OkLab& q) { return std::hypot(p.lightness - q.lightness, p.a - q.a, p.b - q.b); }
 
 /// Corners of the path, chosen as (lightness, chroma, hue in degrees): (0.22, 0.10, 275), (0.46, 0.10, 255), (0.62,
-/// 0.10, 190), (0.80, 0.15, 135), (0.95, 0.16, 105). All between them lies within sRGB.
+/// 0.10, 190), (0.80, 0.15, 135), (0.95, 0.16, 105). The whole path lies within sRGB.
 constexpr std::array<OkLab, 5> kPath{{{0.22, 0.0087, -0.0996},
                                       {0.46, -0.0259, -0.0966},
                                       {0.62, -0.0985, -0.0174},
                                       {0.80, -0.1061, 0.1061},
                                       {0.95, -0.0414, 0.1545}}};
 
-/// To linear sRGB, by the published matrices.
+/// Converts to linear sRGB by the published matrices.
 Rgb linear_of(const OkLab& c) {
   const auto cube = [](double x) { return x * x * x; };
   const double l = cube(c.lightness + 0.3963377774 * c.a + 0.2158037573 * c.b);

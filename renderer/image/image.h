@@ -1,4 +1,4 @@
-// A finished picture in memory, as rendering hands it to image files: linear light, and the layers asked for.
+// A finished picture in memory, as rendering hands it to image files: linear light, and the layers that were asked for.
 #pragma once
 
 #include "renderer/image/aov.h"
@@ -27,8 +27,8 @@ struct PixelRect {
 };
 
 struct Image {
-  int full_width = 0, full_height = 0;  ///< of the whole picture
-  PixelRect window;                     ///< the part of it that is here
+  int full_width = 0, full_height = 0;  ///< size of the whole picture
+  PixelRect window;                     ///< the part of the whole picture that is stored here
   bool has_alpha = false;
   std::vector<double> rgba;  ///< 4 a pixel: linear, not clipped; colour multiplied by alpha
   std::vector<Layer> layers;  ///< those asked for, over the window

@@ -1,6 +1,6 @@
-// The C interface between the program and its image modules (png_plugin.cpp, exr_plugin.cpp, image_plugin.cpp), which are
-// loaded only when a file of their formats is written: most commands need none. Plain C types only: the two sides may be
-// built with different runtimes.
+// The C interface between the program and its image modules (png_plugin.cpp, exr_plugin.cpp, image_plugin.cpp). They
+// are loaded only when a file of their formats is written, since most commands need none. Only plain C types are used,
+// because the two sides may be built with different runtimes.
 #pragma once
 
 #include <stddef.h>
@@ -9,12 +9,12 @@
 extern "C" {
 #endif
 
-/// What a plane's values are, and how the file keeps them. half: given as float, kept in 16 bits.
+/// The type of a plane's values, and how the file keeps them. Halfs are given as floats and kept in 16 bits.
 enum IslSampleType { ISL_UINT8, ISL_UINT16, ISL_UINT32, ISL_HALF, ISL_FLOAT };
 
 /// One channel: width × height values, row by row from the top.
 struct IslPlane {
-  const char* name;  ///< "R", "depth.Z", … in the order in which they are given
+  const char* name;  ///< "R", "depth.Z", …, in the order in which they are given
   enum IslSampleType type;
   const void* values;
 };
@@ -26,26 +26,26 @@ struct IslText {
 
 struct IslImage {
   const char* format;  ///< png, exr, tif, jpg, ppm or hdr
-  int width, height;   ///< of the planes
-  int x, y;            ///< where they stand in the whole picture
+  int width, height;   ///< size of the planes
+  int x, y;            ///< position in the whole picture
   int full_width, full_height;
   int is_srgb;      ///< integer planes hold sRGB code values; otherwise all is linear
-  int alpha_plane;  ///< number of the plane that is alpha, or −1. In sRGB files colour is not multiplied by it.
+  int alpha_plane;  ///< index of the alpha plane, or −1. In sRGB files colour is not multiplied by it.
   int plane_count;
   const struct IslPlane* planes;
-  int threads;     ///< how many may work on it at the same time, at least 1
+  int threads;     ///< most threads that may work on it at the same time, at least 1
   int text_count;  ///< metadata
   const struct IslText* texts;
 };
 
-/// A file in memory, or why there is none. Freed by isl_image_release.
+/// A file in memory, or the reason why there is none. isl_image_release frees it.
 struct IslEncoded {
   unsigned char* bytes;  ///< null on failure
   size_t size;
   char* error;  ///< null on success
 };
 
-/// Raised whenever anything above changes, or which module holds which format.
+/// Raise this whenever anything above changes, or which module writes which format.
 #define ISL_IMAGE_ABI 2
 
 typedef int (*IslImageAbi)(void);

@@ -13,12 +13,12 @@
 namespace isl::render {
 namespace {
 
-/// The planes of a file to be, and the memory that they point into.
+/// The planes of a file, and the memory that they point into.
 class PlaneSet {
  public:
   explicit PlaneSet(std::size_t pixels) : pixels_(pixels) {}
 
-  /// `value_of(pixel)` for every pixel, as the type says.
+  /// Adds a plane with `value_of(pixel)` for every pixel, in the given type.
   template <class ValueOf>
   void add(std::string name, IslSampleType type, const ValueOf& value_of) {
     names_.push_back(std::move(name));
@@ -43,14 +43,14 @@ class PlaneSet {
   }
 
   std::size_t pixels_;
-  std::deque<std::string> names_;  ///< deques: what the planes point at must not move
+  std::deque<std::string> names_;  ///< deques, because the planes point at their elements
   std::deque<std::vector<unsigned char>> memory_;
   std::vector<IslPlane> planes_;
 };
 
 constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
 
-/// Code values of a display, with the colour divided by alpha where there is alpha.
+/// Adds code values of a display, with the colour divided by alpha if there is alpha.
 void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
   const int most = type == ISL_UINT8 ? 255 : 65535;
   const DisplayCodes codes(most);

@@ -35,7 +35,7 @@ Module load(const char* name) {
   return {encode, release, {}};
 }
 
-/// Each is loaded once, when the first of its formats is written.
+/// Each module is loaded once, when the first file of its formats is written.
 const Module& module_of(std::string_view format) {
   const char* const name = module_name(format);
   static std::mutex mutex;

@@ -1,5 +1,5 @@
-// The module of all formats but PNG and EXR: planes → the bytes of a file, by OpenImageIO. The only source that
-// includes it. Knows nothing of scenes or rendering; see image_abi.h.
+// The module of all formats except PNG and EXR: it encodes planes as the bytes of a file, by OpenImageIO. No other
+// source includes that library. Knows nothing of scenes or rendering; see image_abi.h.
 #include "renderer/image/plugin_entry.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -23,7 +23,7 @@ OIIO::TypeDesc type_of(IslSampleType type) {
   throw std::invalid_argument("found a plane of halfs or 32-bit integers, which only EXR can hold");
 }
 
-/// Precondition: all planes are of one type.
+/// Precondition: all planes have one type.
 OIIO::ImageSpec spec_of(const IslImage& image) {
   OIIO::ImageSpec spec(image.width, image.height, image.plane_count, type_of(image.planes[0].type));
   spec.channelnames.clear();
@@ -45,7 +45,7 @@ OIIO::ImageSpec spec_of(const IslImage& image) {
   return spec;
 }
 
-/// All planes, pixel by pixel.
+/// The values of all planes, pixel by pixel.
 std::vector<char> interleaved(const IslImage& image) {
   const std::size_t size = type_of(image.planes[0].type).size();
   const std::size_t pixel_bytes = static_cast<std::size_t>(image.plane_count) * size;

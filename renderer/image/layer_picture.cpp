@@ -15,7 +15,7 @@ namespace {
 
 const Rgb kPaper{0.0}, kInk{0.7};
 
-/// What stands below the picture: a bar of the map with numbers, or coloured words.
+/// The legend below the picture: a bar of the map with numbers, or coloured words.
 struct Legend {
   const AovPicture& words;
   bool has_scale = true;
@@ -23,7 +23,7 @@ struct Legend {
   double step = 10;  ///< ratio from one number to the next
 };
 
-/// Dots of the legend's letters: so that they are read at the size that the picture is looked at.
+/// Pixels in a dot of the legend's letters, so that they can be read at the size at which the picture is viewed.
 int scale_of(const Image& image) { return std::max(1, image.window.width() / 480); }
 
 int legend_height(int scale) { return (3 * kLetterHeight + 8) * scale; }
@@ -43,7 +43,7 @@ void draw_scale(Image& image, int top, int scale, const Legend& legend) {
   for (int x = 0; x < width; ++x) {
     fill(image, margin + x, top, 1, kLetterHeight * scale, false_colour((x + 0.5) / width));
   }
-  int free = 0;  // where the next number may begin
+  int free = 0;  // the x at which the next number may begin
   const int last =
       static_cast<int>(std::lround(std::log(legend.scale.high / legend.scale.low) / std::log(legend.step)));
   for (int i = 0; i <= last; ++i) {

@@ -6,11 +6,11 @@
 
 namespace isl::render {
 
-/// Errors in pixels, on one scale wherever they are shown: below a ten-thousandth nothing can come of one; beyond a
-/// hundred it is another surface.
+/// The scale of errors in pixels, the same wherever they are shown. An error below a ten-thousandth has no effect; one
+/// above a hundred belongs to another surface.
 inline constexpr ColourScale kErrorScale{1e-4, 1e2, true};
 
-/// For counts up to `most`: from 1 to the next power of two, at least 2.
+/// The scale of counts up to `most`: from 1 to the next power of two, at least 2.
 [[nodiscard]] ColourScale count_scale(double most);
 
 /// The picture of one of the image's layers, as large as its window and the legend. Precondition: layer.aov->picture is one.

@@ -1,5 +1,5 @@
-// The C interface of every image module (image_abi.h), around the one function in which they differ. No exception
-// leaves it, and no memory of one side is freed by the other.
+// The C interface of every image module (image_abi.h), around the one function in which modules differ. No exception
+// leaves it, and neither side frees memory of the other.
 #include "renderer/image/plugin_entry.h"
 
 #include <cstdlib>

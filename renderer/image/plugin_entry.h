@@ -1,4 +1,4 @@
-// What a module that encodes pictures supplies; plugin_entry.cpp makes the C interface of image_abi.h of it.
+// The function that an image module must supply; plugin_entry.cpp makes the C interface of image_abi.h from it.
 #pragma once
 
 #include "renderer/image/image_abi.h"
@@ -7,10 +7,10 @@
 
 namespace isl::render {
 
-/// The file's bytes. Throws a std::exception whose text says why there are none.
+/// The file's bytes. Throws a std::exception whose text says why it could not encode the picture.
 [[nodiscard]] std::vector<unsigned char> encode_picture(const IslImage& image);
 
-/// Written into formats that would otherwise note the time of writing: the same picture is the same bytes.
+/// The date in formats that would otherwise store the time of writing, so that the same picture is the same bytes.
 inline constexpr const char* kFixedDate = "1970:01:01 00:00:00";
 
 }  // namespace isl::render

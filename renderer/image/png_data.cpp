@@ -1,11 +1,11 @@
-// Strips are compressed by themselves, each with the end of the one before as its dictionary, and end on a whole byte,
-// so that one after the other they are one stream (as in M. Adler's pigz).
+// Each strip is compressed by itself, with the end of the one before as its dictionary, and ends on a whole byte. So
+// the strips one after the other are one stream (as in M. Adler's pigz).
 //
-// Filters and level, measured on rendered pictures of 0.8 to 1 million pixels, 8 and 16 bits: choosing between `sub`
-// and `up` row by row, by the least sum of magnitudes, gives files as small as choosing among all five filters (`paeth`
-// and `average` hardly ever win on pictures without grain). zlib's level 4, its first with lazy matching, takes a third
-// to two thirds of the time of level 6; files grow by 1 to 8 %. The strategy for filtered data, which looks for no
-// short repetitions, makes these files a tenth larger.
+// The filters and the level were chosen by measurements on rendered pictures of 0.8 to 1 million pixels, 8 and 16 bits.
+// Choosing between `sub` and `up` row by row, by the least sum of magnitudes, gives files as small as choosing among
+// all five filters (`paeth` and `average` hardly ever win on pictures without grain). zlib's level 4, its first with
+// lazy matching, takes a third to two thirds of the time of level 6; files grow by 1 to 8 %. The strategy for filtered
+// data, which does not look for short repetitions, makes these files a tenth larger.
 #include "renderer/image/png_data.h"
 
 #include <zlib.h>
@@ -27,11 +27,11 @@ constexpr int kWindowBits = 15, kMemoryLevel = 8;  ///< zlib's own choices
 constexpr std::size_t kWindow = std::size_t{1} << kWindowBits;
 constexpr unsigned char kSub = 1, kUp = 2;
 
-/// Long enough that its own start (a window of text filtered twice) does not count, short enough for every core to get
-/// some.
+/// A strip is long enough that its own start (a window of text that is filtered twice) does not count, and short enough
+/// that every core gets some.
 constexpr std::size_t kStripBytes = std::size_t{1} << 19;
 
-/// One row after the other, filtered.
+/// Filters one row after the other.
 class Rows {
  public:
   Rows(const IslImage& image, int y)
@@ -46,10 +46,10 @@ class Rows {
     if (y_ > 0) interleave(y_ - 1, above_);
   }
 
-  /// The filter's number, then the bytes. Valid until the next call.
+  /// The next row: the filter's number, then the bytes. Valid until the next call.
   const std::vector<unsigned char>& next() {
     interleave(y_++, row_);
-    // Plain loops over plain pointers, which compilers turn into vectors.
+    // These are plain loops over plain pointers, which compilers turn into vectors.
     const std::size_t size = row_.size();
     const unsigned char *const row = row_.data(), *const above = above_.data();
     unsigned char *const sub = sub_.data() + 1, *const up = up_.data() + 1;
@@ -63,10 +63,10 @@ class Rows {
   }
 
  private:
-  /// The sum of the magnitudes of differences modulo 256.
+  /// The sum of the magnitudes of the bytes, taken as differences modulo 256.
   static std::uint64_t magnitudes(const unsigned char* values, std::size_t size) {
     std::uint64_t sum = 0;
-    constexpr std::size_t kBlock = 4096;  // whose sum fits into 32 bits, so that more fit into a register
+    constexpr std::size_t kBlock = 4096;  // the sum of a block fits into 32 bits, so that more sums fit into a register
     for (std::size_t begin = 0; begin < size; begin += kBlock) {
       std::uint32_t block = 0;
       for (std::size_t i = begin; i < std::min(begin + kBlock, size); ++i)
@@ -76,7 +76,7 @@ class Rows {
     return sum;
   }
 
-  /// One row of all planes, channel beside channel, the high byte first.
+  /// Writes one row of all planes, channel beside channel, the high byte first.
   void interleave(std::size_t y, std::vector<unsigned char>& row) const {
     const auto width = static_cast<std::size_t>(image_.width);
     for (std::size_t channel = 0; channel < static_cast<std::size_t>(image_.plane_count); ++channel) {
@@ -101,7 +101,7 @@ class Rows {
   std::vector<unsigned char> above_, row_, sub_, up_;
 };
 
-/// Rows y0 ≤ y < y1 and what they compress to.
+/// Rows y0 ≤ y < y1 and their compressed bytes.
 struct Strip {
   int y0 = 0, y1 = 0;
   bool is_last = false;
@@ -110,7 +110,7 @@ struct Strip {
   std::size_t raw_bytes = 0;
 };
 
-/// zlib's compressor, without a header: strips have none.
+/// zlib's compressor without a header, since strips have none.
 class Deflater {
  public:
   Deflater() {
@@ -124,23 +124,23 @@ class Deflater {
   void set_dictionary(const std::vector<unsigned char>& text) {
     deflateSetDictionary(&stream_, text.data(), static_cast<uInt>(text.size()));
   }
-  /// Precondition: `out` has room from `used` on for what comes, as room_for() tells.
+  /// Precondition: `out` has as much room from `used` on as room_for() returns.
   void add(const std::vector<unsigned char>& text, int flush, std::vector<unsigned char>& out, std::size_t& used) {
-    stream_.next_in = const_cast<Bytef*>(text.data());  // zlib's type; it only reads
+    stream_.next_in = const_cast<Bytef*>(text.data());  // zlib's type; zlib only reads it
     stream_.avail_in = static_cast<uInt>(text.size());
     stream_.next_out = out.data() + used;
     stream_.avail_out = static_cast<uInt>(out.size() - used);
     deflate(&stream_, flush);
     used = out.size() - stream_.avail_out;
   }
-  /// For so many bytes of text and the mark of a flush.
+  /// The room that this many bytes of text and the mark of a flush need.
   [[nodiscard]] std::size_t room_for(std::size_t text) { return deflateBound(&stream_, static_cast<uLong>(text)) + 16; }
 
  private:
   z_stream stream_{};
 };
 
-/// The end of the filtered text before the strip, as far as the compressor can look back.
+/// The end of the filtered text before the strip, as far back as the compressor can look.
 std::vector<unsigned char> text_before(const IslImage& image, const Strip& strip, std::size_t row_bytes) {
   const int rows = std::min(strip.y0, static_cast<int>((kWindow + row_bytes - 1) / row_bytes));
   std::vector<unsigned char> text;
@@ -213,7 +213,8 @@ std::vector<std::vector<unsigned char>> png_data(const IslImage& image, int thre
   std::vector<Strip> strips = strips_of(image, row_bytes);
   compress_all(image, row_bytes, threads, strips);
 
-  // RFC 1950: a window of 32 kB, a fast level, no dictionary from outside; at the end Adler's checksum.
+  // The stream begins as in RFC 1950 (a window of 32 kB, a fast level, no preset dictionary) and ends with Adler's
+  // checksum.
   std::vector<std::vector<unsigned char>> pieces{{0x78, 0x5E}};
   uLong checksum = adler32(0, nullptr, 0);
   for (Strip& strip : strips) {

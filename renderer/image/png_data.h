@@ -7,7 +7,7 @@
 
 namespace isl::render {
 
-/// A zlib stream of all rows, in pieces that follow one another: the same bytes whatever the number of threads.
+/// A zlib stream of all rows, in pieces that follow one another. The bytes are the same for any number of threads.
 /// Preconditions: planes of 8 or 16 bits, all of one type; threads ≥ 1. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::vector<unsigned char>> png_data(const IslImage& image, int threads);
 

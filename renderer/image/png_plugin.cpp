@@ -1,5 +1,5 @@
-// The PNG module: planes → the bytes of a PNG file, by libpng; the image data by png_data.h. Knows nothing of scenes or
-// rendering; see image_abi.h.
+// The PNG module: it encodes planes as the bytes of a PNG file, by libpng, with the image data from png_data.h. Knows
+// nothing of scenes or rendering; see image_abi.h.
 #include "renderer/image/plugin_entry.h"
 #include "renderer/image/png_data.h"
 
@@ -15,8 +15,9 @@
 namespace isl::render {
 namespace {
 
-/// Where libpng writes to, and what went wrong. libpng's own way out of an error is longjmp, which must not pass by an
-/// object with a destructor: all such objects live here, outside of the function that it leaves.
+/// The bytes that libpng writes, and the text of an error. libpng leaves its functions after an error by longjmp, which
+/// must not skip a destructor: therefore all objects with destructors live here, outside the function that longjmp
+/// leaves.
 struct Output {
   std::vector<unsigned char> bytes;
   std::vector<std::vector<unsigned char>> data;  ///< the pixels, compressed
@@ -45,7 +46,7 @@ void on_bytes(png_structp png, png_bytep bytes, std::size_t size) {
 
 void on_flush(png_structp) {}
 
-/// tEXt is Latin-1, iTXt is UTF-8; a text without either's special characters is the same in both.
+/// tEXt is Latin-1, iTXt is UTF-8. ASCII text is the same in both, and goes into tEXt.
 png_text text_chunk(const IslText& text) {
   const std::string_view value = text.value;
   const bool is_ascii =
@@ -58,7 +59,7 @@ png_text text_chunk(const IslText& text) {
   return chunk;
 }
 
-/// Everything before the pixels.
+/// Writes everything before the pixels.
 void write_header(png_structp png, png_infop info, const IslImage& image, const Output& output) {
   const int bits = image.planes[0].type == ISL_UINT8 ? 8 : 16;
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), bits,
@@ -72,7 +73,7 @@ void write_header(png_structp png, png_infop info, const IslImage& image, const 
   png_write_info(png, info);
 }
 
-/// False: it failed, and `output` says why. Nothing in here has a destructor.
+/// False if it failed; `output` then has the reason. Nothing in this function has a destructor.
 bool write_all(png_structp png, png_infop info, const IslImage& image, Output& output) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &output, on_bytes, on_flush);
@@ -80,7 +81,7 @@ bool write_all(png_structp png, png_infop info, const IslImage& image, Output& o
   for (const std::vector<unsigned char>& piece : output.data) {
     png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), piece.data(), piece.size());
   }
-  // Not png_write_end, which looks for data that libpng compressed itself.
+  // png_write_end cannot be used: it looks for data that libpng compressed itself.
   png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   return true;
 }

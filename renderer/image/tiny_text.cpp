@@ -9,7 +9,7 @@
 namespace isl::render {
 namespace {
 
-/// Rows from the top; of each the five dots, the leftmost being the highest bit.
+/// The rows of a letter from the top; the leftmost of the five dots of a row is the highest bit.
 struct Letter {
   char name;
   std::array<std::uint8_t, kLetterHeight> rows;

@@ -1,4 +1,4 @@
-// A few words and numbers drawn into a picture: what a legend needs, without a library of fonts.
+// Draws a few words and numbers into a picture, as legends need them, without a library of fonts.
 #pragma once
 
 #include "renderer/image/image.h"
@@ -8,11 +8,11 @@
 
 namespace isl::render {
 
-/// Of a letter before it is enlarged: five columns and one between letters, seven rows.
+/// The size of a letter before it is enlarged: five columns and one between letters, seven rows.
 inline constexpr int kLetterWidth = 6, kLetterHeight = 7;
 
-/// Draws from the top left corner (x, y) of the image's window, every dot `scale` pixels wide. What lies outside is cut
-/// off. Precondition: only spaces, digits, `. - +` and those small letters that legends use.
+/// Draws from the top left corner (x, y) of the image's window, every dot `scale` pixels wide. Parts outside the window
+/// are cut off. Precondition: only spaces, digits, `. - +` and the small letters that legends use.
 void draw_text(Image& image, int x, int y, std::string_view text, int scale, const Rgb& colour);
 
 }  // namespace isl::render

@@ -24,7 +24,7 @@ WorkingSpace::WorkingSpace(const scene::Settings& settings) {
     gamma_ = *settings.assumed_gamma;
     curve_ = gamma_ == 1 ? Curve::linear : Curve::power;
   } else {
-    // 3.7 and later take 1.0 where the scene says nothing.
+    // Version 3.7 and later take 1.0 if the scene does not set it.
     curve_ = settings.language_version >= 3.7 ? Curve::linear : Curve::srgb;
   }
 }

@@ -1,17 +1,17 @@
-// Between the three spaces of a colour: the scene's working space (where POV-Ray's lighting is computed), linear light
-// (the film, EXR), and display code values (PNG and other integer files, always sRGB).
+// Conversions between the three spaces of a colour: the scene's working space (where POV-Ray's lighting is computed),
+// linear light (the film, EXR), and display code values (PNG and other integer files, always sRGB).
 //
-// POV-Ray 3.7, observed: with `assumed_gamma g` a working value v means the light v^g; with `assumed_gamma srgb` what
-// sRGB means by v; version 3.7 without assumed_gamma is 1.0. Its PNG files are sRGB whichever it is. A scene of
-// before 3.7 without assumed_gamma has its values written as they are, so a viewer shows them by the sRGB curve: the
-// same as `srgb`.
+// In POV-Ray 3.7, as observed, a working value v means the light v^g with `assumed_gamma g`, and with `assumed_gamma
+// srgb` the light for which sRGB has the code v; version 3.7 without assumed_gamma is 1.0. Its PNG files are sRGB in
+// each case. A scene of a version before 3.7 without assumed_gamma has its values written as they are, so a viewer
+// shows them by the sRGB curve, which is the same as `srgb`.
 #pragma once
 
 #include "renderer/shading/material.h"
 
 namespace isl::render {
 
-/// Working space → linear light.
+/// Converts the working space to linear light.
 class WorkingSpace {
  public:
   explicit WorkingSpace(const scene::Settings& settings);
@@ -27,11 +27,11 @@ class WorkingSpace {
   double gamma_ = 1;
 };
 
-/// IEC 61966-2-1. Both continue beyond 1 by the same law, and below 0 by its straight piece.
+/// IEC 61966-2-1. Both functions continue beyond 1 by the same law, and below 0 by its straight piece.
 [[nodiscard]] double srgb_from_linear(double linear);
 [[nodiscard]] double linear_from_srgb(double code);
 
-/// What a display shows of linear light: clipped to [0, 1] (NaN is 0), then sRGB.
+/// The code value that a display gets for linear light: clipped to [0, 1] (NaN is 0), then sRGB.
 [[nodiscard]] double display_from_linear(double linear);
 
 }  // namespace isl::render
