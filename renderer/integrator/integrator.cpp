@@ -7,14 +7,15 @@
 namespace isl::render {
 namespace {
 
-/// Shadow rays after which the queue is traced before the batch's last point, so that a scene of thousands of lights needs no
-/// more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the lights.
+/// Shadow rays after which the queue is traced before the batch's last point, so that a scene of thousands of lights
+/// needs no more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the
+/// lights.
 constexpr std::size_t kLongestShadowQueue = 8192;
 
-/// As POV-Ray weighs colours to one number.
+/// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
-/// Whether the camera stands in something that keeps fog out. Precondition of asking: there is fog.
+/// True if the camera stands in something that keeps fog out. Precondition: there is fog.
 bool is_in_solid(const scene::Database& database) {
   const PatternInsides insides(database);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
@@ -89,7 +90,7 @@ void Integrator::see_background(std::size_t level, const PathBatch& batch, PathM
   for (const std::uint32_t i : memory.misses) {
     const PathEntry& path = batch.entries[i];
     memory.colours[path.sample] += path.factor * background_;
-    // What fog hides of a transparent background is opaque.
+    // The share of a transparent background that fog hides is opaque.
     if (level == 0 && background_alpha_ == 0) memory.alphas[path.sample] = along_.empty() ? 0 : 1 - gray(path.factor);
   }
 }
@@ -128,7 +129,7 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     point.textures = std::span(memory.textures).subspan(first);
     observer->see(i, batch.hits[i], surface, point);
   }
-  // Only now do the textures stay where they are.
+  // The textures do not move any more, so spans of them may be taken.
   std::size_t begin = 0;
   for (std::size_t i = 0; i < memory.block.points.size(); ++i) {
     memory.block.points[i].textures = std::span(memory.textures).subspan(begin, memory.texture_ends[i] - begin);

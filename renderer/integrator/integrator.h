@@ -1,9 +1,10 @@
-// Paths in batches: a batch of camera rays → hits → what lies along the rays and behind them → blocks of surface points, their own
-// light and that of the lights → shadow rays → rays that surfaces send on, a level deeper each time → colours of the samples. One
-// batch is one thread's work from beginning to end; its memory is kept for the next and stays in the cache.
+// Paths in batches: a batch of camera rays → hits → what lies along the rays and behind them → blocks of surface
+// points, their own light and that of the lights → shadow rays → rays that surfaces send on, a level deeper each time →
+// colours of the samples. One thread works on a batch from beginning to end; its memory is kept for the next batch and
+// stays in the cache.
 //
-// The integrator runs the stages of the effects in the plan (effects/stages.h) and knows none of them. It recurses over batches, at
-// most max_trace_level deep, and never over single rays.
+// The integrator runs the stages of the effects in the plan (effects/stages.h) and knows none of the effects. It
+// recurses over batches, at most max_trace_level deep, and never over single rays.
 #pragma once
 
 #include "renderer/effects/plan.h"
@@ -18,10 +19,12 @@
 
 namespace isl::render {
 
-/// Segments traced together: enough for full vectors, small enough that a thread's memory stays in its second-level cache.
+/// Segments traced together: enough for full vectors, small enough that a thread's memory stays in its second-level
+/// cache.
 inline constexpr std::size_t kBatchSize = 1024;
 
-/// Points shaded together: their textures and what a light gives them fit the first-level cache.
+/// Points that are shaded together: their textures and the light they get from one light source fit the first-level
+/// cache.
 inline constexpr std::size_t kBlockSize = 64;
 
 /// Memory of one thread.
@@ -30,41 +33,41 @@ struct PathMemory {
     PathBatch batch;
     ChildQueues children;
   };
-  std::deque<Level> levels{1};  ///< 0 is the camera's; a deeper level stays where it is while others are made
+  std::deque<Level> levels{1};  ///< 0 is the camera's; a level stays where it is while deeper ones are made
   std::vector<Rgb> colours;  ///< by sample, in the scene's working space
   std::vector<double> alphas;
   ShadowQueue shadows;
   std::vector<std::uint32_t> misses;
   SurfaceBlock block;
   SurfacePoint surface;
-  std::vector<LitTexture> textures;  ///< of the block's points
+  std::vector<LitTexture> textures;  ///< the textures of the block's points
   std::vector<std::uint32_t> texture_ends;
   std::array<LitPoint, kBlockSize> lit;
   Shine shine;
   PathCounts counts;
   TraceCounters counters;
 
-  /// To be filled before each call of Integrator::trace.
+  /// The caller fills these before each call of Integrator::trace.
   [[nodiscard]] std::vector<Ray>& camera_rays() { return levels.front().batch.rays; }
 };
 
-/// Told what camera rays meet first, for layers: the point is null for a miss.
+/// Is told of the first surfaces that camera rays meet, for layers. Misses are not told.
 class SurfaceObserver {
  public:
   virtual ~SurfaceObserver() = default;
-  /// Of the batch's camera ray number `ray`.
+  /// `ray` is the number of the camera ray in its batch.
   virtual void see(std::uint32_t ray, const Hit& hit, const SurfacePoint& surface, const ShadingPoint& point) = 0;
 };
 
-/// What all batches of a rendering share; immutable. Everything referred to must outlive it.
+/// The state that all batches of a rendering share; immutable. Everything that it refers to must outlive it.
 class Integrator {
  public:
   Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background);
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
-  /// Traces camera rays, memory.camera_rays(); memory.colours[i] and memory.alphas[i] are then what number i sees. `observer` may
-  /// be null.
+  /// Traces memory.camera_rays(). Afterwards memory.colours[i] and memory.alphas[i] are what ray number i sees.
+  /// `observer` may be null.
   void trace(PathMemory& memory, SurfaceObserver* observer) const;
 
  private:

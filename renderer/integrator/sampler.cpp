@@ -3,7 +3,7 @@
 namespace isl::render {
 namespace {
 
-/// Keeps what the centre samples of pixels see in the film's layers.
+/// Stores the surfaces that the centre samples of pixels see in the film's layers.
 class LayerKeeper final : public SurfaceObserver {
  public:
   LayerKeeper(std::span<const CameraSample> samples, const WorkingSpace& space, Film& film)

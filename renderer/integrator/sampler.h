@@ -1,4 +1,5 @@
-// Samples of pixels → camera rays → the film: the integrator's work on one batch, for one thread.
+// Turns samples of pixels into camera rays and adds what they see to the film: the integrator's work on one batch, for
+// one thread.
 #pragma once
 
 #include "renderer/film/camera.h"
@@ -12,21 +13,22 @@
 
 namespace isl::render {
 
-/// One camera ray to trace: a raster position in pixels from the picture's top left corner, and where the result goes.
+/// One camera ray to trace: a raster position in pixels from the picture's top left corner, and the pixel that gets the
+/// result.
 struct CameraSample {
   double x = 0, y = 0;
-  std::uint32_t pixel = 0;  ///< of the film
+  std::uint32_t pixel = 0;  ///< its index in the film
   bool is_centre = false;   ///< the pixel's first sample, which fills the layers
 };
 
-/// Memory of one thread, and its counts. `pixels` and `samples` are for whoever makes the batches.
+/// Memory of one thread, and its counts. `pixels` and `samples` serve the caller that makes the batches.
 struct Workspace {
   std::vector<Pixel> pixels;
   std::vector<CameraSample> samples;
   PathMemory paths;
 };
 
-/// Immutable but for the film. Everything referred to must outlive it.
+/// Immutable except for the film. Everything that it refers to must outlive it.
 class Sampler {
  public:
   Sampler(const scene::Database& database, const Tracer& tracer, const Plan& plan, const CameraRays& camera,
@@ -36,7 +38,8 @@ class Sampler {
         working_space_(database.settings),
         film_(film) {}
 
-  /// Traces the samples and adds them to the film in their order. A pixel must not be in two threads' batches at a time.
+  /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
+  /// a time.
   void trace(std::span<const CameraSample> samples, Workspace& workspace) const;
 
  private:
