@@ -1,5 +1,5 @@
-// Polynomials in Bernstein form on [0, 1]: Σ bᵢ C(n,i) uⁱ (1−u)ⁿ⁻ⁱ. The form in which a polynomial's values lie between
-// its coefficients and its roots move least when the coefficients are rounded (Farouki and Rajan 1987).
+// Polynomials in Bernstein form on [0, 1]: Σ bᵢ C(n,i) uⁱ (1−u)ⁿ⁻ⁱ. In this form a polynomial's values lie between its
+// coefficients, and its roots move least when the coefficients are rounded (Farouki and Rajan 1987).
 #pragma once
 
 #include <array>
@@ -7,12 +7,12 @@
 
 namespace isl::render {
 
-/// POV-Ray's greatest order of a `poly`.
+/// The greatest order of a `poly` in POV-Ray.
 inline constexpr int kMostDegree = 35;
 
 struct Bernstein {
-  int degree;                             // nothing is set here: stacks of these are made for every ray
-  std::array<double, kMostDegree + 1> b;  ///< the first degree + 1 count
+  int degree;                             // left uninitialised, because stacks of these are made for every ray
+  std::array<double, kMostDegree + 1> b;  ///< only the first degree + 1 are used
 
   double& operator[](int i) { return b[static_cast<std::size_t>(i)]; }
   double operator[](int i) const { return b[static_cast<std::size_t>(i)]; }
@@ -56,7 +56,7 @@ inline void halve(Bernstein& p, Bernstein& right) {
   }
 }
 
-/// For a polynomial with b₀ = 0: itself over u, of one degree less: cᵢ = n/(i+1) bᵢ₊₁.
+/// Divides a polynomial with b₀ = 0 by u. The quotient has one degree less: cᵢ = n/(i+1) bᵢ₊₁.
 [[nodiscard]] inline Bernstein over_u(const Bernstein& p) {
   Bernstein quotient;
   quotient.degree = p.degree - 1;

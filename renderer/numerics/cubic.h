@@ -1,4 +1,5 @@
-// Roots of a cubic in Bernstein form on [0, 1], b₀ … b₃. Best conditioned of the usual bases there (Farouki and Rajan 1987).
+// Roots of a cubic in Bernstein form on [0, 1], b₀ … b₃. Of the usual bases, Bernstein's is the best conditioned there
+// (Farouki and Rajan 1987).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@ struct CubicPoint {
   double value, slope;
 };
 
-/// De Casteljau's scheme.
+/// Value and slope by de Casteljau's scheme.
 [[nodiscard]] inline CubicPoint cubic_at(double b0, double b1, double b2, double b3, double u) noexcept {
   const double v = 1 - u;
   const double c0 = v * b0 + u * b1, c1 = v * b1 + u * b2, c2 = v * b2 + u * b3;
@@ -19,8 +20,8 @@ struct CubicPoint {
   return {v * d0 + u * d1, 3 * (d1 - d0)};
 }
 
-/// The root of a cubic with b₀ ≤ 0 ≤ b₃ (one of them, if there are three), to a few parts in 10⁷: a first guess for Newton's
-/// method on the true function, which doubles its digits. Newton in a bracket, from the regula falsi point.
+/// The root of a cubic with b₀ ≤ 0 ≤ b₃ (one of them, if there are three), to a few parts in 10⁷: a first guess for
+/// Newton's method on the true function, which doubles its digits. Newton in a bracket, from the regula falsi point.
 [[nodiscard]] inline double root_of_rising_cubic(double b0, double b1, double b2, double b3) noexcept {
   double low = 0, high = 1;
   double u = b0 / (b0 - b3);
@@ -35,8 +36,9 @@ struct CubicPoint {
   return std::clamp(u, low, high);
 }
 
-/// The first u in (0, 1] at which a cubic that starts below zero (b₀ < 0) reaches it; 2 if it does not. Between its stationary
-/// points, the roots of the quadratic bⱼ₊₁ − bⱼ, it is monotone; there the sign change is bracketed and bisected by Newton steps.
+/// The first u in (0, 1] at which a cubic that starts below zero (b₀ < 0) reaches it; 2 if it does not. Between its
+/// stationary points, the roots of the quadratic bⱼ₊₁ − bⱼ, it is monotone; there the sign change is bracketed and
+/// bisected by Newton steps.
 [[nodiscard]] inline double first_crossing_of_cubic(double b0, double b1, double b2, double b3) noexcept {
   const double c0 = b1 - b0, c1 = b2 - b1, c2 = b3 - b2;  // p′/3 in Bernstein form: α u² + 2β u + c₀
   const double alpha = c0 - 2 * c1 + c2, beta = c1 - c0;

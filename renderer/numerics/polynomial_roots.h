@@ -1,21 +1,21 @@
-// Where polynomials in Bernstein form change sign: all crossings of [0, 1], ascending, each certain.
+// Finds where polynomials in Bernstein form change sign: all crossings on [0, 1], ascending, each of them certain.
 //
-// Coefficients are known to within a band E: rounding may have moved each by so much, and so every value (a value is a
-// mean of coefficients). A value is certain where |value| > E, and what is reported is changes between certain signs
-// and nothing else: a touch, or a pair of roots with less than the band between them, is no crossing, and what enters
-// leaves. On an interval, with s the last certain sign,
+// Coefficients are known to within a band E: rounding may have moved each by that much, and therefore every value too
+// (a value is a mean of coefficients). A value is certain if |value| > E, and only changes between certain signs are
+// reported: a touch, or a pair of roots with less than the band between them, is no crossing. On an interval, where s
+// is the last certain sign:
 //   s bᵢ ≥ −E for all i                 no value of the other sign is certain: no crossing;
 //   from s to −s with one change of sign among s and the certain bᵢ
 //                                       exactly one root (Descartes' rule of signs), found in its bracket;
 //   |bᵢ| ≤ E for all i                  nothing can be known here;
 //   otherwise                           halve it (de Casteljau). Near a simple root one sign change is left after a few
 //                                       halvings; a pair of roots is separated or ends in the band.
-// An end that is not certain, such as a root exactly in the middle, is no end: the next certain sign decides, and the
-// bracket reaches back to the last one. Halvings stop at 2⁻⁵⁰, below which t has no digits left; there are at most
-// degree intervals to halve at each level, so the work is bounded. NaN is never certain, so it yields nothing.
+// An uncertain end, such as a root exactly in the middle, decides nothing: the next certain sign does, and the bracket
+// reaches back to the last one. Halving stops at 2⁻⁵⁰, below which t has no digits left; there are at most degree
+// intervals to halve at each level, so the work is bounded. NaN is never certain, so it yields nothing.
 //
-// A ray that starts on the surface knows its root at u = 0: b₀ is set to 0 and u divided out; the quotient's band is n
-// E.
+// A ray that starts on the surface has a known root at u = 0: b₀ is set to 0 and u is divided out; the quotient's band
+// is n E.
 //
 // Lane and Riesenfeld 1981 (bounds on a polynomial); Mourrain, Rouillier, Roy 2005 (Bernstein's basis and real root
 // isolation).
@@ -29,16 +29,16 @@
 
 namespace isl::render {
 
-/// How far rounding may move the Bernstein coefficients of a polynomial of this order in the coordinates of a line's
-/// point, evaluated by Horner's rule, over the same with all terms taken as positive. A term passes through at most n
-/// products of linear forms (each 3 roundings in two coefficients) and as many sums; halvings add n half units a level
-/// of coefficients that halve with the level. 8(n + 2) units of 2⁻⁵³ hold them all.
+/// Bound of the rounding of the Bernstein coefficients of a polynomial of this order in the coordinates of a line's
+/// point, evaluated by Horner's rule, relative to the same expression with all terms taken as positive. A term passes
+/// through at most n products of linear forms (each 3 roundings in two coefficients) and as many sums; halvings add n
+/// half units a level of coefficients that halve with the level. 8(n + 2) units of 2⁻⁵³ bound them all.
 [[nodiscard]] inline double rounding_of_order(int order) { return 8 * (order + 2) * 0x1p-53; }
 
 /// Follows the sign of a function along a line over consecutive polynomials.
 class SignFollower {
  public:
-  /// `sign`: that of the function before the first polynomial, 0 where it is not known.
+  /// `sign`: the sign of the function before the first polynomial, 0 if it is unknown.
   explicit SignFollower(int sign) : sign_(sign) {}
   /// The last certain sign: +1, −1, or 0 while there was none.
   [[nodiscard]] int sign() const { return sign_; }
@@ -49,7 +49,7 @@ class SignFollower {
     Part stack[kMostHalvings + 1];
     int top = 0;
     stack[0] = {whole, 0, 1};
-    double certain = 0;  // where the sign was certain last, or the beginning
+    double certain = 0;  // the last place where the sign was certain, or the beginning
     while (top >= 0) {
       Part& part = stack[top];
       const Shape shape = shape_of(part.p, band);
@@ -86,7 +86,7 @@ class SignFollower {
     Bernstein p;
     double low, high;
   };
-  /// Of the certain coefficients.
+  /// The signs of the certain coefficients.
   struct Shape {
     bool has_positive = false, has_negative = false;
     int changes = 0;
@@ -108,7 +108,7 @@ class SignFollower {
     return shape;
   }
 
-  /// The value at `low` has the sign sign_ or is not certain, that at `high` has the other.
+  /// Precondition: the value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
   [[nodiscard]] double root_between(const Bernstein& p, double low, double high) const {
     return root_in_bracket([&](double u) { return value_at(p, u); }, low, high, sign_);
   }

@@ -41,7 +41,7 @@ double polynomial(const std::array<double, n>& c, double x) noexcept {
   return even + x * odd;
 }
 
-/// For normal x; a denormal is brought into range first.
+/// log₂ x for x > 0; a denormal x is scaled into the normal range first.
 double log2_of(double x) noexcept {
   // 2/((2i + 1) ln 2): artanh's series, doubled and in units of ln 2.
   static constexpr auto kSeries = [] {
@@ -80,7 +80,7 @@ double exp2_of(double z) noexcept {
   if (z > 1100) return std::numeric_limits<double>::infinity();
   const double n = std::floor(z + 0.5);
   const double series = polynomial(kSeries, (z - n) * kLn2);
-  // In two halves, so that neither factor leaves the range of normal numbers.
+  // The power of two is applied in two halves, so that neither factor leaves the range of normal numbers.
   const int half = static_cast<int>(n) / 2, rest = static_cast<int>(n) - half;
   const auto power_of_two = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52); };
   return series * power_of_two(half) * power_of_two(rest);

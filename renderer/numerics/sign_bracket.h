@@ -1,20 +1,21 @@
-// The place in a bracket where a function changes sign, to the last digit of its argument or to where its values are 0.
+// Finds the place in a bracket where a function changes sign, to the last digit of its argument or until its value is
+// 0.
 #pragma once
 
 #include <cmath>
 
 namespace isl::render {
 
-/// f(low) has the sign `sign` or, within rounding, is zero; f(high) has the other. Regula falsi with halved weights of
-/// an end that stays (Illinois; Dowell and Jarratt 1971), and a halving of the bracket whenever three steps have not
-/// halved it: at most four times as many evaluations as bisection, usually eight.
+/// Precondition: f(low) has the sign `sign` or, within rounding, is zero; f(high) has the opposite sign. Regula falsi
+/// that halves the weight of an end that stays (Illinois; Dowell and Jarratt 1971), and halves the bracket whenever
+/// three steps have not halved it. It needs at most four times as many evaluations as bisection, usually eight in all.
 template <class Function>
 [[nodiscard]] double root_in_bracket(const Function& f, double low, double high, int sign) {
   double f_low = sign * f(low), f_high = sign * f(high);
   if (!(f_low > 0)) return low;
   if (!(f_high < 0)) return high;
   double width = high - low;
-  int kept = 0;  // > 0: how often the low end stayed
+  int kept = 0;  // which end stayed in the last step: 1 for the low one, −1 for the high one
   for (int step = 1;; ++step) {
     double middle = low + (high - low) * (f_low / (f_low - f_high));
     if (step % 3 == 0) {
@@ -37,7 +38,7 @@ template <class Function>
       if (kept > 0) f_low *= 0.5;
       kept = 1;
     } else {
-      return middle;  // also where it is no number
+      return middle;  // zero, or NaN
     }
   }
 }
