@@ -1,5 +1,6 @@
-// Paths from the eye into the scene: rays that wait to be traced together, and what each path knows besides its ray. Rays stay
-// what the tracer needs; whatever an effect has to remember from one surface to the next stands in PathEntry.
+// Paths from the eye into the scene: rays that wait to be traced together, and the state that each path has besides its
+// ray. A ray holds only what the tracer needs; whatever an effect has to remember from one surface to the next is in
+// PathEntry.
 #pragma once
 
 #include "renderer/rays/ray.h"
@@ -11,11 +12,11 @@
 
 namespace isl::render {
 
-/// A segment of a path. Light is linear in what comes back along it, so every term adds factor × term to its sample.
+/// A segment of a path. Light is linear along it, so every term adds factor × term to the path's sample.
 struct PathEntry {
-  Rgb factor{1};            ///< how much of what comes along the ray reaches the eye; in the scene's working space
-  double weight = 1;        ///< POV-Ray's estimate of that share: below adc_bailout a path ends
-  std::uint32_t sample = 0; ///< of the batch of camera samples: whose colour it adds to
+  Rgb factor{1};             ///< share of the light along the ray that reaches the eye; in the scene's working space
+  double weight = 1;         ///< POV-Ray's estimate of that share; a path ends when it is below adc_bailout
+  std::uint32_t sample = 0;  ///< the number, in the batch, of the camera sample whose colour it adds to
   std::uint16_t level = 1;  ///< segments of the path so far, this one included
   RayKind kind = RayKind::image;
   bool in_solid = false;    ///< the segment runs in something that is not `hollow`, which keeps fog out
@@ -39,7 +40,7 @@ struct PathBatch {
   }
 };
 
-/// Segments that wait for the next level, apart by kind, so that each batch is of one.
+/// Segments that wait for the next level, kept apart by kind, so that each batch is of one kind.
 class ChildQueues {
  public:
   void push(const Ray& ray, const PathEntry& entry) { of(entry.kind).push(ray, entry); }
@@ -67,7 +68,7 @@ struct EndedPaths {
   std::uint64_t by_weight = 0;  ///< adc_bailout
 };
 
-/// Rays traced, by what they were for.
+/// Numbers of rays traced, by their purpose.
 struct PathCounts {
   std::uint64_t camera = 0;
   std::uint64_t shadow = 0;

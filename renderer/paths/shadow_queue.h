@@ -1,5 +1,5 @@
-// The queue of shadow rays: light that arrives unless something stands in its way. Filled block by block of surface points,
-// light by light, so that neighbours in the queue look the same way.
+// The queue of shadow rays: light that arrives unless something stands in its way. It is filled block by block of
+// surface points, light by light, so that neighbours in the queue have similar directions.
 #pragma once
 
 #include "renderer/paths/path.h"
@@ -11,12 +11,12 @@
 
 namespace isl::render {
 
-/// Memory is kept from batch to batch.
+/// Its memory is kept from batch to batch.
 class ShadowQueue {
  public:
   void clear() { size_ = 0; }
 
-  /// Light `colour` for a sample, if nothing lies on `ray`, which leads from a surface to the light.
+  /// Queues light `colour` for a sample. It counts if nothing lies on `ray`, which leads from a surface to the light.
   void push(std::uint32_t sample, const Ray& ray, const Rgb& colour) {
     if (size_ == rays_.size()) grow();
     rays_[size_] = ray;
@@ -38,7 +38,7 @@ class ShadowQueue {
 
   void grow();
 
-  // Longer than what they hold, so that one check makes room in both.
+  // These may be longer than size_, so that one check makes room in both.
   std::vector<Ray> rays_;
   std::vector<Light> lights_;
   std::size_t size_ = 0;
