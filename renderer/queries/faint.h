@@ -1,5 +1,6 @@
-// Convolved components that have no surface by themselves: a segment that is short, or a ring that is small, against its radius
-// gathers too little of its kernel to reach the threshold. Among others of its kind it is what it should be.
+// Convolved components that have no surface by themselves: a segment that is short, or a ring that is small, compared
+// with its radius gathers too little of its kernel to reach the threshold. Among others of its kind such a component
+// works as it should.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -11,12 +12,12 @@ namespace isl::render {
 
 struct FaintComponents {
   OriginId first;
-  scene::Skeleton skeleton;  ///< of the first
-  double greatest;           ///< value of the first, over the threshold
+  scene::Skeleton skeleton;  ///< skeleton of the first
+  double greatest;           ///< greatest value of the first one's field, over the threshold
   std::uint64_t count;
 };
 
-/// Nothing if every convolved component that adds to its blob reaches the threshold.
+/// Empty if every convolved component that adds to its blob reaches the threshold.
 [[nodiscard]] std::optional<FaintComponents> faint_components(const scene::Database& database);
 
 }  // namespace isl::render

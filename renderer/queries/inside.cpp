@@ -62,12 +62,12 @@ class Membership {
   Membership(const Database& database, const std::vector<KernelConstants>& kernels)
       : database_(database), kernels_(kernels) {}
 
-  /// In the space that the object is placed into.
+  /// `point` is in the space that the object is placed into.
   [[nodiscard]] bool holds(const Object& object, bool is_inverse, const Vec3& point) const {
     const Vec3 p = object.parent_from_object.inverse_point(point);
     const bool in_shape = shape_holds(object, is_inverse != object.inverse, p);
     if (object.clip == scene::kNoGroup) return in_shape;
-    // Outside what is clipped is outside the shape or outside what clips it.
+    // The outside of a clipped object is outside the shape or outside the clip.
     const bool in_clip = group_holds(database_.groups[index(object.clip)], is_inverse, p);
     return is_inverse ? in_shape || in_clip : in_shape && in_clip;
   }

@@ -17,8 +17,8 @@ namespace isl::render {
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
                              const scene::Blob& blob, const scene::Vec3& point);
 
-/// In the space that the object is placed into. What clips an object takes its inside away too. Sheets (solids/solid.h)
-/// hold nothing, inverse or not, as in POV-Ray: nothing is left of a solid that a triangle is taken away from, but the
+/// `point` is in the space that the object is placed into. A clip also removes the inside that it cuts off. Sheets
+/// (solids/solid.h) hold nothing, inverse or not, as in POV-Ray: of a solid minus a triangle nothing is left but the
 /// triangle.
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
                              const scene::Object& object, const scene::Vec3& point);

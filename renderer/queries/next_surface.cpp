@@ -37,8 +37,8 @@ class Walk {
   }
 
  private:
-  /// Taking up a ray again makes its coordinates about as small as those of the hit, which takes one turn, or two; a
-  /// surface through the origin is approached by 2⁻⁵⁰ each time, until it is reached.
+  /// A ray is taken up again to make its coordinates about as small as those of the hit, which takes one turn, or two.
+  /// A surface through the origin is approached by 2⁻⁵⁰ each time, until it is reached.
   static constexpr int kMostTakingUp = 32;
 
   [[nodiscard]] Hit hit_of(const Ray& ray) const {
@@ -49,7 +49,7 @@ class Walk {
   }
   [[nodiscard]] static Vec3 point_of(const Ray& ray, const Hit& hit) { return ray.origin + ray.direction * hit.t; }
 
-  /// The ray that goes on from a hit.
+  /// The ray that continues from a hit.
   [[nodiscard]] static Ray beyond(const Ray& ray, const Hit& hit) {
     Ray result = ray;
     result.origin = point_of(ray, hit);
@@ -58,16 +58,16 @@ class Walk {
     return result;
   }
 
-  /// Of a point that is given by its coordinates around the object, as users have it.
+  /// The reach of a point that is given by its coordinates around the object, as users see it.
   [[nodiscard]] Vec3 reach_of(const Vec3& point) const {
     return reach_through(place_.inverse, reach_at(Vec3(0), place_.point(point), 1));
   }
-  /// The face of a hit, as well as it is known at that point.
+  /// The face of a hit, as exactly as it is known at that point.
   [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point) const {
     return tracer_.face_at(hit, point, reach_of(point));
   }
 
-  /// Whether the surface met is the one that the walk starts on.
+  /// True if the surface met is the one that the walk starts on.
   [[nodiscard]] bool is_start(const Hit& hit, const Vec3& point, const Face& face) const {
     if (has_left_) return false;
     const double t = (point - start_).dot(ray_.direction);
@@ -75,7 +75,7 @@ class Walk {
     return t * face_at(hit, start_).slope(ray_.direction) <= kStart * face.rounding;
   }
 
-  /// The ray from there, whose numbers are no larger than those that its next hit is made of.
+  /// Takes the ray up again at `origin`, so that its numbers are no larger than those that its next hit is made of.
   void take_up_at(const Vec3& origin) {
     const Vec3 direction = ray_.direction;
     ray_ = {};
@@ -85,7 +85,8 @@ class Walk {
     ++taken_up_;
   }
 
-  /// The crossing back through the surface, if the ray gets no farther from it than the least distance in between.
+  /// The crossing back through the surface, if the ray gets no farther from the surface in between than the least
+  /// distance.
   [[nodiscard]] std::optional<NextSurface> way_back(const Hit& hit, const Vec3& point, const Face& face) const {
     const double least = kLeast * face.rounding;
     NextSurface back{beyond(ray_, hit), {}};
@@ -112,7 +113,7 @@ class Walk {
   const scene::Transform& place_;
   Vec3 start_;
   Ray ray_;
-  bool has_left_ = false;  ///< the start lies too far behind to be met
+  bool has_left_ = false;  ///< the start is too far behind to be met
   int taken_up_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace isl::render {
 ObjectQueries::ObjectQueries() = default;
 ObjectQueries::~ObjectQueries() = default;
 
-/// Kernels are added as a scene is read; another database means another scene.
+/// Kernels are added as a scene is read, so only new ones are prepared. Another database means another scene.
 void ObjectQueries::follow(const scene::Database& database) {
   if (database_ != &database) {
     database_ = &database;

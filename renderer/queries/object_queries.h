@@ -1,5 +1,5 @@
-// The answers to what the language asks about objects: traced by the renderer's own tracer, each shape made ready once
-// and always exactly.
+// Answers the questions that the language asks about objects. The renderer's own tracer does the work, with each shape
+// prepared once and always exactly.
 #pragma once
 
 #include "renderer/extents/extents.h"
@@ -16,7 +16,7 @@ namespace isl::render {
 
 class Tracer;
 
-/// Of one database, which may grow between questions.
+/// Serves one database, which may grow between questions.
 class ObjectQueries final : public scene::Queries {
  public:
   ObjectQueries();
@@ -30,12 +30,12 @@ class ObjectQueries final : public scene::Queries {
   [[nodiscard]] Imath::Box3d extent(const scene::Database& database, const scene::Object& object) override;
 
  private:
-  /// What decides the surface of an object in its own space.
+  /// The parts of an object that decide its surface in its own space.
   using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
   const Tracer& tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
 
-  const scene::Database* database_ = nullptr;  ///< what the rest was made from
+  const scene::Database* database_ = nullptr;  ///< the database that the rest was made from
   std::vector<KernelConstants> kernels_;
   std::optional<Extents> extents_;
   std::map<ShapeKey, std::unique_ptr<Tracer>> tracers_;

@@ -1,4 +1,4 @@
-// What `object` patterns of pictures ask: whether a point is inside an object of the database.
+// Tells `object` patterns of pictures whether a point is inside an object of the database.
 #pragma once
 
 #include "renderer/patterns/patterns.h"
@@ -6,7 +6,7 @@
 
 namespace isl::render {
 
-/// One of a database that no longer grows; immutable.
+/// Serves a database that no longer grows; immutable.
 class PatternInsides final : public PatternSurroundings {
  public:
   explicit PatternInsides(const scene::Database& database) : database_(database) {

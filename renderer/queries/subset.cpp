@@ -8,7 +8,7 @@ namespace {
 
 using scene::Object;
 
-/// Copies records and gives them new numbers. What is shared stays shared.
+/// Copies records and gives them new numbers. Records that are shared stay shared.
 class Copier {
  public:
   explicit Copier(const scene::Database& from) : from_(from) { to_.kernels = from.kernels; }
@@ -19,7 +19,7 @@ class Copier {
     root.shape = shape(root);
     root.clip = clip(root.clip);
     to_.objects.push_back(root);
-    // Groups hold groups: a list of those whose children are still to be copied, so that depth costs no stack.
+    // Groups hold groups. A list holds those whose children are still to be copied, so that depth costs no stack.
     for (std::size_t next = 0; next < pending_.size(); ++next) {
       std::vector<Object> children;
       for (const Object& child : from_.groups[pending_[next]].children) {
@@ -93,7 +93,7 @@ class Copier {
 
   const scene::Database& from_;
   scene::Database to_;
-  std::unordered_map<std::uint32_t, std::uint32_t> groups_, blobs_;  ///< by number in from_
+  std::unordered_map<std::uint32_t, std::uint32_t> groups_, blobs_;  ///< new numbers, by number in from_
   std::vector<std::uint32_t> pending_;                               ///< groups of from_, in the order of to_'s
 };
 

@@ -6,8 +6,8 @@
 
 namespace isl::render {
 
-/// A database with nothing in it but `object`, standing in its own space, as seen by rays alone: without what it looks
-/// like, and without the flags that hide it from some rays.
+/// A database that holds only `object`, in the object's own space, for rays alone: without textures, and without the
+/// flags that hide it from some rays.
 [[nodiscard]] scene::Database subset(const scene::Database& database, const scene::Object& object);
 
 }  // namespace isl::render
