@@ -1,5 +1,6 @@
-// A ray as a blob's solver sees it, and what it answers: the one small interface between finding a blob's surface and the
-// scene around it. Everything is in the blob's space; t means the same as in the world, the direction need not be normalised.
+// A ray as a blob's solver sees it, and the solver's answer: the one small interface between finding a blob's surface
+// and the scene around it. Everything is in the blob's space; t is the same as in the world, and the direction need not
+// be normalised.
 #pragma once
 
 #include "renderer/rays/tracer_options.h"
@@ -14,21 +15,21 @@ namespace isl::render {
 struct BlobRay {
   Vec3 origin, direction;
   double t_max = std::numeric_limits<double>::infinity();
-  bool starts_on_surface = false;  ///< the root at t = 0 is known
-  bool any = false;                ///< whether there is a crossing is all that is asked
-  double path_length = 0;          ///< before t = 0, in world units
-  bool may_go_in = false;          ///< a ray that starts on the surface: as part of a combination its inside matters
+  bool starts_on_surface = false;  ///< the root at t = 0 is known, and not searched for
+  bool any = false;                ///< only asks whether there is a crossing
+  double path_length = 0;          ///< the length of the path before t = 0, in world units
+  bool may_go_in = false;          ///< for a start on the surface: the ray may go inside, which matters in a CSG tree
 };
 
 struct BlobHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t cell = scene::kNone;
-  bool from_inside = false;  ///< of a miss: the ray stays inside, as it can in a half-space
+  bool from_inside = false;  ///< for a miss: the ray stays inside, as it can in a half-space
 
   [[nodiscard]] bool is_miss() const { return cell == scene::kNone; }
 };
 
-/// How exactly, for every solver.
+/// The settings of every solver, above all how exact it is.
 struct SolverSettings {
   SolverName name = SolverName::hermite;
   int interpolants = 2;
@@ -37,14 +38,14 @@ struct SolverSettings {
   PaperSwitches paper;
   Tolerance step{1, true};
   double relaxation = 1;
-  bool packets = true;  ///< of the product: eight rays at once where they can be
+  bool packets = true;  ///< for the product's solver: traces eight rays at once where it can
 
-  /// The tolerance along the ray, in scene units, at a distance from the eye. 0 for `exact`.
+  /// The tolerance along the ray, in scene units, at a distance from the eye; 0 for `exact`.
   [[nodiscard]] double at(double distance) const {
     if (name == SolverName::exact) return 0;
     return along_ray(tolerance, distance);
   }
-  /// The same of `step`.
+  /// The length of a step along the ray, likewise.
   [[nodiscard]] double step_at(double distance) const { return along_ray(step, distance); }
 
  private:

@@ -1,5 +1,5 @@
-// What can be switched about the published solver: its optimisations (Sherstyuk 1999, §4), each measurable alone, and
-// its normals. Written after the solver's name, as in `paper:2,no-reject`. This table is all that knows their names.
+// The switches of the published solver: its optimisations (Sherstyuk 1999, §4), each measurable alone, and its normals.
+// They are written after the solver's name, as in `paper:2,no-reject`. Only this table knows their names.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@ namespace isl::render {
 
 struct PaperSwitches {
   bool on_demand = true;  ///< fields are interpolated when the ray gets there, not when they are met
-  bool reject = true;     ///< stretches are skipped whose peaks do not add up to the threshold
-  bool monotone = true;   ///< cubics are not solved whose control points are all on one side
+  bool reject = true;     ///< stretches whose peaks do not add up to the threshold are skipped
+  bool monotone = true;   ///< cubics whose control points are all on one side are not solved
   bool reuse = true;      ///< shading takes its weights from the interpolants
   bool permanent = true;  ///< clusters of fields are the lists of the grid's cells, not gathered from the whole ray
   bool pools = true;      ///< memory is kept from ray to ray

@@ -17,16 +17,17 @@ using InstanceId = std::uint32_t;
 /// The surface a secondary ray starts on, so that its root at t = 0 is known and not searched for.
 struct RayStart {
   InstanceId instance = scene::kNone;
-  std::uint8_t part = 0;              ///< of a solid: which of its surfaces (Hit::part)
-  std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these (Hit::leaf)
+  std::uint8_t part = 0;              ///< for a solid: which of its surfaces (Hit::part)
+  std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves (Hit::leaf)
 };
 
-/// What rays are traced for. Objects may be hidden from some kinds; the values are bits, so that one number says which.
+/// The purpose of a ray. Objects may be hidden from some kinds; the values are bits, so that one number holds a set of
+/// kinds.
 enum class RayKind : std::uint8_t {
   image = 1,       ///< from the camera, with no reflection on the way
   reflection = 2,  ///< with a reflection on the way from the camera
   shadow = 4,
-  query = 0,  ///< of a question about the scene: meets all
+  query = 0,  ///< for a question about the scene: meets every object
 };
 
 /// A half-line in world space. The direction has unit length. A ray with NaN or infinite entries, or a zero direction,
@@ -34,23 +35,24 @@ enum class RayKind : std::uint8_t {
 struct Ray {
   Vec3 origin;
   Vec3 direction;
-  double t_max = std::numeric_limits<double>::infinity();  ///< beyond it nothing counts (a light's distance)
-  double path_length = 0;  ///< from the eye to the origin; with the pixel's angle it gives the footprint
+  double t_max = std::numeric_limits<double>::infinity();  ///< hits beyond it do not count (a light's distance)
+  double path_length = 0;  ///< from the eye to the origin; together with the pixel's angle it gives the footprint
   RayStart start;
 };
 
-/// The nearest surface. `instance` is scene::kNone for a miss.
+/// The nearest surface on a ray. `instance` is scene::kNone for a miss.
 struct Hit {
   double t = std::numeric_limits<double>::infinity();
   InstanceId instance = scene::kNone;
-  std::uint32_t cell = scene::kNone;  ///< of a blob: the cell whose list holds every component that matters at the hit;
-                                      ///< of `paper` and `iso` with reuse, a number known to the thread that found it
-  std::uint8_t part = 0;              ///< of a solid: which of its surfaces
+  std::uint32_t cell = scene::kNone;  ///< for a blob: the cell whose list holds every component that matters at the
+                                      ///< hit; for `paper` and `iso` with reuse, a number known to the thread that
+                                      ///< found it
+  std::uint8_t part = 0;              ///< for a solid: which of its surfaces
   bool from_inside = false;           ///< the ray came out of the solid rather than into it
-  std::uint32_t leaf = scene::kNone;  ///< of a combination of solids and blobs: which of these
+  std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves
 
   [[nodiscard]] bool is_miss() const { return instance == scene::kNone; }
-  /// For a ray that goes on from here.
+  /// The start of a ray that continues from this hit.
   [[nodiscard]] RayStart start() const { return {instance, part, leaf}; }
 };
 

@@ -12,16 +12,16 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// Where on a shape a point is: what its coordinates (u, v) follow from.
+/// The place on a shape from which the surface coordinates (u, v) of a point follow.
 struct SurfacePlace {
   scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
   std::uint32_t shape = scene::kNone;                     ///< index into the database's solids or blobs
-  std::uint32_t component = 0;                            ///< of a blob: index into its components
+  std::uint32_t component = 0;                            ///< for a blob: index into its components
   Vec3 point{0};                                          ///< in the shape's space
 };
 
-/// A texture and its share of the material at a point; the shares of a point add up to one. The components of a blob
-/// that have a texture in common share it, unless it asks where on each component the point is.
+/// A texture and its share of the material at a point; the shares of a point add up to one. Components of a blob that
+/// have the same texture share one entry, unless the texture asks where on each component the point is.
 struct TextureShare {
   scene::TextureId texture;
   double weight;

@@ -10,7 +10,7 @@ struct TraceCounters {
   std::uint64_t field_evaluations = 0;
   std::uint64_t uncertified_steps = 0;
   std::uint64_t cells = 0;
-  std::uint64_t shading_evaluations = 0;  ///< of fields at points found, for normals and textures
+  std::uint64_t shading_evaluations = 0;  ///< evaluations of fields at hit points, for normals and textures
 
   TraceCounters& operator+=(const TraceCounters& other) {
     field_evaluations += other.field_evaluations;

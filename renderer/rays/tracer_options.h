@@ -54,16 +54,16 @@ struct Tolerance {
 
 struct TracerOptions {
   SolverName solver = SolverName::hermite;
-  int interpolants = 2;  ///< of `paper:K`
-  PaperSwitches paper;   ///< of `paper` and `iso`
+  int interpolants = 2;  ///< for `paper:K`
+  PaperSwitches paper;   ///< for `paper` and `iso`
   Tolerance tolerance;
-  Tolerance step{1, true};    ///< of those that march
-  double relaxation = 1;      ///< of sphere tracing, in [1, 2)
-  bool octree = false;        ///< of `lg`: cells culled as its authors have it, instead of those of all solvers
+  Tolerance step{1, true};    ///< for methods that march
+  double relaxation = 1;      ///< for sphere tracing, in [1, 2)
+  bool octree = false;        ///< for `lg`: cells are culled by its authors' method instead of the common one
   double pixel_angle = 1e-3;  ///< radians a pixel subtends at the eye, for tolerances in pixels
-  bool packets = true;        ///< of the product: rays in packets of eight, not one by one
-  bool skeleton = false;      ///< every blob as its skeleton model (scene::Blob::is_skeleton)
-  std::string simd;           ///< "" for the best the machine has, or a Highway target name ("AVX2")
+  bool packets = true;        ///< for the product's solver: rays in packets of eight, not one by one
+  bool skeleton = false;      ///< every blob is drawn unblended (scene::Blob::is_skeleton)
+  std::string simd;           ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")
 };
 
 }  // namespace isl::render
