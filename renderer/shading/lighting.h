@@ -1,17 +1,19 @@
-// POV-Ray 3.7's lighting of a surface point, term by term: what it shows by itself, and what one light adds where nothing is in
-// between. Which terms a scene has is decided by its effects. All of it runs once a point and light, so it is inline.
+// POV-Ray 3.7's lighting of a surface point, term by term: the point's own light, and the light that one light source
+// adds if nothing is in between. A scene's effects decide which terms it has. All of it runs once for each point and
+// light, so it is inline.
 //
 // The model, as observed of POV-Ray 3.7 (tests/renderer/shading keeps the observations):
 //   - The normal is turned to the viewer first, so a surface seen from its inside is lit from its inside.
 //   - A light with N·L ≤ 0 gives nothing, highlights included.
 //   - R is the view mirrored in the surface, and H is halfway between the ways to the light and to the eye.
-//   - Highlights take the light's colour, and the pigment's as far as the finish is metallic. They scale with neither diffuse nor
-//     brilliance.
-//   - A layer shows 1 − filter − transmit of its colour (less than nothing, if these are more than 1) and all of its highlights,
-//     and lets through the factor transmit + filter × colour of all that is below.
+//   - Highlights take the light's colour, and the pigment's as far as the finish is metallic. They scale with neither
+//     diffuse nor brilliance.
+//   - A layer shows 1 − filter − transmit of its colour (a negative share, if these are more than 1) and all of its
+//     highlights, and lets through the factor transmit + filter × colour of everything below.
 //   - A `shadowless` light is a fill light: it makes no highlights.
-//   - A blob's blended material is the average of its textures' finished colours, not of their parameters. POV-Ray leaves out
-//     shares below its adc_bailout, 1/255, without making up for them; here they count, so that colours have no steps.
+//   - A blob's blended material is the average of its textures' finished colours, not of their parameters. POV-Ray
+//     leaves out shares below its adc_bailout, 1/255, without making up for them; here they count, so that colours have
+//     no steps.
 #pragma once
 
 #include "renderer/numerics/power.h"
@@ -23,7 +25,7 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// A point about to be lit, in world space.
+/// A point to be lit, in world space.
 struct ShadingPoint {
   Vec3 position;
   Vec3 normal;                             ///< unit, turned to the viewer
@@ -31,18 +33,20 @@ struct ShadingPoint {
   std::span<const LitTexture> textures;  ///< shares that add up to one
 };
 
-/// `normal` or its opposite, whichever faces the eye that looks along `view`. Across the view it is left alone.
+/// `normal` or its opposite, whichever faces the eye that looks along `view`. It is left alone if it is perpendicular
+/// to the view.
 [[nodiscard]] inline Vec3 turned_to_viewer(const Vec3& normal, const Vec3& view) {
   return normal.dot(view) > 0 ? -normal : normal;
 }
 
-/// The way from a point to a light. The distance is 0 at the light itself, which then lights nothing.
+/// The direction and distance from a point to a light. The distance is 0 at the light itself, which then lights
+/// nothing.
 struct LightSample {
   Vec3 direction{0};  ///< unit, from the point to the light
   double distance = 0;
 };
 
-/// The one sampler of lights: what pictures and measurements of shadow rays ask.
+/// The only sampler of lights: both pictures and measurements of shadow rays use it.
 [[nodiscard]] inline LightSample sample_light(const scene::Light& light, const Vec3& position) {
   const Vec3 way = light.location - position;
   const double distance = way.length();
@@ -50,7 +54,7 @@ struct LightSample {
   return {way / distance, distance};
 }
 
-// In these a share is the texture's weight times what the layers above it let through.
+// In the following sums, a share is the texture's weight times the light that the layers above it let through.
 
 /// Σ share × pigment: the point without light.
 [[nodiscard]] inline Rgb plain_colour(const ShadingPoint& point) {
@@ -76,7 +80,7 @@ struct LightSample {
   return colour;
 }
 
-/// The cosines that highlights depend on; shared by all textures of a point.
+/// The cosines that highlights depend on. All textures of a point share them.
 struct HighlightAngles {
   double mirror = 0;   ///< R·L
   double halfway = 0;  ///< N·H
@@ -89,7 +93,7 @@ struct HighlightAngles {
   return {mirrored.dot(to_light), length > 0 ? halfway.dot(point.normal) / length : 0};
 }
 
-/// phong (R·L)^phong_size + specular (N·H)^(1/roughness), each where its cosine is above 0.
+/// phong (R·L)^phong_size + specular (N·H)^(1/roughness), where a term counts only if its cosine is above 0.
 [[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
   double sum = 0;
   if (material.phong > 0 && angle.mirror > 0) sum += material.phong * power(angle.mirror, material.phong_size);

@@ -1,6 +1,6 @@
-// Textures made ready for lighting: everything about one that does not depend on the point or the light is multiplied
-// out once. Colours are in the scene's own working space (Settings::assumed_gamma), as POV-Ray computes; film makes
-// them linear.
+// Textures made ready for lighting: everything in a texture that does not depend on the point or the light is
+// multiplied out once. Colours are in the scene's own working space (Settings::assumed_gamma), in which POV-Ray
+// computes; the film makes them linear.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -15,26 +15,26 @@ using Rgb = Imath::Color3<double>;
 
 [[nodiscard]] inline Rgb rgb(const scene::Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// What a surface mirrors: from `minimum` seen head-on to `maximum` at grazing angles.
+/// The mirror reflection of a surface: from `minimum` seen head-on to `maximum` at grazing angles.
 struct Mirror {
   bool reflects = false;
   Rgb minimum{0}, maximum{0};
-  double falloff = 1;   ///< of the way from one to the other
-  double metallic = 0;  ///< how far it takes the pigment's colour
+  double falloff = 1;   ///< exponent of the way from `minimum` to `maximum`
+  double metallic = 0;  ///< how much the reflection takes the pigment's colour
 };
 
-/// A texture's finish and, where it is the same everywhere, its pigment. Highlights take the light's colour, and that of the pigment
-/// as far as the finish is metallic.
+/// A texture's finish and, if it is the same everywhere, its pigment. Highlights take the light's colour, and the
+/// pigment's colour as far as the finish is metallic.
 struct Material {
-  Rgb pigment;  ///< the plain colour; says nothing where is_patterned
-  Rgb ambient;  ///< finish ambient × ambient_light: the pigment's factor
+  Rgb pigment;  ///< the plain colour; meaningless if is_patterned
+  Rgb ambient;  ///< finish ambient × ambient_light: a factor of the pigment
   double diffuse = 0;
   bool is_patterned = false;  ///< the colour depends on the point
   double brilliance = 1;
   double phong = 0;
   double phong_size = 40;
   double specular = 0;
-  double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as POV-Ray has it
+  double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as in POV-Ray
   double metallic = 0;
   Mirror mirror;
 
@@ -44,10 +44,11 @@ struct Material {
 /// A texture at a point, with its share of the material there.
 struct LitTexture {
   const Material* material;
-  Rgb pigment;  ///< the colour at the point times how opaque it is; what quality 0 and 1 show, and the albedo layer
-  Rgb colour;   ///< the colour alone: what metal mirrors in
+  Rgb pigment;  ///< the colour at the point times its opacity; the qualities 0 and 1 and the albedo layer show it
+  Rgb colour;   ///< the colour alone: metal tints its reflections with it
   double weight;
-  Rgb let_through{1};  ///< by the layers above: a factor for all that the texture shows, highlights included
+  Rgb let_through{1};  ///< light that the layers above let through: a factor of all that the texture shows, highlights
+                       ///< included
 };
 
 [[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Finish& finish,
@@ -64,7 +65,7 @@ class MaterialTable {
   }
 
  private:
-  std::vector<Material> materials_;  ///< one a texture, then the default
+  std::vector<Material> materials_;  ///< one for each texture, then the default
 };
 
 }  // namespace isl::render

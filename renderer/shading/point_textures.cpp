@@ -10,7 +10,7 @@
 namespace isl::render {
 namespace {
 
-/// Where a texture's patterns are looked up.
+/// The point at which a texture's patterns are evaluated.
 const Vec3& place_of(const scene::Texture& texture, const Vec3& point, const values::Environment& environment) {
   return texture.uv_mapping != 0 ? *environment.coordinates() : point;
 }

@@ -1,5 +1,5 @@
-// Textures at a point of a surface: what lighting needs of each. What a pattern chooses is chosen, layers are laid over
-// one another, pigments are evaluated.
+// The textures at a point of a surface, as lighting needs them: patterns choose among textures, layers are laid over
+// one another, and pigments are evaluated.
 #pragma once
 
 #include "renderer/patterns/patterns.h"
@@ -13,7 +13,7 @@
 
 namespace isl::render {
 
-/// One of a database; immutable, shared by all threads.
+/// Serves one database; immutable, shared by all threads.
 class PointTextures {
  public:
   explicit PointTextures(const scene::Database& database)
@@ -26,23 +26,24 @@ class PointTextures {
   PointTextures(const PointTextures&) = delete;
   PointTextures& operator=(const PointTextures&) = delete;
 
-  /// Appends what the point's shares are made of: at least one entry each, in their order, the top layer first.
+  /// Appends the textures that the point's shares consist of: at least one entry for each, in their order, the top
+  /// layer first.
   void append(const SurfacePoint& point, std::vector<LitTexture>& lit) const;
 
-  /// Of a pigment that is on no surface, such as the sky's.
+  /// The colour of a pigment that is on no surface, such as the sky's.
   [[nodiscard]] scene::Colour pigment_colour(const scene::Pigment& pigment, const Vec3& point) const;
 
   /// (u, v) of a place on a shape; `world` is the same point in the world.
   [[nodiscard]] Coordinates coordinates_of(const SurfacePlace& place, const Vec3& world) const;
 
  private:
-  /// Adds a texture with all that it is made of, at a point of the space that it lives in.
+  /// Adds a texture with all its parts, at a point of the space that it lives in.
   void add(scene::TextureId id, double weight, const Vec3& point, values::Environment& environment,
            std::vector<LitTexture>& lit) const;
-  /// The textures that a pattern chooses there.
+  /// Adds the textures that a pattern chooses at the point.
   void add_chosen(const scene::TexturePattern& choice, double weight, const Vec3& point,
                   values::Environment& environment, std::vector<LitTexture>& lit) const;
-  /// The texture and what lies below it.
+  /// Adds the texture and the layers below it.
   void add_layers(scene::TextureId top, double weight, const Vec3& point, values::Environment& environment,
                   std::vector<LitTexture>& lit) const;
 
