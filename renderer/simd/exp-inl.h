@@ -1,5 +1,5 @@
-// e^y for y ≤ 709, in every lane alike: our own, because libm's last bits differ between machines and pictures must
-// not.
+// e^y for y ≤ 709, the same in every lane. This is our own function, because libm's last bits differ between machines
+// and pictures must not.
 //
 // y = n ln 2 + r with |r| ≤ ln 2 / 2; e^r by its Taylor polynomial of degree 13 (remainder r¹⁴/14! < 4.2e-18 relative),
 // n by adding to the exponent's bits. ln 2 is split in two (Cody and Waite), the upper part with 21 zero bits at its
@@ -23,8 +23,8 @@ HWY_INLINE double exp(double y) { return std::exp(y); }
 
 HWY_INLINE Octet exp(const Octet& y) {
   constexpr double kLog2E = 0x1.71547652b82fep+0;
-  constexpr double kLn2High = 0x1.62e42feep-1;       // ln 2 to 32 bits …
-  constexpr double kLn2Low = 0x1.a39ef35793c76p-33;  // … and the rest
+  constexpr double kLn2High = 0x1.62e42feep-1;       // the upper 32 bits of ln 2
+  constexpr double kLn2Low = 0x1.a39ef35793c76p-33;  // the rest of ln 2
   // Adding 1.5·2⁵² leaves the nearest integer in the low bits of the sum.
   constexpr double kShift = 0x1.8p52;
   constexpr double kLeast = -708;

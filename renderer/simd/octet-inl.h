@@ -1,6 +1,6 @@
 // Eight doubles side by side, whatever the width of the machine's registers: the unit in which fields are evaluated.
 // A target with 2 lanes holds four registers, one with 8 lanes a single one; every operation is the IEEE one in every
-// lane and sums run through one fixed tree, so that all targets give the same bits. Never a fused multiply-add.
+// lane and sums run through one fixed tree, so that all targets give the same bits. There are no fused multiply-adds.
 #if defined(ISL_RENDERER_SIMD_OCTET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SIMD_OCTET_INL_H_
 #undef ISL_RENDERER_SIMD_OCTET_INL_H_
@@ -105,7 +105,7 @@ HWY_INLINE bool none(const OctetMask& m) {
   for (std::size_t i = 0; i < kRegisters; ++i) r = r && hn::AllFalse(Lanes(), m.m[i]);
   return r;
 }
-// The same for one number, where a formula serves both.
+// These do the same for one number, so that one formula serves both.
 HWY_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
 HWY_INLINE double sqrt(double x) { return std::sqrt(x); }
 
@@ -132,7 +132,7 @@ HWY_INLINE std::uint32_t bits(const OctetMask& m) {
   return r;
 }
 
-/// From 8 consecutive doubles, 64-byte aligned.
+/// Loads 8 consecutive doubles, 64-byte aligned.
 HWY_INLINE Octet load(const double* p) {
   Octet r;
   for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::Load(Lanes(), p + i * kLanes);
@@ -154,7 +154,7 @@ HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
   return r;
 }
 
-#if HWY_TARGET == HWY_SCALAR  // one lane, and no halves of it
+#if HWY_TARGET == HWY_SCALAR  // a single lane has no halves
 HWY_INLINE double sum_lanes(Lanes, Register x) { return hn::GetLane(x); }
 #else
 template <class D>

@@ -1,5 +1,5 @@
-// The vector widths that a file compiled by Highway's foreach_target has been compiled for, as a table to choose from
-// at run time. Included by such a file once, in its HWY_ONCE part.
+// A table of the vector widths for which Highway's foreach_target has compiled a file, to choose from at run time. Such
+// a file includes this one once, in its HWY_ONCE part.
 #pragma once
 
 #include <hwy/highway.h>
@@ -11,15 +11,15 @@
 
 namespace isl::render {
 
-/// What `make` of one width returns.
+/// One vector width; `make` returns its entry points.
 template <class Kernel>
 struct VectorTarget {
   std::int64_t bit;
   const Kernel* (*make)();
 };
 
-/// That of the widest vectors that this machine has, or of the target named ("AVX3", "AVX2", "SSE4", …). Null if the
-/// machine or the program lacks it. `targets`: widest first.
+/// The entry points for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …).
+/// Null if the machine or the program lacks it. `targets` come widest first.
 template <class Kernel>
 [[nodiscard]] const Kernel* kernel_of(std::span<const VectorTarget<Kernel>> targets, const std::string& name) {
   const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
@@ -47,6 +47,6 @@ template <class Kernel>
 #else
 #define ISL_TARGET_SSE4(make)
 #endif
-/// Rows of VectorTarget, widest first; the last is the baseline, which every machine has.
+/// Rows of VectorTarget, widest first; the last is the static target, which every machine has.
 #define ISL_VECTOR_TARGETS(make) \
   ISL_TARGET_AVX3(make) ISL_TARGET_AVX2(make) ISL_TARGET_SSE4(make) { HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(make) }
