@@ -1,6 +1,6 @@
-// The search of the rivals that halve an interval until they know whether a root is on it: judged by `Solver::judge`,
-// found by `Solver::refine`. From the nearest part on; what is too short to be halved is decided by its ends, and
-// counted as uncertified.
+// The search of the baselines that halve an interval until they know whether it holds a root. `Solver::judge` decides
+// and `Solver::refine` finds the root. The nearest part comes first. An interval that is too short to be halved is
+// decided by its ends, and counted as uncertified.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_BISECTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_BISECTION_INL_H_
 #undef ISL_RENDERER_SOLVERS_BASELINES_BISECTION_INL_H_
@@ -19,19 +19,19 @@ namespace HWY_NAMESPACE {
 
 enum class Verdict {
   none,     ///< no root on the interval, other than a known one at its start
-  rises,    ///< F rises all along it
-  unclear,  ///< to be halved
+  rises,    ///< F rises all along the interval
+  unclear,  ///< not decided: the interval is halved
 };
 
 /// `Solver` has
-///   Verdict judge(a, b, a_is_root, middle)   of the interval between two nodes; may leave the node in its middle
+///   Verdict judge(a, b, a_is_root, middle)   on the interval between two nodes; may return the node in its middle
 ///   double refine(a, b)                      the root between a.value ≤ 0 < b.value
 template <class Solver>
 class Bisection : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     // A ray that ends on the other side has crossed, wherever that was.
     if (any && last.value > last.noise) return last.t;
@@ -58,7 +58,7 @@ class Bisection : public RivalSolver {
         ++counters_.uncertified_steps;
         verdict = crossed ? Verdict::rises : Verdict::none;
       }
-      // Behind a known root at the start, too close to tell apart from it, lies another.
+      // With a known root at the start, this is another one, too close to tell apart from it.
       if (verdict == Verdict::rises && crossed) return any || a_is_root ? b.t : self().refine(a, b);
       a = b;
       a_is_root = false;

@@ -1,10 +1,10 @@
 // Hill climbing, with which the published solver was compared (Sherstyuk 1999): `climb:STEP`.
 //
-// Fixed steps, with F evaluated at t and t + δ, δ = STEP/1024, so that the slope is known too. Above the threshold, the
-// root is found by regula falsi. Where F rises at one step and falls at the next, both below the threshold, there is a
-// hill between: it is climbed, halving towards its top by the slope, until F is above the threshold or the hill ends
-// below it. The paper gives no more than the idea; two hills between neighbouring steps are missed, or the nearer one
-// is.
+// The steps are fixed, and F is evaluated at t and t + δ, δ = STEP/1024, so that the slope is known too. Above the
+// threshold, regula falsi finds the root. Where F rises at one step and falls at the next, both below the threshold,
+// there is a hill between: it is climbed, halving towards its top by the slope, until F is above the threshold or the
+// hill ends below it. The paper gives no more than the idea. If there are two hills between neighbouring steps, either
+// both are missed or the nearer one is.
 //
 // A ray that starts on the surface begins one step away from it, as in march-inl.h.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_CLIMB_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -27,7 +27,7 @@ class ClimbSolver : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (!a_is_root && a.value > a.noise) return a.t;
     if (any && last.value > last.noise) return last.t;
@@ -50,10 +50,11 @@ class ClimbSolver : public RivalSolver {
   }
 
  private:
-  /// The difference over δ ahead.
+  /// The change of F over the distance δ ahead.
   [[nodiscard]] double rise(const Node& at) { return node(at.t + delta_).value - at.value; }
 
-  /// A place above the threshold on the hill between two places below it. What is narrower than the tolerance is none.
+  /// A point above the threshold on the hill between two points below it. A hill narrower than the tolerance is
+  /// ignored.
   [[nodiscard]] std::optional<Node> climb(Node a, Node b) {
     const double enough = tolerance(a.t);
     for (int i = 0; i < kMostHalvings && b.t - a.t > enough; ++i) {

@@ -1,16 +1,17 @@
 // Forward inclusion of second order (Aydinlilar and Zanni 2023), certified: `inclusion`.
 //
-// From a place t on the ray, with m ≤ F″ ≤ M on [t, t + e],
+// From a point t on the ray, with m ≤ F″ ≤ M on [t, t + e],
 //   F(t) + F′(t)x + mx²/2 ≤ F(t + x) ≤ F(t) + F′(t)x + Mx²/2   for x in [0, e],
-// bounds that are exact where they start. No root lies before the first one of the upper parabola: that far the ray
-// goes, and the closer it comes the better the parabola. Where F′(t) + min(m, 0)e > 0, F rises all along, and the end
-// tells whether there is its one root, which Newton's method finds. The next stretch is twice as long as the last step.
+// These bounds are exact where they start. No root lies before the first root of the upper parabola, so the ray goes
+// that far, and the closer it comes the better the parabola is. Where F′(t) + min(m, 0)e > 0, F rises all along, and
+// its value at the end tells whether it has its one root there, which Newton's method finds. The next stretch is twice
+// as long as the last step.
 //
 // A ray that starts on the surface has F(t) = 0 and divides the root out: the upper parabola comes back at x =
 // −2F′(t)/M.
 //
-// Where steps fall below what nobody asked to tell apart, one of that length is taken, counted as uncertified, and the
-// next such one is twice as long: so the search along a surface ends.
+// A step shorter than the tolerance asks to tell apart is replaced by one of that length, counted as uncertified, and
+// the next such step is twice as long. So a search along a surface ends.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_INCLUSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_INCLUSION_INL_H_
 #undef ISL_RENDERER_SOLVERS_BASELINES_INCLUSION_INL_H_
@@ -33,7 +34,7 @@ class InclusionSolver : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (any && last.value > last.noise) return last.t;
     const double share = 0x1p-60 * (last.t - a.t);
@@ -68,7 +69,7 @@ class InclusionSolver : public RivalSolver {
   }
 
  private:
-  /// Where the upper parabola first comes above the rounding of F: less is no crossing.
+  /// The x at which the upper parabola first comes above the rounding of F. A value within the rounding is no crossing.
   [[nodiscard]] static double first_at(const Node& a, double bend) {
     const double below = a.noise - a.value, discriminant = a.slope * a.slope + 2 * bend * below;
     if (!(discriminant >= 0)) return std::isnan(discriminant) ? 0 : std::numeric_limits<double>::infinity();
@@ -76,7 +77,7 @@ class InclusionSolver : public RivalSolver {
     if (a.slope > 0) return 2 * below / (a.slope + root);
     return bend > 0 ? (root - a.slope) / bend : std::numeric_limits<double>::infinity();
   }
-  /// Where it comes back to the surface that it starts on.
+  /// The x at which the upper parabola comes back to the surface that it starts on.
   [[nodiscard]] static double back_at(const Node& a, double bend) {
     if (!(a.slope < 0)) return 0;
     return bend <= 0 ? std::numeric_limits<double>::infinity() : -2 * a.slope / bend;

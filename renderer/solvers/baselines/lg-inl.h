@@ -1,14 +1,14 @@
 // LG-surfaces (Kalra and Barr 1989), certified: `lg`.
 //
-// L bounds |F′| on a region, G the change of F′ along the ray, |F″|. With the values in an interval's middle m, h being
-// its width:
+// L bounds |F′| on a region, and G bounds |F″|, the change of F′ along the ray. With the values in the middle m of an
+// interval, where h is its width:
 //   F(m) + Lh/2 < 0     no root;
 //   |F′(m)| > Gh/2      F′ keeps its sign: at most one root, told by the ends, found by Newton's method;
 //   else                halve the interval.
-// The paper has L of the cells of an octree, in all directions; here the grid's cells are culled for all solvers alike,
-// and both L and G are of the interval itself, along the ray.
+// In the paper, L belongs to the cells of an octree and holds in all directions. Here the grid's cells are culled in
+// the same way for all solvers, and both L and G belong to the interval itself, along the ray.
 //
-// A ray that starts on the surface, leaving it, has not come back while F′ < 0.
+// A ray that leaves the surface on which it starts has not come back while F′ < 0.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_LG_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_LG_INL_H_
 #undef ISL_RENDERER_SOLVERS_BASELINES_LG_INL_H_

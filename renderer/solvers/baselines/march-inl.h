@@ -1,11 +1,11 @@
 // Ray marching (Tuy and Tuy 1984; Perlin and Hoffert 1989): `march:STEP`.
 //
 // F is sampled at fixed steps until it is above the threshold; the last step is halved until it is no longer than the
-// tolerance. What is thinner than a step is missed, as are two crossings between samples. Cells that hold no surface
-// are left out here as for all solvers; each of the others is sampled at both its ends too, which only finds more.
+// tolerance. A part thinner than a step is missed, as are two crossings between samples. Cells that hold no surface are
+// left out here as for all solvers. Each of the other cells is sampled at both its ends too, which only finds more.
 //
-// A ray that starts on the surface begins one step away from it: what it meets before that, it does not see, and where
-// it is still on the other side then, it finds the surface that it left.
+// A ray that starts on the surface begins one step away from it. It does not see anything before that, and if it is
+// still on the other side then, it finds the surface that it left.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_MARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_BASELINES_MARCH_INL_H_
@@ -26,7 +26,7 @@ class MarchSolver : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (!a_is_root && a.value > a.noise) return a.t;
     const double least = (last.t - a.t) / kMostSteps;

@@ -1,14 +1,14 @@
-// What the rival solvers have in common, so that only their way of looking for a root differs: the field seen from the
-// ray's side, at places and on intervals, their lengths, and the two ways of closing in on a root that a change of sign
-// brackets. Each rival is a class like HermiteSolver, which the driver (cell_search-inl.h) asks for the first root in a
-// cell.
+// The part that all baselines share, so that only their way of looking for a root differs: the field seen from the
+// ray's side, at points and on intervals, its lengths, and the two ways of closing in on a root that a change of sign
+// brackets. Each baseline is a class like HermiteSolver, which the driver (cell_search-inl.h) asks for the first root
+// in a cell.
 //
-// Evaluations are counted where F is: at a place, and on an interval of a ray by interval arithmetic. Bounds of
-// derivatives are not, as little as the product's.
+// Evaluations of F are counted: at a point, and on an interval of a ray by interval arithmetic. Bounds of derivatives
+// are not counted, neither here nor in the product's solver.
 //
-// The certified ones (interval, lg, inclusion) close in to the rounding of F and know the root that a ray starts on, as
-// the product does. The others stop at the tolerance, and leave a surface as their papers' programs do, by a first
-// step.
+// The certified baselines (interval, lg, inclusion) close in to the rounding of F and know the root that a ray starts
+// on, as the product does. The others stop at the tolerance, and leave a surface by a first step, as the programs of
+// their papers do.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_RIVAL_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_RIVAL_SOLVER_INL_H_
 #undef ISL_RENDERER_SOLVERS_BASELINES_RIVAL_SOLVER_INL_H_
@@ -33,10 +33,10 @@ namespace HWY_NAMESPACE {
 struct RivalLengths {
   Shortest shortest;
   const SolverSettings* settings;
-  double distance;  ///< from the eye, where t = 0
+  double distance;  ///< distance of t = 0 from the eye
 };
 
-/// The same fields, compiled once for all rivals instead of into every search.
+/// The same fields, compiled once for all baselines instead of inlined into every search.
 class RivalLanes : public RayLanes {
  public:
   using RayLanes::RayLanes;
@@ -69,18 +69,18 @@ class RivalSolver {
   }
 
  protected:
-  /// A search halves no interval more often than this: 2⁻⁶⁴ of any is below the spacing of doubles.
+  /// The most halvings of an interval in one search: 2⁻⁶⁴ of any interval is below the spacing of doubles.
   static constexpr int kMostHalvings = 64;
-  /// Intervals or steps that one search may take, so that a ray that hugs a surface ends: far more than any other one
-  /// takes.
+  /// The most intervals or steps of one search, so that it ends for a ray that hugs a surface. Any other ray takes far
+  /// fewer.
   static constexpr int kMostSteps = 1 << 16;
 
-  /// Of a root near t.
+  /// The tolerance of a root near t.
   [[nodiscard]] double tolerance(double t) const { return lengths_.settings->at(lengths_.distance + t); }
-  /// STEP of those that march, near t.
+  /// The STEP of methods that march, near t.
   [[nodiscard]] double step(double t) const { return lengths_.settings->step_at(lengths_.distance + t); }
 
-  /// F on the interval, by interval arithmetic.
+  /// The range of F on the interval, by interval arithmetic.
   [[nodiscard]] FieldRange values(double t0, double t1) {
     counters_.field_evaluations += fields_.field_count();
     return seen(fields_.range(t0, t1));
@@ -89,7 +89,8 @@ class RivalSolver {
   [[nodiscard]] FieldRange bends(double t0, double t1) const { return seen(fields_.bend_range(t0, t1)); }
   [[nodiscard]] static double size(const FieldRange& r) { return std::max(std::abs(r.low), std::abs(r.high)); }
 
-  /// Newton's method, kept in the bracket a.value ≤ 0 < b.value by halving it, down to the rounding of F.
+  /// Newton's method in the bracket a.value ≤ 0 < b.value, down to the rounding of F. A step that leaves the bracket is
+  /// replaced by a halving.
   [[nodiscard]] double newton(Node a, Node b) {
     double t = a.t + 0.5 * (b.t - a.t);
     for (int i = 0; i < 2 * kMostHalvings; ++i) {
@@ -103,12 +104,12 @@ class RivalSolver {
     return b.t;
   }
 
-  /// Regula falsi in the bracket a.value ≤ 0 < b.value, of the kind that halves the value of an end that stays (Dowell
-  /// and Jarratt 1971), until the bracket or the last step is within the tolerance, or F within its rounding.
+  /// Regula falsi in the bracket a.value ≤ 0 < b.value. The value at an end that stays is halved (Dowell and Jarratt
+  /// 1971). It ends when the bracket or the last step is within the tolerance, or F within its rounding.
   [[nodiscard]] double regula_falsi(Node a, Node b) {
     const double enough = tolerance(a.t);
     double last = b.t;
-    int stays = 0;  // +1: b did, −1: a did
+    int stays = 0;  // which end stayed in the last step: +1 for b, −1 for a
     for (int i = 0; i < 2 * kMostHalvings && b.t - a.t > enough; ++i) {
       double t = a.t + (b.t - a.t) * (a.value / (a.value - b.value));
       if (!(t > a.t && t < b.t)) t = a.t + 0.5 * (b.t - a.t);

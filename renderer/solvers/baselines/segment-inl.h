@@ -1,10 +1,10 @@
 // Segment tracing (Galin, Guérin, Paris and Peytavie 2020): `segment`.
 //
-// As sphere tracing, but L is that of the segment ahead only, along the ray: with L ≥ |F′| on [t, t + e] the ray goes
-// min(|F|/L, e), or by the tolerance where that is farther, and the next segment is half as long again as that. So
-// where the field is flat, segments grow, and near the surface they shrink with the steps.
+// This is sphere tracing with an L of the segment ahead only, along the ray: with L ≥ |F′| on [t, t + e] the ray goes
+// min(|F|/L, e), or by the tolerance where that is farther, and the next segment is half as long again as that step. So
+// segments grow where the field is flat, and shrink with the steps near the surface.
 //
-// What is thinner than the tolerance may be missed. A ray that starts on the surface begins by the tolerance away from
+// A part thinner than the tolerance may be missed. A ray that starts on the surface begins by the tolerance away from
 // it. After 16384 steps on a stretch, as in the paper's measurements, the rest is given up and counted as uncertified.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_BASELINES_SEGMENT_INL_H_
@@ -27,7 +27,7 @@ class SegmentSolver : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (any && last.value > last.noise) return last.t;
     if (a_is_root) {

@@ -1,14 +1,15 @@
 // Sphere tracing (Hart 1996): `sphere`, and over-relaxed (Keinert et al. 2014): `sphere:OMEGA`.
 //
-// With L ≥ |F′|, no root is nearer than |F|/L: that far the ray goes, until it is above the threshold, or by the
-// tolerance where that is farther, so that it arrives. L is of the stretch of the ray in a cell, the sum of the fields'
-// own bounds there. Hart's is of all space and all directions; a sum of thousands of fields would not move with it.
+// With L ≥ |F′|, no root is nearer than |F|/L. The ray goes that far, or by the tolerance where that is farther, so
+// that it arrives, until it is above the threshold. L belongs to the stretch of the ray in a cell: it is the sum of the
+// fields' own bounds there. Hart's L holds in all space and all directions; with it, a ray in a sum of thousands of
+// fields would not move.
 //
-// Over-relaxed, a step is OMEGA times as long. Where the next sphere, |F|/L about the place that was reached, does not
-// touch the last one, something between may have been passed: the step is taken back, and the rest of the stretch goes
-// with OMEGA = 1.
+// With over-relaxation, a step is OMEGA times as long. If the next sphere, |F|/L about the point that was reached, does
+// not touch the last one, something between may have been passed: the step is taken back, and the rest of the stretch
+// goes with OMEGA = 1.
 //
-// What is thinner than the tolerance may be missed. A ray that starts on the surface begins by the tolerance away from
+// A part thinner than the tolerance may be missed. A ray that starts on the surface begins by the tolerance away from
 // it. After 16384 steps on a stretch, where Galin et al. (2020) end too, the rest is given up and counted as
 // uncertified.
 #if defined(ISL_RENDERER_SOLVERS_BASELINES_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -32,7 +33,7 @@ class SphereSolver : public RivalSolver {
  public:
   using RivalSolver::RivalSolver;
 
-  /// As HermiteSolver's.
+  /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (any && last.value > last.noise) return last.t;
     const double steepest = size(slopes(a.t, last.t));
