@@ -1,8 +1,8 @@
-// The search for a blob's surface along a ray: the grid's cells in order, each solved by itself. `Solver` finds the first root in a
-// cell: the product's (hermite-inl.h) or a rival (rival_solver-inl.h), so that solvers differ in nothing else.
-// The ray carries which side of the surface it is on; a crossing is a change of that side, whether a cell's solver found it or
-// two neighbours disagree by a rounding about a root on their common border. Where the blob has half-spaces or sheets, the ray is
-// also searched before and behind the grid.
+// Searches for a blob's surface along a ray: it takes the grid's cells in order and solves each by itself. `Solver`
+// finds the first root in a cell. It is the product's solver (hermite-inl.h) or a baseline (rival_solver-inl.h), so
+// that solvers differ in nothing else. The search knows which side of the surface the ray is on. A crossing is a change
+// of that side, whether a cell's solver found it or two neighbours disagree by a rounding about a root on their common
+// border. If the blob has half-spaces or sheets, the ray is also searched before and behind the grid.
 #if defined(ISL_RENDERER_SOLVERS_CELLS_CELL_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CELLS_CELL_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CELLS_CELL_SEARCH_INL_H_
@@ -27,7 +27,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// A leaf or inside cell on a ray's way, and the stretch of the ray in it.
+/// A leaf or inside cell that a ray meets, and the stretch of the ray in it.
 struct CellStretch {
   std::uint32_t index;
   Cell cell;
@@ -54,10 +54,12 @@ class CellSearch {
     return hit();
   }
 
-  // Step by step, for those who walk themselves (packet_search-inl.h). Only where nothing lies beyond the grid:
-  //   begin, enter_grid, then arrive for each cell in order, and what it asks for, until a crossing is found.
+  // The search step by step, for callers that walk the grid themselves (packet_search-inl.h). Precondition: nothing
+  // lies beyond the grid. Call begin, enter_grid, then arrive for each cell in order and what it asks for, until a
+  // crossing is found.
 
-  /// Takes up the ray, which must stay where it is. The stretch in the grid's box, empty where it does not meet it.
+  /// Takes up the ray, which must outlive the search. Returns the stretch in the grid's box, empty if the ray misses
+  /// the box.
   [[nodiscard]] BoxSpan begin(const BlobRay& ray) {
     ray_ = &ray;
     side_ = Side::unknown;
@@ -65,7 +67,7 @@ class CellSearch {
     if (!(blob_.grid.cell_size > 0)) return {1, 0};
     return clip_to_box(blob_.grid.box, ray.origin, ray.direction, 0, ray.t_max);
   }
-  /// From here on t counts from base(), and the ray begins at origin().
+  /// Moves to the start of the stretch: from here on t counts from base(), and the ray begins at origin().
   void enter_grid(const BoxSpan& span) {
     take_up(span.enter, blob_.grid.box.size().length());
     if (blob_.grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
@@ -74,18 +76,18 @@ class CellSearch {
   [[nodiscard]] double base() const { return base_; }
   [[nodiscard]] const typename Solver::Lengths& lengths() const { return lengths_; }
 
-  /// What there is to do in a cell that the ray has come to.
+  /// The work to do in a cell that the ray has come to.
   enum class Arrival {
-    crosses,         ///< nothing: the ray has changed sides on the way, and the search is over
-    passes,          ///< nothing
-    candidate_leaf,  ///< a root may be in it, of a ray that comes from outside
-    other_candidate  ///< there is more to it: solve_in
+    crosses,         ///< none: the ray has changed sides on the way, and the search is over
+    passes,          ///< none: the ray stays on its side
+    candidate_leaf,  ///< find a root of a ray that comes from outside, in a leaf
+    other_candidate  ///< call solve_in, which covers all other cases
   };
   [[nodiscard]] Arrival arrive(const CellStretch& stretch) {
     const auto& [index, cell, t0, t1] = stretch;
     ++counters_.cells;
     if (t0 > reached_ || !is_node_valid_) {
-      // Between leaf cells lie only cells certainly outside.
+      // Between leaf cells there are only cells that are certainly outside.
       if (t0 > reached_) {
         if (side_ == Side::inside) return crosses(reached_, last_solved_or(index));
         side_ = Side::outside;
@@ -104,7 +106,7 @@ class CellSearch {
     const bool is_plain = cell.kind() == CellKind::leaf && side_ == Side::outside && !(starts_on_surface_ && t0 == 0);
     return is_plain ? Arrival::candidate_leaf : Arrival::other_candidate;
   }
-  /// Whether the ray crosses in a cell that it has arrived at.
+  /// True if the ray crosses in a cell that it has arrived at.
   [[nodiscard]] bool solve_in(const CellStretch& stretch) {
     const auto& [index, cell, t0, t1] = stretch;
     const bool starts_here = starts_on_surface_ && t0 == 0;
@@ -115,7 +117,8 @@ class CellSearch {
         MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
     return t && cross(*t, index);
   }
-  /// What has been found out otherwise of a cell that the ray has arrived at: it stays on its side to the end, or crosses at t.
+  /// Records the result, found elsewhere, of a cell that the ray has arrived at: the ray stays on its side to the end
+  /// of the cell, or crosses at t.
   void set_passed() { is_node_valid_ = false; }
   void set_crossing(double t) { cross(t, last_cell_); }
 
@@ -125,8 +128,8 @@ class CellSearch {
   }
 
  private:
-  /// From far away the ray is taken up again where it meets the grid, so that the fields see small numbers: t counts from
-  /// `base`. `extent`: the size of what is met there.
+  /// Moves the origin to t = `base`, where the ray meets the grid, so that the fields see small numbers even if the
+  /// grid is far away; t counts from there. `extent`: the size of what is met there.
   void take_up(double base, double extent) {
     base_ = base;
     origin_ = ray_->origin + ray_->direction * base;
@@ -135,14 +138,14 @@ class CellSearch {
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
-    // Certification may stop at a thousandth of the tolerance, and must at 2⁻⁴⁰ of the blob.
+    // Certification may stop at a thousandth of the tolerance, and must stop at 2⁻⁴⁰ of the blob.
     Shortest shortest;
     shortest.by_rounding = 0x1p-40 * extent / direction_.length();
     shortest.by_tolerance = std::max(shortest.by_rounding, 1e-3 * settings_.at(ray_->path_length + base));
     lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 
-  /// Whether the ray crosses the surface in the grid's box.
+  /// True if the ray crosses the surface in the grid's box.
   bool in_grid(const BoxSpan& span) {
     enter_grid(span);
     walk(blob_.grid, origin_, direction_, 0, span.leave - base_,
@@ -152,8 +155,9 @@ class CellSearch {
     return !hit_.is_miss();
   }
 
-  /// The same where half-spaces and sheets are alone. Between the planes where they begin and end the field is smooth, and
-  /// behind the last of them it is constant: one stretch more, of any length, shows what it is there.
+  /// True if the ray crosses the surface where only half-spaces and sheets reach. Between the planes where their fields
+  /// begin and end the sum is smooth, and behind the last plane it is constant: one more stretch, of any length, shows
+  /// its value there.
   bool beyond_grid(double begin, double end) {
     if (!(begin < end)) return false;
     const Grid& grid = blob_.grid;
@@ -178,7 +182,7 @@ class CellSearch {
     }
     return false;
   }
-  /// Calls use(shape, how far its field reaches before its plane).
+  /// Calls use(shape, reach), where reach is how far the shape's field extends before its plane.
   template <class Use>
   void for_each_endless(const Use& use) const {
     const ComponentTable& table = blob_.components;
@@ -188,13 +192,13 @@ class CellSearch {
     }
   }
 
-  /// The ray changes sides at t, on the border of `cell` or in it.
+  /// Records that the ray changes sides at t, on the border of `cell` or in it.
   bool cross(double t, std::uint32_t cell) {
     hit_ = {base_ + t, cell, side_ == Side::inside};
     return true;
   }
 
-  /// The cell whose list to shade with where a crossing falls between cells.
+  /// The cell whose list shades a crossing that falls between cells.
   [[nodiscard]] std::uint32_t last_solved_or(std::uint32_t index) const { return last_cell_ == scene::kNone ? index : last_cell_; }
 
   Arrival crosses(double t, std::uint32_t cell) {
@@ -247,10 +251,11 @@ class CellSearch {
   typename Solver::Lengths lengths_{};
   bool starts_on_surface_ = false;
   Side side_ = Side::unknown;
-  double reached_ = 0;  ///< how far the ray has been followed
-  std::uint32_t last_cell_ = scene::kNone;  ///< the last one solved: its list holds what matters at `reached_`
+  double reached_ = 0;                      ///< t up to which the ray has been followed
+  std::uint32_t last_cell_ = scene::kNone;  ///< the last cell solved; its list holds every component that matters at
+                                            ///< `reached_`
   bool is_node_valid_ = false;
-  Node node_{};  ///< at reached_, on the ray's side
+  Node node_{};  ///< the node at reached_, seen from the ray's side
   BlobHit hit_;
 };
 

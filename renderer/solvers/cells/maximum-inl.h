@@ -1,10 +1,10 @@
-// The search through a cell where the field is the greatest of several sums (CellKind::choice): each sum is solved as if it
+// Searches a cell in which the field is the greatest of several sums (CellKind::choice). Each sum is solved as if it
 // were alone, by the solver that finds roots in other cells, so that the edges of the maximum are never met.
 //
 // From outside, the ray crosses where the first of the sums does. From inside, it follows one sum that is above the
-// threshold to where that one leaves, then goes on with another that is still above there; where none is, it crosses.
-// A ray that starts on the surface starts on those sums that are the greatest there, to the last bit that rounding
-// leaves; it is inside if it enters any of them.
+// threshold to where that one leaves, then goes on with another that is still above there; if there is none, it
+// crosses. A ray that starts on the surface starts on the sums that are the greatest there, up to rounding; it is
+// inside if it enters any of them.
 #if defined(ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_
 #undef ISL_RENDERER_SOLVERS_CELLS_MAXIMUM_INL_H_
@@ -25,11 +25,11 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Which side of the surface a ray is on.
+/// The side of the surface that a ray is on.
 enum class Side { unknown, outside, inside };
 
-/// Whether a ray that starts on the surface of `fields` goes in: by the slope there or, where that is lost in rounding (a
-/// tangent ray), by the curvature.
+/// True if a ray that starts on the surface of `fields` goes in. The slope there decides or, if it is lost in rounding
+/// (a tangent ray), the curvature.
 [[nodiscard]] inline bool leaves_inwards(const RayLanes& fields, const Node& start) {
   if (std::abs(start.slope) > start.slope_noise) return start.slope > 0;
   return fields.curvature(start.t) > 0;
@@ -39,7 +39,7 @@ enum class Side { unknown, outside, inside };
 struct MaximumQuery {
   Vec3 origin, direction;
   double t0, t1;
-  bool starts_here;  ///< on the surface, at t0
+  bool starts_here;  ///< the ray starts on the surface, at t0
   bool any;
 };
 
@@ -50,8 +50,8 @@ class MaximumSolver {
                 const typename Solver::Lengths& lengths, typename Solver::Fields& fields, TraceCounters& counters)
       : blob_(blob), cell_(cell), query_(query), lengths_(lengths), fields_(fields), counters_(counters) {}
 
-  /// Where the ray changes sides in (t0, t1], or at t0 if it is not on the side it is said to be on. Makes an unknown side
-  /// known.
+  /// The t in (t0, t1] at which the ray changes sides, or t0 if the ray is not on the given side there. Sets an unknown
+  /// side.
   [[nodiscard]] std::optional<double> first_crossing(Side& side) {
     if (query_.starts_here) {
       greatest_at_start_ = greatest_at(query_.t0);
@@ -77,7 +77,7 @@ class MaximumSolver {
     fields_.set_up(blob_.components, blob_.grid.items.data() + list.first, list.count, query_.origin, query_.direction,
                    query_.t0, query_.t1);
   }
-  /// Leaves the sum's fields laid out.
+  /// The node of a sum at t. Leaves the sum's fields laid out.
   [[nodiscard]] Node node_of(std::uint32_t i, double t) {
     lay_out(i);
     return Solver(fields_, 1, lengths_, counters_).node(t);
@@ -89,7 +89,7 @@ class MaximumSolver {
     }
     return greatest;
   }
-  /// Whether the sum is one that the ray starts on. Lays it out.
+  /// True if the ray starts on the sum. Leaves the sum's fields laid out.
   [[nodiscard]] bool is_on_surface(std::uint32_t i) {
     if (!query_.starts_here) return false;
     const Node node = node_of(i, query_.t0), &top = greatest_at_start_.node;
@@ -114,7 +114,7 @@ class MaximumSolver {
   }
 
   [[nodiscard]] std::optional<double> leave() {
-    // A ray that is out in the end has left, wherever that was.
+    // A ray that is outside in the end has left, wherever that was.
     if (query_.any) {
       if (const Greatest last = greatest_at(query_.t1); last.node.value < -last.node.noise) return query_.t1;
     }
