@@ -1,23 +1,28 @@
-// The certified solver: the first root of F − T on a stretch of a ray, and the proof that none lies before it.
+// The certified solver: it finds the first root of F − T on a stretch of a ray, and proves that none lies before it.
 //
-// On an interval of width h the true values and slopes at its ends give one cubic for the whole sum of fields, in Bernstein form
+// On an interval of width h the true values and slopes at its ends give one cubic for the whole sum of fields, in
+// Bernstein form
 //   b₀ = F₀,  b₁ = F₀ + hF′₀/3,  b₂ = F₁ − hF′₁/3,  b₃ = F₁,
-// and the fields' own bounds (RayLanes::remainder) a band E around it that F cannot leave. So:
+// and the fields' own bounds (RayLanes::remainder) give a band E around it that F cannot leave. So:
 //   max b + E < 0                      no root: the hull of the control points holds the cubic;
 //   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
-//   otherwise                          halve the interval with a true node; E falls sixteenfold. Where E has fallen below the
-//                                      rounding of F, or the interval is shorter than what counts, and nothing is decided: split
-//                                      where a skeleton's nearest feature changes, as F does there beside the core of a hard
-//                                      component; the ranges of the fields may show that F stays on its side. Else the cubic is
-//                                      all that can be known: its own first root is taken, and counted as uncertified.
-// A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the quotient
-// Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R vanishes twice at either
-// end, and |R″| ≤ 43 E wherever f is at least C¹ (32 E where it is smooth, 128/3 E by Peano's kernel of osc f″, 29 E by that of
-// osc f‴), so |R|/u ≤ 43/2 E min(u, (1 − u)²/u), which the coefficients 0, 14 E, 0 bound. Rounding δ of F₁ adds u(3 − 2u)δ, that
-// is 0, 3/2 δ, δ; and δ′ of the slopes hδ′₀, hδ′₁/2, 0. Neither touches c₀, whose sign is what the side was told by: that a
-// tangent ray does not come back at once is as certain as for any other. Where F″ > 0, 6 min(bⱼ − 2bⱼ₊₁ + bⱼ₊₂) being above its
-// own band, Q rises (h²∫ vF″(uv) dv > 0) and has one root: the ray is back. No offset, and so neither acne nor leaks.
-// The root is polished on the true field by Newton steps kept in a bracket, down to the rounding of F itself.
+//   otherwise                          halve the interval with a true node; E falls sixteenfold.
+// An interval may remain undecided although E has fallen below the rounding of F, or the interval is shorter than the
+// tolerance needs. It is then split where a skeleton's nearest feature changes, because F changes there too beside the
+// core of a hard component. After that, the ranges of the fields may show that F stays on its side. If they do not, the
+// cubic is all that can be known: its own first root is taken, and counted as uncertified.
+//
+// A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the
+// quotient Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R
+// vanishes twice at either end, and |R″| ≤ 43 E wherever f is at least C¹ (32 E where it is smooth, 128/3 E by Peano's
+// kernel of osc f″, 29 E by that of osc f‴), so |R|/u ≤ 43/2 E min(u, (1 − u)²/u), which the coefficients 0, 14 E, 0
+// bound. Rounding δ of F₁ adds u(3 − 2u)δ, that is 0, 3/2 δ, δ; and rounding δ′ of the slopes adds hδ′₀, hδ′₁/2, 0.
+// Neither matters for c₀, because the side was determined by its sign: that a tangent ray does not come back at once is
+// as certain as for any other ray. Where F″ > 0, that is where 6 min(bⱼ − 2bⱼ₊₁ + bⱼ₊₂) is above its own band, Q rises
+// (h²∫ vF″(uv) dv > 0) and has one root, at which the ray is back. No offset is needed, and so there is neither acne
+// nor leaks.
+//
+// The root is polished on the true field by Newton steps that are kept in a bracket, down to the rounding of F itself.
 //
 // Sherstyuk 1999 (Hermite interpolants along rays); Aydinlilar and Zanni 2023 (forward inclusion, here of third order);
 // Farouki and Rajan 1987 (Bernstein form).
@@ -48,16 +53,16 @@ class HermiteSolver {
   using Lengths = Shortest;
   /// h²|F″ − p″| on an interval is no greater than this times E.
   static constexpr double kBendBand = 43;
-  /// Rounding moves F by no less than this share of the bound on it: of its n + 16 half units in the last place one or two are
-  /// there in the mean, and n is seldom above 100.
+  /// Rounding moves F by no less than this share of its bound: of the n + 16 half units in the last place that the
+  /// bound allows, one or two occur in the mean, and n is seldom above 100.
   static constexpr double kRoundingOfNoise = 1.0 / 64;
-  /// What the driver hands to every solver; `distance`: of t = 0 from the eye.
+  /// The lengths that the driver hands to every solver. `distance`: of t = 0 from the eye.
   [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {
     return shortest;
   }
 
-  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals that are `shortest` are decided by the signs at
-  /// their ends and counted as uncertified.
+  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals as short as `shortest` are decided by the
+  /// signs at their ends and counted as uncertified.
   HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)
       : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
 
@@ -69,12 +74,14 @@ class HermiteSolver {
     return {t, side_ * f.value, side_ * f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
   }
 
-  /// The first t in (a.t, b.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t, leaving to the side
-  /// it is on, and that root is not looked for. `any`: a crossing is all that is asked, its place may be rough.
+  /// The first t in (a.t, last.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t and
+  /// leaves to the side it is on, and that root is not searched for. `any`: only asks whether there is a crossing; t
+  /// may be rough.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
-    // Right ends of what is still to be searched, the nearest on top. Each halving adds one; what is too short to be halved is
-    // split at borders of pieces, from the first on, which adds one more. Below 2⁻⁶⁰ of the whole lie places next to t = 0 only:
-    // a ray that grazes a plane's field takes 10⁹ radii to pass it.
+    // `ends` holds the right ends of the intervals that are still to be searched, the nearest on top. Each halving adds
+    // one. An interval too short to be halved is split at borders of pieces, from the first on, which adds one more.
+    // Only places next to t = 0 are closer together than 2⁻⁶⁰ of the whole, and they are not told apart: a ray that
+    // grazes a plane's field takes 10⁹ radii to pass it.
     const double share = 0x1p-60 * (last.t - a.t);
     least_ = {.by_rounding = std::max(shortest_.by_rounding, share), .by_tolerance = std::max(shortest_.by_tolerance, share)};
     Node ends[kMostHalvings + 1];
@@ -99,7 +106,7 @@ class HermiteSolver {
   }
 
  private:
-  /// Of the quotient by a known root: the band of c₁, over E.
+  /// The band of c₁ of the quotient by a known root, over E.
   static constexpr double kMiddleBand = 14;
   enum class Verdict { none, at_start, one, back, in_cubic, unclear };
   static constexpr int kMostHalvings = 64;
@@ -136,13 +143,15 @@ class HermiteSolver {
       if (fall < -band) return Verdict::none;
     }
     const double middle = a.t + 0.5 * h;
-    // At both ends: what is worth 10¹⁰⁰ at one may be worth nothing at the other. False too where the bound overflowed.
+    // E must be within the rounding at both ends: what is small beside a value of 10¹⁰⁰ at one end may be large at the
+    // other. It is not if the bound overflowed.
     const bool is_exact = e.value <= std::min(a.noise, b.noise);
-    // Where the cubic is the field there is nothing to be gained but by it: a bulge above the rounding between ends below.
+    // If the cubic is the field up to rounding, halving gains nothing, unless the cubic bulges above the rounding
+    // between ends that are below.
     const bool bulges = !a_is_root && !crossed && std::max(p.b1, p.b2) > noise + h * slope_noise;
     if ((!is_exact || bulges) && middle > a.t && middle < b.t) {
       split_ = middle;
-      // A grazing ray may be back at once: where it starts the tolerance tells nothing.
+      // A grazing ray may be back at once, so where it starts the tolerance does not count.
       if (h > (a_is_root ? least_.by_rounding : least_.by_tolerance)) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
         split_ = *border;
@@ -150,8 +159,9 @@ class HermiteSolver {
       }
     }
     const Bernstein known = a_is_root ? quotient(a, b).raised() : p;
-    // Where the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, is one root
-    // (variation diminishes): of an exact piece that begins flat, of a grazing ray that is back at once.
+    // If the cubic is the field, one change of sign among its coefficients, whatever rounding does to them, means
+    // one root (variation diminishes). This finds the root of an exact piece that begins flat, and of a grazing ray
+    // that is back at once.
     if (is_exact && crossed) {
       const double band = (a_is_root ? kMiddleBand : 1) * e.value + noise + h * slope_noise;
       if (known.b0 < -band && known.b3 > band && !(known.b1 > -band && known.b2 < band)) return Verdict::in_cubic;
@@ -159,8 +169,8 @@ class HermiteSolver {
     if (!crossed && !a_is_root && stays_on_side(a.t, b.t)) return Verdict::none;
     ++counters_.uncertified_steps;
     if (crossed) return Verdict::in_cubic;
-    // The ends agree. A cubic that is the field but for rounding may still know of a crossing and one back; one that is not, as
-    // through the very middle of a hard component, knows nothing.
+    // The ends agree. A cubic that is the field but for rounding may still show a crossing and one back. One that is
+    // not, as through the very middle of a hard component, shows nothing.
     if (!is_exact) return Verdict::none;
     if (first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
       return Verdict::in_cubic;
@@ -168,7 +178,7 @@ class HermiteSolver {
     return Verdict::none;
   }
 
-  /// By the fields' ranges alone: through the middle of a hard component, where no cubic fits.
+  /// Decides by the fields' ranges alone. It serves in the middle of a hard component, where no cubic fits.
   [[nodiscard]] bool stays_on_side(double t0, double t1) const {
     const FieldRange f = fields_.range(t0, t1);
     return side_ > 0 ? f.high < 0 : f.low > 0;
@@ -181,7 +191,7 @@ class HermiteSolver {
     const double third = (b.t - a.t) * (1.0 / 3);
     return {a.value, a.value + third * a.slope, b.value - third * b.slope, b.value};
   }
-  /// h²|F″| on the interval of the cubic is no greater; `slope_noise` is per interval.
+  /// An upper bound of h²|F″| on the interval of the cubic. `slope_noise` is that of h F′.
   [[nodiscard]] static double most_bend(const Bernstein& p, const Remainder& e, double noise, double slope_noise) {
     const double of_cubic = 6 * std::max(std::abs(p.b0 - 2 * p.b1 + p.b2), std::abs(p.b1 - 2 * p.b2 + p.b3));
     return of_cubic + kBendBand * e.value + 12 * noise + 6 * slope_noise;
@@ -189,16 +199,17 @@ class HermiteSolver {
   struct Quotient {
     double c0, c1, c2;
 
-    /// The same as a cubic.
+    /// The same polynomial written as a cubic.
     [[nodiscard]] Bernstein raised() const { return {c0, (c0 + 2 * c1) * (1.0 / 3), (2 * c1 + c2) * (1.0 / 3), c2}; }
   };
-  /// The cubic over its root at a.
+  /// The cubic divided by its root at a.
   [[nodiscard]] static Quotient quotient(const Node& a, const Node& b) {
     const double h = b.t - a.t;
     return {h * a.slope, 1.5 * (b.value - h * b.slope * (1.0 / 3)), b.value};
   }
 
-  /// The root of an interval too short, or too close to rounding, to be certain of: the cubic's own, then two Newton steps.
+  /// The root in an interval that is too short, or too close to rounding, to be certain: the cubic's own root, then two
+  /// Newton steps.
   [[nodiscard]] double root_in_cubic(const Node& a, const Node& b, bool a_is_root) {
     double t = first_in(a_is_root ? quotient(a, b).raised() : cubic(a, b), a, b);
     for (int i = 0; i < 2; ++i) {
@@ -218,18 +229,19 @@ class HermiteSolver {
     return a.t + (b.t - a.t) * root_of_rising_cubic(p.b0, p.b1, p.b2, p.b3);
   }
 
-  /// a.value ≤ 0 < b.value, with one root between, and t for a first guess: Newton on the true field inside the bracket, until F
-  /// is within its rounding or will be: behind a step s of Newton's F is F″s²/2. Between a and b most_bend_ bounds F″.
+  /// Precondition: a.value ≤ 0 < b.value, with one root between; t is a first guess. Newton's method on the true field
+  /// inside the bracket, until F is within its rounding or will be after the next step: a Newton step s leaves F at
+  /// F″s²/2, and most_bend_ bounds h²|F″| between a and b.
   [[nodiscard]] double polish(Node a, Node b, double t) {
     const double half_bend = 0.5 * most_bend_ / ((b.t - a.t) * (b.t - a.t));
-    // Bisection alone would need 64 steps; Newton's, once they contract, three or four.
+    // Bisection alone would need 64 steps. Newton steps, once they contract, take three or four.
     for (int i = 0; i < kMostHalvings; ++i) {
       t = std::clamp(t, a.t, b.t);
       const Node n = node(t);
       (n.value > 0 ? b : a) = n;
       double next = t - n.value / n.slope;
       const bool newton = next > a.t && next < b.t;
-      // Within the rounding of F one more step still gains a digit, and a second one none.
+      // Within the rounding of F one more step still gains a digit, and a second one gains none.
       if (std::abs(n.value) <= n.noise) return newton ? next : t;
       if (newton && half_bend * (next - t) * (next - t) <= kRoundingOfNoise * n.noise) return next;
       if (!newton) next = a.t + 0.5 * (b.t - a.t);
@@ -242,9 +254,9 @@ class HermiteSolver {
   const RayLanes& fields_;
   double side_;
   Shortest shortest_;
-  Shortest least_ = shortest_;  ///< of the search that goes on
-  double split_ = 0;  ///< where the interval judged unclear is to be parted
-  double most_bend_ = 0;  ///< of the interval judged to have one root: h²|F″| is no greater
+  Shortest least_ = shortest_;  ///< the shortest intervals of the current search
+  double split_ = 0;            ///< where to split an interval that was judged unclear
+  double most_bend_ = 0;        ///< an upper bound of h²|F″| on the interval that was judged to have one root
   TraceCounters& counters_;
 };
 

@@ -1,6 +1,6 @@
-// The search of cell_search-inl.h for eight rays at once: they walk the grid together (grid/packet_walk-inl.h), and those that meet
-// a cell are solved there together, a ray in every lane (packet_solver-inl.h). What lanes cannot do, or are too few for, is done
-// ray by ray.
+// The search of cell_search-inl.h for eight rays at once. They walk the grid together (grid/packet_walk-inl.h), and
+// those that meet a cell are solved there together, one ray in every lane (packet_solver-inl.h). A single ray, and
+// whatever lanes cannot do, goes to the search for one ray.
 #if defined(ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
@@ -24,14 +24,14 @@ namespace HWY_NAMESPACE {
 
 class PacketSearch {
  public:
-  /// Whether rays can be searched together in this blob.
+  /// True if rays can be searched together in this blob.
   [[nodiscard]] static bool takes(const CompiledBlob& blob) { return blob.grid.beyond == scene::kNone; }
 
   PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& lanes, PacketMemory& packet,
                TraceCounters& counters)
       : blob_(blob), settings_(settings), lanes_(lanes), counters_(counters), fields_(packet) {}
 
-  /// hits[i] of rays[i] where bit i of `in_use` is set. The rays must stay where they are.
+  /// hits[i] becomes the hit of rays[i] if bit i of `in_use` is set.
   void first_hits(const BlobRay* rays, std::uint32_t in_use, BlobHit* hits) {
     std::uint32_t meeting = 0;
     for_each_lane(in_use, [&](std::size_t lane) {
@@ -44,7 +44,7 @@ class PacketSearch {
   }
 
  private:
-  /// Fewer than these are quicker one by one.
+  /// Fewer rays than this are quicker one by one.
   static constexpr int kFewest = 2;
 
   template <class Use>
@@ -52,7 +52,7 @@ class PacketSearch {
     for (; lanes != 0; lanes &= lanes - 1) use(static_cast<std::size_t>(std::countr_zero(lanes)));
   }
 
-  /// Whether the ray meets the grid's box.
+  /// True if the ray meets the grid's box.
   bool begin(std::size_t lane, const BlobRay& ray) {
     searches_[lane].emplace(blob_, settings_, lanes_, counters_);
     Search& search = *searches_[lane];
@@ -69,7 +69,7 @@ class PacketSearch {
     return true;
   }
 
-  /// Lets rays meet a cell; those that are done with it.
+  /// Lets rays meet a cell. Returns the rays that are done.
   std::uint32_t visit(std::uint32_t index, const Cell& cell, std::uint32_t lanes, const Octet& enter, const Octet& leave) {
     store(enter, packet_.t0);
     store(leave, packet_.t1);
@@ -95,7 +95,7 @@ class PacketSearch {
     return searches_[lane]->solve_in({index, cell, packet_.t0[lane], packet_.t1[lane]});
   }
 
-  /// Of rays from outside in a leaf: those that cross there.
+  /// Searches a leaf for rays that come from outside. Returns those that cross there.
   std::uint32_t solve_together(std::uint32_t index, const Cell& cell, std::uint32_t together) {
     const OctetMask lanes = mask_of(together);
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
@@ -120,11 +120,11 @@ class PacketSearch {
   TraceCounters& counters_;
   PacketLanes fields_;
 
-  bool any_ = false;  ///< of all rays, as BlobRay::any
+  bool any_ = false;  ///< BlobRay::any, the same for all rays
   std::optional<Search> searches_[kPacket];
   RayPacket packet_;
-  alignas(64) double reach_[kPacket]{};  ///< where each leaves the grid's box
-  alignas(64) double least_[kPacket]{};  ///< the shortest interval to be judged
+  alignas(64) double reach_[kPacket]{};  ///< where each ray leaves the grid's box
+  alignas(64) double least_[kPacket]{};  ///< the shortest interval to be judged, for each ray
   PacketRoots roots_;
 };
 

@@ -1,8 +1,9 @@
-// HermiteSolver (hermite-inl.h) for eight rays in one cell at once, a ray in every lane: the same nodes, the same cubic with its
-// band, the same proofs and the same polish. It decides what is decided by a proof and leaves the rest, intervals that have come
-// down to rounding or to what nobody asked to tell apart, to the other, which knows what to do there.
+// HermiteSolver (hermite-inl.h) for eight rays in one cell at once, one ray in every lane: the same nodes, the same
+// cubic with its band, the same proofs and the same polish. It decides only what a proof decides. Intervals that have
+// come down to rounding, or to lengths that the tolerance does not ask to tell apart, go to HermiteSolver.
 //
-// Where an interval is clear, the next one is as long again; with nodes at the price of one for eight rays none is kept.
+// After an interval that is clear, the next one has the same length. No node is kept for later, because one evaluation
+// serves eight rays.
 #if defined(ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_
 #undef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SOLVER_INL_H_
@@ -20,10 +21,10 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// What a cell holds for each of eight rays.
+/// The result of a cell for each of eight rays.
 struct PacketRoots {
   std::uint32_t found = 0;      ///< bit i: ray i crosses the surface at t[i]
-  std::uint32_t undecided = 0;  ///< bit i: there is no telling here
+  std::uint32_t undecided = 0;  ///< bit i: this solver cannot decide ray i
   alignas(64) double t[kPacket];
 };
 
@@ -31,18 +32,18 @@ class PacketSolver {
  public:
   PacketSolver(const PacketLanes& fields, TraceCounters& counters) : fields_(fields), counters_(counters) {}
 
-  /// The first crossings of rays that come from outside, in those lanes only. Intervals no longer than `least` are left
-  /// undecided. `any`: a crossing is all that is asked, its place may be rough.
+  /// Finds the first crossings of the rays in `lanes`, which come from outside. Intervals no longer than `least` are
+  /// left undecided. `any`: only asks whether there is a crossing; its t may be rough.
   void first_roots(const OctetMask& lanes, const Octet& t0, const Octet& t1, const Octet& least, bool any,
                    PacketRoots& roots) {
     roots.found = roots.undecided = 0;
     searched_ = lanes;
     Node a = node(t0), b = node(t1);
     Node from = a, to = b;  // the brackets of roots
-    Octet bend(0.0);        // there
+    Octet bend(0.0);        // the bound of h²|F″| in the brackets
     OctetMask bracketed = no_lane(), found = no_lane();
     Octet root = t0;
-    // A search that goes on for longer hugs the surface: 64 halvings and as many steps back.
+    // 64 halvings and as many steps back are enough. A search that takes longer hugs the surface.
     for (int i = 0; i < 2 * kMostHalvings; ++i) {
       if (any) {
         const OctetMask across = searched_ & (b.value > b.noise);
@@ -101,8 +102,8 @@ class PacketSolver {
 
   struct Verdicts {
     OctetMask none, at_start, one, splits, undecided;
-    Octet split;  ///< where
-    Octet bend;   ///< h²|F″| is no greater
+    Octet split;  ///< where to split the interval
+    Octet bend;   ///< an upper bound of h²|F″|
   };
 
   [[nodiscard]] HWY_INLINE Verdicts judge(const Node& a, const Node& b, const Octet& least) const {
@@ -127,7 +128,8 @@ class PacketSolver {
     v.one = open & rises & crossed;
     const OctetMask unclear = and_not(rises & crossed, open);
     v.splits = unclear & may_split;
-    // E falls sixteenfold or more with every halving, and a proof wants it at a small part of F: from how far it is to go.
+    // E falls sixteenfold or more with every halving, and a proof needs it to be a small part of F, so the split
+    // depends on how far E has to fall.
     const Octet size = max(max(abs(a.value), abs(b.value)), max(abs(b1), abs(b2)));
     const Octet share = select(e.value > Octet(16.0) * size, Octet(0.125), Octet(0.25));
     v.split = a.t + h * select(e.value > size, share, Octet(0.5));
@@ -137,8 +139,8 @@ class PacketSolver {
     return v;
   }
 
-  /// The root of the cubic between a and b, which rises, in units of their distance: to a few digits, as the first guess for the
-  /// true one.
+  /// The root of the rising cubic between a and b, in units of their distance, to a few digits: a first guess for the
+  /// true root.
   [[nodiscard]] static HWY_INLINE Octet rising_root(const Node& a, const Node& b) {
     const Octet zero(0.0), one(1.0), third = (b.t - a.t) * Octet(1.0 / 3);
     const Octet b1 = a.value + third * a.slope, b2 = b.value - third * b.slope;
@@ -149,12 +151,12 @@ class PacketSolver {
       const Octet d0 = v * c0 + u * c1, d1 = v * c1 + u * c2;
       u = max(zero, min(one, u - (v * d0 + u * d1) / (Octet(3.0) * (d1 - d0))));
     }
-    return select((u >= zero) & (u <= one), u, Octet(0.5));  // 0/0 is none
+    return select((u >= zero) & (u <= one), u, Octet(0.5));  // 0/0 is neither
   }
 
-  /// Newton on the true fields inside brackets a.value ≤ 0 < b.value that hold one root each, F rising all along and h²|F″|
-  /// being no greater than `bend`. It ends where F is within its rounding, or will be: behind a step s of Newton's F is
-  /// F″s²/2.
+  /// Newton's method on the true fields inside brackets a.value ≤ 0 < b.value that hold one root each. F rises all
+  /// along, and h²|F″| is at most `bend`. It ends where F is within its rounding or will be after the next step: a
+  /// Newton step s leaves F at F″s²/2.
   [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend) {
     searched_ = lanes;
     Octet low = a.t, high = b.t;
@@ -162,7 +164,7 @@ class PacketSolver {
     Octet t = low + width * rising_root(a, b);
     Octet result = t;
     const Octet half_bend = Octet(0.5) * bend / (width * width);
-    // Otherwise as HermiteSolver::polish.
+    // Everything else is as in HermiteSolver::polish.
     for (int i = 0; i < kMostHalvings && !none(searched_); ++i) {
       const Node n = node(t);
       const OctetMask above = n.value > Octet(0.0);
@@ -185,7 +187,7 @@ class PacketSolver {
 
   const PacketLanes& fields_;
   TraceCounters& counters_;
-  OctetMask searched_;  ///< of rays that evaluations are for
+  OctetMask searched_;  ///< the rays whose evaluations are counted
 };
 
 }  // namespace HWY_NAMESPACE
