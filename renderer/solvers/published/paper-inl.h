@@ -2,12 +2,12 @@
 // replaced, over the whole stretch of the ray in its support, by K cubic Hermite interpolants on equal intervals; their
 // sum is a cubic between any two neighbouring ends, and its first root is taken for the surface. Nothing bounds the
 // interpolants' error (with K = 2 a hard Gaussian's front is moved outward by a good part of its radius), and nothing
-// is polished: that is what it is here to show. Faithful also in that a field counts wherever its support reaches, so
-// the grid it walks must keep all lists. Its optimisations are switches (paper_switches.h), and `iso` is the same with
+// is polished: the solver is here to show this error. As in the paper, a field counts wherever its support reaches, so
+// the grid must keep all lists. The optimisations are switches (paper_switches.h), and `iso` is the same solver with
 // other nodes (paper_fields-inl.h).
 //
-// Clusters of overlapping fields are permanent (the lists of the grid's cells, the sweep following the walk from cell
-// to cell) or volatile (gathered from the whole ray and put in order before the sweep begins).
+// Clusters of overlapping fields are permanent (the lists of the grid's cells, with the sweep following the walk from
+// cell to cell) or volatile (gathered from the whole ray and put in order before the sweep begins).
 #if defined(ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_INL_H_
 #undef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_INL_H_
@@ -48,7 +48,7 @@ class PaperSearch {
     if (grid.cell_size > 0) span = clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
     const bool meets_grid = span.enter < span.leave;
     if (!meets_grid && grid.beyond == scene::kNone) return {};
-    // With half-spaces or sheets the whole ray counts, without them what lies in the grid.
+    // With half-spaces or sheets the whole ray counts; without them, only its part in the grid does.
     const double base = grid.beyond == scene::kNone ? span.enter : 0;
     fields_.set_ray(ray.origin + ray.direction * base, ray.direction);
     m_.begin_ray(blob_.components.size(), switches_.pools);
@@ -93,9 +93,9 @@ class PaperSearch {
     }
   }
 
-  /// The number under which shading finds what the sweep knows of the surface at t.
+  /// Stores what the sweep knows of the surface at t, and returns the number under which shading finds it.
   [[nodiscard]] std::uint32_t record(const PaperSweep& sweep, double t) {
-    std::vector<std::uint32_t>& crossing = m_.waiting;  // the ray ends here
+    std::vector<std::uint32_t>& crossing = m_.waiting;  // free for reuse, because the ray ends here
     crossing.clear();
     for (std::size_t i = 0; i < m_.active.size(); ++i) {
       if (sweep.crosses(i)) crossing.push_back(m_.active[i]);

@@ -1,9 +1,10 @@
 // The fields that a ray meets, for the published solver: where each begins and ends, the nodes of its interpolants, and
-// when the sweep asks for them the values there.
+// the values there once the sweep asks for them.
 //
 // `paper:K` has K interpolants on equal intervals. `iso` (an idea of ours, as unbounded as the paper's) puts nodes
-// where the field alone is at its own surface: value and slope there are constants of the kernel, so that two nodes
-// more cost nothing, and one in the middle between them. Where the ray passes outside of that surface, it is `paper:2`.
+// where the field alone is at its own surface. Value and slope there are constants of the kernel, so that these two
+// nodes cost nothing; a third node is in the middle between them. If the ray passes outside that surface, `iso` is
+// `paper:2`.
 #if defined(ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_FIELDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_FIELDS_INL_H_
 #undef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_FIELDS_INL_H_
@@ -34,7 +35,7 @@ class PaperFields {
     direction_ = direction;
   }
 
-  /// Adds a component whose support the ray crosses to those that wait.
+  /// Adds a component to the waiting fields if the ray crosses its support.
   void meet(std::uint32_t item) {
     if (!m_.meet(item)) return;
     const FieldLine line(table_, item, origin_, direction_);
@@ -46,12 +47,12 @@ class PaperFields {
     end_field(item, support.end, 0, settings_.paper.reject ? peak(line, least) : 0);
   }
 
-  /// Behind this place the field of a half-space or sheet is constant along the ray.
+  /// The t behind which the field of a half-space or sheet is constant along the ray.
   [[nodiscard]] double end_of_change(std::uint32_t item) const {
     const EndlessLine line = endless_line(item);
     return line.dx == 0 ? 0 : std::max(line.begins, line.ends);
   }
-  /// The same of a half-space or a sheet, as far as `reach`: a slope, and before or behind a half-space's a constant.
+  /// Adds a half-space or a sheet, as far as `reach`: a slope and, before or behind that of a half-space, a constant.
   void meet_endless(std::uint32_t item, double reach) {
     if (!m_.meet(item)) return;
     const FieldGroup& group = table_.group_of(item);
@@ -73,7 +74,7 @@ class PaperFields {
     }
   }
 
-  /// Fills in the values that a field's interpolants wait for.
+  /// Evaluates the values that a field's interpolants wait for.
   void interpolate(PaperMemory::Field& field) {
     if (field.first_unknown == field.end_unknown) return;
     const FieldLine line(table_, field.item, origin_, direction_);
@@ -135,7 +136,7 @@ class PaperFields {
     });
   }
 
-  /// The greatest value that a field can have where v is nowhere less than this.
+  /// An upper bound of a field's value if v is at least `least`.
   [[nodiscard]] double peak(const FieldLine& line, double least) const {
     const double amplitude = table_.amplitude[line.item];
     if (!(amplitude > 0)) return 0;
@@ -146,7 +147,7 @@ class PaperFields {
     });
   }
 
-  /// Whether there are any: the field alone has a surface that the ray passes through.
+  /// Adds the nodes of `iso`. False if there are none: the field alone has no surface that the ray passes through.
   bool add_iso_nodes(const FieldLine& line, double least, const RayInterval& support) {
     const IsoLevel& level = blob_.paper.iso[line.item];
     if (!(least < level.v)) return false;
@@ -158,7 +159,7 @@ class PaperFields {
     m_.nodes.push_back({iso.end, table_.threshold, level.slope * line.at(iso.end).slope});
     return true;
   }
-  /// Between K intervals of one length.
+  /// Adds the nodes between K intervals of one length.
   void add_even_nodes(double begin, double end) {
     const std::size_t first = m_.nodes.size();
     const double h = (end - begin) / settings_.interpolants;
@@ -183,7 +184,7 @@ class PaperFields {
     m_.fields.push_back(field);
     m_.nodes.push_back({t, value, 0});
   }
-  /// The field's nodes from this one on wait for their values.
+  /// Marks the field's nodes, from `first` on, as waiting for their values.
   void leave_unknown(std::size_t first) {
     m_.fields.back().first_unknown = static_cast<std::uint32_t>(first);
     m_.fields.back().end_unknown = static_cast<std::uint32_t>(m_.nodes.size());

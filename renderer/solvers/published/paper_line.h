@@ -34,7 +34,7 @@ struct FieldLine {
     const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
     return {half_gradient.dot(foot.offset), 2 * half_gradient.dot(direction)};
   }
-  /// Of a convolved curve.
+  /// The value and gradient of a convolved curve.
   [[nodiscard]] CurveSample sample(double t) const {
     const Vec3 p = origin + direction * t;
     return table.with_skeleton(group, item,

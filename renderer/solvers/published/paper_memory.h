@@ -1,5 +1,5 @@
-// The working memory of the published solver, one a thread: the fields that a ray meets with their interpolants, and
-// what of them shading reuses.
+// The working memory of the published solver, one for each thread: the fields that a ray meets with their interpolants,
+// and the part of them that shading reuses.
 #pragma once
 
 #include "renderer/numerics/cubic.h"
@@ -34,16 +34,17 @@ struct PaperMemory {
     std::uint32_t item, branch;
     std::uint32_t first_node, last_node;
     std::uint32_t first_unknown, end_unknown;  ///< nodes that wait for their values
-    std::uint32_t piece;                       ///< the node at which the interpolant begins that the sweep has come to
-    double peak;                               ///< the field has no greater value on the ray; 0 for a negative one
+    std::uint32_t piece;                       ///< the node at which the interpolant begins that the sweep is in
+    double peak;                               ///< an upper bound of the field's value on the ray; 0 for a negative
+                                               ///< field
   };
-  /// A cell that the ray crosses, and where it leaves it.
+  /// A cell that the ray crosses, and the t at which the ray leaves it.
   struct VisitedCell {
     double t1;
     std::uint32_t index;
   };
-  /// Of a hit: the fields that make the surface there, ascending, and their interpolants' values: `count` entries of
-  /// the two columns below.
+  /// A hit: the fields that make the surface there, ascending, and their interpolants' values. They are `count` entries
+  /// of the two columns below.
   struct Record {
     const CompiledBlob* blob;
     std::uint32_t first, count;
@@ -51,19 +52,18 @@ struct PaperMemory {
 
   std::vector<Node> nodes;
   std::vector<Field> fields;
-  std::vector<std::uint32_t> waiting, active;  ///< fields before the sweep, by where they begin; and those it is in
-  std::vector<std::uint32_t> overlapping;      ///< with the field that is looked at
+  std::vector<std::uint32_t> waiting, active;  ///< fields before the sweep, by where they begin; fields it is in
+  std::vector<std::uint32_t> overlapping;      ///< fields that overlap the one that is looked at
   std::vector<VisitedCell> cells;
-  std::vector<HermiteSum> branch_sums, sums;           ///< of one stretch: by branch; by selection, less the threshold
-  std::vector<std::vector<std::uint32_t>> selections;  ///< the branches of each sum, where the blob has maxima
+  std::vector<HermiteSum> branch_sums, sums;           ///< on one stretch: by branch; by selection, less the threshold
+  std::vector<std::vector<std::uint32_t>> selections;  ///< the branches of each sum, if the blob has maxima
 
   std::vector<Record> records;
   std::vector<std::uint32_t> record_items;
   std::vector<double> record_values;
   bool keeps_records = false;
 
-  /// Of what is searched from here on, the hits are shaded (`for_shading`) or not. The records of the last hits that
-  /// were to be shaded last until the next such.
+  /// Begins a batch whose hits are shaded (`for_shading`) or not. Records are kept until the next batch that is shaded.
   void begin_batch(bool for_shading) {
     keeps_records = for_shading;
     if (!for_shading) return;
@@ -72,7 +72,7 @@ struct PaperMemory {
     record_values.clear();
   }
 
-  /// `keep`: what the last ray allocated.
+  /// `keep`: reuses the memory that earlier rays allocated.
   void begin_ray(std::uint32_t components, bool keep) {
     if (!keep) {
       nodes = {};
@@ -107,7 +107,7 @@ struct PaperMemory {
     const CubicPoint a = point_at(field, from), b = point_at(field, to);
     return {a.value, a.slope, b.value, b.slope};
   }
-  /// Of the interpolant that the sweep has come to.
+  /// Value and slope of the interpolant that the sweep is in.
   [[nodiscard]] CubicPoint point_at(const Field& field, double t) const {
     const Node &a = nodes[field.piece], &b = nodes[field.piece + 1];
     const double h = b.t - a.t;

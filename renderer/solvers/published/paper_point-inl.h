@@ -1,4 +1,5 @@
-// What shading needs at a hit of the published solver, where it is not the product's own (compiled/blob_point-inl.h):
+// The data for shading at a hit of the published solver, where they are not the product's own
+// (compiled/blob_point-inl.h):
 //
 //   reuse   the search's interpolants of the fields at the hit weigh the textures, and only those fields are evaluated
 //           again, for the gradient;
@@ -6,8 +7,8 @@
 //           is the gradient's direction only where the fields' slopes are in the ratio of their values, and off by up
 //           to tens of degrees at joints. With reuse no kernel is evaluated at all.
 //
-// A component's own normal is the direction of ∇v, out of its skeleton; of a convolved curve that of its gradient,
-// which is an evaluation.
+// A component's own normal is the direction of ∇v, out of its skeleton. For a convolved curve it is the direction of
+// the curve's gradient, which costs an evaluation.
 #if defined(ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_
 #undef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_POINT_INL_H_
@@ -30,7 +31,7 @@ namespace HWY_NAMESPACE {
 
 class Equation10 {
  public:
-  /// `values` of the items, ascending; empty: to be evaluated.
+  /// `values` belong to the items, which ascend. If they are empty, they are evaluated.
   Equation10(const CompiledBlob& blob, std::span<const std::uint32_t> items, std::span<const double> values,
              const Vec3& point, const ShareRule& rule, BlobPoint& result)
       : table_(blob.components),
@@ -103,8 +104,8 @@ class Equation10 {
   Vec3 outward_{0};
 };
 
-/// `records`: where the search left what it knows of the hit, `cell` being its number there; null where it was told to
-/// leave nothing, and `cell` is the grid's.
+/// `records`: where the search stored what it knows of the hit, and `cell` is the hit's number there. Null if the
+/// search stored nothing; then `cell` is a cell of the grid.
 inline void paper_point(const CompiledBlob& blob, std::uint32_t cell, const PaperMemory* records, bool eq10,
                         const Vec3& point, const ShareRule& rule, BlobPoint& result) {
   result.evaluations = 0;

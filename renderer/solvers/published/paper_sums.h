@@ -1,5 +1,5 @@
-// What the interpolants on a stretch of a ray add up to, for the published solver, and where that crosses the
-// threshold: one cubic, or where the blob has maxima one for each selection of branches (fields/branches.h).
+// The sums of the interpolants on a stretch of a ray, for the published solver, and where they cross the threshold.
+// There is one cubic or, if the blob has maxima, one for each selection of branches (fields/branches.h).
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"
@@ -16,8 +16,8 @@ class PaperSums {
  public:
   PaperSums(const CompiledBlob& blob, PaperMemory& memory) : blob_(blob), m_(memory) {}
 
-  /// Sums of what is active on a stretch: one, or where the blob has maxima one for each selection of branches, or of a
-  /// skeleton one for each field.
+  /// Computes the sums of the active fields on a stretch: one sum; if the blob has maxima, one for each selection of
+  /// branches; if it is unblended, one for each field.
   void add_up(double from, double to) {
     const BranchTree& tree = blob_.components.tree;
     const double threshold = blob_.components.threshold;
@@ -50,13 +50,13 @@ class PaperSums {
     }
   }
 
-  /// A place u in [0, 1] on a stretch, above 1 for none, and the sum that makes the surface there.
+  /// A crossing at u in [0, 1] on a stretch, with u above 1 for none, and the sum that makes the surface there.
   struct Crossing {
     double u = 2;
     std::size_t sum = 0;
   };
   /// The first place where one of the sums comes above the threshold. h: the stretch's length. `exclude`: sums whose
-  /// control points are all below it are not solved.
+  /// control points are all below the threshold are not solved.
   [[nodiscard]] Crossing enters_at(double h, bool exclude) const {
     Crossing first;
     for (std::size_t i = 0; i < m_.sums.size(); ++i) {
@@ -68,8 +68,8 @@ class PaperSums {
     }
     return first;
   }
-  /// The first place where the last of them comes below it. `exclude`: nothing is solved where the control points of
-  /// one sum are all above it.
+  /// The first place where the last of the sums comes below the threshold. `exclude`: nothing is solved if the control
+  /// points of one sum are all above it.
   [[nodiscard]] Crossing leaves_at(double h, bool exclude) const {
     const auto is_above = [&](const HermiteSum& s) {
       return std::min({s.value0, s.value0 + h * s.slope0 / 3, s.value1 - h * s.slope1 / 3, s.value1}) > 0;
@@ -97,10 +97,10 @@ class PaperSums {
     return {u, followed};
   }
 
-  /// Where a ray that starts on the surface comes back to it, being on this side of it (+1 outside) meanwhile. The
-  /// known root is divided out (hermite-inl.h), the whole cubic shifted by what it misses the root by: on a stretch as
-  /// short as the rounding of the start that is as much as it changes. Where the blob has maxima, another sum may be
-  /// the greatest by then: not told.
+  /// The place where a ray that starts on the surface comes back to it; until then it is on `side` (+1 outside). The
+  /// known root is divided out (hermite-inl.h). The whole cubic is shifted so that it is zero at the start: on a
+  /// stretch as short as the rounding of the start, that shift is as large as the change of the cubic. If the blob has
+  /// maxima, another sum may be the greatest by then, and no place is returned.
   [[nodiscard]] Crossing comes_back_at(double h, double side) const {
     const HermiteSum& s = m_.sums.front();
     const double c2 = side * (s.value1 - s.value0), c1 = 1.5 * (c2 - side * h * s.slope1 / 3), c0 = side * h * s.slope0;
@@ -108,7 +108,7 @@ class PaperSums {
     return {first_crossing_of_cubic(c0, (c0 + 2 * c1) / 3, (2 * c1 + c2) / 3, c2), 0};
   }
 
-  /// Whether a field is part of a sum.
+  /// True if a field is part of a sum.
   [[nodiscard]] bool has(std::size_t sum, std::size_t active) const {
     if (blob_.components.is_skeleton) return sum == active;
     if (blob_.components.tree.size() == 0) return true;

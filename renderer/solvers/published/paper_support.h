@@ -107,7 +107,8 @@ class CircleOnRay {
     most_change_ = 0.5 * step_ * std::sqrt(dd * ComponentTable::v_scale(line.group)) / circle.radius;
   }
 
-  /// From the first place with v < level to the last: a line can leave a torus and come back.
+  /// The interval from the first place with v < level to the last. It may have a gap: a line can leave a torus and come
+  /// back.
   [[nodiscard]] RayInterval below(double level) const {
     RayInterval found;
     for (int i = 1; i < kSteps; ++i) {
@@ -117,7 +118,7 @@ class CircleOnRay {
     return {border(found.begin, found.begin - step_, level), border(found.end, found.end + step_, level)};
   }
 
-  /// v is nowhere less.
+  /// A lower bound of v on the line.
   [[nodiscard]] double least() const {
     const double root = std::max(std::sqrt(*std::min_element(v_.begin(), v_.end())) - most_change_, 0.0);
     return root * root;
@@ -139,13 +140,13 @@ class CircleOnRay {
   std::array<double, kSteps + 1> v_;
 };
 
-/// Where v < level, and what v is nowhere less than on the line, rounding apart.
+/// The interval where v < level, and a lower bound of v on the line, rounding apart.
 struct Nearness {
   RayInterval below;
   double least = std::numeric_limits<double>::infinity();
 };
 
-/// Not of a half-space or a sheet.
+/// Precondition: the component is not a half-space or a sheet.
 [[nodiscard]] inline Nearness nearness(const FieldLine& line, double level) {
   Nearness found;
   const double scale = ComponentTable::v_scale(line.group);
@@ -162,7 +163,7 @@ struct Nearness {
       shape.along(line.origin, line.direction, [&](const QuadraticPiece& q) {
         const double from_middle = std::clamp(q.middle, q.begin, q.end) - q.middle;
         found.least = std::min(found.least, scale * (q.q0 + q.kappa * from_middle * from_middle));
-        const double half2 = (level / scale - q.q0) / q.kappa;  // infinite where q does not change
+        const double half2 = (level / scale - q.q0) / q.kappa;  // infinite if q does not change
         if (!(half2 > 0)) return;
         const double begin = std::max(q.begin, q.middle - std::sqrt(half2));
         const double end = std::min(q.end, q.middle + std::sqrt(half2));

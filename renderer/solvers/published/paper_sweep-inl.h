@@ -1,5 +1,6 @@
-// Along the ray from one end of an interpolant to the next, for the published solver: which fields are active, their
-// sum, and where it first crosses the threshold. It goes as far as it is told, since fields may be met on the way.
+// The sweep along the ray from one end of an interpolant to the next, for the published solver: which fields are
+// active, their sum, and where it first crosses the threshold. It goes only as far as it is told, since fields may be
+// met on the way.
 #if defined(ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_SWEEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_SWEEP_INL_H_
 #undef ISL_RENDERER_SOLVERS_PUBLISHED_PAPER_SWEEP_INL_H_
@@ -20,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Of the ray that is swept: t counts from `base` on it.
+/// The stretch of the ray that is swept; t counts from `base`.
 struct PaperStretch {
   double base, reach;  ///< the ray ends at t = reach
   bool starts_on_surface, may_go_in;
@@ -37,7 +38,8 @@ class PaperSweep {
         m_(memory),
         sums_(blob, memory) {}
 
-  /// The first crossing on the stretches that end by t = `until`. Precondition: whatever begins before has been met.
+  /// The first crossing on the stretches that end by t = `until`. Precondition: every field that begins before has been
+  /// met.
   [[nodiscard]] std::optional<double> advance(double until) {
     put_in_order();
     while (at_ < stretch_.reach) {
@@ -53,7 +55,7 @@ class PaperSweep {
 
   [[nodiscard]] bool is_inside() const { return side_ < 0; }
 
-  /// Whether an active field is part of the sum that crossed.
+  /// True if an active field is part of the sum that crossed.
   [[nodiscard]] bool crosses(std::size_t active) const { return sums_.has(crossing_sum_, active); }
 
  private:
@@ -61,7 +63,7 @@ class PaperSweep {
 
   [[nodiscard]] double begin_of(std::uint32_t field) const { return m_.nodes[m_.fields[field].first_node].t; }
 
-  /// Those met since the last time, by where they begin, so that sums do not depend on how they were met.
+  /// Sorts the fields met since the last call by where they begin, so that sums do not depend on how they were met.
   void put_in_order() {
     if (ordered_ == m_.waiting.size()) return;
     std::sort(m_.waiting.begin() + static_cast<std::ptrdiff_t>(next_), m_.waiting.end(), [&](auto a, auto b) {
@@ -71,8 +73,8 @@ class PaperSweep {
     if (!switches_.on_demand) interpolate_ahead();
   }
 
-  /// All that has been met, but with rejection nothing that every stretch will be skipped of: the sum of peaks rises
-  /// only where a field begins.
+  /// Interpolates all fields that have been met. With rejection, it leaves out the fields of which every stretch will
+  /// be skipped; this can be decided here, because the sum of peaks rises only where a field begins.
   void interpolate_ahead() {
     m_.overlapping = m_.active;
     for (std::size_t i = next_; i < m_.waiting.size(); ++i) {
@@ -100,7 +102,7 @@ class PaperSweep {
     return end;
   }
 
-  /// No sum of these is greater, as far as no interpolant exceeds its field.
+  /// An upper bound of the sum of these fields, as far as no interpolant exceeds its field.
   [[nodiscard]] double sum_of_peaks(const std::vector<std::uint32_t>& fields) const {
     double sum = 0;
     for (const std::uint32_t index : fields) sum += m_.fields[index].peak;
