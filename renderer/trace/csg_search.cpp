@@ -1,18 +1,18 @@
-// Every leaf has a state, inside or outside, that only its own crossings change; the expression's state over the
-// crossings in order is the object (Roth 1982, Ray Casting for Modeling Solids, with states for intervals). A touch is
-// no crossing and a leaf that is missed by rounding is missed on both sides, so nothing can leak.
+// Every leaf has a state, inside or outside, that only its own crossings change. The state of the expression, followed
+// over all crossings in order, is the object (Roth 1982, Ray Casting for Modeling Solids, with states for intervals). A
+// touch is no crossing, and a leaf that is missed by rounding is missed on both sides, so nothing can leak.
 //
-// Crossings of different leaves closer than their rounding (face.h) are taken together, as if at one place: faces that
-// coincide leave nothing standing and nothing open between them.
+// Crossings of different leaves that are closer than their rounding (face.h) are taken together, as if at one place, so
+// that coinciding faces leave neither a thin wall nor a gap between them.
 //
-// A ray that starts on a leaf knows its root and deflates it. Whatever faces of other leaves pass through the start,
-// within their rounding and that of the surface it lies on, the ray has crossed too: it was one event when it was hit.
-// So has it whatever the same leaf has before such a face, as where the ray comes in through one side of a box just
-// below the face it starts in and leaves through that face: until then it is no deeper than the rounding. Only the
-// state behind counts.
+// A ray that starts on a leaf knows its root and deflates it. Faces of other leaves that pass through the start, within
+// their rounding and that of the surface it lies on, have been crossed too: they were one event when the start was hit.
+// So has everything that the same leaf has before such a face. An example is a ray that comes in through one side of a
+// box just below the face it starts in and leaves through that face: until then it is no deeper than the rounding. Only
+// the state behind counts.
 //
-// Solids are asked for all crossings at once; a blob for one at a time, only as far as the ray goes, each search
-// starting on the root before.
+// A solid returns all its crossings at once. A blob is asked for one crossing at a time, only as far as the ray goes,
+// and each search starts on the root before.
 #include "renderer/trace/csg_search.h"
 
 #include "renderer/solids/solid.h"
@@ -25,7 +25,7 @@ namespace {
 
 bool is_later(const CsgEvent& a, const CsgEvent& b) { return a.t > b.t || (a.t == b.t && a.leaf > b.leaf); }
 
-/// Whether a half-line from t = 0 to t_max meets a box; its sides may be infinite.
+/// True if a half-line from t = 0 to t_max meets a box, whose sides may be infinite.
 bool meets(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, double t_max) {
   double enter = 0, leave = t_max;
   for (int i = 0; i < 3; ++i) {
@@ -77,26 +77,26 @@ class CsgSearch {
     return {leaf.group_from_leaf.inverse_point(ray_.origin), leaf.group_from_leaf.inverse_vector(ray_.direction)};
   }
 
-  /// The face that the ray meets in an event, where the ray is at t.
+  /// The face that the ray meets in an event, at the ray's point t.
   [[nodiscard]] Face face_at(const CsgEvent& event, double t) const {
     const Vec3 reach = reach_at(faces_.reach_in(ray_.instance, *ray_.world), ray_.direction, event.t);
     return face_of(scene_, tree_.leaves[event.leaf], {event.part, event.cell}, ray_.origin + ray_.direction * t, reach,
                    faces_.gradient());
   }
-  /// The rounding of t.
+  /// The rounding of t in an event.
   [[nodiscard]] double rounding_at(const CsgEvent& event) const {
     return face_at(event, event.t).along(ray_.direction);
   }
-  /// It is no greater than this.
+  /// An upper bound of rounding_at() for events at t.
   [[nodiscard]] double most_rounding_at(double t) const { return faces_.nearness(ray_.instance, *ray_.world, t); }
 
-  /// Whether a crossing may be one of is_at_start(); as little as the answer costs.
+  /// A cheap test: false if is_at_start() is certainly false.
   [[nodiscard]] bool is_near_start(const CsgEvent& event) const {
     return ray_.world->start.instance != scene::kNone && event.leaf != ray_.start_leaf &&
            event.t <= most_rounding_at(event.t);
   }
-  /// Whether the ray starts on the face that it crosses there: from the start to the crossing it stays within the
-  /// rounding.
+  /// True if the ray starts on the face that it crosses in the event: from the start to the crossing it stays within
+  /// the rounding.
   [[nodiscard]] bool is_at_start(const CsgEvent& event) const {
     if (!is_near_start(event)) return false;
     const Face face = face_at(event, event.t);
@@ -126,7 +126,7 @@ class CsgSearch {
     if (is_inside && !leaf.is_sheet) memory_.state.toggle(index);
   }
 
-  /// The blob's first crossing beyond t, where it has one.
+  /// The blob's first crossing beyond t, or a miss.
   [[nodiscard]] BlobHit next_of_blob(std::uint32_t index, double t, bool starts_on_surface) const {
     const CsgLeaf& leaf = tree_.leaves[index];
     const LocalRay ray = local(leaf);
@@ -154,7 +154,7 @@ class CsgSearch {
     if (!hit.is_miss() && hit.t < ray_.t_max) memory_.events.push_back(event);
   }
 
-  /// The next crossing, and whatever coincides with it.
+  /// Takes the next crossing and all that coincide with it. False if there is none.
   bool take_group() {
     memory_.group.clear();
     std::vector<CsgEvent>& events = memory_.events;
@@ -184,7 +184,7 @@ class CsgSearch {
   void follow_blob(const CsgEvent& event) {
     const BlobHit hit = next_of_blob(event.leaf, event.t, true);
     if (hit.is_miss() || !(hit.t < ray_.t_max)) return;
-    // The published solver can come back within the rounding of where it starts, and would for ever.
+    // The published solver can come back within the rounding of where it starts, and would do so for ever.
     if (!(hit.t > event.t)) return;
     memory_.events.push_back({hit.t, event.leaf, hit.cell, 0});
     std::push_heap(memory_.events.begin(), memory_.events.end(), is_later);
@@ -213,12 +213,12 @@ class CsgSearch {
     return is_seen(event) && memory_.state.shows(event.leaf) ? hit_of(event) : CsgHit{};
   }
 
-  /// Where the whole changes, the first leaf that changed with it; where it does not, a surface that shows both before
-  /// and after, as within a union.
+  /// If the whole changes, the hit is the first leaf that changed with it; if not, it is a surface that shows both
+  /// before and after, as within a union.
   CsgHit pass_group() {
     CsgState& state = memory_.state;
     std::vector<CsgEvent>& group = memory_.group;
-    // In the tree's order, so that which of several coinciding faces is seen does not depend on rounding.
+    // The tree's order decides, so that which of several coinciding faces is seen does not depend on rounding.
     std::stable_sort(group.begin(), group.end(), [](const CsgEvent& a, const CsgEvent& b) { return a.leaf < b.leaf; });
     memory_.shown.clear();
     for (const CsgEvent& event : group) memory_.shown.push_back(is_seen(event) && state.shows(event.leaf) ? 1 : 0);
@@ -232,7 +232,7 @@ class CsgSearch {
       if (!tree_.leaves[event.leaf].is_sheet) {
         const auto of_leaf =
             std::count_if(group.begin(), group.end(), [&](const CsgEvent& e) { return e.leaf == event.leaf; });
-        if (of_leaf % 2 == 0) continue;  // in and out again
+        if (of_leaf % 2 == 0) continue;  // the ray came in and went out again
         if (changed && state.changed_with(event.leaf)) return hit_of(event);
       }
       if (memory_.shown[i] != 0 && state.shows(event.leaf)) return hit_of(event);

@@ -13,34 +13,34 @@
 
 namespace isl::render {
 
-/// In the tree's space; t means the same as in the world.
+/// A ray in the tree's space; t is the same as in the world.
 struct CsgRay {
   Vec3 origin, direction;
   double t_max = std::numeric_limits<double>::infinity();
-  std::uint32_t start_leaf = scene::kNone;  ///< whose surface the ray starts on, of this tree
-  std::uint8_t start_part = 0;              ///< which of its surfaces
-  double path_length = 0;                   ///< before t = 0, in world units
-  InstanceId instance = scene::kNone;       ///< that the tree is met as
+  std::uint32_t start_leaf = scene::kNone;  ///< the leaf whose surface the ray starts on, if it is in this tree
+  std::uint8_t start_part = 0;              ///< which surface of that leaf
+  double path_length = 0;                   ///< the path's length before t = 0, in world units
+  InstanceId instance = scene::kNone;       ///< the instance as which the tree is met
   const Ray* world = nullptr;               ///< the ray in the world
 };
 
 struct CsgHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t leaf = scene::kNone;
-  std::uint32_t cell = scene::kNone;  ///< of a blob
-  std::uint8_t part = 0;              ///< of a solid
-  bool from_inside = false;           ///< out of the whole; of a sheet, out of its back
+  std::uint32_t cell = scene::kNone;  ///< for a blob
+  std::uint8_t part = 0;              ///< for a solid
+  bool from_inside = false;           ///< the ray comes out of the whole; for a sheet, out of its back
 
   [[nodiscard]] bool is_miss() const { return leaf == scene::kNone; }
 };
 
-/// The search for a blob's first crossing, which is compiled for several vector widths elsewhere.
+/// The search for a blob's first crossing. It is a pointer, because it is compiled for several vector widths elsewhere.
 struct BlobSearch {
   void* context;
   BlobHit (*first_hit)(void* context, std::uint32_t blob, const BlobRay& ray);
 };
 
-/// A leaf passes between inside and outside, or the ray meets a sheet.
+/// A crossing of a leaf between inside and outside, or a meeting with a sheet.
 struct CsgEvent {
   double t;
   std::uint32_t leaf;
@@ -48,11 +48,11 @@ struct CsgEvent {
   std::uint8_t part;
 };
 
-/// Kept from ray to ray.
+/// Memory that is kept from ray to ray.
 struct CsgMemory {
   CsgState state;
-  std::vector<CsgEvent> events;  ///< a heap, the nearest first
-  std::vector<CsgEvent> group;   ///< those that are taken together
+  std::vector<CsgEvent> events;  ///< a heap with the nearest first
+  std::vector<CsgEvent> group;   ///< the events that are taken together
   std::vector<std::uint8_t> shown;
 };
 

@@ -12,7 +12,7 @@ namespace isl::render {
 
 class CsgState {
  public:
-  /// All leaves outside. The tree must outlive it.
+  /// Puts all leaves outside. The tree must outlive this state.
   void reset(const CsgTree& tree) {
     tree_ = &tree;
     holding_.assign(tree.holding_at_rest.begin(), tree.holding_at_rest.end());
@@ -27,7 +27,7 @@ class CsgState {
   [[nodiscard]] bool node_holds(std::uint32_t node) const { return tree_->nodes[node].holds(holding_[node]); }
   [[nodiscard]] bool holds() const { return node_holds(0); }
 
-  /// The leaf passes between its inside and its outside.
+  /// Moves the leaf between its inside and its outside.
   void toggle(std::uint32_t leaf) {
     is_inside_[leaf] ^= 1;
     const CsgLeaf& own = tree_->leaves[leaf];
@@ -41,8 +41,8 @@ class CsgState {
     }
   }
 
-  /// Whether a surface of the leaf is one of the whole here, whatever the leaf itself is: inside everything it is
-  /// intersected with, outside everything it is merged with.
+  /// True if a surface of the leaf is a surface of the whole here, whatever the leaf's own state: the place is inside
+  /// everything that the leaf is intersected with, and outside everything that it is merged with.
   [[nodiscard]] bool shows(std::uint32_t leaf) const {
     bool own = leaf_holds(leaf);
     for (std::uint32_t node = tree_->leaves[leaf].parent; node != scene::kNone; node = tree_->nodes[node].parent) {
@@ -58,8 +58,8 @@ class CsgState {
   /// Keeps the present values for changed_with().
   void remember() { before_.assign(holding_.begin(), holding_.end()); }
 
-  /// Whether the leaf, which came to hold or ceased to since remember(), and every node from it to the root did so
-  /// alike: then its surface is where the whole changed.
+  /// Precondition: the leaf began or ceased to hold since remember(). True if every node from it to the root did so
+  /// alike; the leaf's surface is then where the whole changed.
   [[nodiscard]] bool changed_with(std::uint32_t leaf) const {
     const bool now = leaf_holds(leaf);
     for (std::uint32_t node = tree_->leaves[leaf].parent; node != scene::kNone; node = tree_->nodes[node].parent) {

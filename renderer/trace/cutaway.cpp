@@ -12,7 +12,7 @@ bool is_below(const CsgTree& tree, const CsgLeaf& leaf, std::uint32_t node) {
   return false;
 }
 
-/// By the crossings of a line from there: whichever direction it has.
+/// Counts the crossings of a line from the point. Any direction serves.
 bool holds(const CompiledScene& scene, const CsgLeaf& leaf, const Vec3& point) {
   if (leaf.kind != scene::Object::Kind::solid || leaf.is_sheet) return false;
   const Vec3 origin = leaf.is_placed ? leaf.group_from_leaf.inverse_point(point) : point;

@@ -29,7 +29,7 @@ Vec3 normal_of(const CompiledScene& scene, const Shape& shape, const SurfacePiec
   return normal_at(solid, piece.part, point, scene.details);
 }
 
-/// In the shape's own space.
+/// The face in the shape's own space.
 Face face_of_shape(const CompiledScene& scene, const Shape& shape, const SurfacePiece& piece, const Vec3& point,
                    const Vec3& reach, const BlobGradient& gradient) {
   const Vec3 normal = normal_of(scene, shape, piece, point, gradient);

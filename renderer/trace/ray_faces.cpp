@@ -10,7 +10,8 @@ Vec3 RayFaces::reach_of(const Ray& ray) {
   reach_ = reach_at(Vec3(0), ray.origin, 1);
   if (ray.start.instance == scene::kNone) return reach_;
   reach_ += Vec3(ray.path_length);
-  // The rounding of the face is that of a larger reach. A blob's gradient there is not known, and its spread serves.
+  // The rounding of the start's face counts as a larger reach. A blob's gradient is not known there; its spread serves
+  // instead.
   const Instance& instance = scene_.instances[ray.start.instance];
   const Object::Kind kind =
       instance.kind == Object::Kind::group ? scene_.trees[instance.shape].leaves[ray.start.leaf].kind : instance.kind;

@@ -1,4 +1,4 @@
-// Which hits of a ray coincide: with one another, or with the surface that the ray starts on.
+// Finds which hits of a ray coincide with one another, or with the surface that the ray starts on.
 //
 // Faces of two instances that lie no farther apart than their rounding (face.h) coincide. Where the nearest hit
 // coincides with others, the instance that was declared first shows. Such hits are kept while the nearest is searched
@@ -6,10 +6,11 @@
 //
 // A ray that starts on a face knows its root and deflates it. A face of another instance that coincides with it there
 // has been crossed too: the distance from the start to that face is t |n·d|, however far a grazing ray goes until it
-// crosses. Where the surface bends, the greater slope of the start and the crossing counts: the ray is then no deeper
-// in between. What the ray crosses of the same solid before is passed with it: where the ray comes in through one side
-// of a box just below the face it starts in and leaves through that face, it is no deeper than the rounding until then.
-// So only the state behind the start counts: below a box on a floor the ray is in the box, and meets its far side.
+// crosses. Where the surface bends, the greater of the slopes at the start and at the crossing counts, because the ray
+// is no deeper in between. Earlier crossings of the same solid are passed as well: where the ray comes in through one
+// side of a box just below the face it starts in and leaves through that face, it is no deeper than the rounding until
+// then. So only the state behind the start counts: a ray that starts on a floor below a box is in the box, and meets
+// its far side.
 #pragma once
 
 #include "renderer/rays/ray.h"
@@ -20,12 +21,12 @@
 
 namespace isl::render {
 
-/// Rays must stay where they are while they are asked about.
+/// Rays are known by their addresses, so they must stay where they are while they are asked about.
 class RayFaces {
  public:
   RayFaces(const CompiledScene& scene, const BlobGradient& gradient) : scene_(scene), gradient_(gradient) {}
 
-  /// A hit of the instance at t is rounded by no more than this, in t. Costs little.
+  /// An upper bound of the rounding, in t, of a hit of the instance at t. It costs little.
   [[nodiscard]] double nearness(InstanceId instance, const Ray& ray, double t) const {
     double reach = largest(ray.origin);
     if (ray.start.instance != scene::kNone) {
@@ -35,22 +36,23 @@ class RayFaces {
     return kNear * scene_.instances[instance].spread.at(reach + std::abs(t));
   }
 
-  /// The reach of a ray's origin. A start on a surface was found at the end of a path and is as exact as that surface.
+  /// The reach of a ray's origin. A start on a surface was found at the end of a path, and is as exact as that surface.
   [[nodiscard]] Vec3 reach_of(const Ray& ray);
-  /// The same in the instance's space.
+  /// The reach in the instance's space.
   [[nodiscard]] Vec3 reach_in(InstanceId instance, const Ray& ray);
 
   [[nodiscard]] const BlobGradient& gradient() const { return gradient_; }
 
-  /// Whether the ray starts on the face that it crosses in `hit`.
+  /// True if the ray starts on the face that it crosses in `hit`.
   [[nodiscard]] bool is_at_start(const Ray& ray, const Hit& hit);
-  /// The first of a solid's crossings, from `first` on, behind the faces that the ray starts on.
+  /// The index of the first of a solid's crossings, from `first` on, behind the faces that the ray starts on.
   [[nodiscard]] std::size_t pass_start(InstanceId instance, const Ray& ray, const Crossings& found, std::size_t first);
 
-  /// Keeps the farther of two hits if it may coincide with the nearer one. Precondition: it was declared before.
+  /// Keeps the farther of two hits if it may coincide with the nearer one. Precondition: the farther one was declared
+  /// before.
   void keep_if_near(const Ray& ray, const Hit& nearer, const Hit& farther);
   [[nodiscard]] bool has_kept() const { return !kept_.empty(); }
-  /// Of the kept hits that coincide with the nearest, and that itself, the one that was declared first.
+  /// The hit that was declared first, among the nearest and the kept hits that coincide with it.
   [[nodiscard]] Hit first_declared(const Ray& ray, const Hit& nearest);
   void forget() { kept_.clear(); }
 
@@ -61,13 +63,13 @@ class RayFaces {
   };
 
   [[nodiscard]] static double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-  /// The face that a ray meets in a hit, where the ray is at t.
+  /// The face that a ray meets in a hit, at the ray's point t.
   [[nodiscard]] Face face_at(const Ray& ray, const Hit& hit, double t);
 
   const CompiledScene& scene_;
   BlobGradient gradient_;
   std::vector<Kept> kept_;
-  const Ray* reach_ray_ = nullptr;  ///< the last one that reach_of() was asked about
+  const Ray* reach_ray_ = nullptr;  ///< the ray that reach_of() was asked about last
   Vec3 reach_{0};
 };
 

@@ -1,5 +1,6 @@
-// The inner loops for every vector width. This file is compiled once for each target (Highway's foreach_target includes it
-// again), with everything that ends in -inl.h inlined into it, and the widest that the machine has is chosen at run time.
+// The inner loops for every vector width. This file is compiled once for each target (Highway's foreach_target includes
+// it again), with everything that ends in -inl.h inlined into it. The widest target that the machine has is chosen at
+// run time.
 #include "renderer/trace/trace_kernel.h"
 
 #undef HWY_TARGET_INCLUDE

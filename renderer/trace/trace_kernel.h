@@ -16,7 +16,7 @@
 
 namespace isl::render {
 
-/// What a thread reuses from ray to ray.
+/// Memory that a thread reuses from ray to ray.
 struct TraceMemory {
   LaneMemory lanes;
   PacketMemory packet;
@@ -25,7 +25,7 @@ struct TraceMemory {
   BlobPoint point;
 };
 
-/// What rays are traced by.
+/// The functions that trace rays.
 struct TraceLoops {
   void (*first_hits)(const CompiledScene&, const SolverSettings&, RayKind, std::span<const Ray>, std::span<Hit>,
                      TraceMemory&, TraceCounters&);
@@ -35,14 +35,14 @@ struct TraceLoops {
 
 struct TraceKernel {
   const char* target;
-  TraceLoops loops;  ///< of the product's solver and the published one
+  TraceLoops loops;  ///< for the product's solver and the published one
   void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
   void (*paper_point)(const CompiledBlob&, std::uint32_t cell, const PaperMemory* records, bool eq10, const Vec3& point,
                       const ShareRule&, BlobPoint&);
 };
 
-/// The kernel for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …). Null if the
-/// machine or the program lacks it.
+/// The entry points for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …).
+/// Null if the machine or the program lacks it.
 [[nodiscard]] const TraceKernel* trace_kernel(const std::string& target);
 
 }  // namespace isl::render

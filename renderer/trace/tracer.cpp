@@ -28,10 +28,10 @@ struct Tracer::Impl {
   CompiledScene scene;
   SolverSettings settings;
   const TraceKernel* kernel = nullptr;
-  const TraceLoops* loops = nullptr;  ///< the kernel's, or a rival's
+  const TraceLoops* loops = nullptr;  ///< the loops of kernel, or a baseline's
 
-  /// The normal of a solid or blob at a point in its own space, of any length; adds its textures there, of which `other` is
-  /// the one where it has none of its own.
+  /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there; `other` is
+  /// used where the shape has none of its own.
   Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit, const Vec3& local,
                 std::vector<TextureShare>& textures, TraceCounters& counters) const {
     if (kind == scene::Object::Kind::solid) {
@@ -55,7 +55,7 @@ struct Tracer::Impl {
       textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place,
                           {kind, shape, share.surface.component, local}});
     }
-    // Only where the published solver takes a place far from every field for the surface.
+    // This happens only where the published solver takes a place far from every field for the surface.
     if (textures.empty()) textures.push_back(other);
     return -blob.gradient;
   }
@@ -63,7 +63,7 @@ struct Tracer::Impl {
 
 namespace {
 
-/// The whole of a surface in the texture of an instance.
+/// The texture of an instance, as the only one of a surface.
 TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
   const TextureSpace space = instance.texture_space;
   const Vec3 place = space == kOwnSpace     ? local
@@ -72,7 +72,7 @@ TextureShare texture_of(const CompiledScene& scene, const Instance& instance, co
   return {instance.texture, 1, place};
 }
 
-/// The same of a leaf of a tree, at a point in the tree's group's space. Precondition: it has one.
+/// The texture of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has one.
 TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
   const TextureSpace space = leaf.texture_space;
   const Vec3 place = space == kOwnSpace     ? leaf.group_from_leaf.inverse_point(point)
@@ -148,7 +148,8 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;
   const double length = normal.length();
-  // A gradient of zero on the surface (a saddle exactly at the threshold) has no normal; facing the ray is as good as any.
+  // A gradient of zero on the surface (a saddle exactly at the threshold) gives no normal; facing the ray is as good as
+  // any.
   point.normal = length > 0 ? normal / length : -ray.direction;
 }
 

@@ -1,5 +1,6 @@
-// Rays against a compiled scene: the seam between finding surfaces (fields, grid, solvers, solids) and making pictures of
-// them (shading, effects, image). Rays come in batches, so that the inside may choose its own order and vector width.
+// Rays against a compiled scene: the boundary between finding surfaces (fields, grid, solvers, solids) and making
+// pictures of them (shading, effects, image). Rays come in batches, so that the tracer may choose its own order and
+// vector width.
 #pragma once
 
 #include "renderer/rays/ray.h"
@@ -26,14 +27,15 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
 
   /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
-  /// solver, the thread may ask for surfaces (surface_at) of the hits until it asks for hits again, and no other may.
+  /// solver, only the thread that found the hits may ask for their surfaces (surface_at), and only until it asks for
+  /// hits again.
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
                   RayKind kind = RayKind::image) const;
 
   /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
 
-  /// Normal and materials where `ray` meets `hit`. Precondition: the hit is none of a miss.
+  /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
     TraceCounters unread;

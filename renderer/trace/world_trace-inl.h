@@ -1,7 +1,8 @@
-// One ray against everything: half-spaces, then the top-level grid's instances in order of the cells they stand in,
-// each in its own space. t is the same in all spaces, since directions are transformed and not normalised again.
+// One ray against the whole scene: unbounded instances first, then those of the top-level grid in the order of the
+// cells they stand in, each in its own space. t is the same in all spaces, since directions are transformed and not
+// normalised again.
 //
-// What coincides is told apart by trace/ray_faces.h: it is asked only about crossings close to the start or to one
+// Hits that coincide are resolved by trace/ray_faces.h. It is asked only about crossings close to the start or to one
 // another.
 #if defined(ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_
@@ -25,9 +26,12 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// `Search` has BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&), and
-/// for trace_packet() also takes_packets(const CompiledBlob&) and
-/// first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay*, std::uint32_t rays, BlobHit*).
+/// `Search` has
+///   BlobHit first_hit(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay&)
+/// and, for trace_packet(),
+///   bool takes_packets(const CompiledBlob&)
+///   void first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay*,
+///                   std::uint32_t rays, BlobHit*).
 template <class Search>
 class WorldTrace {
  public:
@@ -40,7 +44,7 @@ class WorldTrace {
         kind_(static_cast<std::uint8_t>(kind)),
         faces_(scene, blob_gradient()) {}
 
-  /// With `any`, the first thing found ends the search, and only whether there is one is told.
+  /// With `any`, the first hit that is found ends the search, and the result only tells whether there is one.
   [[nodiscard]] Hit trace(const Ray& ray, bool any) {
     Hit best;
     best.t = ray.t_max;
@@ -82,8 +86,8 @@ class WorldTrace {
     return best;
   }
 
-  /// The same of up to kPacket rays at once: what is met is met by all of them, and blobs that can be are searched for them
-  /// together.
+  /// Traces up to kPacket rays at once: each instance is met by all of them, and blobs that allow it are searched for
+  /// them together.
   void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
     if (scene_.bounded.size() > kFewInstances) {
       for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = trace(rays[i], any);
@@ -108,7 +112,7 @@ class WorldTrace {
   }
 
  private:
-  /// Up to here a list is quicker than a grid.
+  /// Up to this number of instances, a list is quicker than a grid.
   static constexpr std::size_t kFewInstances = 3;
 
   [[nodiscard]] static bool is_sound(const Ray& ray) {
@@ -116,7 +120,7 @@ class WorldTrace {
     return std::isfinite(sum) && ray.direction.length2() > 0;
   }
 
-  /// Lets the rays whose bit in `open` is set meet the instance; those that go on.
+  /// Lets the rays whose bit in `open` is set meet the instance. Returns the rays that go on.
   std::uint32_t meet_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
     const Instance& instance = scene_.instances[index];
     const bool is_packed =
@@ -152,14 +156,14 @@ class WorldTrace {
     return {origin, direction, farthest(index, ray, any, best), ray.start.instance == index, any, ray.path_length};
   }
 
-  /// How far an instance's hit can matter: behind the nearest, if it may coincide with it and was declared before.
+  /// The farthest t at which an instance's hit can matter: behind the nearest hit, if it may coincide with it and was
+  /// declared before.
   [[nodiscard]] double farthest(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
     if (any || best.is_miss() || best.instance < index) return best.t;
     return best.t + faces_.nearness(best.instance, ray, best.t) + faces_.nearness(index, ray, best.t);
   }
 
-  /// Takes what was found of a blob, which is no miss; whether that is the nearest. With `any`, its t is rough and
-  /// within t_max.
+  /// Takes the hit of a blob, which is no miss. True if it is the nearest. With `any`, its t is rough and within t_max.
   bool take_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray, BlobHit hit, Hit& best) {
     const bool from_elsewhere = ray.start.instance != scene::kNone && ray.start.instance != index;
     if (from_elsewhere && starts_on_blob(index, ray, blob_ray, hit)) {
@@ -173,14 +177,14 @@ class WorldTrace {
     return offer(ray, {hit.t, index, hit.cell, 0, from_inside, scene::kNone}, blob_ray.any, best);
   }
 
-  /// Whether the ray's first crossing of a blob is a face that it starts on.
+  /// True if the ray's first crossing of a blob is a face that it starts on.
   [[nodiscard]] HWY_NOINLINE bool starts_on_blob(std::uint32_t index, const Ray& ray, const BlobRay& blob_ray,
                                                  BlobHit hit) {
     const CompiledBlob& blob = scene_.blobs[scene_.instances[index].shape];
     if (!blob.grid.box.intersects(blob_ray.origin) && blob.grid.beyond == scene::kNone) return false;
     const double nearest = 2 * faces_.nearness(index, ray, 0);
     if (blob_ray.any) {
-      // Its t is rough: the crossing is searched for where it matters.
+      // Its t is rough, so the crossing is searched for close to the start.
       BlobRay near = blob_ray;
       near.any = false;
       near.t_max = std::min(near.t_max, nearest);
@@ -190,7 +194,7 @@ class WorldTrace {
            faces_.is_at_start(ray, {hit.t, index, hit.cell, 0, false, scene::kNone});
   }
 
-  /// Whether the instance is met before `best`, which then is the new hit.
+  /// True if the instance is met before `best`, which then is the new hit.
   bool meet(std::uint32_t index, const Ray& ray, bool any, Hit& best) {
     const Instance& instance = scene_.instances[index];
     if (is_hidden(instance)) return false;
@@ -240,7 +244,7 @@ class WorldTrace {
     return offer(ray, {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf}, any, best);
   }
 
-  /// Makes a hit the best if it is the nearest. Of two the farther one is kept if it was declared before and may
+  /// Makes a hit the best if it is the nearest. The farther of the two is kept if it was declared before and may
   /// coincide.
   bool offer(const Ray& ray, const Hit& hit, bool any, Hit& best) {
     if (any) {
@@ -255,7 +259,7 @@ class WorldTrace {
     return is_nearer;
   }
 
-  /// Up to here a hit behind one that is nearer must be looked at.
+  /// The farthest t at which a hit behind the nearest one must still be looked at.
   [[nodiscard]] double last_that_counts(const Ray& ray, const Hit& best) const {
     return best.is_miss() ? best.t : best.t + 2 * faces_.nearness(best.instance, ray, best.t);
   }
@@ -282,8 +286,8 @@ class WorldTrace {
   const SolverSettings& settings_;
   TraceMemory& memory_;
   TraceCounters& counters_;
-  std::uint8_t kind_;  ///< the bit of RayKind
-  std::array<std::uint32_t, 16> recent_;  ///< a mailbox: what the ray has met in the cells behind it
+  std::uint8_t kind_;                     ///< one bit of RayKind
+  std::array<std::uint32_t, 16> recent_;  ///< a mailbox: the instances that the ray has met in earlier cells
   RayFaces faces_;
 };
 
