@@ -19,10 +19,10 @@ using scene::Program;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-/// The three numbers that `select(a, …)` chooses among stand after a.
+/// The three values that `select(a, …)` chooses from stand after a.
 double selected(const double* a) { return a[0] < 0 ? a[1] : a[0] == 0 ? a[2] : a[3]; }
 
-/// POV-Ray's weights of the eye.
+/// POV-Ray's weights for the brightness of a colour.
 double gray(const double* colour) { return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2]; }
 
 /// A height of 16 bits, the upper eight in red and the lower in green; the factor is POV-Ray's, as measured.
@@ -94,7 +94,7 @@ struct Runner {
   }
 };
 
-/// Not inlined, so that only the frame that is needed is on the stack.
+/// This is not inlined, so that only the frame that is needed is on the stack.
 template <std::size_t size>
 [[gnu::noinline]] std::array<double, 5> evaluate_in_frame(const Function& function, std::span<const double> arguments,
                                                           Environment& environment) noexcept {

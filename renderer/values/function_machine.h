@@ -1,6 +1,6 @@
-// Runs a scene::Function: called by the interpreter where a scene calls one, and by the renderer for every point at
-// which a pattern or a surface asks. Knows no text and no names. Nothing is allocated: the caller's frame of doubles
-// holds arguments, intermediate values, results, and the frames of the functions that are called.
+// Runs a scene::Function. The interpreter calls it where a scene calls a function, and the renderer calls it for every
+// point of a pattern or surface. Knows no text and no names. Nothing is allocated: the caller's frame of doubles holds
+// arguments, intermediate values, results, and the frames of the functions that are called.
 #pragma once
 
 #include "base/check.h"
@@ -15,12 +15,12 @@
 
 namespace isl::values {
 
-/// What an evaluation needs besides the function: one a thread.
+/// The state that an evaluation needs besides the function, one for each thread.
 class Environment {
  public:
-  /// `steps` bounds the turns of `sum` and `prod`, the calls and the patterns within all evaluations. When they are
-  /// spent, what is left to do is skipped and the result means nothing.
-  /// `patterns` answers for functions of patterns and pigments; null where there are none.
+  /// `steps` limits the turns of `sum` and `prod`, the calls and the patterns within all evaluations. When the steps
+  /// are spent, the rest is skipped and the result is meaningless. `patterns` evaluates functions of patterns and
+  /// pigments; it is null if there are none.
   explicit Environment(NoiseGenerator noise_generator, std::uint64_t steps = std::numeric_limits<std::uint64_t>::max(),
                        const PatternSource* patterns = nullptr)
       : noise_generator_(noise_generator), steps_(steps), patterns_(patterns) {}
@@ -30,15 +30,15 @@ class Environment {
     ISL_DCHECK(patterns_, "a function of a pattern was called without patterns");
     return *patterns_;
   }
-  /// One more turn, call or pattern; false where there is none left.
+  /// Counts one more turn, call or pattern; false if no steps are left.
   [[nodiscard]] bool take_step() noexcept {
     if (steps_ == 0) return false;
     --steps_;
     return true;
   }
   [[nodiscard]] bool is_spent() const noexcept { return steps_ == 0; }
-  /// (u, v, 0) of the surface that is looked at, for patterns with `uv_mapping`; null where there is none, and these take
-  /// the point itself. Whoever sets it keeps it.
+  /// (u, v, 0) of the surface point that is evaluated, for patterns with `uv_mapping`. If it is null, they take the
+  /// point itself. It belongs to the caller of set_coordinates.
   [[nodiscard]] const scene::Vec3* coordinates() const noexcept { return coordinates_; }
   void set_coordinates(const scene::Vec3* coordinates) noexcept { coordinates_ = coordinates; }
 
@@ -49,15 +49,16 @@ class Environment {
   const scene::Vec3* coordinates_ = nullptr;
 };
 
-/// One operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored where it takes one.
-/// What the machine itself runs, and what folds constants.
+/// Applies one operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored by operations with one
+/// operand. Both the machine and the folding of constants use it.
 [[nodiscard]] double apply(scene::Opcode operation, double a, double b) noexcept;
 
 /// `frame` has function.frame_size doubles, of which the first hold the arguments; afterwards the first hold the
-/// results. Arguments outside of a domain give what IEEE arithmetic gives: NaN and infinities travel on, nothing fails.
+/// results. Arguments outside a function's domain give the values of IEEE arithmetic: NaN and infinities propagate, and
+/// nothing fails.
 void evaluate(const scene::Function& function, double* frame, Environment& environment) noexcept;
 
-/// The results, the rest zero. `arguments` are as many as the function has parameters.
+/// The results; unused terms are zero. `arguments` are as many as the function has parameters.
 [[nodiscard]] std::array<double, 5> evaluate(const scene::Function& function, std::span<const double> arguments,
                                              Environment& environment) noexcept;
 

@@ -9,7 +9,8 @@
 namespace isl::values {
 namespace {
 
-/// More than there are doubles between the largest and the smallest detail, for a lacunarity of 2.
+/// For a lacunarity of 2, this is more octaves than the range of doubles holds between the largest and the smallest
+/// detail.
 constexpr double kMaxOctaves = 2048;
 
 /// Noise about zero at the frequency of octave i, and the amplitude that goes with it.

@@ -11,13 +11,13 @@ namespace {
 
 using scene::Vec3;
 
-/// Lattice coordinates are taken from here, so that those of usual scenes are positive.
+/// Origin of the lattice coordinates, so that those of usual scenes are positive.
 constexpr std::uint32_t kLatticeOrigin = 10000;
-/// What brings the sum of the original noise into [0, 1], and Perlin's about its middle; measured.
+/// These bring the sum of the original noise into [0, 1], and Perlin's about its middle. The values are measured.
 constexpr double kRangeOffset = 1.05242, kRangeScale = 0.48985582;
 constexpr double kPerlinMiddle = 0.4925, kPerlinScale = 0.795;
-/// Where Perlin's lattice begins; measured. Modulo 2048 and the rounding that its size brings, nothing else can be told
-/// from outside.
+/// The origin of Perlin's lattice, measured. It is known modulo 2048 and up to the rounding that its size brings;
+/// nothing more can be observed from outside.
 constexpr double kPerlinOrigin = 8390272 + 0.023157212883234024;
 
 double s_curve(double t) { return t * t * (3 - 2 * t); }
@@ -27,7 +27,7 @@ struct Corner {
   const double* terms;  ///< a value and a slope, perhaps more than once
   double x, y, z;       ///< from the corner to the point
 
-  /// The linear function of the terms from `first` on.
+  /// The linear function whose coefficients are the terms from `first` on.
   [[nodiscard]] double at(std::size_t first) const {
     return weight * (terms[first] * 0.5 + terms[first + 1] * x + terms[first + 2] * y + terms[first + 3] * z);
   }

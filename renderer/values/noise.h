@@ -1,7 +1,7 @@
-// Noise: smooth random functions of space, POV-Ray's three to the last digit (docs/decisions.md says how they were
-// found).
+// Noise: smooth random functions of space. They are POV-Ray's three to the last digit (docs/decisions.md tells how they
+// were found).
 //
-// The older two are lattice noise as Skinner and Kolb's Rayshade has it: every lattice point owns a value and a slope,
+// The older two are lattice noise as in Skinner and Kolb's Rayshade: every lattice point owns a value and a slope,
 // picked from a table of random numbers by a hash of its coordinates; in between, the eight corners' linear functions
 // are blended with s = t²(3 − 2t). The third is Perlin's gradient noise of 1985. Tables are made by their published
 // generators when noise is first used.
@@ -20,13 +20,13 @@ enum class NoiseGenerator : std::uint8_t {
   perlin = 3,           ///< about 0.5, flatter at the lattice points
 };
 
-/// By the lowest two bits of the number's whole part, as POV-Ray takes it; 0 is the original.
+/// The generator of a number by the lowest two bits of its integer part, as in POV-Ray; 0 is the original.
 [[nodiscard]] NoiseGenerator noise_generator_of(double number) noexcept;
 
-/// In [0, 1]. Coordinates beyond ±2³⁰ have no detail left; NaN gives a number all the same.
+/// The value is in [0, 1]. Coordinates beyond ±2³⁰ have no detail left; NaN gives a number all the same.
 [[nodiscard]] double noise(const scene::Vec3& p, NoiseGenerator generator) noexcept;
 
-/// Three noises at once, each about 0 and within ±1 or little more; the same for all generators.
+/// Three noises at once, each about 0 and within ±1 or little more. They are the same for all generators.
 [[nodiscard]] scene::Vec3 vector_noise(const scene::Vec3& p) noexcept;
 
 /// Octaves of noise: each next one is finer by `lambda` and weaker by `omega`.

@@ -7,8 +7,8 @@
 namespace isl::values {
 namespace {
 
-/// The generator behind the language's rand() (interpreter/random_streams.h), of which the upper half but its sign is
-/// used.
+/// The generator behind the language's rand() (interpreter/random_streams.h). Only the upper half of its state is used,
+/// without the sign.
 class Generator {
  public:
   explicit Generator(std::uint32_t seed) : state_(seed) {}
@@ -21,22 +21,22 @@ class Generator {
   std::uint32_t state_;
 };
 
-/// CRC-16/ARC: reflected, polynomial x¹⁶ + x¹⁵ + x² + 1, from 0. One byte more.
+/// Adds one byte to a CRC-16/ARC: reflected, polynomial x¹⁶ + x¹⁵ + x² + 1, initial value 0.
 std::uint32_t checksum(std::uint32_t crc, std::uint32_t byte) {
   crc ^= byte;
   for (int bit = 0; bit < 8; ++bit) crc = (crc & 1u) != 0 ? crc >> 1 ^ 0xA001u : crc >> 1;
   return crc;
 }
 
-/// Six significant digits, which is what tables of this noise have been handed on with since.
+/// Rounds to six significant digits, because tables of this noise have been published with that many.
 double rounded(double value) {
   if (value == 0) return 0;
   const double unit = std::pow(10.0, 5 - std::floor(std::log10(std::abs(value))));
   return std::round(value * unit) / unit;
 }
 
-/// The checksum of the vector (s, s, s), s = 0.12345·i, its doubles written with the most significant byte first; as a
-/// number in [−1, 1].
+/// The checksum of the vector (s, s, s), s = 0.12345·i, whose doubles are written with the most significant byte first,
+/// as a number in [−1, 1].
 double random_term(std::size_t i) {
   constexpr double kStep = 0.12345;
   const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(i) * kStep);
@@ -47,7 +47,7 @@ double random_term(std::size_t i) {
   return rounded(crc * (2.0 / 65535.0) - 1);
 }
 
-/// A shuffle from the end: every place once changes with a random one.
+/// Shuffles from the end: every entry is exchanged once with a random one.
 void shuffle(NoiseTables& tables) {
   for (std::size_t i = 0; i < tables.hash.size(); ++i) tables.hash[i] = static_cast<std::uint16_t>(i);
   Generator generator(0);
@@ -55,8 +55,8 @@ void shuffle(NoiseTables& tables) {
     std::swap(tables.hash[i], tables.hash[generator.next() % NoiseTables::kHashes]);
 }
 
-/// Perlin's initialisation: directions evenly from the ball by rejection, then every second place of the permutation
-/// changes with a random one. (It starts beyond the permutation, with a place that holds 0.)
+/// Perlin's initialisation: directions evenly from the ball by rejection, then every second entry of the permutation is
+/// exchanged with a random one. (It starts beyond the permutation, at an entry that holds 0.)
 void make_gradients(NoiseTables& tables) {
   constexpr std::size_t kCount = NoiseTables::kGradients;
   Generator generator(1);

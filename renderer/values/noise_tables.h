@@ -9,14 +9,15 @@
 namespace isl::values {
 
 struct NoiseTables {
-  static constexpr std::size_t kHashes = 4096;       ///< a power of two: lattice coordinates are taken modulo it
-  static constexpr std::size_t kSlopes = 256;        ///< lattice points that differ
-  static constexpr std::size_t kTermsOfVector = 12;  ///< value and slope, three times
-  static constexpr std::size_t kGradients = 2048;    ///< of Perlin's noise
+  static constexpr std::size_t kHashes = 4096;       ///< a power of two, because lattice coordinates are taken modulo
+                                                     ///< it
+  static constexpr std::size_t kSlopes = 256;        ///< number of different lattice points
+  static constexpr std::size_t kTermsOfVector = 12;  ///< a value and a slope, three times
+  static constexpr std::size_t kGradients = 2048;    ///< for Perlin's noise
 
-  /// A permutation.
+  /// A permutation of the numbers below kHashes.
   std::array<std::uint16_t, kHashes> hash;
-  /// Random numbers in [−1, 1]; a lattice point of hash h owns those from h on.
+  /// Random numbers in [−1, 1]; a lattice point of hash h owns those from index h on.
   std::array<double, kSlopes + kTermsOfVector - 1> terms;
 
   /// Perlin's permutation and unit vectors, each followed by a copy of itself, so that sums of two need no modulo.
@@ -24,7 +25,7 @@ struct NoiseTables {
   std::array<std::array<double, 3>, 2 * kGradients + 2> gradients;
 };
 
-/// Made at the first call.
+/// The tables are made at the first call.
 [[nodiscard]] const NoiseTables& noise_tables() noexcept;
 
 }  // namespace isl::values

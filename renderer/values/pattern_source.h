@@ -1,5 +1,5 @@
-// How a function asks for the value of a pattern or the colour of a pigment. renderer/patterns answers; it needs
-// functions itself (a pattern may be one), so this interface stands between the two.
+// The interface by which a function asks for the value of a pattern or the colour of a pigment. renderer/patterns
+// implements it; since a pattern may be a function itself, this interface stands between the two.
 #pragma once
 
 #include "renderer/scene/colour.h"
@@ -14,7 +14,7 @@ class PatternSource {
  public:
   virtual ~PatternSource() = default;
 
-  /// What POV-Ray's `function { pattern { … } }` yields: from 0 to about 1, or the item's number for block patterns.
+  /// The value of POV-Ray's `function { pattern { … } }`: from 0 to about 1, or the item's number for block patterns.
   [[nodiscard]] virtual double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
                                              Environment& environment) const noexcept = 0;
   [[nodiscard]] virtual scene::Colour pigment_colour(const scene::Pigment& pigment, const scene::Vec3& point,

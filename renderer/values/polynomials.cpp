@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kClip = 10;
 
-/// The point, with the squares that most formulas want.
+/// The point, with the squares that most formulas need.
 struct Point {
   explicit Point(const double* p) : x(p[0]), y(p[1]), z(p[2]), x2(x * x), y2(y * y), z2(z * z) {}
   double x, y, z, x2, y2, z2;

@@ -1,6 +1,6 @@
 // The internal functions that are polynomials in x, y, z, times a field strength; see internal_functions.h. Most are
-// surfaces that are called by a mathematician's name or a shape's; their value is clipped to ±10, which POV-Ray does to
-// keep root finding tame.
+// surfaces named after a mathematician or a shape. Their value is clipped to ±10, as in POV-Ray, which does so for its
+// root finding.
 #pragma once
 
 namespace isl::values {
@@ -8,7 +8,7 @@ namespace isl::values {
 // p[0], p[1], p[2] is the point, p[3] the field strength, further parameters follow.
 [[nodiscard]] double crossed_trough(const double* p);
 [[nodiscard]] double cubic_saddle(const double* p);
-[[nodiscard]] double cushion(const double* p);  ///< f_odd too
+[[nodiscard]] double cushion(const double* p);  ///< also f_odd
 [[nodiscard]] double devils_curve(const double* p);
 [[nodiscard]] double glob(const double* p);
 [[nodiscard]] double heart(const double* p);

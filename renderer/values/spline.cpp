@@ -11,7 +11,8 @@ using scene::SplineKind;
 using scene::SplinePoint;
 using Terms = std::array<double, 5>;
 
-/// The segment that holds `parameter`: i with points[i] < parameter ≤ points[i + 1], at the ends the outermost.
+/// The segment that holds `parameter`: i with points[i] < parameter ≤ points[i + 1]; beyond the ends, the outermost
+/// one.
 std::size_t segment(const std::vector<SplinePoint>& points, double parameter) {
   const auto at = std::lower_bound(points.begin(), points.end(), parameter,
                                    [](const SplinePoint& point, double value) { return point.parameter < value; });
@@ -51,7 +52,7 @@ double natural(const SplinePoint& a, const SplinePoint& b, double parameter, std
          ((s * s * s - s) * a.bending[k] + (t * t * t - t) * b.bending[k]) * (h * h) / 6;
 }
 
-/// Second derivatives at the points: the tridiagonal system of the natural spline, by elimination.
+/// Second derivatives at the points: solves the tridiagonal system of the natural spline by elimination.
 void bend(std::vector<SplinePoint>& points, std::size_t k) {
   const std::size_t count = points.size();
   points.front().bending[k] = points.back().bending[k] = 0;
@@ -73,7 +74,7 @@ Terms evaluate(const Spline& spline, SplineKind kind, double parameter) noexcept
   const std::vector<SplinePoint>& points = spline.points;
   const std::size_t last = points.size() - 1;
   if (last == 0) return points[0].value;
-  // Two points leave a cubic spline no segment: POV-Ray gives their mean, whatever the parameter.
+  // A cubic spline of two points has no segment. POV-Ray returns the mean of the points, whatever the parameter.
   const bool is_cubic = kind == SplineKind::cubic;
   if (is_cubic && last == 1) {
     Terms mean{};

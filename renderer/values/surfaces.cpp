@@ -7,8 +7,8 @@
 namespace isl::values {
 namespace {
 
-/// Distance from the middle of a cross-section, by the p-norm with p = 2/shape: the largest coordinate for shape 0,
-/// Euclid's for 1.
+/// Distance from the middle of a cross-section in the p-norm with p = 2/shape: the maximum norm for shape 0, the
+/// Euclidean norm for 1.
 double from_middle(double a, double b, double shape) {
   a = std::abs(a);
   b = std::abs(b);
@@ -36,8 +36,8 @@ double torus(const double* p) {
   return std::sqrt(from_circle * from_circle + p[1] * p[1]) - p[4];
 }
 
-/// Distance to the box that the corners' spheres roll in, less their radius; zero inside of that box. POV-Ray takes off
-/// another millionth, so that a box without rounding has an inside.
+/// Distance to the box in which the centres of the corners' spheres lie, minus their radius; that distance is zero
+/// inside the box. POV-Ray subtracts another millionth, so that a box without rounding has an inside.
 double rounded_box(const double* p) {
   constexpr double kInside = 1e-6;
   double outside[3];
@@ -45,7 +45,7 @@ double rounded_box(const double* p) {
   return radius(outside) - p[3] - kInside;
 }
 
-/// Barr's: ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n))^(n/2), from one downwards.
+/// Barr's superellipsoid: 1 − ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n))^(n/2).
 double superellipsoid(const double* p) {
   const double east_west = p[3], north_south = p[4];
   const double section = std::pow(std::abs(p[0]), 2 / east_west) + std::pow(std::abs(p[1]), 2 / east_west);
@@ -54,7 +54,7 @@ double superellipsoid(const double* p) {
 }
 
 /// In the half-plane through the axis, the tube's middle is where the angle about y, plus the height's share, is half a
-/// turn. Where that is far away, the distance to the opposite tube bounds the value.
+/// turn. If that is far away, the distance to the opposite tube bounds the value.
 double helix_1(const double* p) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double count = p[3], period = p[4], minor = p[5], major = p[6], stretch = p[7], shape = p[8];
@@ -67,7 +67,7 @@ double helix_1(const double* p) {
   return std::min(from_middle(across * c - along * s, across * s + along * c, shape), from_axis + major) - minor;
 }
 
-/// Horizontal sections all are the same shape, moved about the axis and turned with it.
+/// All horizontal sections have the same shape, moved about the axis and turned with it.
 double helix_2(const double* p) {
   const double minor = p[5], major = p[6], shape = p[8], angle = p[1] * p[4];
   const double c = std::cos(angle), s = std::sin(angle);
