@@ -1,4 +1,4 @@
-// A folder with many files says in a README.md of a few lines what lives there, and what may not.
+// A folder with many files has a README.md of a few lines that says what lives there, and what may not.
 #include "tests/support/source_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Who may include whom (CONTRIBUTING.md, "Layout"): the data flow goes one way, and every part can be read without the
-// next. Within renderer/ and cli/ the ordered lists of their folders, which their CMakeLists.txt hold, are the rule.
+// The rules of which part may include which (CONTRIBUTING.md, "Layout"): the data flow goes one way, and every part can
+// be read without the next. Within renderer/ and cli/ the ordered lists of their folders, in their CMakeLists.txt, are
+// the rule.
 #include "tests/support/source_folder.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files whose path starts with `part` may include files whose path starts with one of `allowed`. The first row that
-/// fits counts.
+/// matches counts.
 struct Rule {
   std::string part;
   std::vector<std::string> allowed;
@@ -81,7 +82,7 @@ const std::vector<OrderedFolders>& ordered_parts() {
   return kParts;
 }
 
-/// Whether the order of folders, where both files are of a part that has one, lets the one include the other.
+/// True if both files are in a part with an order of folders, and this order lets the one include the other.
 bool is_in_order(const std::string& file, const std::string& other) {
   for (const OrderedFolders& part : ordered_parts()) {
     if (part.has(file) && part.has(other)) return part.is_listed(file) && part.may_include(file, other);
@@ -89,7 +90,8 @@ bool is_in_order(const std::string& file, const std::string& other) {
   return true;
 }
 
-/// What an #include line names, with its opening bracket or quote: `"cli/options/options.h`; "" for any other line.
+/// The file that an #include line names, with its opening bracket or quote: `"cli/options/options.h`; "" for any other
+/// line.
 std::string included(std::string_view line) {
   const auto skip_blanks = [&line] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
   skip_blanks();
@@ -101,13 +103,13 @@ std::string included(std::string_view line) {
   return std::string(line.substr(0, line.find_first_of("\">", 1)));
 }
 
-/// "file:line: may not include x", or "" when the line is in order.
+/// "file:line: may not include x", or "" if the line is allowed.
 std::string complaint(const std::string& file, std::size_t line_number, const std::string& line) {
   const std::string name = included(line);
   if (name.empty()) return "";
   const std::string bare = name.substr(1);
   const std::string message = file + ":" + std::to_string(line_number) + ": may not include " + bare;
-  // Libraries of picture formats, which modules alone may use.
+  // Only the image modules may use libraries of picture formats.
   if (starts_with_any(bare, {"OpenImageIO/", "OpenEXR/", "png.h"})) {
     return file.starts_with("renderer/image/") && file.ends_with("_plugin.cpp") ? "" : message;
   }
@@ -119,7 +121,7 @@ std::string complaint(const std::string& file, std::size_t line_number, const st
   return "";
 }
 
-/// The sources of the product, by their paths from the top folder on.
+/// The sources of the product, by their paths relative to the top folder.
 std::vector<std::string> sources_of_tree() {
   const fs::path root = ISL_SOURCE_DIR;
   std::vector<std::string> files;

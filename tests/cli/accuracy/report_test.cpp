@@ -1,4 +1,4 @@
-// What is called better than what, from made-up measurements.
+// Comparisons in the report (which setting is better than which), on made-up measurements.
 #include "cli/accuracy/report.h"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ TEST(ParetoFronts, LetTheDefaultStandForItsEquals) {
 }
 
 TEST(ParetoFronts, AreNeverEmpty) {
-  // Each is as quick as the next, and the first is quicker than the last.
+  // Each setting is as quick as the next within the spread, and the first is quicker than the last.
   const AccuracyReport report = report_of({{"march", 0.985, 0}, {"hermite", 1, 0}, {"climb", 0.97, 0}, {"sphere", 0.955, 0}});
   const std::vector<bool> front = pareto_front(report);
   EXPECT_EQ(std::count(front.begin(), front.end(), true), 1);

@@ -1,4 +1,4 @@
-// How .ini files of POV-Ray's are written, and which options they become. Each form was given to POV-Ray 3.7 first.
+// The syntax of POV-Ray's .ini files, and the options that they become. Each form was tried in POV-Ray 3.7 first.
 #include "cli/options/ini_file.h"
 #include "cli/options/ini_options.h"
 #include "tests/support/source_folder.h"
@@ -60,7 +60,7 @@ TEST(IniFile, MistakesAreToldWithTheirPlace) {
   EXPECT_EQ(read.remarks[0].end, 13u);
 }
 
-/// Some file, in the place of a scene: none is read here.
+/// Any existing file in the place of a scene; it is not read here.
 constexpr const char* kScene = ISL_SOURCE_DIR "/tests/cli/options/ini_file_test.cpp";
 
 struct Translated {
@@ -69,7 +69,7 @@ struct Translated {
   [[nodiscard]] std::string remarks() const { return remarks_of(scene.ini->remarks); }
 };
 
-/// The settings, of a scene that there is.
+/// The translated settings, with a scene that exists.
 Translated translated(std::string text, const std::string& said = "", Translated options = {}) {
   apply_ini(
       {"x.ini", ""}, fmt::format("Input_File_Name={}\n{}", kScene, text),

@@ -17,7 +17,7 @@ RenderCommand render(std::vector<std::string> arguments) {
   return std::holds_alternative<RenderCommand>(command) ? std::get<RenderCommand>(command) : RenderCommand{};
 }
 
-/// The message of a command line that is refused.
+/// The message for a command line that is refused.
 std::string refusal(std::vector<std::string> arguments) {
   const Command command = parse(std::move(arguments));
   const auto* finished = std::get_if<Finished>(&command);

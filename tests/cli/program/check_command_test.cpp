@@ -1,4 +1,4 @@
-// `isl check` and `isl dump`, and what all commands share.
+// `isl check` and `isl dump`, and the behaviour that all commands share.
 #include "tests/cli/program/program_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ TEST_F(CheckCommand, TellsWhatTheSceneHoldsAndWhereToLookFrom) {
 }
 
 TEST_F(CheckCommand, ItsCameraSeesTheScene) {
-  // Where the scene's own camera looks away, the suggested one makes the warning go away.
+  // The scene's own camera looks away; with the suggested camera, the warning must not appear.
   const std::string objects = "light_source { 9, 1 }\nblob { threshold 0.5 sphere { <30, 5, 2>, 3, 1 } }\n";
   write("a.isl", "camera { location <0, 0, -5> look_at <0, 0, -9> }\n" + objects);
   const ProcessResult blind = run({"check", "a.isl"});
@@ -92,7 +92,8 @@ TEST_F(CheckCommand, TellsProblemsInJson) {
 }
 
 TEST_F(CheckCommand, NeverLoadsTheImageLibraries) {
-  // Starting with them costs hundreds of milliseconds. The least of several runs is what the program needs by itself.
+  // Loading them at the start would cost hundreds of milliseconds. The least time of several runs is what the program
+  // itself needs.
   write("a.isl", kSmallScene);
   write("show_maps.sh", "#!/bin/sh\nLD_DEBUG=files exec \"$@\"\n");
   const ProcessResult result = run_process(

@@ -1,5 +1,5 @@
-// Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/.
-// What such a block prints is what a block marked `text` says that follows it directly.
+// Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/. If
+// a block marked `text` follows directly, the scene prints exactly its content.
 #include "tests/cli/program/program_fixture.h"
 #include "tests/support/source_folder.h"
 
@@ -14,15 +14,15 @@ namespace fs = std::filesystem;
 struct CodeBlock {
   std::string place;  ///< file:line
   std::string text;
-  std::optional<std::string> output{};  ///< where the page shows what the scene prints
+  std::optional<std::string> output{};  ///< set if the page shows what the scene prints
 };
 
 std::vector<CodeBlock> code_blocks_of(const fs::path& file) {
   std::vector<CodeBlock> blocks;
   std::ifstream text(file);
-  bool inside = false;             // of a block of any kind
-  std::string* content = nullptr;  // what the lines of a scene or an output are added to
-  bool follows_scene = false;      // nothing but empty lines lie between the last scene and here
+  bool inside = false;             // inside a block of any kind
+  std::string* content = nullptr;  // the text that the lines of a scene or an output are appended to
+  bool follows_scene = false;      // only empty lines lie between the last scene and here
   std::size_t number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
@@ -67,9 +67,10 @@ TEST_F(Docs, CodeBlocksCanBeReadAndPrintWhatIsShown) {
   for (const fs::path& page : pages) {
     for (const CodeBlock& block : code_blocks_of(page)) {
       ++count;
-      // As JSON the problems go elsewhere, so that only #debug writes to standard error.
+      // With JSON the problems do not go to standard error, so that only #debug writes there.
       std::vector<std::string> arguments{"check", "--format", "json", write("block.isl", block.text)};
-      // The reference shows all that the language has, also what is not rendered yet. The README shows what works.
+      // The reference shows all of the language, also parts that are not rendered yet. The README shows only what is
+      // rendered.
       if (page.filename() != "README.md") arguments.emplace_back("--lenient");
       const ProcessResult result = run(arguments);
       EXPECT_EQ(result.exit_code, 0) << block.place << "\n" << result.out;

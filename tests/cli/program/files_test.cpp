@@ -1,4 +1,4 @@
-// The files of a scene: those that are missing, where they are looked for, and how they are named; and the view.
+// The files of a scene: messages about missing ones, the search path, and the names in messages; and the view.
 #include "tests/cli/program/program_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// .ini files as scenes, from the command line to the picture.
+// .ini files given as scenes on the command line.
 #include "tests/cli/program/program_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
-// `trace`, `inside`, `min_extent` and `max_extent` as a scene calls them; the numbers are what POV-Ray 3.7 prints.
+// `trace`, `inside`, `min_extent` and `max_extent` as a scene calls them. The numbers are those that POV-Ray 3.7
+// prints.
 #include "tests/cli/program/program_fixture.h"
 
 namespace isl::test {
@@ -8,7 +9,7 @@ using testing::HasSubstr;
 
 class ObjectFunctions : public ProgramTest {
  protected:
-  /// What #debug said.
+  /// The text that #debug wrote.
   [[nodiscard]] std::string said(std::string_view scene) const {
     write("scene.isl", scene);
     return run({"check", "scene.isl"}).err;
@@ -61,7 +62,7 @@ B)");
               HasSubstr("from -2.2361 -2.2361 -1.0000 to 2.2361 2.2361 5.0000\n"));
   EXPECT_THAT(extents("cylinder { 0, 4*x, 1, 1 } rotate 45*z"),
               HasSubstr("from -2.2882 -2.2882 -2.2361 to 5.1167 5.1167 2.2361\n"));
-  // A kernel of ours has a radius that means the surface.
+  // The radius of one of our own kernels is that of the surface.
   EXPECT_THAT(extents("kernel \"gaussian\" sphere { 0, 1 strength 0.5 }"),
               HasSubstr("from -1.0000 -1.0000 -1.0000 to 1.0000 1.0000 1.0000\n"));
 }

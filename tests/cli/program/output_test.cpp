@@ -1,5 +1,5 @@
-// Where pictures and messages of `isl render` go: files, standard output, terminals; and what happens where there is no
-// room.
+// Output of `isl render`: pictures and messages go to files, standard output and terminals, and a full disk is
+// reported.
 #include "tests/cli/program/program_fixture.h"
 
 #include <sys/resource.h>
@@ -32,7 +32,7 @@ class RenderOutput : public ProgramTest {
   }
 };
 
-/// While it lives, no file of this process and of those it starts may grow beyond `bytes`.
+/// While this object lives, no file of this process and of those it starts may grow beyond `bytes`.
 class SizeLimit {
  public:
   explicit SizeLimit(rlim_t bytes) {
@@ -116,7 +116,7 @@ TEST_F(RenderOutput, AFailureOfOneOutputLeavesTheOthersTheirs) {
   write("a.ppm", "precious");
   ProcessResult result;
   {
-    const SizeLimit limit(4000);  // the PNG has less than that, the PPM 5 kB
+    const SizeLimit limit(4000);  // the PNG is smaller than that, the PPM has 5 kB
     result = render({"-o", "a.ppm", "-o", "b.png", "--bits", "8"});
   }
   EXPECT_EQ(result.exit_code, 3);

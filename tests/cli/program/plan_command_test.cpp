@@ -1,4 +1,4 @@
-// `isl plan`: which effects a scene calls for, which statements do, and what is left out.
+// `isl plan` lists the effects that a scene calls for, the statements that do so, and the effects that are left out.
 #include "tests/cli/program/program_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Which gamma a scene gets from the versions that its files state, and from when. The pixels are those of POV-Ray 3.7's
-// pictures of the same scenes, whose only colours are the sphere's own.
+// The gamma of a scene follows from the versions that its files state, and changes where they state them. The pixels
+// are those of POV-Ray 3.7's pictures of the same scenes, whose only colours are the sphere's own.
 #include "tests/cli/program/ppm_values.h"
 #include "tests/cli/program/program_fixture.h"
 
@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kSphere =
     "camera { location -5*z right x }\nsphere { 0, 1 pigment { rgb <0.4, 0.2, 0.8> } finish { ambient 1 diffuse 0 } "
     "}\n";
-/// What a library does that states the version it was written in, and then puts back what was before.
+/// A library that states the version it was written in, and then restores the previous one.
 constexpr std::string_view kLibrary = "#declare Before = version;\n#version 3.5;\n#version Before;\n";
 
 class Gamma : public ProgramTest {

@@ -1,5 +1,5 @@
-// The scenes of plain solids and their combinations look as POV-Ray draws them, in linear light: what differs is a few
-// pixels at outlines, where one ray a pixel falls on one side or the other. Skipped where no povray is installed.
+// The scenes of plain solids and their combinations look as POV-Ray draws them, in linear light. Only a few pixels at
+// outlines differ, where one ray a pixel falls on one side or the other. Skipped if povray is not installed.
 #include "tests/cli/program/ppm_values.h"
 #include "tests/cli/program/program_fixture.h"
 #include "tests/support/source_folder.h"
@@ -10,7 +10,7 @@
 namespace isl::test {
 namespace {
 
-/// Of 4:3, where cameras without a `right` agree too.
+/// A picture of 4:3, for which cameras without a `right` agree too.
 constexpr int kWidth = 320, kHeight = 240;
 
 class PovrayPictures : public ProgramTest {
@@ -19,7 +19,7 @@ class PovrayPictures : public ProgramTest {
 
   static double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
-  /// The share of pixels that differ by more than what eight bits of ours can say.
+  /// The share of pixels that differ by more than one of our eight-bit steps.
   [[nodiscard]] double share_that_differs(const std::string& scene) const {
     const std::string file = std::string(ISL_SOURCE_DIR) + "/scenes/features/" + scene;
     const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight);

@@ -6,7 +6,7 @@
 namespace isl::test {
 
 std::vector<double> ppm_values(const std::string& file) {
-  std::size_t at = 2;  // after P6
+  std::size_t at = 2;  // after "P6"
   int header[3] = {0, 0, 0};
   for (int& number : header) {
     while (at < file.size() && std::isspace(static_cast<unsigned char>(file[at])) != 0) ++at;

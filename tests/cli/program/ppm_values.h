@@ -1,4 +1,4 @@
-// What a binary PPM holds.
+// Reads the values of a binary PPM.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace isl::test {
 
-/// Three values a pixel, from 0 to 1, of the file's bytes; 8 or 16 bits each.
+/// The three values of each pixel, from 0 to 1, of a file given by its bytes; 8 or 16 bits each.
 [[nodiscard]] std::vector<double> ppm_values(const std::string& file);
 
 }  // namespace isl::test

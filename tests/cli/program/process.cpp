@@ -33,7 +33,7 @@ struct Pipe {
   }
 };
 
-/// A terminal in raw mode: end 0 reads what is written to end 1, byte by byte as it is.
+/// Opens a terminal in raw mode: end 0 reads the bytes written to end 1, unchanged.
 void open_terminal(Pipe& pipe) {
   pipe.close_end(0);
   pipe.close_end(1);
@@ -46,7 +46,7 @@ void open_terminal(Pipe& pipe) {
   ISL_CHECK(tcsetattr(pipe.ends[1], TCSANOW, &settings) == 0);
 }
 
-/// Makes `out` the kind of output asked for.
+/// Opens `out` as the kind of output asked for.
 void prepare_output(Pipe& out, const ProcessOptions& options) {
   using Output = ProcessOptions::Output;
   if (options.output == Output::terminal) open_terminal(out);
@@ -58,7 +58,7 @@ void prepare_output(Pipe& out, const ProcessOptions& options) {
   if (options.output == Output::unread || options.output == Output::file) out.close_end(0);
 }
 
-/// Reads what is there; closes at the end of file.
+/// Reads all available bytes; closes the pipe at the end of the file.
 void drain(Pipe& pipe, std::string& text) {
   std::array<char, 65536> buffer{};
   const ssize_t count = read(pipe.ends[0], buffer.data(), buffer.size());
@@ -91,9 +91,9 @@ pid_t start(const std::vector<std::string>& command, const ProcessOptions& optio
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   using Clock = std::chrono::steady_clock;
-  // What a test sees must not depend on the machine: POV-Ray's include files are found only where a test names folders.
+  // Results of tests must not depend on the machine: POV-Ray's include files are found only if a test names folders.
   setenv("ISL_SYSTEM_LIBRARIES", "", 0);
-  // Inputs of tests are smaller than what a pipe holds, so that writing before reading cannot block.
+  // Inputs of tests are smaller than a pipe's buffer, so that writing before reading cannot block.
   ISL_CHECK(options.input.size() <= 65536);
   Pipe in, out, err;
   prepare_output(out, options);
@@ -115,7 +115,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
       options.when_marked(pid);
     }
     std::array<pollfd, 2> waiting{
-        {{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};  // a negative one is passed over
+        {{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};  // poll ignores a negative descriptor
     poll(waiting.data(), waiting.size(), 50);
     if (waiting[0].revents != 0) drain(out, result.out);
     if (waiting[1].revents != 0) drain(err, result.err);

@@ -1,4 +1,4 @@
-// Runs a program as a user would and tells what it did. For tests only.
+// Runs a program as a user would and reports what it did. For tests only.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,8 @@
 namespace isl::test {
 
 struct ProcessResult {
-  int exit_code = -1;  ///< 128 + signal where a signal ended it
-  std::string out;     ///< of a terminal too
+  int exit_code = -1;  ///< 128 + signal if a signal ended it
+  std::string out;     ///< also what a terminal received
   std::string err;
   std::chrono::duration<double> seconds{0};
 };
@@ -19,14 +19,14 @@ struct ProcessResult {
 struct ProcessOptions {
   std::filesystem::path folder{};  ///< working directory; empty: the caller's
   std::string input{};             ///< standard input; empty: end of file at once
-  /// Called when it has written `err_marker` to standard error ("": at once after its start), with its process id.
+  /// Called with its process id when it has written `err_marker` to standard error ("": right after its start).
   std::function<void(int)> when_marked{};
   std::string err_marker{};
-  std::chrono::seconds limit{120};  ///< then it is killed
-  /// Where its standard output goes instead of into the result. unread: a pipe whose reader is gone; closed: nowhere.
+  std::chrono::seconds limit{120};  ///< after this time it is killed
+  /// The destination of its standard output. unread: a pipe whose reader is gone; closed: none.
   enum class Output { captured, terminal, unread, closed, file } output = Output::captured;
-  std::filesystem::path output_file{};  ///< for `file`: exists already
-  bool err_terminal = false;            ///< its standard error is a terminal; `err` is what that was sent
+  std::filesystem::path output_file{};  ///< for `file`: an existing file
+  bool err_terminal = false;            ///< its standard error is a terminal; `err` is what the terminal received
 };
 
 /// `command[0]` is a path. Never goes through a shell.

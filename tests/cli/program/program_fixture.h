@@ -1,4 +1,4 @@
-// A folder of its own for each test, and the built program to run in it.
+// The fixture of tests that run the built program: each test has a folder of its own.
 #pragma once
 
 #include "tests/cli/program/process.h"
@@ -13,7 +13,7 @@
 
 namespace isl::test {
 
-/// A lit sphere: renders in a moment.
+/// A lit sphere, which renders in a moment.
 inline constexpr std::string_view kSmallScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 0, -4> look_at 0 }
@@ -31,7 +31,7 @@ class ProgramTest : public testing::Test {
   /// Runs `isl arguments…` in the test's folder.
   [[nodiscard]] ProcessResult run(std::vector<std::string> arguments, ProcessOptions options = {}) const;
 
-  /// Writes a file below the folder and gives its name back.
+  /// Writes a file below the folder and returns its name.
   std::string write(const std::string& name, std::string_view text) const;
   [[nodiscard]] std::string read(const std::string& name) const;
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }

@@ -1,4 +1,4 @@
-// `isl render`: the files it writes, those it leaves alone, and what it tells.
+// `isl render`: the files it writes, the files it leaves alone, and its messages.
 #include "tests/cli/program/program_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -126,7 +126,7 @@ TEST_F(RenderCommand, RefusesFormatsItDoesNotHave) {
 
 TEST_F(RenderCommand, CtrlCKeepsWhatIsDoneAndThePictureThatWasThere) {
   write("ball.png", "precious");
-  // Long enough on any machine; tracing has begun when the scene's last line has spoken.
+  // Rendering takes long enough on any machine; it has begun when the scene's last line has printed.
   write("ball.isl", std::string(kSmallScene) + "#debug \"tracing\\n\"\n");
   const ProcessResult result = run({"render", "ball.isl", "-s", "3000x2000", "--samples", "256"},
                                    {.when_marked =

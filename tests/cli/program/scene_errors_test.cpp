@@ -1,5 +1,4 @@
-// What users do wrong, and what the program answers: a clear message and the right exit code, never a crash, never a
-// hang.
+// Mistakes of users get a clear message and the right exit code, never a crash or a hang.
 #include "tests/cli/program/program_fixture.h"
 
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
-// What is read and cannot be drawn yet: an error of `isl render` and `isl check` at its place, a warning with --lenient.
+// Effects that are read but not drawn yet are an error of `isl render` and `isl check` at their place, and a warning
+// with --lenient.
 #include "tests/cli/program/program_fixture.h"
 
 namespace isl::test {

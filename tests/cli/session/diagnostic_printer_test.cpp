@@ -16,7 +16,7 @@ using testing::Not;
 
 class DiagnosticPrinterTest : public testing::Test {
  protected:
-  /// The span of the first `what` in a file `a.isl` of this text.
+  /// The span of the first occurrence of `what` in a file `a.isl` of this text.
   SourceSpan find(const std::string& text, std::string_view what) {
     const SourceSpan file = sources_.add("a.isl", text).value();
     const auto at = file.begin + static_cast<std::uint32_t>(text.find(what));

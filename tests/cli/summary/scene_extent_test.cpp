@@ -13,7 +13,7 @@ using scene::Database;
 using scene::Object;
 using scene::Vec3;
 
-constexpr double kBoxError = 1e-5;  // of a radius: the bisection's end
+constexpr double kBoxError = 1e-5;  // in radii: where the bisection ends
 
 Database blob_of(const scene::Kernel& kernel, const std::vector<Component>& components, double threshold = 1) {
   Database database;
@@ -53,7 +53,7 @@ TEST(SceneExtent, OfALimbReachesFromEndToEnd) {
 }
 
 TEST(SceneExtent, HoldsWhatComponentsOnlyReachTogether) {
-  // Each alone has no surface (strength below the threshold); two in the same place have one.
+  // Each component alone has no surface (its strength is below the threshold), but two in the same place have one.
   const Component weak{.radius_a = 1, .strength = 0.02};
   EXPECT_TRUE(extent_of(blob_of(kGaussian, {weak})).box.isEmpty() == false) << "e⁴ · 0.02 exceeds 1";
   const Component too_weak{.radius_a = 1, .strength = 0.01};
@@ -76,7 +76,7 @@ TEST(SceneExtent, FollowsTransformsOfComponentsAndObjects) {
 
 TEST(SceneExtent, HoldsEverySphereOfTheFlakeAndNotMuchMore) {
   const Database database = test::sphereflake(3, kGaussian);
-  Imath::Box3d spheres;  // the surface that each component has alone
+  Imath::Box3d spheres;  // the surfaces of the components alone
   for (const Component& c : database.blobs[0].components) {
     spheres.extendBy(c.a - Vec3(c.radius_a));
     spheres.extendBy(c.a + Vec3(c.radius_a));
@@ -109,7 +109,7 @@ TEST(SceneExtent, ACameraInFrontSeesAndOneBehindDoesNot) {
 }
 
 TEST(SceneSummary, CountsWhatSharedGroupsPlaceWithoutVisitingIt) {
-  // Forty groups, each placing the one before twice: 2⁴⁰ solids.
+  // Forty groups, each of which places the one before twice, make 2⁴⁰ solids.
   Database database;
   database.solids.push_back({.radius_a = 1});
   database.groups.push_back({.children = {{.shape = 0}}});
