@@ -1,4 +1,5 @@
-// Every implementation × every property × every field of the list; and every property against a field that breaks it.
+// Every implementation is tested for every property with every field of the list, and every property with a field that
+// violates it.
 #include "tests/conformance/properties.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Fields, Conformance,
                            return std::get<0>(given.param).name + "_" + std::get<1>(given.param).name;
                          });
 
-/// One way to break a correct field, and the property that must notice.
+/// A way to break a correct field, and the property that must notice.
 struct Sabotage {
   const char* property;
   FieldUnderTest (*broken)(FieldUnderTest);
@@ -146,11 +147,11 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
       int noticed = 0, fields = 0;
       for (const FieldCase& field : field_cases()) {
         if (field.kernel.meaning != scene::RadiusMeaning::surface || field.kernel.hardness != 4) continue;
-        // A half-space has its extremes at a box's corners: that sabotage is none there.
+        // The extremes of a half-space are at a box's corners, so this sabotage does not break it.
         const bool is_plane = field.component.skeleton == scene::Skeleton::plane;
         if (is_plane && sabotage.broken == bounded_from_its_corners) continue;
         if (is_of_the_radius && !is_function_of_distance(field)) continue;
-        // The reference's ranges of what is integrated are wide: that of the first half may hold the second too.
+        // The reference's ranges of integrated fields are wide: that of the first half may contain the second half too.
         if (sabotage.broken == ranging_over_the_first_half && !is_function_of_distance(field)) continue;
         ++fields;
         const FieldUnderTest tested = reference_field_under_test(field);

@@ -1,4 +1,4 @@
-// What convolved fields have to do with one another, of every implementation: parts add up to the whole, a swapped kernel keeps the
+// Relations between convolved fields, for every implementation: parts add up to the whole, a swapped kernel keeps the
 // surface and its slope, and a transform moves a field as it moves its skeleton.
 #include "tests/conformance/field_under_test.h"
 #include "tests/reference/random_scenes.h"
@@ -20,7 +20,7 @@ scene::Kernel with_mode(scene::Kernel kernel, scene::Skeleton skeleton) {
   return skeleton == scene::Skeleton::sheet ? reference::over_sheets(kernel) : reference::convolved(kernel);
 }
 
-/// What is convolved, with kernels of a hardness each.
+/// Fields that are convolved, each with kernels of several hardnesses.
 std::vector<FieldCase> convolved_cases() {
   std::vector<FieldCase> cases;
   for (const FieldCase& field : field_cases()) {
@@ -56,7 +56,8 @@ TEST_P(ConvolutionRelations, PartsOfASegmentAddUpToTheWhole) {
         sum += part.value(p);
         gradient += part.gradient(p);
       }
-      // The cuts are rounded, which turns the parts by a little; 1e-12 of what the field is worth near its surface.
+      // The cuts are rounded, which turns the parts a little; the tolerance is 1e-12 of the field's size near its
+      // surface.
       const double size = std::abs(tested.value(p)) + tested.gradient(p).length() + 1;
       EXPECT_NEAR(sum, tested.value(p), 1e-12 * size) << whole.name << " at " << p;
       EXPECT_LE((gradient - tested.gradient(p)).length(),
@@ -73,7 +74,7 @@ TEST_P(ConvolutionRelations, AnotherKernelOfTheSameHardnessKeepsValueAndSlopeAtT
       const Vec3 normal = random.direction(), at = random.in_ball(1);
       const Vec3 along = (random.direction() - normal * random.between(0, 1)).cross(normal).normalized();
       for (const scene::Kernel& kernel : {reference::quartic(hardness), reference::cauchy(hardness)}) {
-        // A segment that is longer than its support in both directions is as good as endless.
+        // A segment that extends beyond its support in both directions is as good as endless.
         FieldCase field{
             "straight", reference::segment(at - along * 3, at + along * 3, 0.2), with_mode(kernel, skeleton), {}};
         if (skeleton == scene::Skeleton::sheet) field.component = reference::sheet(at, normal, 0.2);

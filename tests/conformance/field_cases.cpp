@@ -25,8 +25,8 @@ struct Shape {
   Vec3 third_corner{0};
 };
 
-/// The kernel with the widest support reaches 4.25 radii: the circles are wide enough that it stays clear of the axis,
-/// where the field would have a crease, and of the ring's other side.
+/// The kernel with the widest support reaches 4.25 radii. The circles are wide enough that this stays clear of the
+/// axis, where the field would have a crease, and of the ring's other side.
 const std::vector<Shape>& skeletons() {
   static const std::vector<Shape> list = {
       {"point", reference::point({0.1, -0.2, 0.3}, 0.7)},
@@ -49,7 +49,7 @@ const std::vector<Shape>& skeletons() {
   return list;
 }
 
-/// Of any size: a convolved circle has no crease on its axis.
+/// Curves of any size: a convolved circle has no crease on its axis.
 const std::vector<Shape>& curves() {
   static const std::vector<Shape> list = {
       {"segment", reference::segment({-0.5, 0, 0.1}, {0.6, 0.3, -0.2}, 0.4)},
@@ -61,7 +61,7 @@ const std::vector<Shape>& curves() {
   return list;
 }
 
-/// Every kernel soft, as usual and hard, and the places of some where their formulas change.
+/// Every kernel soft, usual and hard, and some kernels at the hardnesses where their formulas change.
 const std::vector<Named<scene::Kernel>>& kernels() {
   static const std::vector<Named<scene::Kernel>> list = {
 #define ISL_KERNEL(word, Type) \
@@ -71,12 +71,12 @@ const std::vector<Named<scene::Kernel>>& kernels() {
       {"povray", reference::kPovRay},
       {"quartic_100", reference::quartic(100)},
       {"gaussian_500", reference::gaussian(500)},
-      {"metaball_a_fifth", reference::metaball(0.2)},  // its surface lies in the core: the junction is outside
+      {"metaball_a_fifth", reference::metaball(0.2)},  // its surface is in the core, and the junction outside
       {"cauchy_500", reference::cauchy(500)}};
   return list;
 }
 
-/// Those that can be convolved.
+/// The kernels that can be convolved.
 const std::vector<Named<scene::Kernel>>& windows() {
   static const std::vector<Named<scene::Kernel>> list = {
       {"quartic_1", reference::quartic(1)}, {"quartic_4", reference::quartic(4)},
@@ -101,8 +101,8 @@ double longest_stretch(const scene::Transform& transform) {
   return std::sqrt(sum);
 }
 
-/// A ball of this radius about the origin of the component's space holds the skeleton, or what is looked at of one
-/// without end.
+/// The radius of a ball about the origin of the component's space that holds the skeleton or, for one without end, the
+/// part that is tested.
 double skeleton_reach(const FieldCase& field) {
   const scene::Component& c = field.component;
   switch (c.skeleton) {
@@ -127,12 +127,12 @@ double reach_of(const FieldCase& field) {
   return in_component * longest_stretch(field.transform) + shift.length();
 }
 
-/// A skeleton with a kernel in every space, by the name of both.
+/// A skeleton with a kernel in every space, named after both.
 void add_cases(const Shape& skeleton, const scene::Kernel& kernel, const std::string& name,
                std::vector<FieldCase>& cases) {
   static const std::vector<Named<scene::Transform>> maps = transforms();
   for (const auto& map : maps) {
-    // What carves does so in any space: seen in the hardest of them only.
+    // A negative field carves in the same way in any space, so it is tested only in the hardest.
     for (const double strength : {1.0, -2.5}) {
       if (strength < 0 && &map != &maps.back()) continue;
       FieldCase field{name + "_" + map.name + (strength < 0 ? "_carving" : ""), skeleton.component, kernel, map.value,

@@ -1,5 +1,5 @@
-// The one list of fields that the conformance suite runs: skeleton × kernel, meaning and mode × strength × transform. A new
-// skeleton or kernel is one row of the tables in field_cases.cpp.
+// The only list of fields that the conformance suite runs: skeleton × kernel, meaning and mode × strength × transform.
+// To add a skeleton or kernel, add one row to the tables in field_cases.cpp.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -14,16 +14,18 @@ struct FieldCase {
   scene::Component component;
   scene::Kernel kernel;
   scene::Transform transform;   ///< blob_from_component
-  scene::Vec3 third_corner{0};  ///< of a triangle
-  double reach = 0;             ///< a ball of this radius about the origin of the blob's space holds the support, if it ends
+  scene::Vec3 third_corner{0};  ///< for a triangle
+  double reach = 0;             ///< a ball of this radius about the origin of the blob's space holds the support, if
+                                ///< the support is bounded
 };
 
 [[nodiscard]] const std::vector<FieldCase>& field_cases();
 
-/// Whether its level sets are at one distance from the skeleton: not if it is integrated along a curve.
+/// True if the field's level sets have one distance from the skeleton; false for fields that are integrated along a
+/// curve.
 [[nodiscard]] bool is_function_of_distance(const FieldCase& field);
 
-/// A blob of that component alone.
+/// A blob of this component alone.
 [[nodiscard]] scene::Database blob_of(const FieldCase& field, double threshold);
 
 }  // namespace isl::conformance

@@ -1,6 +1,5 @@
-// The face that a field implementation shows to the conformance suite: one component's f, nothing of blobs or
-// thresholds. Whoever writes a field adds a maker to implementations.cpp; field_cases and properties then apply to it
-// without change.
+// The interface of a field implementation in the conformance suite: one component's f, without blobs or thresholds. For
+// a new implementation, add a maker to implementations.cpp; field_cases and properties then apply to it without change.
 #pragma once
 
 #include "tests/conformance/field_cases.h"
@@ -24,11 +23,11 @@ struct ValueRange {
 
 /// Bounds on the error of the cubic that agrees with f and f′ at both ends of a stretch of ray.
 struct RemainderBounds {
-  double value;       ///< of |f − cubic|
-  double derivative;  ///< of |f′ − cubic′|
+  double value;       ///< bound of |f − cubic|
+  double derivative;  ///< bound of |f′ − cubic′|
 };
 
-/// All in the blob's space: `strength` and transform are applied. Every function must be given.
+/// All functions are in the blob's space, with `strength` and transform applied. All must be given.
 struct FieldUnderTest {
   std::function<double(const Vec3& p)> value;
   std::function<Vec3(const Vec3& p)> gradient;
@@ -45,19 +44,19 @@ struct FieldUnderTest {
   std::function<RemainderBounds(const Vec3& origin, const Vec3& direction, double t0, double t1)> remainder;
 };
 
-/// A way of making fields, by name.
+/// A named way of making fields.
 struct Implementation {
   std::string name;
   std::function<FieldUnderTest(const FieldCase&)> make;
 };
 
-/// All there are; the reference is the first.
+/// All implementations; the reference is the first.
 [[nodiscard]] const std::vector<Implementation>& implementations();
 
-/// The reference of tests/reference behind this face.
+/// The reference of tests/reference behind this interface.
 [[nodiscard]] FieldUnderTest reference_field_under_test(const FieldCase& tested_case);
 
-/// renderer/fields behind this face.
+/// renderer/fields behind this interface.
 [[nodiscard]] FieldUnderTest product_field_under_test(const FieldCase& tested_case);
 
 }  // namespace isl::conformance

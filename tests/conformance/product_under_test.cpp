@@ -1,5 +1,5 @@
-// The renderer's own fields (renderer/fields) behind the suite's face: a blob of one component and threshold 0, so that
-// F = f. Compiled for the baseline target; that all vector widths give the same bits is renderer_tests' to show.
+// The renderer's own fields (renderer/fields) behind the suite's interface: a blob of one component and threshold 0, so
+// that F = f. Compiled for one SIMD target; renderer_tests show that all vector widths give the same bits.
 #include "renderer/compiled/blob_point-inl.h"
 #include "tests/conformance/field_under_test.h"
 #include "tests/support/ray_fields.h"

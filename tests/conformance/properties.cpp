@@ -1,5 +1,5 @@
 // The properties. Tolerances are in units of what a field computed in double precision may lose: a relative error of
-// the result, plus the result's change when the point moves by a relative error of its coordinates.
+// the result, plus the change of the result when the point moves by a relative error of its coordinates.
 #include "tests/conformance/properties.h"
 
 #include "tests/conformance/witnesses.h"
@@ -19,16 +19,16 @@ using reference::FieldSample;
 using reference::RandomSource;
 using reference::ReferenceComponent;
 
-/// A field and property; there are hundreds of fields, so few suffice.
+/// Number of points for a field and a property; few suffice, since there are hundreds of fields.
 constexpr int kPoints = 8;
 
-/// 2e-13: some 900 units in the last place, for tens of operations and an exponential of an argument of up to 500, of which
-/// one unit in the last place is 500 of the result.
+/// 2e-13 is some 900 units in the last place. It allows for tens of operations, and for an exponential of an argument
+/// of up to 500, in which one unit in the last place is 500 units of the result.
 constexpr double kRounding = 2e-13;
 
 std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", p.x, p.y, p.z); }
 
-/// The reference's field; made once a property, since a kernel's constants take some solving.
+/// The reference's field. It is made once for each property, because a kernel's constants take time to solve.
 ReferenceComponent truth_of(const FieldCase& field) {
   return {field.component, reference::KernelInUse(field.kernel), field.transform, {&field.third_corner, 1}};
 }
@@ -46,12 +46,12 @@ double feature_size(const FieldCase& field) {
   return least / 2 / std::max(hardness, 1.0);
 }
 
-/// √Q: where the support ends, in radii.
+/// √Q: the end of the support, in radii.
 double border_of(const FieldCase& field) {
   return std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().middle()));
 }
 
-/// Points where something is to be seen: half of them next to the surface, the others anywhere about.
+/// Points that matter: half of them next to the surface, the others anywhere.
 Vec3 interesting_point(RandomSource& random, const FieldCase& field) {
   if (random.below(2) == 0) return random.in_ball(field.reach);
   const std::vector<SurfaceWitness> witness = surface_witnesses(field, 1 + random.below(20));
@@ -99,12 +99,13 @@ std::string gradient_is_the_slope_of_the_value(const FieldUnderTest& tested, con
   RandomSource random(103);
   for (int i = 0; i < kPoints; ++i) {
     const Vec3 p = interesting_point(random, field), direction = random.direction();
-    // A central difference is off by step² and by the value's rounding over step; this step makes both small.
+    // A central difference is off by step² and by the value's rounding over step; this step keeps both small.
     const double step = feature_size(field) * 1e-4;
     const double high = tested.value(p + direction * step), low = tested.value(p - direction * step);
     const double difference = (high - low) / (2 * step), expected = tested.gradient(p).dot(direction);
     const double size = std::max({std::abs(high), std::abs(low), unit_of(field)}) / feature_size(field);
-    // At a border of support or of a skeleton's piece the second derivative jumps: an error of first order in the step.
+    // At the border of the support or of a skeleton's piece the second derivative jumps, which is an error of first
+    // order in the step.
     if (!(std::abs(difference - expected) <= 1e-3 * (size + tested.gradient(p).length()))) {
       return fmt::format("at {} towards {}: gradient {:.17g}, difference {:.17g}", text(p), text(direction), expected,
                          difference);
@@ -116,13 +117,13 @@ std::string gradient_is_the_slope_of_the_value(const FieldUnderTest& tested, con
 std::string surface_alone_is_at_the_radius(const FieldUnderTest& tested, const FieldCase& field) {
   if (field.kernel.meaning != scene::RadiusMeaning::surface || !is_function_of_distance(field)) return {};
   for (const SurfaceWitness& witness : surface_witnesses(field, kPoints)) {
-    double low = 0.5, high = 1.5;  // of the radius; f falls from one to the other
+    double low = 0.5, high = 1.5;  // shares of the radius; f falls from one to the other
     for (int step = 0; step < 60; ++step) {
       const double middle = (low + high) / 2;
       const Vec3 p = field.transform.point(witness.centre + witness.direction * (witness.radius * middle));
       (tested.value(p) / field.component.strength > 1 ? low : high) = middle;
     }
-    // p itself is rounded: seen from the skeleton by the size of the coordinates over the radius.
+    // p itself is rounded: relative to the skeleton, by the size of the coordinates over the radius.
     const double tolerance = 1e-13 + 1e-15 * field.reach / (witness.radius * 0.1);
     if (!(std::abs(low - 1) <= std::min(tolerance, 1e-12))) {
       return fmt::format("from {} towards {}: at {:.17g} of the radius", text(witness.centre), text(witness.direction),
@@ -171,10 +172,10 @@ std::string border_has_no_value_and_no_slope(const FieldUnderTest& tested, const
   return {};
 }
 
-/// A ray through an interesting point, from outside, with a direction that is not of unit length.
+/// A ray from outside through a point that matters, with a direction that is not of unit length.
 struct ProbeRay {
   Vec3 origin, direction;
-  double t;  ///< of the point
+  double t;  ///< t of that point
 };
 
 ProbeRay probe_ray(RandomSource& random, const FieldCase& field) {
@@ -205,9 +206,9 @@ std::string along_a_ray_is_the_value_and_its_derivative(const FieldUnderTest& te
   return {};
 }
 
-/// C¹ at its critical places, the border of the support and the skeleton's ends: over steps of a thousandth of the
-/// feature size the value follows the trapezium rule and the derivative changes as little as a bounded second
-/// derivative allows.
+/// The field is C¹ at its critical places, the border of the support and the skeleton's ends: over steps of a
+/// thousandth of the feature size the value follows the trapezium rule, and the derivative changes as little as a
+/// bounded second derivative allows.
 std::string is_smooth_along_rays(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(105);
   const auto at_border = surface_witnesses(field, kPoints, border_of(field));
@@ -247,7 +248,7 @@ std::string box_range_holds_every_sample(const FieldUnderTest& tested, const Fie
                       (field.reach * std::pow(10, random.between(-3, -0.3)));
     const ValueRange range = tested.range_over_box(centre - half, centre + half);
     for (int k = 0; k < 100; ++k) {
-      // Corners and edges are where extremes lie.
+      // Extremes lie in corners and edges.
       const auto side = [&] { return k < 40 ? 2.0 * random.below(2) - 1 : random.between(-1, 1); };
       const Vec3 p = centre + Vec3(half.x * side(), half.y * side(), half.z * side());
       const FieldSample truth = judge.sample(exactly(p));
@@ -295,7 +296,7 @@ std::string range_along_a_ray_holds_every_sample(const FieldUnderTest& tested, c
   return {};
 }
 
-/// Of f′ and of its change, at samples from one end of the stretch to the other.
+/// Tests f′ and its change at samples from one end of the stretch to the other.
 std::string slope_and_bend_along_a_ray_hold_every_sample(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(110);
   const ReferenceComponent judge = truth_of(field);
@@ -330,7 +331,7 @@ std::string slope_and_bend_along_a_ray_hold_every_sample(const FieldUnderTest& t
   return {};
 }
 
-/// Where a stretch is short the enclosure is as narrow as the change of f′ on it, so that solvers which halve it end.
+/// If a stretch is short, the enclosure is as narrow as the change of f′ on it, so that solvers which halve it end.
 std::string slope_range_shrinks_with_the_stretch(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(111);
   for (int i = 0; i < kPoints; ++i) {
@@ -368,7 +369,7 @@ std::string remainder_bounds_the_cubics_error(const FieldUnderTest& tested, cons
       const double slope =
           6 * u * v * (b.value - a.value) / h + v * (1 - 3 * u) * a.derivative + u * (3 * u - 2) * b.derivative;
       const ValueAndDerivative here = exact(t0 + h * u);
-      // Not the bound's business: the rounding of the cubic itself and of t, which shifts the sample.
+      // The rounding of the cubic itself and of t, which shifts the sample, is not part of the bound.
       const double noise = 1e-12 * (std::abs(a.value) + std::abs(b.value) + std::abs(here.value) +
                                     (std::abs(a.derivative) + std::abs(b.derivative) + std::abs(here.derivative)) * t1);
       if (!(std::abs(here.value - cubic) <= bound.value * (1 + 1e-9) + noise)) {

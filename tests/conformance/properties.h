@@ -1,5 +1,5 @@
-// What every field must do, as functions that look for a violation. The suite asserts that they find none in a proper
-// field and one in a field broken on purpose.
+// The properties that every field must have, as functions that look for a violation. The suite asserts that they find
+// none in a correct field and one in a field that was broken on purpose.
 #pragma once
 
 #include "tests/conformance/field_cases.h"
@@ -12,7 +12,7 @@ namespace isl::conformance {
 
 struct Property {
   std::string name;
-  /// The first violation in words; empty where there is none.
+  /// The first violation in words; empty if there is none.
   std::string (*violation)(const FieldUnderTest&, const FieldCase&);
 };
 

@@ -1,4 +1,4 @@
-// The reference behind the face of the conformance suite: the proof that the properties can be met.
+// The reference behind the interface of the conformance suite, which proves that the properties can be satisfied.
 #include "tests/conformance/field_under_test.h"
 #include "tests/reference/reference_ray.h"
 
@@ -19,9 +19,10 @@ using reference::ReferenceField;
 
 double rounded(long double x) { return static_cast<double>(x); }
 
-/// From the range [m, M] of f′ alone. The cubic's slope is a quadratic with Bernstein coefficients f′(t0), 3s − f′(t0)
-/// − f′(t1) and f′(t1), where s, the mean slope, also lies in [m, M]: so the slopes differ by at most the width of what
-/// holds all of them, and the values, which agree at both ends, by that times half the length.
+/// The bounds follow from the range [m, M] of f′ alone. The cubic's slope is a quadratic with Bernstein coefficients
+/// f′(t0), 3s − f′(t0) − f′(t1) and f′(t1), where s, the mean slope, also lies in [m, M]. So the slopes differ by at
+/// most the width of the interval that holds all of them, and the values, which agree at both ends, by that times half
+/// the length.
 RemainderBounds remainder_from_slopes(const FieldOnRay& ray, long double t0, long double t1) {
   const FieldOnRay::Active all = ray.all();
   const FieldRange first = ray.at(all, t0), last = ray.at(all, t1);

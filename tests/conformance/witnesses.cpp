@@ -1,6 +1,6 @@
-// A point of a level set lies along an outward normal of the skeleton at its nearest point. So each kind of skeleton is
-// a way of drawing a place on it with one of its normals there; at the seams, with one that is the border of two
-// features' normals.
+// A point of a level set lies along an outward normal of the skeleton at its nearest point. So for each kind of
+// skeleton there is a way of drawing a place on it with one of its normals there; for seams, with a normal on the
+// border between those of two features.
 #include "tests/conformance/witnesses.h"
 
 #include "tests/reference/random_scenes.h"
@@ -15,18 +15,19 @@ namespace {
 using reference::RandomSource;
 using scene::Vec3;
 
-/// What is drawn: the level, and whether only seams will do.
+/// The parameters of a draw: the level, and whether the place must be on a seam.
 struct Draw {
   RandomSource& random;
   double level;
   bool on_seam;
 };
 
-/// Of unit length across `axis`, which has unit length.
+/// A vector of unit length perpendicular to `axis`, which has unit length.
 Vec3 across(const Vec3& axis, const Vec3& side) { return (side - axis * side.dot(axis)).normalized(); }
 
-/// A component as spheres along an axis. Its level set q = level² is the envelope of spheres of level times the radius,
-/// which each touches where the normal's axial part is −slope·level; the end spheres show what leans outward of that.
+/// A component as spheres along an axis. Its level set q = level² is the envelope of spheres of level times the radius.
+/// The set touches each of them where the normal's axial part is −slope·level; where normals lean further outward, it
+/// is an end sphere.
 struct Limb {
   explicit Limb(const scene::Component& component)
       : a(component.a),
@@ -66,7 +67,7 @@ std::optional<SurfaceWitness> on_limb(const FieldCase& field, const Draw& draw) 
   return std::nullopt;
 }
 
-/// Along each axis the place is on the lower face, on the upper one, where the normal leans that way, or between.
+/// Along each axis the place is on the lower face, on the upper face (the one the normal leans to), or between them.
 std::optional<SurfaceWitness> on_box(const FieldCase& field, const Draw& draw) {
   const scene::Component& c = field.component;
   Vec3 centre, normal = draw.random.direction();
@@ -86,7 +87,8 @@ std::optional<SurfaceWitness> on_box(const FieldCase& field, const Draw& draw) {
   return SurfaceWitness{centre, normal.normalized(), c.radius_a};
 }
 
-/// A face has two normals, an edge a half circle of them between those, a corner all that lean away from both others.
+/// A face has two normals, an edge a half circle of normals between those, and a corner all normals that lean away from
+/// both of its edges.
 std::optional<SurfaceWitness> on_triangle(const FieldCase& field, const Draw& draw) {
   RandomSource& random = draw.random;
   const scene::Component& c = field.component;
@@ -115,7 +117,7 @@ std::optional<SurfaceWitness> on_circle(const FieldCase& field, const Draw& draw
   const scene::Component& c = field.component;
   const Vec3 radial = across(c.b, draw.random.direction());
   const double turn = draw.random.between(-3.2, 3.2);
-  // Inward, twice as far must still be nearer to this side of the circle than to the other.
+  // Inward, a point twice as far must still be nearer to this side of the circle than to the other.
   if (c.radius_b + 2 * draw.level * c.radius_a * std::cos(turn) < 0) return std::nullopt;
   return SurfaceWitness{c.a + radial * c.radius_b, radial * std::cos(turn) + c.b * std::sin(turn), c.radius_a};
 }
