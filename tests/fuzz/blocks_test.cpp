@@ -1,4 +1,4 @@
-// Every reserved word as a block with every kind of content, and without one, in every place that reads blocks.
+// Every reserved word as a block with every kind of content, and without one, in every place where blocks are read.
 #include "tests/fuzz/hostile_text.h"
 #include "tests/fuzz/kinds_of_values.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using testing::IsEmpty;
 
-/// The reserved words, the words of ours, a declared name, an undeclared one, and no word at all.
+/// The reserved words, our own words, a declared name, an undeclared one, and no word at all.
 std::vector<std::string> block_words() {
   std::vector<std::string> words{"",          "kernel", "hardness", "convolution", "skeleton", "solver",
                                  "tolerance", "Ball",   "Number",   "Undeclared",  "Yield(1)", "Nothing()"};
@@ -47,7 +47,7 @@ constexpr const char* kContents[] = {"{0} {{ }}",
                                      "{0} {0}",
                                      "{0} rgb 1"};
 
-/// `{}` is the block. Each ends its statement.
+/// `{}` is the block. Each place ends its statement.
 constexpr const char* kPlaces[] = {"{}",
                                    "#declare R = {}; #undef R",
                                    "sphere {{ 0, 1 {} }}",
@@ -99,8 +99,8 @@ constexpr const char* kPlaces[] = {"{}",
                                    "#write (F, {})",
                                    "polygon {{ 3, {} }}"};
 
-/// The first five contents stand in every place; of the others, which are half a million, one in so many unless
-/// ISL_FUZZ_ALL is set.
+/// The first five contents stand in every place. Of the others, which make half a million texts, only one in kOneIn is
+/// tried unless ISL_FUZZ_ALL is set.
 constexpr std::size_t kEveryContent = 5, kOneIn = 11;
 
 class Blocks : public testing::TestWithParam<const char*> {};

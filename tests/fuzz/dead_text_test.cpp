@@ -1,6 +1,6 @@
-// Text that is never executed, made of random tokens: POV-Ray looks in it for nothing but directives that nest, strings
-// and comments, so nothing in it may be told, and what follows it is executed. ISL_DEAD_TEXTS says how many texts,
-// ISL_DEAD_TEXT_SEED from where on.
+// Text that is never executed, made of random tokens. In such text POV-Ray looks only for directives that nest, strings
+// and comments, so nothing in it may be reported, and the text behind it is executed. ISL_DEAD_TEXTS sets the number of
+// texts, ISL_DEAD_TEXT_SEED the first seed.
 #include "grammar/symbols.h"
 #include "tests/interpreter/evaluated_text.h"
 
@@ -55,7 +55,7 @@ constexpr const char* kPhrases[] = {
     "#ifdef (A",
 };
 
-/// Every directive that needs an `#end` has one, and an `#end` or a divider never stands outside of one.
+/// Every directive that needs an `#end` has one, and no `#end` or divider stands outside of one.
 class DeadText {
  public:
   explicit DeadText(std::uint64_t seed) : random_(seed) {
@@ -123,7 +123,7 @@ std::uint64_t setting(const char* name, std::uint64_t otherwise) {
   return value ? std::stoull(value) : otherwise;
 }
 
-/// The places that nothing executes, and what follows each.
+/// Places that are never executed, and the text behind each.
 constexpr std::string_view kPlaces[] = {
     "#if (0)\n{}\n#end\n#debug \"on\"",
     "#if (1) #else\n{}\n#end\n#debug \"on\"",

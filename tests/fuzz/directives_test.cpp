@@ -1,4 +1,4 @@
-// Every directive with every kind of operand, and those whose operands take away what the directive works on.
+// Every directive with every kind of operand, including operands that remove the object of the directive.
 #include "tests/fuzz/hostile_text.h"
 #include "tests/fuzz/kinds_of_values.h"
 
@@ -67,7 +67,7 @@ TEST(Directives, RefuseWhatTheyCannotTakeWithAPlace) {
   EXPECT_THAT(batch.troubles(), IsEmpty());
 }
 
-/// An operand may be a macro call that undeclares, declares anew or closes what the directive has in hand.
+/// An operand may be a macro call that undeclares, redeclares or closes the object of the directive.
 TEST(Directives, StandWhenTheirOperandsTakeAwayWhatTheyWorkOn) {
   const std::string prelude = declarations_of_every_kind() + R"(
 #macro Lose(A) #ifdef (Numbers) #undef Numbers #end #ifdef (Table) #undef Table #end A #end

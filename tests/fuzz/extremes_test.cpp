@@ -1,4 +1,4 @@
-// Objects of sizes and at places that no scene means, drawn among others: squares of such numbers overflow or vanish.
+// Objects of sizes and at places that no scene needs, drawn among others: squares of such numbers overflow or vanish.
 #include "tests/fuzz/hostile_scene.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kExtremes[] = {"1e-320", "1e-160", "1e-30", "1e30",   "1e154",
                                      "1e155",  "1e200",  "8e307", "1.7e308"};
 
-/// `{0}` is the number. Beside each stand four small objects, so that there is something to divide space for.
+/// `{0}` is the number. Four small objects stand beside each, so that space has to be divided.
 constexpr const char* kObjects[] = {
     "sphere {{ 0, {0} }}",
     "sphere {{ {0}, 1 }}",

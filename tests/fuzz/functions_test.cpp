@@ -21,7 +21,7 @@ std::vector<std::string_view> built_in_functions() {
   return names;
 }
 
-/// Lists of `count` arguments: the value everywhere, and the value in each place among numbers.
+/// Lists of `count` arguments: the value in all places, and the value in each single place with numbers in the others.
 std::vector<std::string> argument_lists(std::string_view value) {
   std::vector<std::string> lists{""};
   for (int count = 1; count <= 4; ++count) {
@@ -62,7 +62,7 @@ TEST(BuiltInFunctions, RefuseInAFunctionWhatTheyCannotTakeWithAPlace) {
   EXPECT_THAT(batch.troubles(), IsEmpty());
 }
 
-/// A sum of 2^height terms, as a balanced tree: a long row of them would be refused for its depth.
+/// A sum of 2^height terms as a balanced tree, because a long row of them would be refused for its depth.
 std::string large_sum(int height, std::string_view term) {
   if (height == 0) return std::string(term);
   const std::string half = large_sum(height - 1, term);

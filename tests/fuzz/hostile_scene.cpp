@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kWidth = 4, kHeight = 3;
 
-/// Of primitives, each copy counted: a group of groups of groups soon has millions.
+/// Limit of the primitives, where each copy counts: a group of groups of groups soon has millions.
 constexpr std::uint64_t kMostDrawn = 100000;
 
 /// Sets a flag when time is up, unless it is destroyed before.
@@ -72,7 +72,7 @@ interpreter::EvaluateOptions options_of(scene::Queries& queries, const std::atom
   return options;
 }
 
-/// Everything is printed, since printing a message reads the text that it is about.
+/// Prints everything, because printing a message reads the text that it is about.
 std::string trouble_in(const DiagnosticSink& sink, const grammar::SourceMap& sources) {
   std::string trouble;
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
@@ -84,13 +84,13 @@ std::string trouble_in(const DiagnosticSink& sink, const grammar::SourceMap& sou
   return trouble;
 }
 
-/// The scene's own solver and tolerance must be read by the command before they are used.
+/// The command must parse the scene's own solver and tolerance before they are used.
 bool has_readable_settings(const scene::Settings& settings) {
   const bool is_solver = settings.solver.empty() || cli::parse_solver(settings.solver).ok();
   return is_solver && (settings.tolerance.empty() || cli::parse_tolerance(settings.tolerance).ok());
 }
 
-/// What `check` tells of a scene without errors.
+/// Computes what `check` reports for a scene without errors.
 void summarise(const scene::Database& database) {
   static_cast<void>(render::faint_components(database));
   static_cast<void>(cli::summarise(database).primitives());

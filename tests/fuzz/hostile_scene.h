@@ -1,5 +1,4 @@
-// What `isl check` and then a tiny `isl render` do with a text that may hold anything, in this process and within
-// limits.
+// Does what `isl check` and then a tiny `isl render` do, with any text, in this process and within limits.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +9,15 @@
 namespace isl::test {
 
 struct SceneVerdict {
-  bool is_accepted = false;  ///< by check
+  bool is_accepted = false;  ///< `check` accepted it
   bool is_rendered = false;
-  bool is_slow = false;  ///< ended from outside after kSecondsAllowed
-  std::string trouble;   ///< empty, or what must not happen
+  bool is_slow = false;  ///< it was ended from outside after kSecondsAllowed
+  std::string trouble;   ///< empty, or a description of what must not happen
 };
 
 inline constexpr double kSecondsAllowed = 20;
 
-/// `folder` is where the scene would stand; its includes are looked for there and in the search path.
+/// `folder` is that of the scene; includes are looked for there and in the search path.
 [[nodiscard]] SceneVerdict try_scene(std::string_view text, const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& search_path, bool lenient);
 

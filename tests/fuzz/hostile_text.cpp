@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <mutex>
 
-// The sanitizers' runtime has it; without them it is null.
+// The sanitizers' runtime defines this function; without them it is null.
 extern "C" [[gnu::weak]] void __sanitizer_set_death_callback(void (*callback)());
 
 namespace isl::test {
@@ -18,7 +18,7 @@ namespace {
 
 std::string current_text;
 
-/// Only what a signal handler may call.
+/// Calls only functions that a signal handler may call.
 void print_current_text() {
   static constexpr std::string_view kBefore = "\nThe text that was evaluated:\n", kAfter = "\n(end of the text)\n";
   for (const std::string_view part : {kBefore, std::string_view(current_text), kAfter}) {
@@ -41,10 +41,10 @@ void install_handlers() {
   for (const int number : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL}) std::signal(number, print_and_die);
 }
 
-/// Small, because thousands of texts are evaluated and some of them are loops without end.
+/// The limits are small, because thousands of texts are evaluated and some of them are endless loops.
 interpreter::EvaluateOptions short_options() {
   interpreter::EvaluateOptions options;
-  options.lenient = true;  // what is not supported is skipped, and files are written in memory: more is read
+  options.lenient = true;  // skips what is not supported and writes files in memory, so that more of the text is read
   options.limits = {.max_depth = 60,
                     .max_turns = 3000,
                     .max_primitives = 3000,
@@ -88,7 +88,7 @@ void StatementBatch::add(std::string_view statement) {
   statements_ += statement;
   statements_ += '\n';
   ++count_;
-  // Some statements have two errors.
+  // A statement may have two errors.
   if (++waiting_ == DiagnosticSink::kMaxErrors / 2) flush();
 }
 

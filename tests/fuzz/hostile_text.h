@@ -1,5 +1,5 @@
-// Evaluates a text that may hold anything, within limits that keep it short, and tells what must never happen: an error
-// without a place. A crash ends the test program; the text that caused it is printed then.
+// Evaluates any text, within limits that keep it short, and reports what must never happen: an error without a place. A
+// crash ends the test program; the text that caused it is printed then.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@ namespace isl::test {
 
 struct Verdict {
   bool has_errors = false;
-  /// Empty, or what is wrong with how the text was refused.
+  /// Empty, or a description of what is wrong with the messages.
   std::string trouble;
 };
 
 [[nodiscard]] Verdict evaluate_hostile(std::string_view text);
 
-/// Keeps the text for a report, should the program be ended by a signal, a failed check or a sanitizer.
+/// Keeps the text for a report in case a signal, a failed check or a sanitizer ends the program.
 void remember_for_crash(std::string_view text);
 
-/// Statements that are evaluated together after one prelude: reading the prelude takes most of the time. Each statement
-/// may be wrong by itself, so there are fewer of them than a scene may have errors.
+/// Statements that are evaluated together after one prelude, because reading the prelude takes most of the time. Each
+/// statement may have errors, so there are fewer of them than a scene may have errors.
 class StatementBatch {
  public:
   explicit StatementBatch(std::string prelude) : prelude_(std::move(prelude)) {}
@@ -29,7 +29,7 @@ class StatementBatch {
   StatementBatch& operator=(const StatementBatch&) = delete;
 
   void add(std::string_view statement);
-  /// Evaluates what was added since the last time.
+  /// Evaluates the statements added since the last call.
   void flush();
 
   [[nodiscard]] std::size_t count() const { return count_; }

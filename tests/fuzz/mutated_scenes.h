@@ -1,6 +1,6 @@
-// Scenes with tokens exchanged, of the scenes in this source tree or of those in the folders that ISL_MUTATION_SCENES
-// names, separated by `:`, whose includes are in ISL_MUTATION_INCLUDES. ISL_MUTATION_SEED says from where on,
-// ISL_MUTATIONS_KEPT names a folder to write each scene to.
+// Scenes with tokens exchanged. They are made from the scenes in this source tree, or from those in the folders that
+// ISL_MUTATION_SCENES names, separated by `:`, whose includes are in ISL_MUTATION_INCLUDES. ISL_MUTATION_SEED is the
+// first seed; ISL_MUTATIONS_KEPT names a folder to which each scene is written.
 #pragma once
 
 #include "tests/fuzz/mutator.h"
@@ -12,7 +12,7 @@
 
 namespace isl::test {
 
-/// An environment variable, or what holds without it.
+/// The value of an environment variable, or `otherwise` if it is not set.
 [[nodiscard]] std::string setting(const char* name, const char* otherwise);
 
 class MutatedScenes {
@@ -21,9 +21,9 @@ class MutatedScenes {
 
   /// The text of the next scene.
   [[nodiscard]] std::string next();
-  /// What the last one was made from.
+  /// The scene from which the last one was made.
   [[nodiscard]] const std::filesystem::path& origin() const { return files_[mutator_.origin()]; }
-  /// Where its includes are, besides the folder of its origin.
+  /// The folders of its includes, besides the folder of its origin.
   [[nodiscard]] const std::vector<std::filesystem::path>& search_path() const { return search_path_; }
 
  private:

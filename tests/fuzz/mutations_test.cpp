@@ -1,5 +1,5 @@
-// Mutated scenes through `check` and a tiny render, in this process. Of the scenes in this source tree a few hundred,
-// on every run the same; ISL_MUTATIONS says how many.
+// Mutated scenes through `check` and a tiny render, in this process. A few hundred are made from the scenes in this
+// source tree, the same on every run; ISL_MUTATIONS sets the number.
 #include "tests/fuzz/hostile_scene.h"
 #include "tests/fuzz/mutated_scenes.h"
 
@@ -26,7 +26,7 @@ TEST(Mutations, AreReadOrRefusedWithAPlaceAndDrawnInTime) {
                                   << text;
   }
   fmt::print("{} scenes: {} accepted, {} rendered, {} slow\n", count, accepted, rendered, slow);
-  // Too many slips, and nothing would be tested but the parser.
+  // With too many mutations, nothing but the parser would be tested.
   EXPECT_GT(accepted, count / 10);
   EXPECT_GT(rendered, count / 20);
 }

@@ -50,7 +50,7 @@ constexpr std::string_view kFragments[] = {"{ }",
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// The end of the token that begins at `i`, which is no space.
+/// The end of the token that begins at `i` with a character that is no space.
 std::size_t end_of_token(std::string_view text, std::size_t i) {
   if (text[i] == '"') {
     std::size_t end = i + 1;
@@ -65,7 +65,7 @@ std::size_t end_of_token(std::string_view text, std::size_t i) {
   return end;
 }
 
-/// The end of the comment that begins at `i`; `i` where none does. Comments in comments count.
+/// The end of the comment that begins at `i`, or `i` if none does. Comments nest.
 std::size_t end_of_comment(std::string_view text, std::size_t i) {
   if (text.substr(i, 2) == "//") return std::min(text.find('\n', i), text.size());
   if (text.substr(i, 2) != "/*") return i;
@@ -80,7 +80,7 @@ std::size_t end_of_comment(std::string_view text, std::size_t i) {
   return text.size();
 }
 
-/// The first character that is no space.
+/// The first character that is not a space.
 char begin_of(const std::string& token) {
   const std::size_t i = token.find_first_not_of(" \n");
   return i == std::string::npos ? ' ' : token[i];
@@ -90,7 +90,7 @@ struct Range {
   std::size_t begin = 0, end = 0;
 };
 
-/// `word { … }` around or after place `from`; empty where there is none.
+/// The range of `word { … }` around or after token `from`; empty if there is none.
 Range block_at(const TokenList& tokens, std::size_t from) {
   std::size_t open = from;
   while (open < tokens.size() && begin_of(tokens[open]) != '{') ++open;
@@ -190,7 +190,7 @@ void Mutator::change_gently(TokenList& tokens) {
   switch (below(6)) {
     case 0: return replace_by_its_like(tokens[at]);
     case 1: {
-      // Of the same scene: its own names and words are likelier to mean something there.
+      // The token comes from the same scene, because its own names and words are likelier to have a meaning there.
       const std::string& other = tokens[below(tokens.size())];
       const auto is_word_token = [](const std::string& t) { return is_word(begin_of(t)); };
       if (is_word_token(tokens[at]) && is_word_token(other)) tokens[at] = std::string(other);

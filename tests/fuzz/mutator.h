@@ -1,7 +1,7 @@
-// Scenes with tokens exchanged: each a copy of a real scene with one to four slips, as a tired user or a broken
+// Scenes with tokens exchanged. Each is a copy of a real scene with one to four mistakes, as a tired user or a broken
 // generator makes them. Half of the scenes keep their brackets and the class of every token (a word for a word, a
-// number for a number), so that the mistakes are for the interpreter and the renderer to find and not for the parser.
-// The same seed gives the same scenes on every machine.
+// number for a number), so that the interpreter and the renderer meet the mistakes and not the parser. The same seed
+// gives the same scenes on every machine.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Mutator {
 
   /// The next scene.
   [[nodiscard]] std::string next();
-  /// Which of the scenes the last one was made from.
+  /// The index of the scene from which the last one was made.
   [[nodiscard]] std::size_t origin() const { return origin_; }
 
  private:

@@ -1,6 +1,6 @@
-// Mutated scenes through the built program, as a user runs it: `isl check` and a tiny `isl render` end with an exit
-// code of their contract and never by a signal, every error has a place, and a picture is there exactly where the exit
-// code says so. ISL_PROGRAM_MUTATIONS says how many scenes.
+// Mutated scenes through the built program, as a user runs it. `isl check` and a tiny `isl render` must end with a
+// documented exit code and never by a signal, every error must have a place, and a picture must exist exactly if the
+// exit code says so. ISL_PROGRAM_MUTATIONS sets the number of scenes.
 #include "tests/cli/program/program_fixture.h"
 #include "tests/fuzz/mutated_scenes.h"
 
@@ -31,7 +31,7 @@ class ProgramMutations : public ProgramTest {
   }
 };
 
-/// The lines that tell errors without a place: `error: …` where `scene.pov:3:1: error: …` is wanted.
+/// The lines that report errors without a place: `error: …` instead of `scene.pov:3:1: error: …`.
 std::string errors_without_place(const std::string& messages) {
   std::string found;
   std::stringstream lines(messages);

@@ -1,4 +1,4 @@
-// A shape that is not there yet is refused by its name wherever an object may stand, and nothing else is said of it.
+// A shape that is not supported yet is refused by its name wherever an object may stand, with no other message.
 #include "grammar/symbols.h"
 #include "interpreter/readers/words/supported.h"
 #include "renderer/queries/object_queries.h"
@@ -24,7 +24,7 @@ std::vector<std::string> unsupported_shapes() {
   return names;
 }
 
-/// The text within the braces is not read, be it right or wrong for the shape.
+/// The text within the braces is not read, whether or not it is right for the shape.
 constexpr std::string_view kShape = "{} {{ 4, <0, 1>, \"a\" scale 2 }}";
 
 constexpr std::string_view kPlaces[] = {
