@@ -10,7 +10,7 @@
 namespace isl::test {
 namespace {
 
-/// `line:column`, then how execution came there.
+/// `line:column`, then the macro calls and includes that led there.
 nlohmann::ordered_json describe_origin(const interpreter::Origin& origin, const grammar::SourceMap& sources) {
   const auto place = [&](SourceSpan span) {
     const grammar::SourcePosition position = sources.position(span.begin);

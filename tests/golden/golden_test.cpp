@@ -1,6 +1,6 @@
-// Runs every scene in tests/golden/<stage>/ through its stage and compares with the file beside it: okay_*.isl with
-// .out, fail_*.isl with .err, and mistake_*.isl, which are errors or get a remark, with .err. With ISL_ACCEPT set in
-// the environment it writes those files instead.
+// Runs every scene in tests/golden/<stage>/ through its stage and compares the result with the file beside it:
+// okay_*.isl with .out, fail_*.isl with .err, and mistake_*.isl (scenes with errors or remarks) with .err. If
+// ISL_ACCEPT is set in the environment, it writes those files instead.
 #include "tests/golden/stages.h"
 #include "tests/support/source_folder.h"
 
@@ -55,7 +55,7 @@ class Golden : public testing::TestWithParam<Case> {};
 
 TEST_P(Golden, GivesWhatIsExpected) {
   const Case& test_case = GetParam();
-  fs::current_path(folder_of(*test_case.stage));  // so that messages name files without their folder
+  fs::current_path(folder_of(*test_case.stage));  // messages then name files without their folder
   const StageResult result = test_case.stage->run(test_case.name + ".isl");
   if (test_case.is_mistake()) {
     ASSERT_FALSE(result.text.starts_with("{")) << "the mistake is not reported";

@@ -15,7 +15,7 @@ StageResult run_parse(const std::filesystem::path& scene) {
   DiagnosticSink sink;
   grammar::Loader loader(sources, symbols, arena, sink, {});
   const grammar::Unit* const unit = loader.load_scene(scene);
-  // Of branches and bodies too, in the order of the text.
+  // The complaints of branches and bodies are included, in the order of the text.
   std::vector<const grammar::Complaint*> complaints;
   for (const grammar::Complaint& complaint : loader.complaints()) complaints.push_back(&complaint);
   std::ranges::stable_sort(complaints, {}, [](const auto* complaint) { return complaint->diagnostic.span.begin; });

@@ -21,10 +21,11 @@ struct Stage {
 
 [[nodiscard]] std::span<const Stage> stages();
 
-/// Parses: all that is wrong with the text, executed or not, then the syntax tree.
+/// Parses the scene. The result has all that is wrong with the text, executed or not, then the syntax tree.
 [[nodiscard]] StageResult run_parse(const std::filesystem::path& scene);
 
-/// Evaluates: what #debug said, then the database. A scene whose name contains `_lenient` is read with --lenient.
+/// Evaluates the scene. The result has the output of #debug, then the database. A scene whose name contains `_lenient`
+/// is read with --lenient.
 [[nodiscard]] StageResult run_eval(const std::filesystem::path& scene);
 
 }  // namespace isl::test
