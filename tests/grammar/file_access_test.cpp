@@ -1,4 +1,5 @@
-// What the attack suite (tests/limits) cannot time: changes of the file system between finding a file and opening it.
+// Attacks that the attack suite (tests/limits) cannot time: changes of the file system between finding a file and
+// opening it.
 #include "grammar/file_access.h"
 
 #include "grammar/replace_file.h"

@@ -1,4 +1,4 @@
-// Through dump_tokens: one token a line, with its place.
+// The lexer, through dump_tokens: one token a line, with its place.
 #include "tests/grammar/parsed_text.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ TEST(Lexer, KeepsBothReadingsOfAString) {
 }
 
 TEST(Lexer, TakesEveryEndOfALineInAStringForALineFeed) {
-  // The remark about the lines stands before the string.
+  // The note about the lines precedes the string.
   const auto text = [](const std::string& string) {
     const ParsedText parsed(string);
     return std::string(as<String>(*parsed.items().back()).text);

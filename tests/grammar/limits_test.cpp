@@ -1,4 +1,4 @@
-// Hostile texts: deep, long, broken. None may crash, hang or be answered by more than the cap of errors.
+// Hostile texts: deep, long, broken. None may crash, hang or cause more errors than the limit allows.
 #include "tests/grammar/parsed_text.h"
 
 #include <fmt/format.h>
@@ -61,7 +61,7 @@ RC_GTEST_PROP(Limits, AnyRowOfTokensIsParsed, ()) {
   for (const std::string& word : row) text += word + " ";
   const ParsedText parsed(text);
   RC_ASSERT(parsed.error_count() <= DiagnosticSink::kMaxErrors);
-  // Where a node stands for a mistake that is told elsewhere, it is told.
+  // If a node stands for a mistake that is reported elsewhere, it must have been reported.
   const std::string tree = parsed.tree();
   RC_ASSERT(parsed.error_count() > 0 || tree.find("error\n") == std::string::npos ||
             tree.find("error \"") != std::string::npos);

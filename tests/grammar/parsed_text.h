@@ -1,4 +1,4 @@
-// One text parsed, with all that the result points into: the fixture of this folder's tests.
+// One parsed text with everything that the result points into: the fixture of this folder's tests.
 #pragma once
 
 #include "grammar/dump.h"
@@ -23,13 +23,13 @@ class ParsedText {
   [[nodiscard]] std::string tokens() { return grammar::dump_tokens(sources_, unit_->span, symbols_); }
   [[nodiscard]] std::string_view text(SourceSpan span) const { return sources_.text(span); }
   [[nodiscard]] std::string_view name(grammar::Symbol symbol) const { return symbols_.text(symbol); }
-  /// What loading has told, then the errors of the text that hold whatever is executed.
+  /// The messages of loading, then the errors of the text that count even if it is not executed.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const {
     std::vector<Diagnostic> all = sink_.diagnostics();
     for (const grammar::Complaint* complaint : unit_->errors) all.push_back(complaint->diagnostic);
     return all;
   }
-  /// The errors that hold whatever is executed.
+  /// The number of errors that count even if the text is not executed.
   [[nodiscard]] std::size_t error_count() const { return sink_.error_count() + unit_->errors.size(); }
   [[nodiscard]] grammar::LoadError last_error() const { return loader_.last_error(); }
 

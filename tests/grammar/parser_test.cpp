@@ -1,4 +1,5 @@
-// What the golden files cannot say: spans, heights, and the laws of the grammar. Shapes are tests/golden/parse.
+// Tests that golden files cannot express: spans, heights, and the laws of the grammar. Shapes are tested in
+// tests/golden/parse.
 #include "tests/grammar/parsed_text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A folder that is gone when the test is over.
+// A folder that is removed when the test ends.
 #pragma once
 
 #include <stdlib.h>
@@ -27,7 +27,7 @@ class TemporaryFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file, with the folders it needs, and gives its path.
+  /// Writes a file, with the folders it needs, and returns its path.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
     std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());

@@ -26,7 +26,7 @@ class Stream {
       result += Parser::symbol_name(static_cast<Parser::symbol_kind_type>(token.kind));
     }
   }
-  /// All complaints so far.
+  /// All complaints until now.
   [[nodiscard]] const std::deque<Complaint>& said() const { return said_; }
 
  private:
