@@ -1,5 +1,5 @@
-// A branch that ends the list it stands in takes that list's frame: what `#break` leaves, and what follows, is the
-// same.
+// A branch at the end of its list takes the list's frame (a tail call). This must not change what `#break` leaves, nor
+// the text that follows.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <gtest/gtest.h>

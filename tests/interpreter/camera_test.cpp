@@ -1,6 +1,6 @@
-// Where cameras look and which hand they show, against what POV-Ray 3.7 draws. Each line of cameras_of_povray.txt has
-// a version, a camera, and the directions of the rays through three corner pixels of a picture of 8 by 6, which were
-// read from the colours of POV-Ray's picture of a sphere around the camera.
+// The direction and the handedness of cameras, compared with what POV-Ray 3.7 draws. Each line of cameras_of_povray.txt
+// has a version, a camera, and the directions of the rays through three corner pixels of a picture of 8 by 6, which
+// were read from the colours of POV-Ray's picture of a sphere around the camera.
 #include "tests/interpreter/evaluated_text.h"
 #include "tests/support/source_folder.h"
 
@@ -37,7 +37,7 @@ std::vector<Row> rows() {
   return result;
 }
 
-/// Of length 1, through the middle of a pixel.
+/// The ray through the middle of a pixel, of length 1.
 Vec3 ray_through(const scene::Camera& camera, int x, int y) {
   const double u = (x + 0.5) / kWidth - 0.5, v = 0.5 - (y + 0.5) / kHeight;
   return (camera.direction + camera.right * u + camera.up * v).normalized();

@@ -1,5 +1,5 @@
-// The words of ours that language.md gives a meaning somewhere are reserved nowhere: each is tried as a variable, as a
-// macro's parameter and as a macro, in one scene that uses the words in their own places too.
+// Our own contextual words, as listed in language.md, are reserved nowhere: each is tried as a variable, as a macro's
+// parameter and as a macro, in one scene that uses the words with their own meanings too.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Recursion of every kind that the evaluator has, driven to its limit: it must end in a message, never in the stack's
-// end. Under AddressSanitizer the same tests measure the stack that interpreter/nesting.h promises.
+// Recursion of every kind that the evaluator has, driven to its limit. It must end in a message and never overflow the
+// stack. Under AddressSanitizer the same tests measure the stack that interpreter/nesting.h promises.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ TEST(Depth, DeeplyNestedExpressionsWork) {
 
 TEST(Depth, ExpressionsInEveryCallOfADeepRecursionWorkOrAreAnError) {
   SKIP_UNDER_THREAD_SANITIZER();
-  // Each of the calls in progress holds an expression 200 deep: more than the stack is made for.
+  // Each call in progress holds an expression 200 deep, which is more than the stack is made for.
   const EvaluatedText scene("#macro F(N) " + repeated("(1 + ", 200) + "F(N + 1)" + repeated(")", 200) +
                             " #end #declare A = F(0);");
   EXPECT_THAT(scene.messages(), HasSubstr("nested too deeply"));

@@ -1,4 +1,4 @@
-// A scene given as text, parsed and evaluated: what most tests of the interpreter begin with.
+// A scene given as text, parsed and evaluated. Most tests of the interpreter begin with it.
 #pragma once
 
 #include "grammar/loader.h"
@@ -19,7 +19,7 @@ class EvaluatedText {
   explicit EvaluatedText(std::string_view text, interpreter::EvaluateOptions options = {});
   explicit EvaluatedText(const File& file, interpreter::EvaluateOptions options = {});
 
-  /// What #debug said.
+  /// The text that #debug wrote.
   [[nodiscard]] const std::string& said() const { return said_; }
   /// All messages, one a line, in order: `error: …`, `warning: …`.
   [[nodiscard]] std::string messages() const;

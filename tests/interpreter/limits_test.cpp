@@ -1,4 +1,4 @@
-// What bounds a runaway script, and that each message names its option.
+// The limits of a runaway script. Each message must name its option.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <fmt/format.h>

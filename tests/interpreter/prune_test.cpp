@@ -23,7 +23,7 @@ TEST(Prune, KeepsWhatGroupsOfGroupsReachAndRenumbersIt) {
   for (int i = 0; i < 3; ++i) database.textures.push_back(test::plain_texture(database, {i + 1.0}, {}));
   database.groups.resize(3);
   database.groups[0].children = {object(Object::Kind::solid, 3, scene::TextureId{2})};
-  database.groups[1].children = {object(Object::Kind::solid, 0)};  // nobody's
+  database.groups[1].children = {object(Object::Kind::solid, 0)};  // not referred to
   database.groups[2].children = {object(Object::Kind::group, 0), object(Object::Kind::solid, 1)};
   database.objects = {object(Object::Kind::group, 2)};
   prune(database);
@@ -111,7 +111,7 @@ TEST(Prune, FollowsTexturesThroughMapsPatternsAndLayers) {
   database.transforms[1].matrix[3][0] = 5;
   database.images.resize(2);
   database.images[1].file = "kept";
-  // 0 is nobody's in every column; the others are a chain that ends in the solid.
+  // In every column, record 0 is not referred to; the others are a chain that ends in the solid.
   database.textures.resize(4);
   database.textures[1].pigment.pattern = scene::PigmentId{1};
   database.textures[2].below = scene::TextureId{1};
@@ -205,7 +205,7 @@ TEST(Prune, KeepsWhatFunctionsHoldThatCallOneAnother) {
   EXPECT_EQ(callees[3], plain);
   EXPECT_EQ(database.transforms.size(), 1u);
   EXPECT_EQ(database.pigments.size(), 2u);
-  // Whoever else holds the function still has it as it was.
+  // Other owners of the function still have it unchanged.
   EXPECT_EQ(std::get<scene::TransformId>(std::get<scene::PatternFunction>(moved->body).pattern.warps[0]),
             scene::TransformId{1});
 }

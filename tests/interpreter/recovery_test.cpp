@@ -1,4 +1,4 @@
-// What is read after an error, and what is not said twice.
+// Reading continues after an error, and no mistake is reported twice.
 #include "tests/interpreter/evaluated_text.h"
 
 #include <gmock/gmock.h>
