@@ -5,8 +5,8 @@
 namespace isl::test {
 namespace {
 
-/// Lowers this process's soft limit while it lives: a program started meanwhile inherits it. Sanitizers reserve
-/// terabytes of addresses, and go without.
+/// Lowers this process's soft limit of memory while it lives, and a program started meanwhile inherits it. Sanitizers
+/// reserve terabytes of addresses, so they run without the limit.
 class AddressSpaceLimit {
  public:
   explicit AddressSpaceLimit(std::size_t bytes) {
@@ -27,7 +27,7 @@ class AddressSpaceLimit {
   rlimit before_{};
 };
 
-/// Twenty errors of a few lines each, and a hundred warnings.
+/// The size of twenty errors of a few lines each, and a hundred warnings.
 constexpr std::size_t kMaxOutputBytes = 100'000;
 
 }  // namespace

@@ -12,18 +12,20 @@ namespace isl::test {
 
 class AttackTest : public ProgramTest {
  protected:
-  /// No attack may take longer; most end in a fraction of a second. Generous, because test machines are busy.
+  /// No attack may take longer; most end in a fraction of a second. The bound is generous, because test machines are
+  /// busy.
   static constexpr std::chrono::seconds kTimeBound{60};
-  /// Address space of the program. Its memory limit is set to a tenth of it, since texts, their trees and values count
-  /// apart.
+  /// Address space of the program. Its own memory limit is set to a tenth of it, because texts, their trees and values
+  /// are counted separately.
   static constexpr std::size_t kAddressSpaceBytes = std::size_t{3} << 30;
 
-  /// `isl check` of the text as scene.isl. Fails where it took too long, crashed or printed pages of messages.
+  /// Runs `isl check` on the text as scene.isl. Fails the test if it took too long, crashed or printed pages of
+  /// messages.
   [[nodiscard]] ProcessResult check(std::string_view text, std::vector<std::string> options = {});
-  /// The same of a file that is there already.
+  /// Does the same with an existing file.
   [[nodiscard]] ProcessResult check_file(const std::string& name, std::vector<std::string> options = {});
 
-  /// What the program says of a scene that must be refused: exit code 1.
+  /// The message for a scene that must be refused, with exit code 1.
   [[nodiscard]] std::string refusal(std::string_view text, std::vector<std::string> options = {});
 };
 

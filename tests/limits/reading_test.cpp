@@ -1,4 +1,4 @@
-// What a scene may not read: everything outside its folder and the search path, and what is no regular file.
+// A scene may not read files outside its folder and the search path, or anything that is not a regular file.
 #include "tests/limits/attack_fixture.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ class Reading : public AttackTest {
     fs::create_directory(folder() / "scenes/inner");
   }
 
-  /// All that a scene in scenes/ says when it tries to use a file in each way that there is.
+  /// The messages of a scene in scenes/ that tries to use a file in every possible way.
   std::string try_reading(const std::string& name, const std::vector<std::string>& options = {}) {
     std::string said;
     for (const std::string use : {"#include {}", "#fopen F {} read #read (F, A)", "#declare N = {}; #include N"}) {
@@ -113,7 +113,7 @@ TEST_F(Reading, AFileThatIsNoTextOrTooLargeIsRefused) {
   write("scenes/picture.inc", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16));
   EXPECT_THAT(try_reading("picture.inc"), HasSubstr("not a text file"));
   write("scenes/large.inc", "");
-  fs::resize_file(folder() / "scenes/large.inc", std::uintmax_t{400} << 30);  // holes only
+  fs::resize_file(folder() / "scenes/large.inc", std::uintmax_t{400} << 30);  // a sparse file
   EXPECT_THAT(try_reading("large.inc"), HasSubstr("larger than"));
 }
 

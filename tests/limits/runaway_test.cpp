@@ -1,4 +1,4 @@
-// Scripts without end: each must end with its limit's own message, naming the option that raises it.
+// Endless scripts: each must end with its limit's own message, naming the option that raises it.
 #include "tests/limits/attack_fixture.h"
 
 #include <fmt/format.h>

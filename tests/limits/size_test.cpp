@@ -1,5 +1,5 @@
-// Texts that are deep, long or many: a million of whatever may stand within another, and a hundred thousand of whatever
-// may stand beside another.
+// Texts that are deep, long or have many parts: a million of every construct that may stand within another, and a
+// hundred thousand of every construct that may stand beside another.
 #include "tests/limits/attack_fixture.h"
 
 #include <fmt/format.h>

@@ -32,7 +32,7 @@ class WorkingTree : public AttackTest {
     }
   }
 
-  /// What the program says of a scene in tree/scenes/ that reads the file in each way that there is, which must fail.
+  /// The messages of a scene in tree/scenes/ that reads the file in every possible way, which must fail.
   std::string try_reading(const std::string& name) {
     std::string said;
     for (const std::string use :

@@ -1,5 +1,5 @@
-// What a scene may not write: anything at all without --allow-write, and with it nothing outside the folder named, no
-// link, and none of the files that it is read from.
+// A scene may not write anything without --allow-write. With it, it may not write outside the folder named, to a link,
+// or to a file that it is read from.
 #include "tests/limits/attack_fixture.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ class Writing : public AttackTest {
     fs::create_directory(folder() / "out/inner");
   }
 
-  /// What a scene in scenes/ says when it writes to a file of that name.
+  /// The result of a scene in scenes/ that writes to a file of that name.
   ProcessResult try_writing(const std::string& name, const std::string& mode, std::vector<std::string> options) {
     write("scenes/scene.isl", kScene + fmt::format("#fopen F \"{}\" {} #write (F, \"taken\") #fclose F\n", name, mode));
     return check_file("scenes/scene.isl", std::move(options));
