@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What POV-Ray's debug stream holds. It breaks lines of more than 80 characters.
+/// The content of POV-Ray's debug stream, which breaks lines of more than 80 characters.
 std::string said_by_povray(const fs::path& scene) {
   const fs::path folder = fs::temp_directory_path() / fs::path("isl_probe_" + scene.stem().string());
   fs::create_directories(folder);
@@ -56,7 +56,7 @@ std::string said_by_povray(const fs::path& scene) {
   return ran ? text.str() : "povray failed\n";
 }
 
-/// The sign of a NaN is the processor's and means nothing.
+/// Removes the sign of a NaN, which depends on the processor and has no meaning.
 std::string without_sign_of_nan(std::string line) {
   for (std::size_t at = line.find("-nan"); at != std::string::npos; at = line.find("-nan")) line.erase(at, 1);
   return line;
