@@ -1,6 +1,7 @@
-// How a difference is judged. Let the answers be t_a < t_b (a miss stands for the end of the thin feature that was
-// missed). If |F| is within the rounding band everywhere between, the sign there is noise to a computation in double
-// precision, and both are right. The band adds up, in units u = 2⁻⁵² and with four times the textbook's constants:
+// The rule by which a difference is judged. Let the results be t_a < t_b (a miss stands for the end of the thin feature
+// that was missed). If |F| is within the rounding band everywhere between, the sign there is noise to a computation in
+// double precision, and both results are right. The band is a sum, in units u = 2⁻⁵² and with four times the textbook's
+// constants:
 //   (n + 16)(Σ|fᵢ| + T)      a sum of n terms, each some 16 operations,
 //   4·Σ|q·dfᵢ/dq|            relative errors of q, which hardness amplifies,
 //   4·(|o| + |t|)·Σ|dfᵢ/dt|  relative errors of the ray's coordinates.
@@ -49,7 +50,7 @@ struct Judged {
     return false;
   }
 
-  /// Where the last support ends.
+  /// The t at which the last support ends.
   [[nodiscard]] long double farthest() const {
     long double end = 0;
     for (std::size_t i = 0; i < scene.placed().size(); ++i) end = std::max(end, field(i).end());
@@ -82,7 +83,7 @@ struct Judged {
     return all.pixel_angle * (ray.path_length + t);
   }
 
-  /// Where the feature ends that starts at `first`.
+  /// The t at which the feature ends that starts at `first`.
   [[nodiscard]] long double end_of_feature(std::size_t placed, const Crossing& first) const {
     for (const Crossing& crossing : crossings(placed)) {
       if (crossing.t > first.t) return crossing.t;
@@ -90,7 +91,7 @@ struct Judged {
     return std::min(options.t_max, field(placed).end());
   }
 
-  /// The first root after all features thinner than `thin` are left out, starting with the one at `first`.
+  /// The first root that remains when all features thinner than `thin` are left out, starting with the one at `first`.
   [[nodiscard]] std::optional<long double> beyond_thin(std::size_t placed, long double thin) const {
     const std::vector<Crossing> all = crossings(placed);
     std::size_t i = 0;
@@ -104,7 +105,7 @@ std::string place(const std::optional<long double>& t) {
   return t ? fmt::format("t = {:.17g}", static_cast<double>(*t)) : "a miss";
 }
 
-/// Counts one ray's difference and describes it; [from, to] is the stretch on which the answers contradict each other.
+/// Counts one ray's difference and describes it; [from, to] is the stretch on which the results contradict each other.
 struct Difference {
   std::size_t Agreement::*kind;
   const char* name;
@@ -177,7 +178,7 @@ void judge_occlusion(Agreement& agreement, const Judged& judged, std::size_t num
     if (judged.comes_within_noise()) {
       ++agreement.lost_in_rounding;
     } else {
-      // The whole of the ray contradicts.
+      // The results contradict each other on the whole ray.
       const long double end = std::isfinite(judged.ray.t_max) ? judged.options.t_max : judged.farthest();
       const Difference invented{&Agreement::invented, "invented shadow", std::nullopt, std::nullopt, 0, end};
       invented.add_to(agreement, judged, number, options);

@@ -1,6 +1,6 @@
-// The tracer against the reference, ray by ray: who hits, where, and if they differ, whether double precision may.
-// Tests state what they expect of the counts; the texts name the worst rays. Knows the tracer only by its rays and
-// hits.
+// Compares the tracer with the reference, ray by ray: which hits, where, and, if they differ, whether double precision
+// allows it. Tests state the counts that they expect; the texts name the worst rays. Knows the tracer only by its rays
+// and hits.
 #pragma once
 
 #include "renderer/trace/tracer.h"
@@ -23,10 +23,10 @@ struct AgreementOptions {
   std::size_t most_listed = 8;  ///< differing rays described in `listed`
 };
 
-/// What a comparison found. A ray counts in at most one of the six kinds of difference.
+/// The result of a comparison. A ray counts in at most one of the six kinds of difference.
 struct Agreement {
   std::size_t rays = 0;
-  std::size_t hits = 0;  ///< of the reference
+  std::size_t hits = 0;  ///< rays that hit in the reference
 
   std::size_t missed = 0;     ///< the reference hits, the tracer does not
   std::size_t invented = 0;   ///< the other way round
@@ -36,7 +36,7 @@ struct Agreement {
   /// Differences that no computation in double precision can avoid: F stays within its rounding error of zero between
   /// the two answers.
   std::size_t lost_in_rounding = 0;
-  /// Differences in features thinner than the length at which a solver may stop to look: a thousandth of the tolerance.
+  /// Differences in features thinner than the length at which a solver may stop: a thousandth of the tolerance.
   std::size_t too_thin = 0;
 
   long double worst_depth =
@@ -48,11 +48,11 @@ struct Agreement {
   [[nodiscard]] std::string text() const;
 };
 
-/// The reference's answers, for when several tracers are compared on the same rays.
+/// The reference's results, for comparing several tracers on the same rays.
 using Truth = std::vector<std::optional<ReferenceScene::Hit>>;
 [[nodiscard]] Truth truth_of(const ReferenceScene& scene, std::span<const render::Ray> rays);
 
-/// `truth` is truth_of(scene, rays).
+/// Precondition: `truth` is truth_of(scene, rays).
 [[nodiscard]] Agreement compare_first_hits(const ReferenceScene& scene, const Truth& truth, const TraceBatch& trace,
                                            std::span<const render::Ray> rays, const AgreementOptions& options);
 [[nodiscard]] inline Agreement compare_first_hits(const ReferenceScene& scene, const TraceBatch& trace,
@@ -60,11 +60,11 @@ using Truth = std::vector<std::optional<ReferenceScene::Hit>>;
   return compare_first_hits(scene, truth_of(scene, rays), trace, rays, options);
 }
 
-/// Only hit or miss count. Precondition: every blob throws shadows.
+/// Compares only hit or miss. Precondition: every blob throws shadows.
 [[nodiscard]] Agreement compare_occlusions(const ReferenceScene& scene, const OccludeBatch& occlude,
                                            std::span<const render::Ray> rays, const AgreementOptions& options);
 
-/// What F may be off by at t when it is computed in double precision (the derivation is in agreement.cpp).
+/// The error that F at t may have when it is computed in double precision (the derivation is in agreement.cpp).
 [[nodiscard]] long double rounding_band(const FieldOnRay& field, long double origin_size, long double t);
 
 }  // namespace isl::reference

@@ -1,5 +1,5 @@
-// The comparison itself, with the reference in the tracer's place: it must find nothing wrong there, and find what is
-// broken on purpose.
+// Tests of the comparison itself, with the reference in the tracer's place: it must find no errors there, and must find
+// those that are made on purpose.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
@@ -113,7 +113,7 @@ TEST(Agreement, ExcusesOnlyWhatDoublePrecisionCannotTell) {
   };
   EXPECT_EQ(compare_first_hits(scene, misses, grazing(1e-15), options).lost_in_rounding, 1U);
   EXPECT_EQ(compare_first_hits(scene, misses, grazing(1e-12), options).missed, 1U);
-  // At this tolerance the chord of the same ray, 3e-6, is below what a solver must look at.
+  // At this tolerance the same ray's chord, 3e-6, is shorter than the length down to which a solver must search.
   const AgreementOptions coarse{{1e-2, false}, 1e-3, 8};
   EXPECT_EQ(compare_first_hits(scene, misses, grazing(1e-12), coarse).too_thin, 1U);
 }

@@ -1,4 +1,4 @@
-// The tracer against the reference over whole scenes: the sphereflake, random blobs of everything at all scales, placed
+// The tracer against the reference over whole scenes: the sphereflake, random blobs of every kind at all scales, placed
 // blobs, and shadow rays from the surfaces that were found.
 #include "tests/reference/agreement.h"
 
@@ -23,7 +23,7 @@ std::vector<render::Ray> random_rays(std::uint64_t seed, int count, double dista
   return camera_rays(random_lines(random, count, distance, target));
 }
 
-/// Σ 9^k = 7,381 components; with POV-Ray's radii at a threshold that leaves its spheres three quarters of their size.
+/// Σ 9^k = 7,381 components; with POV-Ray's radii, the threshold leaves its spheres three quarters of their size.
 scene::Database flake(const scene::Kernel& kernel) {
   scene::Database database = test::sphereflake(4, kernel);
   if (kernel.meaning == scene::RadiusMeaning::support) database.blobs[0].threshold = 0.2;
@@ -73,8 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Flake,
                          [](const auto& given) { return std::string(given.param.name); });
 
 TEST(FlakeByThePaper, DiffersFromTheReference) {
-  // Two interpolants over a field's whole interval, uncertified: the front poles are too far out, and some rays meet
-  // what is not there. That it shows is the test that the comparison would see it in the product.
+  // Two interpolants over a field's whole interval, without certification: the front poles are too far out, and some
+  // rays meet surfaces that do not exist. This shows that the comparison would see such errors in the product.
   const scene::Database database = flake(gaussian(4));
   const ReferenceScene scene(database);
   const TracerUnderTest tracer(database, with(render::SolverName::paper, kShipped));
@@ -113,7 +113,7 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
       const ReferenceScene scene(database);
       const TracerUnderTest tracer(database, with(render::SolverName::hermite, {1e-9 * scale, false}));
       std::vector<render::Ray> rays = camera_rays(random_lines(random, 104, 3 * scale, 0.7 * scale));
-      // From within, too: inside or outside the surface as it comes.
+      // These rays start within the scene, inside or outside the surface at random.
       for (int i = 0; i < 30; ++i) rays.push_back(camera_ray({random.in_ball(0.7 * scale), random.direction()}));
       const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
       EXPECT_EQ(agreement.disagreements(), 0U)
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Scales, RandomBlobs,
                          testing::Values(RandomBlobsCase{1e-3, 8}, RandomBlobsCase{0.02, 8}, RandomBlobsCase{1, 8},
                                          RandomBlobsCase{30, 8}, RandomBlobsCase{1e3, 8}));
 
-// Where a field's middle is e^40 and more, what is lost in rounding there must not be charged to the surface.
+// A field's middle can be e^40 and more. The rounding lost there must not be charged to the surface.
 INSTANTIATE_TEST_SUITE_P(HardKernels, RandomBlobs, testing::Values(RandomBlobsCase{1, 40}, RandomBlobsCase{1, 300}));
 
 INSTANTIATE_TEST_SUITE_P(Trees, RandomBlobs,

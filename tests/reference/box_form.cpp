@@ -1,5 +1,6 @@
-// The box between two corners: along each axis the offset from the nearest point is what p is above the upper face or
-// below the lower one, on its own; q = |offset|²/r² and ∇q = 2·offset/r². Inside, the offset is zero.
+// The box between two corners. Along each axis the offset from the nearest point is the height of p above the upper
+// face or below the lower one, independently of the other axes; q = |offset|²/r² and ∇q = 2·offset/r². Inside, the
+// offset is zero.
 #include "tests/reference/skeleton_forms.h"
 
 #include "base/check.h"
@@ -31,7 +32,7 @@ class BoxForm final : public SkeletonForm {
   }
 
  private:
-  /// x − (x clamped to [low, high]); rises with x, so that its ends are those of x.
+  /// x − (x clamped to [low, high]). It rises with x, so its ends are those of x.
   [[nodiscard]] static Interval beyond(const Interval& x, long double low, long double high) {
     const Interval above = x - Interval(high), below = x - Interval(low);
     const auto end = [&](long double over, long double under) { return over > 0 ? over : std::min(under, 0.0L); };

@@ -1,5 +1,5 @@
-// Cauchy's kernel k(q) = 1/(1 + σ²q)² less its tangent at q = Q, over what that is at q = 1; σ and Q from φ′(1) = −h
-// and φ(0) = eʰ.
+// Cauchy's kernel k(q) = 1/(1 + σ²q)² minus its tangent at q = Q, divided by the value of that at q = 1; σ and Q follow
+// from φ′(1) = −h and φ(0) = eʰ.
 //
 // Let s = (1 + σ²q)/(1 + σ²) = c + (1 − c)q, so that c = 1/(1 + σ²) and s are in (0, 1] up to q = 1, where s = 1, and
 // let s = 1 + e at q = Q. The difference from the tangent has a double root there, and factors:
@@ -12,17 +12,17 @@
 // As λ → 0 its left side tends to 2 ln(1 + h/2) < h, and at λ = h/2 it exceeds h, since (1 + e − s)²(1 + e + 2s) falls
 // with s; it rises between. λ rather than σ, which is 10⁵³ at h = 500: c and 1 − c then have all their digits.
 //
-// A plane convolved with k less its tangent: ∫k(q + u)du is 1/(1 + σ²q) up to a factor, and what it loses is the parabola that
-// touches it at Q. The difference has a triple root there:
+// A plane convolved with k minus its tangent: ∫k(q + u)du is 1/(1 + σ²q) up to a factor, and the subtracted part is the
+// parabola that touches it at Q. The difference has a triple root there:
 //   φ = ((1 + e − s)/e)³/s,   φ′ = −(1 − c)(1 + e − s)²(1 + e + 2s)/(e³s²).
-// φ′(1) = −h is (1 − c)(1 + 3/e) = h: e = 3(1 − c)/(h − 1 + c); and φ(0) = eʰ is λ + 3 ln(1 + (h − 1 + c)/3) = h. The left
-// side is 3 ln(1 + h/3) < h at λ = 0, more than h at λ = h, and rises by 1 − 3c/(2 + h + c) > 0.
+// φ′(1) = −h is (1 − c)(1 + 3/e) = h: e = 3(1 − c)/(h − 1 + c); and φ(0) = eʰ is λ + 3 ln(1 + (h − 1 + c)/3) = h. The
+// left side is 3 ln(1 + h/3) < h at λ = 0, more than h at λ = h, and rises by 1 − 3c/(2 + h + c) > 0.
 #include "tests/reference/kernel_forms.h"
 
 namespace isl::reference {
 namespace {
 
-/// A rising function of the library at an interval.
+/// Applies a rising function of the library to an interval.
 template <class Function>
 Interval rising(const Function& f, const Interval& x) {
   return widened(f(x.lo), f(x.hi), kLibraryError);
@@ -32,7 +32,7 @@ Interval log_of_one_plus(const Interval& x) {
   return rising([](long double one) { return std::log1p(one); }, x);
 }
 
-/// What one λ and φ′(1) = −h determine.
+/// The constants that one λ and φ′(1) = −h determine.
 struct Constants {
   Interval c, rest;  ///< c and 1 − c
   Interval e;
@@ -53,7 +53,7 @@ Interval excess_in_the_middle(const Interval& lambda, const Interval& h) {
          log_of_one_plus(-(Interval(2) * k.rest / (Interval(3) + k.e))) - h;
 }
 
-/// Halves until nothing lies between: the last place, seen from `from`, where a function certainly has this sign.
+/// Bisects to neighbouring numbers: the last place, seen from `from`, where a function certainly has this sign.
 template <class Function>
 long double last_certain(const Function& f, long double from, long double to, int sign) {
   while (true) {
@@ -63,7 +63,7 @@ long double last_certain(const Function& f, long double from, long double to, in
   }
 }
 
-/// Where a rising function passes zero between 0 and `most`.
+/// The place between 0 and `most` where a rising function passes zero.
 template <class Function>
 Interval zero_of(const Function& f, long double most) {
   return {last_certain(f, 0, most, -1), last_certain(f, most, 0, 1)};
@@ -91,7 +91,7 @@ class CauchyForm final : public KernelForm {
 
  private:
   [[nodiscard]] Interval s_at(long double q) const { return k_.c + k_.rest * Interval(q); }
-  /// s at the border of the support, and how far s is from it.
+  /// s at the border of the support, and the distance of s from it.
   [[nodiscard]] Interval border() const { return Interval(1) + k_.e; }
   [[nodiscard]] Interval to_border(long double q) const { return Depth{k_.e, k_.rest}.at(q); }
 

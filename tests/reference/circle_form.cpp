@@ -3,8 +3,8 @@
 //   q = ((ρ − R)² + h²|b|²)/r² = (|w|² − 2Rρ + R²)/r²,   ∇q = 2(u(ρ − R)/ρ + h·b)/r².
 // On the axis q has a crease and no gradient; u/ρ is any direction there.
 //
-// Along a line q is a difference of convex functions: dq/dt = 2(w·d − R·ρ′)/r², where w·d is linear, and ρ, the length
-// of something linear, is convex: ρ′ = u·d/ρ rises. So both have their ranges from the ends.
+// Along a line q is a difference of convex functions: dq/dt = 2(w·d − R·ρ′)/r², where w·d is linear. ρ, the length of a
+// linear function, is convex: ρ′ = u·d/ρ rises. So both get their ranges from the ends.
 #include "tests/reference/skeleton_forms.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ class CircleForm final : public SkeletonForm {
   [[nodiscard]] Interval relative(const Interval& rho, const Interval& height) const {
     return (square(rho - Interval(ring_radius_)) + square(height) * squared_length(axis_)) / radius_squared_;
   }
-  /// ρ′; on the axis, all that the speed allows.
+  /// ρ′; on the axis, all values that the speed allows.
   [[nodiscard]] static Interval rho_slope(const Cylindrical& c, const Vector<Interval>& d) {
     if (c.rho.lo > 0) return dot(c.across, d) / c.rho;
     const long double speed = square_root(squared_length(d)).hi;

@@ -1,5 +1,5 @@
-// Convolved blobs through the public tracer, against fields that are integrated numerically from their definition, constants and
-// all: nothing is shared with the renderer but the records of the database.
+// Convolved blobs through the public tracer, compared with fields that are integrated numerically from their
+// definition, including the constants: nothing is shared with the renderer but the records of the database.
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
@@ -33,8 +33,8 @@ double integral(const F& f, double a, double b, int panels) {
   return sum;
 }
 
-/// A window by the definition in docs/language.md: zero and flat at q = Q, and of a straight skeleton without end value 1 and
-/// slope −h at q = 1; the Cauchy window's σ makes that skeleton eʰ on itself.
+/// A window by the definition in docs/language.md. It is zero and flat at q = Q, and for an endless straight skeleton
+/// it gives the value 1 and the slope −h at q = 1. The Cauchy window's σ gives that skeleton the value eʰ on itself.
 class Window {
  public:
   explicit Window(const scene::Kernel& kernel) : is_quartic_(kernel.shape == scene::KernelShape::quartic) {
@@ -42,7 +42,7 @@ class Window {
     if (is_quartic_) {
       border_ = 1 + 2.5 / h;
     } else {
-      double low = 0.05, high = 20;  // of σ²: a soft one lies below, a harder one above
+      double low = 0.05, high = 20;  // bracket of σ²; softer kernels would lie below, harder ones above
       for (int i = 0; i < 50; ++i) {
         sigma2_ = std::sqrt(low * high);
         border_ = border_for(h);
@@ -52,7 +52,7 @@ class Window {
     scale_ = 1 / line(1);
   }
   [[nodiscard]] double border() const { return border_; }
-  /// Of the squared distance over the squared radius, normalised.
+  /// The window of the squared distance over the squared radius, normalised.
   [[nodiscard]] double operator()(double q) const { return q < border_ ? scale_ * raw(q) : 0; }
 
  private:
@@ -192,7 +192,7 @@ TEST(ConvolutionAgainstQuadrature, EveryCrossingIsFoundAndIsOne) {
         before = f;
       }
       crossings += static_cast<int>(expected);
-      // Steps can miss a pair of crossings, and never see one that is not there.
+      // Steps can miss a pair of crossings, but never find one that does not exist.
       EXPECT_GE(found.size(), expected) << "blob " << blob << " ray " << i;
       EXPECT_EQ(found.size() % 2, 0u) << "blob " << blob << " ray " << i;
     }
@@ -258,7 +258,7 @@ TEST(HardCases, E44_RayAlongTheAxisThroughAnEndAndParallel) {
       ASSERT_THAT(roots, SizeIs(2)) << origin << direction;
       for (const double t : roots) EXPECT_NEAR(field(origin + direction.normalized() * t), 0, 1e-9);
     }
-    // Of the ends' surface the limb is symmetric.
+    // The limb is symmetric, so both ends are at the same distance from its middle.
     const std::vector<double> along = tracer.walk({-4, 0, 0}, {1, 0, 0});
     EXPECT_NEAR(along[0] + along[1], 14, 1e-12);
     EXPECT_THAT(tracer.walk({-4, 0.5 + 1e-9, 0}, {1, 0, 0}), IsEmpty());

@@ -1,6 +1,6 @@
-// Blinn's exponential less its tangent at q = Q, where it has fallen to δ = 10⁻³ of its value at q = 1:
+// Blinn's exponential minus its tangent at q = Q, where it has fallen to δ = 10⁻³ of its value at q = 1:
 //   φ = δ(eˣ − 1 − x)/(1 − δ(1 + ln 1/δ)),   x = a(Q − q) = ln 1/δ + a(1 − q),   Q = 1 + ln(1/δ)/a,
-// where φ′(1) = −h asks for a = h(1 − δ(1 + ln 1/δ))/(1 − δ).
+// where φ′(1) = −h requires a = h(1 − δ(1 + ln 1/δ))/(1 − δ).
 #include "tests/reference/kernel_forms.h"
 
 namespace isl::reference {
@@ -8,7 +8,7 @@ namespace {
 
 constexpr long double kDelta = 1e-3L;
 
-/// eˣ − 1 − x for x ≥ 0. Below 1 the difference cancels, so there it is the series.
+/// eˣ − 1 − x for x ≥ 0. Below 1 the difference cancels, so the series is used there.
 long double exponential_remainder(long double x) {
   if (x > 1) return std::expm1(x) - x;
   long double term = x * x / 2, sum = 0;

@@ -1,5 +1,5 @@
-// Integrals of functions that are steep about one place, to all digits of a long double. For what the reference cannot or should
-// not know in closed form.
+// Integrates functions that are steep about one place, to all digits of a long double, for values that the reference
+// cannot or should not have in closed form.
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -10,9 +10,9 @@
 
 namespace isl::reference {
 
-/// Calls add(x, weight) for the nodes of ∫ over [from, to]. The integrand must be analytic about 0 within `scale` and, farther off,
-/// within as much as its argument: panels grow threefold from 0, so that in units of its half length a panel's nearest
-/// singularity is beyond 2, and 20 nodes of Gauss leave less than (2 + √3)⁻⁴⁰ < 10⁻²² of it.
+/// Calls add(x, weight) for the nodes of ∫ over [from, to]. The integrand must be analytic about 0 within `scale` and,
+/// farther away, within the distance of its argument. Panels grow threefold from 0, so that in units of its half length
+/// a panel's nearest singularity is beyond 2, and 20 nodes of Gauss leave an error below (2 + √3)⁻⁴⁰ < 10⁻²² of it.
 template <class Add>
 void integrate_graded(long double from, long double to, long double scale, const Add& add) {
   using Gauss = boost::math::quadrature::gauss<long double, 20>;
@@ -24,7 +24,7 @@ void integrate_graded(long double from, long double to, long double scale, const
       add(middle + x, weight);
     }
   };
-  // To one side of 0: sign · [near, far], near ≥ 0.
+  // One side of 0: sign · [near, far], near ≥ 0.
   const auto side = [&](long double sign, long double near, long double far) {
     long double begin = near, end = scale;
     while (end <= begin) end *= 3;

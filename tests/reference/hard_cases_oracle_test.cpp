@@ -1,5 +1,5 @@
-// Hard cases without a closed form: scale, borders, special directions and secondary rays, judged by the reference or
-// by a rule that the answer must keep.
+// Hard cases without a closed form: scale, borders, special directions and secondary rays. The reference judges them,
+// or a rule that the result must obey.
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
@@ -35,7 +35,7 @@ TEST(HardCases, B15_SupportsThatExactlyTouch) {
 }
 
 TEST(HardCases, B16_RayTangentToASupport) {
-  // The small sphere is seen through the border of the large one, whose contribution there is zero.
+  // The small sphere is seen through the border of the large one, whose field there is zero.
   const scene::Database pair = one_blob(kPovRay, {point({0, 0, 0}, 1), point({0, 1.2, 0}, 0.5)}, 0.3);
   std::vector<render::Ray> rays;
   for (const double y : {1.0, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0), 1 - 1e-12, 1 + 1e-12}) {
@@ -119,17 +119,17 @@ TEST(HardCases, D36_RaysPointingAwayAndThroughCornersOfTheBounds) {
   std::vector<render::Ray> rays;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 at(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    rays.push_back(camera_ray({at * 3, at.normalized()}));         // away
+    rays.push_back(camera_ray({at * 3, at.normalized()}));         // away from the corner
     rays.push_back(camera_ray({at * 3, (at * -1).normalized()}));  // through the corner to the centre
     const Vec3 across = at.cross(random.direction()).normalized();
-    rays.push_back(camera_ray({at - across * 3, across}));  // meets the bounds at the corner alone
-    rays.push_back(camera_ray({at, across}));               // starts there
+    rays.push_back(camera_ray({at - across * 3, across}));  // meets the bounds only at the corner
+    rays.push_back(camera_ray({at, across}));               // starts at the corner
     rays.push_back(camera_ray({at, (at * -1).normalized()}));
   }
   expect_agreement(ball, rays, 1e-10, 16);
 }
 
-/// Starts on a unit sphere made of one component, in directions from grazing to steep.
+/// Rays that start on a unit sphere made of one component, in directions from grazing to steep.
 std::vector<render::Ray> surface_starts(int count, int side) {
   RandomSource random(81);
   std::vector<render::Ray> rays;
@@ -137,7 +137,7 @@ std::vector<render::Ray> surface_starts(int count, int side) {
     const Vec3 normal = random.direction(), tangent = normal.cross(random.direction()).normalized();
     const double sine = i % 2 == 0 ? random.between(1e-3, 1) : std::pow(10, random.between(-12, -1));
     const Vec3 direction = (tangent * std::sqrt(1 - sine * sine) + normal * (side * sine)).normalized();
-    // Rounding may have turned the flattest ones over.
+    // Rounding may have turned the flattest directions to the other side.
     if (side * normal.dot(direction) < 0.9e-12) continue;
     rays.push_back({normal, direction, kInfinity, 0, {0, 0}});
   }
@@ -167,8 +167,8 @@ TEST_P(SurfaceStarts, F55_RaysThatEnterTheSurfaceAllLeave) {
     const double chord = -2 * rays[i].origin.dot(rays[i].direction);
     ASSERT_FALSE(hits[i].is_miss()) << "chord " << chord;
     ASSERT_TRUE(hits[i].from_inside) << "chord " << chord;
-    // Half a chord of 1e-7 is 1e-15 deep, where F is lost in rounding: its error, over its slope of 4·chord at the far
-    // end.
+    // Half a chord of 1e-7 is 1e-15 deep, where F is lost in rounding. The tolerance is the error of F over its slope
+    // of 4·chord at the far end.
     ASSERT_NEAR(hits[i].t, chord, 1e-12 + 1e-13 / chord) << "chord " << chord;
   }
 }

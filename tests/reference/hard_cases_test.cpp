@@ -1,4 +1,4 @@
-// Hard cases of roots, sums and starts through the public tracer, with answers in closed form. The case's number is in
+// Hard cases of roots, sums and starts through the public tracer, with results in closed form. The case's number is in
 // its name.
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
@@ -15,7 +15,7 @@ using scene::Vec3;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Tolerance at rounding: closed forms are asked for all their digits.
+/// The tolerance is that of rounding, because closed forms have all their digits.
 render::TracerOptions exact() { return with(render::SolverName::exact, {1e-12, false}); }
 
 void expect_walk(const scene::Database& database, const Vec3& origin, const Vec3& direction,
@@ -31,7 +31,7 @@ TEST(HardCases, A01_GrazingRayFindsTwoRootsOrMisses) {
     for (const double epsilon : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       SCOPED_TRACE(epsilon);
       const double d = 1 - epsilon, half = std::sqrt((1 - d) * (1 + d));
-      // F is good to about 1e-15, its slope at the root is 8·half.
+      // F is correct to about 1e-15, and its slope at the root is 8·half.
       expect_walk(ball, {0, d, -8}, {0, 0, 1}, {8 - half, 8 + half}, 1e-14 + 1e-14 / half);
     }
     const TracerUnderTest tracer(ball, exact());
@@ -126,7 +126,7 @@ TEST(HardCases, B20_NegativeFieldsAloneAreEmpty) {
 TEST(HardCases, B21_ThresholdNextToTheMaximum) {
   const double below = 1 - 1e-12, radius = std::sqrt(1 - std::sqrt(below));
   const std::vector<scene::Component> ball = {point({0, 0, 0}, 1)};
-  // The maximum is flat: F's error of 1e-16 over its slope of 4·7e-7.
+  // The maximum is flat: the tolerance is F's error of 1e-16 over its slope of 4·7e-7.
   expect_walk(one_blob(kPovRay, ball, below), {0, 0, -5}, {0, 0, 1}, {5 - radius, 5 + radius}, 1e-9);
   for (const double threshold : {1.0, 1 + 1e-12, 2.0}) {
     EXPECT_THAT(TracerUnderTest(one_blob(kPovRay, ball, threshold), exact()).walk({0, 0, -5}, {0, 0, 1}), IsEmpty());
@@ -149,12 +149,12 @@ TEST(HardCases, B24_ChainOfAThousandBlobsHasAllItsRoots) {
 }
 
 TEST(HardCases, C32_HardestKernelsAreMetThroughTheirVeryMiddle) {
-  // Up to e^500 there, and a cauchy is a spike; a row of three, so that the ray goes on.
+  // Fields reach e^500 there, and a cauchy is a spike. Three in a row make the ray continue.
   for (const scene::Kernel& kernel :
        {gaussian(500), soft(500), metaball(500), cauchy(60), cauchy(80), cauchy(300), cauchy(500)}) {
     SCOPED_TRACE(testing::Message() << "kernel " << static_cast<int>(kernel.shape) << ", hardness " << kernel.hardness);
     const scene::Database row = one_blob(kernel, {point({0, 0, 0}, 1), point({0, 0, 3}, 1), point({0, 0, 6}, 0.5, 2)});
-    // The last is of strength 2: its surface is where φ = ½.
+    // The last component has strength 2, so its surface is where φ = ½.
     const ReferenceKernel phi(kernel);
     long double low = 1, high = phi.support().hi;
     for (int i = 0; i < 70; ++i) (phi.value((low + high) / 2) > 0.5L ? low : high) = (low + high) / 2;
@@ -188,14 +188,14 @@ TEST(HardCases, D38_RayFromTheSurfaceForgetsWhereItStarts) {
     const double chord = -2 * start.dot(direction);
     EXPECT_EQ(hit.is_miss(), chord < 0);
     if (!hit.is_miss()) {
-      // F is good to some 1e-15 at both ends; its slope at the far one is 4·chord.
+      // F is correct to some 1e-15 at both ends, and its slope at the far one is 4·chord.
       EXPECT_NEAR(hit.t, chord, 1e-14 + 2e-15 / chord);
     }
   }
 }
 
 TEST(HardCases, D40_ShadowRayThatEndsInsideIsOccluded) {
-  // POV-Ray's sphere with its surface at √(1 − √½) = 0.5412: in from 2.4588, out at 3.5412.
+  // POV-Ray's sphere with its surface at √(1 − √½) = 0.5412: a ray enters at 2.4588 and leaves at 3.5412.
   const TracerUnderTest tracer(one_blob(kPovRay, {point({0, 0, 0}, 1)}, 0.5));
   const auto is_occluded = [&](const Vec3& origin, double t_max) {
     const std::vector<render::Ray> ray = {{origin, {0, 0, 1}, t_max, 0, {}}};
@@ -206,7 +206,7 @@ TEST(HardCases, D40_ShadowRayThatEndsInsideIsOccluded) {
   for (const double before : {1.0, 2.1, 2.458}) EXPECT_EQ(is_occluded({0, 0, -3}, before), 0) << before;
   for (const double beyond : {2.459, 3.0, 3.5, 3.6, 9.0, kInfinity})
     EXPECT_EQ(is_occluded({0, 0, -3}, beyond), 1) << beyond;
-  // From inside: the way out counts, and only that.
+  // From inside, only the way out counts.
   EXPECT_EQ(is_occluded({0, 0, 0}, 0.54), 0);
   EXPECT_EQ(is_occluded({0, 0, 0}, 0.55), 1);
 }
@@ -229,7 +229,7 @@ TEST(HardCases, E45_NeedlesAreTrianglesToTheEnd) {
     needle.blobs[0].corners = {{1, 0, width}};
     expect_walk(needle, {0, -4, width / 4}, {0, 1, 0}, {3.75, 4.25}, 1e-14);
     expect_walk(needle, {-4, 0, 0}, {1, 0, 0}, {2.75, 5.25}, 1e-14);
-    // The long edge leans: seen from across, it is a little nearer than its height there.
+    // The long edge leans, so from the side it is a little nearer than its height there.
     const double lean = std::sqrt(1 + width * width / 4);
     expect_walk(needle, {0, 0, -4}, {0, 0, 1}, {3.75, 4 + width / 2 + 0.25 * lean}, 1e-14);
   }
@@ -239,7 +239,7 @@ TEST(HardCases, E46_RingsAreMetAllAround) {
   const scene::Database ring = one_blob(gaussian(4), {circle({0, 0, 0}, {0, 1, 0}, 1, 0.25)});
   expect_walk(ring, {-4, 0, 0}, {1, 0, 0}, {2.75, 3.25, 4.75, 5.25}, 1e-14);
   expect_walk(ring, {1, -4, 0}, {0, 1, 0}, {3.75, 4.25}, 1e-14);
-  // Along the axis, where the distance has a crease, and next to it.
+  // Lines along the axis, where the distance has a crease, and next to it.
   for (const double x : {0.0, 1e-300, 1e-17, 1e-9}) expect_walk(ring, {x, -4, 0}, {0, 1, 0}, {}, 0);
   const double inner = std::sqrt(0.5625 - 0.25), outer = std::sqrt(1.5625 - 0.25);
   expect_walk(ring, {-4, 0, 0.5}, {1, 0, 0}, {4 - outer, 4 - inner, 4 + inner, 4 + outer}, 1e-14);
@@ -248,10 +248,10 @@ TEST(HardCases, E46_RingsAreMetAllAround) {
 TEST(HardCases, E47_BoxesHaveFacesAndRoundEdges) {
   const scene::Database solid = one_blob(soft(4), {box({-1, -0.5, -2}, {1, 0.5, 2}, 0.25)});
   expect_walk(solid, {0.25, 0, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
-  // From within, where the field is level.
+  // Lines from within, where the field is level.
   expect_walk(solid, {0, 0, 0}, {0, 1, 0}, {0.75}, 1e-14);
   expect_walk(solid, {0.9, -0.4, 1.9}, {0, 0, -1}, {4.15}, 1e-14);
-  // Along a face's and an edge's border, and past an edge.
+  // Lines along the border of a face and of an edge, and past an edge.
   expect_walk(solid, {1, 0, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
   expect_walk(solid, {1, 0.5, -4}, {0, 0, 1}, {1.75, 6.25}, 1e-14);
   const double x = 1.15 - 1, edge = std::sqrt(0.0625 - x * x);

@@ -1,5 +1,6 @@
 // Intervals and vectors of the reference: numbers in long double that carry their own error, so that "F is positive
-// here" is a proof. Leaf of tests/reference; must not know fields, and shares nothing with the product's bounds.
+// here" is a proof. This is a leaf of tests/reference; it must not know fields, and shares nothing with the product's
+// bounds.
 //
 // There is no directed rounding. Every operation computes its ends to nearest, which is off by at most 2^-64 of the
 // result, and then moves them outward by 2^-62 of it. Denormals do not occur: a long double's exponent reaches
@@ -69,7 +70,7 @@ struct Interval {
   return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
 }
 
-/// What two enclosures of one value have in common. Where rounding left nothing in common, `a`.
+/// The intersection of two enclosures of one value. If rounding left none, `a`.
 [[nodiscard]] inline Interval common(const Interval& a, const Interval& b) {
   const Interval both{std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
   return both.lo <= both.hi ? both : a;

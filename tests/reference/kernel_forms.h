@@ -1,6 +1,6 @@
-// The shapes of φ, one form each: the formulas of φ and φ′ at a single q, and the constants that its conditions leave.
-// Behind reference_kernel, which knows what all of them have in common. A new kernel is one more form: its word in
-// renderer/scene/kernel_shapes.def asks for it here.
+// The shapes of φ, one form each: the formulas of φ and φ′ at a single q, and the constants that follow from its
+// conditions. reference_kernel uses the forms and has everything that they share. A new kernel is one more form; its
+// word in renderer/scene/kernel_shapes.def makes it necessary here.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -11,11 +11,11 @@
 
 namespace isl::reference {
 
-/// φ within its support. Every answer encloses the exact one, for the constants are intervals too.
+/// φ within its support. Every result encloses the exact one, because the constants are intervals too.
 class KernelForm {
  public:
   virtual ~KernelForm() = default;
-  /// Q.
+  /// Q, the end of the support.
   [[nodiscard]] virtual Interval support() const = 0;
   /// φ and dφ/dq at 0 ≤ q < support().hi.
   [[nodiscard]] virtual Interval value(long double q) const = 0;
@@ -28,12 +28,12 @@ using KernelFormHandle = std::shared_ptr<const KernelForm>;
 #include "renderer/scene/kernel_shapes.def"
 #undef ISL_KERNEL
 
-/// Of planes and of infinite lines that are convolved: the kernels of the modes sheet and convolution.
+/// The kernels of the modes sheet and convolution: for planes and for infinite lines that are convolved.
 [[nodiscard]] KernelFormHandle cauchy_sheet_form(const scene::Kernel& kernel);
 [[nodiscard]] KernelFormHandle line_form(const scene::Kernel& kernel);
 
-/// What a form's φ is a function of: it falls along a straight line through its value at q = 1, and has reached zero at
-/// Q. Counted from q = 1, since near there Q − q of a hard kernel would cancel.
+/// The argument of a form's φ: it falls along a straight line through its value at q = 1, and reaches zero at Q. It
+/// counts from q = 1, because near there Q − q of a hard kernel would cancel.
 struct Depth {
   Interval at_one, rate;
 
@@ -43,8 +43,8 @@ struct Depth {
   }
 };
 
-/// glibc's exponentials and logarithms of long doubles are good to a few units in the last place, 2⁻⁶³ each; this
-/// leaves room for eight.
+/// glibc's exponentials and logarithms of long doubles are correct to a few units in the last place, 2⁻⁶³ each; this
+/// allows eight of them.
 inline constexpr long double kLibraryError = 0x1p-60L;
 
 }  // namespace isl::reference

@@ -1,5 +1,5 @@
-// Point, segment and cone are one: spheres whose centre c(v) = a + v·e and radius r(v) = r_a + v·Δr run with v from 0
-// to 1, and
+// Point, segment and cone have one form: spheres whose centre c(v) = a + v·e and radius r(v) = r_a + v·Δr run with v
+// from 0 to 1, and
 //   q(p) = min over v of |p − c(v)|²/r(v)².
 // A point has e = 0 and Δr = 0, a segment Δr = 0. With w = p − a, E = |e|², v̂ = w·e/E and ρ² = |w − v̂e|² the quotient
 // is (E(v − v̂)² + ρ²)/r(v)², and its derivative has the sign of (v − v̂)EA − Δr·ρ², where A = r_a + Δr·v̂. So for A > 0
@@ -47,7 +47,7 @@ class LimbForm final : public SkeletonForm {
 
   [[nodiscard]] DistanceOnLine over(const Stretch& stretch) const override {
     if (radius_step_.lo == 0 && radius_step_.hi == 0) return SkeletonForm::over(stretch);
-    // What is linear in t is enclosed by its ends.
+    // A linear function of t is enclosed by its ends.
     const Vector<Interval>& d = stretch.line.direction;
     const Vector<Interval> w0 = stretch.line.at(stretch.t0) - start_, w1 = stretch.line.at(stretch.t1) - start_;
     Interval v;
@@ -75,7 +75,7 @@ class LimbForm final : public SkeletonForm {
 
   /// v* of the points in a box.
   [[nodiscard]] Interval nearest(const Vector<Interval>& w) const {
-    // Without an axis: of concentric spheres the larger one is the nearer everywhere.
+    // Without an axis the spheres are concentric, and the larger one is nearer everywhere.
     if (!has_axis_) return radius_step_.lo > 0 ? 1 : 0;
     const Interval along = foot(w);
     return nearest(along, squared_length(w - axis_ * along));
@@ -87,7 +87,7 @@ class LimbForm final : public SkeletonForm {
       return clamped(foot + radius_step_ * rho_squared / (axis_squared_ * apex_distance), 0, 1);
     }
     if (apex_distance.hi <= 0) return radius_step_.lo > 0 ? 1 : 0;
-    // Both sides of the apex: the less A, the nearer v* is to the larger end.
+    // Both sides of the apex: the smaller A is, the nearer v* is to the larger end.
     const Interval least =
         clamped(foot + radius_step_ * rho_squared / (axis_squared_ * Interval(apex_distance.hi)), 0, 1);
     return radius_step_.lo > 0 ? Interval(least.lo, 1) : Interval(0, least.hi);

@@ -1,4 +1,5 @@
-// An infinite straight line, convolved: the profile that all convolved curves are scaled by, and whose support they have.
+// An infinite straight line, convolved: the profile by which all convolved curves are scaled, and whose support they
+// have.
 #include "tests/reference/kernel_forms.h"
 #include "tests/reference/reference_window.h"
 
@@ -9,7 +10,7 @@ class LineForm final : public KernelForm {
  public:
   explicit LineForm(const scene::Kernel& kernel) : window_(kernel) {}
 
-  /// Its conditions are solved to a few units in the last place of a hundred or so.
+  /// Its conditions are solved to a few units in the last place; this allows a hundred or so.
   [[nodiscard]] Interval support() const override { return widened(window_.border(), window_.border(), 0x1p-52L); }
   [[nodiscard]] Interval value(long double q) const override { return at(q).value; }
   [[nodiscard]] Interval slope(long double q) const override { return -(at(q).fall / Interval(window_.border())); }
@@ -23,7 +24,7 @@ class LineForm final : public KernelForm {
     if (!(y < 1)) return {0, 0};
     const ReferenceWindow::Value line = window_.line(y);
     const long double value = line.value * window_.amplitude(), fall = line.fall * window_.amplitude();
-    // 1 − y is known to a unit in the last place of 1, so the value to so much of its fall.
+    // 1 − y is known to a unit in the last place of 1, so the value is uncertain by that share of its fall.
     return {{value - fall * 0x1p-60L, value + fall * 0x1p-60L}, widened(fall, fall, 0x1p-50L)};
   }
 

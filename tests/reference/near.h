@@ -1,4 +1,4 @@
-// gtest's EXPECT_NEAR compares in double; the reference's tests need all 64 bits of a long double.
+// gtest's EXPECT_NEAR compares in double, but the reference's tests need all 64 bits of a long double.
 #pragma once
 
 #include <gtest/gtest.h>

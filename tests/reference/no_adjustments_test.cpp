@@ -1,5 +1,5 @@
-// "No adjustments required": radius, hardness, strength, threshold and scale swept over a thousand scenes, each rendered as it
-// comes, with the settings that the program ships. No ray falls through a hole, and no step goes uncertified.
+// "No adjustments required": radius, hardness, strength, threshold and scale vary over a thousand scenes, each rendered
+// unchanged with the settings that the program ships. No ray falls through a hole, and no step is uncertified.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
@@ -14,7 +14,7 @@
 namespace isl::reference {
 namespace {
 
-/// Evenly by the logarithm.
+/// A random number whose logarithm is uniform.
 double decades(RandomSource& random, double low, double high) {
   return low * std::pow(high / low, random.unit());
 }
@@ -24,7 +24,7 @@ struct SweptScene {
   double scale;
 };
 
-/// A handful of components of one kernel, strung so that they blend with their neighbours.
+/// A few components of one kernel in a row, so that they blend with their neighbours.
 SweptScene swept_scene(std::uint64_t seed) {
   RandomSource random(seed);
   const double scale = decades(random, 1e-6, 1e6), radius = scale * decades(random, 0.003, 0.5);
@@ -69,7 +69,7 @@ TEST(NoAdjustments, AThousandScenesHaveNoHoleAndNoUncertifiedStep) {
     const auto& components = database.blobs[0].components;
     std::vector<render::Ray> rays;
     for (int i = 0; i < 24; ++i) {
-      // Towards the components, near and past them.
+      // Rays aim towards the components, near and past them.
       const scene::Component& aim = components[static_cast<std::size_t>(random.below(static_cast<int>(components.size())))];
       const scene::Vec3 target = aim.a + random.in_ball(1.5 * aim.radius_a), eye = random.direction() * (3 * scale);
       rays.push_back(camera_ray({eye, (target - eye).normalized()}));

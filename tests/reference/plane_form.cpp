@@ -1,5 +1,5 @@
-// The half-space: with x the distance of p before the plane, q = max(x, 0)²/r² and ∇q = 2 max(x, 0) n/r². It is convex, and
-// along a line it changes only where 0 < x < r·root.
+// The half-space: with x the distance of p before the plane, q = max(x, 0)²/r² and ∇q = 2 max(x, 0) n/r². It is convex,
+// and along a line it changes only where 0 < x < r·root.
 #include "tests/reference/skeleton_forms.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class PlaneForm final : public SkeletonForm {
   }
 
  private:
-  /// Of a vector that the database normalised in double precision: as it stands, without normalising it again.
+  /// The normal was normalised in double precision by the database; it is used as it is, without normalising it again.
   [[nodiscard]] Interval height(const Vector<Interval>& p) const { return dot(p - at_, normal_); }
 
   Vector<Interval> at_, normal_;

@@ -1,5 +1,6 @@
-// Kernels that are polynomials in the squared distance or, the metaball's shell, in the distance. With h the hardness,
-// x = q/Q and φ = w(x)/w(1/Q), the condition φ′(1) = −h reads −x·w′/w = h at x = 1/Q; each has a closed solution.
+// Kernels that are polynomials in the squared distance or, for the metaball's shell, in the distance. With h the
+// hardness, x = q/Q and φ = w(x)/w(1/Q), the condition φ′(1) = −h reads −x·w′/w = h at x = 1/Q; each has a closed
+// solution.
 #include "tests/reference/kernel_forms.h"
 
 namespace isl::reference {
@@ -27,7 +28,7 @@ class QuarticForm final : public KernelForm {
   Depth depth_;  ///< √φ
 };
 
-/// w = (1 − x)³, also that of a plane convolved with (1 − x)²: φ = (1 + (h/3)(1 − q))³, Q = 1 + 3/h.
+/// w = (1 − x)³, also the kernel of a plane convolved with (1 − x)²: φ = (1 + (h/3)(1 − q))³, Q = 1 + 3/h.
 class CubicForm final : public KernelForm {
  public:
   explicit CubicForm(const scene::Kernel& kernel)
@@ -41,11 +42,11 @@ class CubicForm final : public KernelForm {
 
  private:
   Interval support_;
-  Depth depth_;  ///< the third root of φ
+  Depth depth_;  ///< the cube root of φ
 };
 
-/// Wyvill's: w = 1 − (22/9)x + (17/9)x² − (4/9)x³ = y²(5 + 4y)/9 with y = 1 − x. Then −w′ = 2y(5 + 6y)/9, and the
-/// condition 2x(5 + 6y) = h·y(5 + 4y) is a quadratic,
+/// Wyvill's kernel: w = 1 − (22/9)x + (17/9)x² − (4/9)x³ = y²(5 + 4y)/9 with y = 1 − x. Then −w′ = 2y(5 + 6y)/9, and
+/// the condition 2x(5 + 6y) = h·y(5 + 4y) is a quadratic,
 ///   (12 + 4h)x² − (22 + 13h)x + 9h = 0   or   (12 + 4h)y² + (5h − 2)y − 10 = 0,
 /// whose roots in (0, 1), with the discriminant (5h + 14)² + 288 of both, are written so that nothing cancels.
 class SoftForm final : public KernelForm {
@@ -74,9 +75,9 @@ class SoftForm final : public KernelForm {
   Interval amplitude_;
 };
 
-/// Nishimura's: with ρ = √x, w = 1 − 3ρ² up to ρ = ⅓ and (3/2)(1 − ρ)² from there; w′ is continuous. In the shell the
-/// condition is ρ/(1 − ρ) = h, so ρ = h/(1 + h) at q = 1, which is the shell if h ≥ ½. Softer ones have q = 1 in the
-/// core: 3x/(1 − 3x) = h, so ρ² = h/(3(1 + h)) there.
+/// Nishimura's kernel: with ρ = √x, w = 1 − 3ρ² up to ρ = ⅓ and (3/2)(1 − ρ)² from there; w′ is continuous. In the
+/// shell the condition is ρ/(1 − ρ) = h, so ρ = h/(1 + h) at q = 1, which is in the shell if h ≥ ½. Softer kernels have
+/// q = 1 in the core: 3x/(1 − 3x) = h, so ρ² = h/(3(1 + h)) there.
 class MetaballForm final : public KernelForm {
  public:
   explicit MetaballForm(const scene::Kernel& kernel) {
@@ -104,7 +105,7 @@ class MetaballForm final : public KernelForm {
  private:
   using Piece = Interval (MetaballForm::*)(long double q) const;
 
-  /// Both pieces where rounding leaves open which it is.
+  /// The hull of both pieces if rounding leaves open which one applies.
   [[nodiscard]] Interval piecewise(long double q, Piece core, Piece shell) const {
     const Interval nine_x = Interval(9) * Interval(q) * square(rho_);
     if (nine_x.hi < 1) return (this->*core)(q);

@@ -1,5 +1,5 @@
-// The published solver: its switches change the work and not the answers, its error falls as the paper says, and `iso`
-// has less of it for the same work.
+// The published solver: its switches change the work and not the results, its error falls as the paper says, and `iso`
+// has a smaller error for the same work.
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
@@ -47,7 +47,7 @@ std::vector<render::Ray> random_rays(std::uint64_t seed, int count, double dista
   return rays;
 }
 
-/// Hits with their surfaces, shaded as they are found.
+/// Hits with their surfaces, shaded when they are found.
 struct Seen {
   std::vector<render::Hit> hits;
   std::vector<render::SurfacePoint> points;
@@ -69,7 +69,7 @@ bool is_same(const render::Hit& a, const render::Hit& b) {
   return std::bit_cast<std::uint64_t>(a.t) == std::bit_cast<std::uint64_t>(b.t) && a.from_inside == b.from_inside;
 }
 
-/// Blobs of all skeletons, kernels and branches; `positive`: points with positive fields only.
+/// Blobs of all skeletons, kernels and branches; `positive`: only points with positive fields.
 scene::Database blob_of(RandomSource& random, int components, bool positive) {
   RandomBlobOptions options{.components = components};
   options.maxima = random.below(2) == 0;
@@ -111,8 +111,8 @@ TEST(PublishedSolver, NoSwitchButRejectChangesABitOfAnyHit) {
 }
 
 TEST(PublishedSolver, RejectChangesNoHitWhereInterpolantsStayBelowTheirFieldsPeaks) {
-  // The kernels are convex in the squared distance, so an interpolant of a point's field between two nodes on a ray
-  // stays below the tangent from the nearer one, and that below the peak.
+  // The kernels are convex in the squared distance. So an interpolant of a point's field between two nodes on a ray
+  // stays below the tangent from the nearer one, which stays below the peak.
   RandomSource random(73);
   for (const int components : {1, 3, 9, 30, 100}) {
     const scene::Database database = blob_of(random, components, true);
@@ -127,7 +127,7 @@ TEST(PublishedSolver, RejectChangesNoHitWhereInterpolantsStayBelowTheirFieldsPea
 }
 
 TEST(PublishedSolver, RejectTakesAwayOnlyWhatIsNotThere) {
-  // Elsewhere an interpolant can exceed its field, and then a hit that is none is no longer found.
+  // In other cases an interpolant can exceed its field, and then rejection can lose a hit, which was a false one.
   RandomSource random(75);
   std::size_t rays_in_all = 0, differ = 0;
   for (const int components : {3, 9, 30, 100}) {
@@ -180,7 +180,7 @@ TEST(PublishedSolver, ReuseLeavesTrueNormalsAsTheyAre) {
       EXPECT_LE(with.counters.shading_evaluations, without.counters.shading_evaluations);
       for (std::size_t i = 0; i < rays.size(); ++i) {
         if (with.hits[i].is_miss() || !database.blobs[0].branches.empty()) continue;
-        // The same terms, added in another order: nothing but where they cancel.
+        // The same terms are added in another order, which matters only where they cancel.
         EXPECT_GT(with.points[i].normal.dot(without.points[i].normal), 1 - 1e-9) << i;
         ++compared;
       }
@@ -190,7 +190,7 @@ TEST(PublishedSolver, ReuseLeavesTrueNormalsAsTheyAre) {
 }
 
 TEST(PublishedSolver, ReuseWeighsTexturesByTheInterpolants) {
-  // Two textures on two overlapping balls; with many interpolants the weights are those of the fields.
+  // Two textures on two overlapping balls; with many interpolants the shares are those of the fields.
   scene::Database database = one_blob(gaussian(2), {point({-0.6, 0, 0}, 1), point({0.7, 0.1, 0}, 0.8)});
   database.textures.resize(2);
   for (int i = 0; i < 2; ++i) database.blobs[0].components[static_cast<std::size_t>(i)].texture = scene::TextureId(i);
@@ -236,7 +236,7 @@ TEST(PublishedSolver, Equation10IsTheNormalOfAFieldAlone) {
 }
 
 TEST(PublishedSolver, Equation10IsOffByTensOfDegreesAtJoints) {
-  // A thin branch on a thick trunk: of equal value, the fields' slopes are as one over their radii.
+  // A thin branch on a thick trunk: where the fields are equal, their slopes are in the inverse ratio of their radii.
   const scene::Database database = one_blob(gaussian(4), {point({0, 0, 0}, 1), segment({0.9, 0, 0}, {2, 0, 0}, 0.15)});
   const std::vector<render::Ray> rays = random_rays(83, 4000, 4, 1.2);
   Published solver{render::SolverName::paper, 32, {}};
@@ -274,7 +274,7 @@ TEST(PublishedSolver, EachSwitchSavesItsOwnEvaluations) {
   EXPECT_EQ(counted(equation_10).shading_evaluations, 0U);
 }
 
-/// Distances along the rays that both hit between a solver and the certified one, ascending.
+/// The distances, ascending, between a solver's hits and the certified solver's, along the rays that both hit.
 std::vector<double> errors(const scene::Database& database, const Published& solver,
                            const std::vector<render::Ray>& rays) {
   const TracerUnderTest exact(database, with(render::SolverName::exact, {1e-12, false}));
@@ -289,7 +289,7 @@ std::vector<double> errors(const scene::Database& database, const Published& sol
 }
 
 TEST(PublishedSolver, ErrorFallsSixteenfoldWhenInterpolantsDouble) {
-  // The paper's cross. The windowed Gaussian is smooth but at its border, so the order is four only at last.
+  // The paper's cross. The windowed Gaussian is smooth except at its border, so the order is four only in the limit.
   const scene::Database database = one_blob(
       gaussian(4), {segment({-1.2, -1.2, 0}, {1.2, 1.2, 0}, 0.3), segment({-1.2, 1.2, 0}, {1.2, -1.2, 0}, 0.3)});
   const std::vector<render::Ray> rays = random_rays(85, 2000, 7, 1.2);
@@ -303,7 +303,7 @@ TEST(PublishedSolver, ErrorFallsSixteenfoldWhenInterpolantsDouble) {
       EXPECT_LT(medians.back(), medians[medians.size() - 2] / 2) << k;
     }
   }
-  // Over the last three doublings, from 16 to 128.
+  // The order over the last three doublings, from 16 to 128.
   const double order = std::log2(medians[medians.size() - 4] / medians.back()) / 3;
   std::cout << "order " << order << '\n';
   EXPECT_NEAR(order, 4, 0.25);

@@ -21,7 +21,7 @@ scene::Transform rotation(const Vec3& axis, double angle) {
   return transform;
 }
 
-/// POV-Ray's, and every shape twice: of a hardness between 0.5 and 8, and of the hardest.
+/// POV-Ray's kernel, and every shape twice: once with a hardness between 0.5 and 8, and once with the greatest.
 std::vector<scene::Kernel> random_kernels(RandomSource& random, double hardest) {
   std::vector<scene::Kernel> kernels = {{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4}};
   for (std::size_t shape = 0; shape < std::size(scene::kKernelWords); ++shape) {
@@ -31,7 +31,7 @@ std::vector<scene::Kernel> random_kernels(RandomSource& random, double hardest) 
   return kernels;
 }
 
-/// Those of the kernels that can be convolved, in a mode.
+/// The kernels that can be convolved, in a mode.
 std::vector<scene::KernelId> convolved_kernels(scene::Database& database, scene::FieldMode mode) {
   std::vector<scene::KernelId> ids;
   for (std::size_t i = 0, n = database.kernels.size(); i < n; ++i) {
@@ -164,13 +164,13 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
       } else if (c.skeleton == scene::Skeleton::segment || c.skeleton == scene::Skeleton::circle) {
         if (random.below(3) == 0) continue;
         c.kernel = one_of(windows);
-        // Rings as wide as their support, and less.
+        // Rings are at most as wide as their support.
         if (c.skeleton == scene::Skeleton::circle) c.radius_b *= random.between(0.1, 1);
       }
     }
   }
   if (options.maxima) {
-    // 0: the blob's own sum; 1, 2, 3 and 4, 5 rival; inside 2 do 6 and 7.
+    // 0 is the blob's own sum; 1, 2, 3 are alternatives in a maximum, as are 4, 5; inside 2, so are 6 and 7.
     blob.branches = {{0, 0}, {0, 1}, {0, 1}, {0, 1}, {0, 4}, {0, 4}, {2, 6}, {2, 6}};
     for (std::size_t i = 0; i < blob.components.size(); ++i)
       blob.branch_of.push_back(static_cast<std::uint32_t>(random.below(8)));

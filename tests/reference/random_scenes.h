@@ -1,5 +1,5 @@
-// Seeded random numbers, rays and blobs for tests: the same on every machine, since the mapping from the generator's
-// bits is our own (the standard's distributions differ between libraries).
+// Seeded random numbers, rays and blobs for tests. They are the same on every machine, because the mapping from the
+// generator's bits is our own (the standard's distributions differ between libraries).
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -14,14 +14,14 @@ class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : bits_(seed) {}
 
-  /// In [0, 1), on multiples of 2^-53.
+  /// A number in [0, 1), a multiple of 2^-53.
   [[nodiscard]] double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
   [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
-  /// In [0, count).
+  /// A number in [0, count).
   [[nodiscard]] int below(int count) { return static_cast<int>(unit() * count); }
-  /// Unit length, uniform on the sphere.
+  /// A vector of unit length, uniform on the sphere.
   [[nodiscard]] scene::Vec3 direction();
-  /// Uniform in the ball of that radius about the origin.
+  /// A point, uniform in the ball of this radius about the origin.
   [[nodiscard]] scene::Vec3 in_ball(double radius);
 
  private:
@@ -32,10 +32,11 @@ struct LineOfSight {
   scene::Vec3 origin, direction;  ///< direction has unit length
 };
 
-/// From the sphere of radius `distance` about the origin towards a point of the ball of radius `target`.
+/// A line from the sphere of radius `distance` about the origin towards a point of the ball of radius `target`.
 [[nodiscard]] LineOfSight random_line(RandomSource& random, double distance, double target);
 
-/// Such lines as pictures have them: eights from one place, some closer together than others and every third as far apart as can be.
+/// Lines as pictures have them: groups of eight from one place, some closer together than others, and every third as
+/// far apart as possible.
 [[nodiscard]] std::vector<LineOfSight> random_lines(RandomSource& random, int count, double distance, double target);
 
 /// A rotation, uneven scaling in [½, 2] (mirrored in one of four) and a shift of at most `shift`.
@@ -44,13 +45,13 @@ struct LineOfSight {
 struct RandomBlobOptions {
   int components = 20;
   double scale = 1;        ///< everything lies within about this radius
-  bool negatives = true;   ///< one in four carves
-  bool transforms = true;  ///< one in three has its own
+  bool negatives = true;   ///< one component in four carves
+  bool transforms = true;  ///< one component in three has its own
   bool maxima = false;     ///< components lie in branches of two maxima, one of them with another inside
   bool half_space = false;  ///< one more component, whose plane passes within the scale
-  bool convolutions = false;  ///< of the segments and circles two in three are convolved, of the planes every other
+  bool convolutions = false;  ///< two in three of the segments and circles, and every other plane, are convolved
   double hardest =
-      8;  ///< hardness of the hardest kernels; of hardness h, gaussian and cauchy have some e^h in the middle
+      8;  ///< hardness of the hardest kernels; with hardness h, gaussian and cauchy have about e^h in the middle
 };
 
 /// One blob of all skeletons with all kernels and both meanings of the radius, placed once in the world.

@@ -25,7 +25,7 @@ ReferenceConvolution::ReferenceConvolution(const scene::Component& component, co
       component.skeleton == scene::Skeleton::segment ? segment_curve(component, unit_) : circle_curve(component, unit_);
 }
 
-/// Of a box; its rounding, and that of all distances from it, counts as a part of it.
+/// The ball around a box. The box's rounding, and that of all distances from it, is part of it.
 ReferenceConvolution::Ball ReferenceConvolution::ball_of(const Vector<Interval>& p) const {
   const Vector<long double> middle{p.x.middle() * unit_, p.y.middle() * unit_, p.z.middle() * unit_};
   const Vector<long double> half{p.x.width() / 2, p.y.width() / 2, p.z.width() / 2};
@@ -41,7 +41,7 @@ ReferenceConvolution::Sample ReferenceConvolution::at(const Vector<Interval>& p)
   const long double slope = window_.most_slope(view), bend = window_.most_bend(view), amplitude = window_.amplitude();
   Curve::Integrals sum{};
   if (distance < 1) sum = curve_->integrals(ball.centre, window_);
-  // Quadrature adds positive terms up: a relative error. 1 − y is known to a unit in the last place of 1.
+  // Quadrature adds positive terms, so its error is relative. 1 − y is known to a unit in the last place of 1.
   const long double value_error = slope * ball.radius + sum.fall * 0x1p-60L + sum.value * 0x1p-57L;
   const long double gradient_error = bend * ball.radius + slope * 0x1p-57L;
   const auto component = [&](long double g) { return Interval(amplitude * unit_) * around(g, gradient_error); };
@@ -68,7 +68,7 @@ FieldRange ReferenceConvolution::over(const Line& line, long double t0, long dou
   const ReferenceWindow::View view = curve_->view(ball.centre, ball.radius, least_at(distance));
   const long double amplitude = window_.amplitude() * kAbove;
   const long double slope = amplitude * speed * window_.most_slope(view);
-  // f′ cannot be higher than where lines of the steepest bend from both ends meet.
+  // f′ cannot be higher than the point where lines of the steepest bend from both ends meet.
   const long double turn = amplitude * speed * speed * window_.most_bend(view) * h / 2 * kAbove;
   const Interval &a = first.derivative, &b = last.derivative;
   const Interval derivative = common({-slope, slope}, widened((a.lo + b.lo) / 2 - turn, (a.hi + b.hi) / 2 + turn));

@@ -1,9 +1,9 @@
-// The field of a convolved segment or circle in its component's space, of strength 1: its window (reference_window.h) integrated
-// along the curve numerically, and enclosures of what comes of it. Beside reference_skeleton and reference_kernel, which
-// do the same for functions of a distance; must not know blobs.
+// The field of a convolved segment or circle in its component's space, with strength 1: its window
+// (reference_window.h), integrated along the curve numerically, and enclosures of the results. It stands beside
+// reference_skeleton and reference_kernel, which do the same for functions of a distance; it must not know blobs.
 //
-// Enclosures. Value and gradient at a point carry what the rounding of the point and of 1 − y does to them. Over a box or a
-// stretch of a line, bounds of the first and the second derivative hold around the values at a place or two.
+// Enclosures: value and gradient at a point include the effects of rounding in the point and in 1 − y. Over a box or a
+// stretch of a line, bounds of the first and the second derivative hold around the values at one or two places.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -22,11 +22,11 @@ class Curve {
   [[nodiscard]] virtual long double distance(const Vector<long double>& p) const = 0;
   struct Integrals {
     long double value, fall;       ///< ∫g ds, ∫(−g′) ds
-    Vector<long double> gradient;  ///< of the first
+    Vector<long double> gradient;  ///< of the first integral
   };
-  /// At a point within the support.
+  /// The integrals at a point within the support.
   [[nodiscard]] virtual Integrals integrals(const Vector<long double>& p, const ReferenceWindow& window) const = 0;
-  /// As seen from a ball about p from where nothing is nearer than √least, least < 1.
+  /// The view from a ball about p, from which nothing is nearer than √least, least < 1.
   [[nodiscard]] virtual ReferenceWindow::View view(const Vector<long double>& p, long double ball,
                                                    long double least) const = 0;
 };
@@ -44,12 +44,12 @@ class ReferenceConvolution {
   struct Sample {
     Interval value;
     Vector<Interval> gradient;
-    long double sensitivity = 0;  ///< how relative errors of the squared distances show, at most
+    long double sensitivity = 0;  ///< largest effect of relative errors of the squared distances
   };
-  /// At a point and its rounding.
+  /// The field at a point, with the point's rounding.
   [[nodiscard]] Sample at(const Vector<Interval>& p) const;
   [[nodiscard]] FieldRange at(const Line& line, long double t) const;
-  /// Over a stretch of a line, with what holds at its ends.
+  /// The field over a stretch of a line, from the fields at its ends.
   [[nodiscard]] FieldRange over(const Line& line, long double t0, long double t1, const FieldRange& first,
                                 const FieldRange& last) const;
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
@@ -59,7 +59,7 @@ class ReferenceConvolution {
     Vector<long double> centre;
     long double radius;
   };
-  /// In units of the support.
+  /// The ball in units of the support.
   [[nodiscard]] Ball ball_of(const Vector<Interval>& p) const;
 
   ReferenceWindow window_;

@@ -1,4 +1,4 @@
-// The reference's convolutions: against closed forms where they are short, and its enclosures against samples.
+// The reference's convolutions: compared with closed forms where these are short, and their enclosures with samples.
 #include "tests/reference/reference_convolution.h"
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"
@@ -58,7 +58,7 @@ TEST(ReferenceConvolution, OfASegmentIsTheQuarticsAntiderivative) {
   }
 }
 
-/// McCormack and Sherstyuk's ring, seen from its centre: every point of it is as far.
+/// McCormack and Sherstyuk's ring, seen from its centre: all its points have the same distance.
 TEST(ReferenceConvolution, OfACircleAtItsCentreIsItsLengthTimesTheWindow) {
   for (const scene::Kernel& kernel : kWindows) {
     const ReferenceWindow window(kernel);

@@ -1,8 +1,9 @@
-// Segment: with the foot of p on its line at v = 0, ρ away, y = ρ² + v², over the part within |v| < W = √(1 − ρ²).
+// Segment: if the foot of p on its line is at v = 0, at the distance ρ, y = ρ² + v², over the part within |v| < W = √(1
+// − ρ²).
 //
-// Circle: with d the distance of p from it, ρ the one from its axis and k = 4Rρ, y = d² + k sin²(φ/2), over |φ| < μ where that
-// is below 1. Since sin(φ/2) ≥ φ/π, the distance grows along the arc s = Rφ at least as along a straight line that is
-// (π/2)√(R/ρ) shorter.
+// Circle: if d is the distance of p from it, ρ that from its axis, and k = 4Rρ, then y = d² + k sin²(φ/2), over the |φ|
+// < μ where that is below 1. Since sin(φ/2) ≥ φ/π, the distance grows along the arc s = Rφ at least as along a straight
+// line that is (π/2)√(R/ρ) shorter.
 #include "tests/reference/reference_curves.h"
 
 #include "tests/reference/graded_quadrature.h"
@@ -65,7 +66,7 @@ class SegmentCurve final : public Curve {
   [[nodiscard]] Place place(const Vector3& p) const {
     const Vector3 from_a = p - a_, from_b = p - b_;
     const long double x = dot(from_a, axis_), beyond = dot(from_b, axis_);
-    // From the nearer end: the farther one's distance would cost digits.
+    // The nearer end is used, because the farther one's distance would cost digits.
     const Vector3 across = std::abs(x) < std::abs(beyond) ? from_a - axis_ * x : from_b - axis_ * beyond;
     return {x, std::sqrt(squared_length(across)), across};
   }
@@ -106,7 +107,7 @@ class CircleCurve final : public Curve {
       radial += weight * g.fall * (1 - 2 * half_sine * half_sine);
     });
     const Vector3 outward = at.rho > 0 ? at.across * (1 / at.rho) : Vector3{};
-    // p − s = (p − c) − R(cos φ ρ̂ ± sin φ …), both halves of the circle together.
+    // p − s = (p − c) − R(cos φ ρ̂ ± sin φ …); both halves of the circle are taken together.
     return {2 * radius_ * value, 2 * radius_ * whole,
             (at.from_centre * whole - outward * (radius_ * radial)) * (-4 * radius_)};
   }

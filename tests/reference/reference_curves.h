@@ -1,4 +1,4 @@
-// The curves of convolutions. Behind reference_convolution.
+// The curves of convolutions, used by reference_convolution.
 #pragma once
 
 #include "tests/reference/reference_convolution.h"
@@ -7,9 +7,9 @@
 
 namespace isl::reference {
 
-/// From a to b, times `unit`.
+/// The segment from a to b, scaled by `unit`.
 [[nodiscard]] std::shared_ptr<const Curve> segment_curve(const scene::Component& component, long double unit);
-/// The circle about a and the axis b, times `unit`.
+/// The circle about a and the axis b, scaled by `unit`.
 [[nodiscard]] std::shared_ptr<const Curve> circle_curve(const scene::Component& component, long double unit);
 
 }  // namespace isl::reference

@@ -54,7 +54,7 @@ FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
     if (slope.sign() != 0) gradient = distance.gradient * slope;
   }
   sample.sum_of_values = std::abs(sample.value);
-  // A gradient goes back by the transpose of the map into the component's space.
+  // A gradient is mapped back by the transpose of the map into the component's space.
   if (has_transform_) gradient = transformed_vector(gradient, component_from_blob_.transposed());
   sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
   return sample;

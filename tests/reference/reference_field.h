@@ -1,5 +1,6 @@
-// F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob straight from its definition: every
-// component, long double, no structure in space. The judge of the product's fields, with which it shares only the records of the database.
+// F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob, straight from its definition: every
+// component, in long double, without any structure in space. It judges the product's fields, with which it shares only
+// the records of the database.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -15,7 +16,8 @@
 
 namespace isl::reference {
 
-/// Value, gradient (units of value a length) and the size of what was added up, from which rounding errors are judged.
+/// Value, gradient (in units of value per length) and the size of the summed terms, from which rounding errors are
+/// judged.
 struct FieldSample {
   long double value = 0;
   Vector<long double> gradient{};
@@ -34,11 +36,11 @@ struct KernelInUse {
   ReferenceKernel profile;
 };
 
-/// One component with all it refers to.
+/// One component with everything that it refers to.
 class ReferenceComponent {
  public:
-  /// `component`'s own references are not looked up: `kernel` and `transform` are what they refer to. `corners` are the
-  /// blob's.
+  /// `component`'s own references are not followed: `kernel` and `transform` are the records that they refer to.
+  /// `corners` are the blob's.
   ReferenceComponent(const scene::Component& component, const KernelInUse& kernel, const scene::Transform& transform,
                      std::span<const scene::Vec3> corners);
 
@@ -47,14 +49,14 @@ class ReferenceComponent {
   /// Encloses f over a box in the blob's space.
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
-  // On a line in the component's own space.
+  // These are on a line in the component's own space.
   [[nodiscard]] FieldRange at(const Line& line, long double t) const;
   struct Stretched {
     FieldRange all, first, last;
   };
-  /// Over a stretch, and at its ends.
+  /// The field over a stretch, and at its ends.
   [[nodiscard]] Stretched over(const Line& line, long double t0, long double t1) const;
-  /// How a relative error of q, or of all squared distances to a curve's points, shows at t.
+  /// The effect at t of a relative error of q, or of all squared distances to a curve's points.
   [[nodiscard]] long double sensitivity_at(const Line& line, long double t) const;
 
   [[nodiscard]] const ReferenceSkeleton& skeleton() const { return skeleton_; }
@@ -68,17 +70,17 @@ class ReferenceComponent {
 
   ReferenceSkeleton skeleton_;
   ReferenceKernel kernel_;
-  std::optional<ReferenceConvolution> convolution_;  ///< if the kernel is integrated along the skeleton
-  scene::Matrix component_from_blob_;  ///< the inverse that the database keeps: it is what defines the field
+  std::optional<ReferenceConvolution> convolution_;  ///< set if the kernel is integrated along the skeleton
+  scene::Matrix component_from_blob_;  ///< the inverse that the database keeps, because it defines the field
   Interval strength_;
   bool has_transform_;
 };
 
-/// Calls fold(parent, rivals) for each maximum, those inside before those around them: the greatest of the rivals' sums,
-/// by then complete, belongs to the parent's.
+/// Calls fold(parent, rivals) for each maximum, inner ones before outer ones: the greatest of the rivals' sums, which
+/// are complete by then, belongs to the parent's sum.
 template <class Fold>
 void fold_maxima(const std::vector<scene::Branch>& branches, const Fold& fold) {
-  // A branch has a greater number than its parent, so the maximum that begins last has no other inside its branches.
+  // A branch has a greater number than its parent, so the maximum that begins last contains no other.
   for (std::uint32_t first = static_cast<std::uint32_t>(branches.size()); first-- > 1;) {
     if (branches[first].maximum != first) continue;
     std::vector<std::uint32_t> rivals;
@@ -98,9 +100,9 @@ class ReferenceField {
   [[nodiscard]] long double value(const Vector<long double>& p) const { return sample(p).value; }
 
   [[nodiscard]] const std::vector<ReferenceComponent>& components() const { return components_; }
-  /// The blob's sum is branch 0. Only that one, where it has no maxima.
+  /// Branch 0 is the blob's sum. It is the only one if the blob has no maxima.
   [[nodiscard]] const std::vector<scene::Branch>& branches() const { return branches_; }
-  /// By component.
+  /// The branch of each component.
   [[nodiscard]] std::uint32_t branch_of(std::size_t component) const { return branch_of_[component]; }
   [[nodiscard]] long double threshold() const { return threshold_; }
 

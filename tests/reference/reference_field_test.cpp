@@ -1,4 +1,4 @@
-// The reference field against brute force: gradients by differences, enclosures by sampling.
+// The reference field, compared with brute force: gradients with differences, enclosures with samples.
 #include "tests/reference/reference_field.h"
 
 #include "tests/reference/near.h"
@@ -77,8 +77,8 @@ TEST(ReferenceField, RayRangesHoldEverySampleAndConvergeQuadratically) {
       ++checked;
     }
     const long double size = on_ray.magnitude_at(t0).values + on_ray.magnitude_at(t0).gradients + 1;
-    // 1e-4 wide: an enclosure of first order would be off by about 1e-4 of the derivative's size. Cones' kinks and thin
-    // components leave a factor in front of the square.
+    // The stretch is 1e-4 wide, so an enclosure of first order would be off by about 1e-4 of the derivative's size.
+    // Cones' kinks and thin components leave a factor in front of the square.
     ASSERT_LT(coarse, 1e-5L * size);
   }
   EXPECT_GT(checked, 400);

@@ -1,10 +1,11 @@
-// φ(q) of one kernel (convolved: of a plane or an infinite line) in long double, straight from its definition (q = squared distance over squared radius), and
-// enclosures of φ and φ′ over ranges of q. Used by reference_field and reference_ray; knows nothing of skeletons or
-// space, and leaves each shape's formulas and constants to its form (kernel_forms.h).
+// φ(q) of one kernel (if convolved: of a plane or an infinite line) in long double, straight from its definition (q =
+// squared distance over squared radius), and enclosures of φ and φ′ over ranges of q. Used by reference_field and
+// reference_ray; knows nothing of skeletons or space, and leaves each shape's formulas and constants to its form
+// (kernel_forms.h).
 //
-// Whatever the shape, φ is convex and falls to φ = φ′ = 0 at the end of its support, q = Q, and is zero from there on;
-// where the radius means the surface, φ(1) = 1 and φ′(1) = −hardness. So φ and φ′ are monotone, and their ranges over
-// an interval are their values at its ends. (φ″ may jump: the metaball's does, within its support.)
+// For every shape, φ is convex, falls to φ = φ′ = 0 at the end of its support, q = Q, and is zero from there on. If the
+// radius means the surface, φ(1) = 1 and φ′(1) = −hardness. So φ and φ′ are monotone, and their ranges over an interval
+// are their values at its ends. (φ″ may jump: the metaball's does, within its support.)
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -15,10 +16,10 @@ namespace isl::reference {
 
 class ReferenceKernel {
  public:
-  /// Only a quartic may have the `support` meaning; another shape with it is a bug of the caller.
+  /// Precondition: only a quartic has the `support` meaning.
   explicit ReferenceKernel(const scene::Kernel& kernel);
 
-  /// Q: from here on φ = 0.
+  /// Q, beyond which φ = 0.
   [[nodiscard]] Interval support() const { return support_; }
 
   /// φ over q ≥ 0.

@@ -1,5 +1,4 @@
-// The reference kernels against their definitions: normalisation, slope, border, shape, and enclosures that hold what
-// they must.
+// The reference kernels, compared with their definitions: normalisation, slope, border, shape, and correct enclosures.
 #include "tests/reference/reference_kernel.h"
 
 #include "tests/reference/near.h"
@@ -59,7 +58,7 @@ TEST_P(SurfaceKernel, FallsAndIsConvex) {
   for (std::size_t i = 1; i + 1 < q.size(); ++i) {
     const Interval left = kernel.value(Interval(q[i - 1])), here = kernel.value(Interval(q[i]));
     ASSERT_GT(left.lo, here.hi) << "q = " << q[i];
-    // Convex: the slope of every chord lies between the slopes at its ends, and those rise.
+    // φ is convex: the slope of every chord lies between the slopes at its ends, and those rise.
     const Interval chord = (here - left) / (Interval(q[i]) - Interval(q[i - 1]));
     const Interval before = kernel.slope(Interval(q[i - 1])), after = kernel.slope(Interval(q[i]));
     ASSERT_LE(before.lo, chord.hi) << "q = " << q[i];
@@ -73,8 +72,8 @@ TEST_P(SurfaceKernel, EnclosuresAreTightAndHoldTheirEnds) {
   const ReferenceKernel kernel(GetParam());
   const Interval value = kernel.value(Interval(0.5L, 0.9L));
   EXPECT_TRUE(value.contains(kernel.value(0.7L)));
-  // The exponential multiplies the error of its argument by the argument, up to 500; and the softer a cauchy, the less
-  // its two conditions differ, from which its constants come.
+  // The exponential multiplies the error of its argument by the argument, up to 500. The softer a cauchy is, the less
+  // its two conditions differ, from which its constants follow.
   const long double tolerance = 1e-15L * std::max(1.0, 1 / GetParam().hardness);
   EXPECT_CLOSE(value.hi / kernel.value(0.5L), 1, tolerance);
   EXPECT_CLOSE(value.lo / kernel.value(0.9L), 1, tolerance);
@@ -82,7 +81,7 @@ TEST_P(SurfaceKernel, EnclosuresAreTightAndHoldTheirEnds) {
 
 TEST_P(SurfaceKernel, EnclosuresHoldDenseSamples) {
   const ReferenceKernel kernel(GetParam());
-  // Beyond the support, too.
+  // The intervals extend beyond the support, too.
   const long double far = kernel.support().hi * 1.2L;
   for (int from = 0; from < 12; ++from) {
     for (int to = from + 1; to <= 12; ++to) {
@@ -105,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Hardness, SurfaceKernel,
                                          cauchy(500)));
 
 TEST(ReferenceKernel, GaussianIsBlinnsExponentialLessATangent) {
-  // At h = 4: b·(e^{-aq} − tangent at Q) with the constants to which the definition reduces, written out in full.
+  // At h = 4: b·(e^{-aq} − tangent at Q), with the constants from the definition written out in full.
   const long double delta = 1e-3L, a = 4 * (1 - delta * (1 + std::log(1 / delta))) / (1 - delta);
   const long double border = 1 + std::log(1 / delta) / a;
   const auto raw = [&](long double q) { return std::exp(-a * q) - std::exp(-a * border) * (1 - a * (q - border)); };
@@ -123,8 +122,9 @@ TEST(ReferenceKernel, SupportMeaningIsPovRaysParabola) {
   EXPECT_EQ(kernel.value(1.0L), 0);
 }
 
-/// φ is w(q/Q)/w(1/Q) for the w of a kernel's paper, and its Q is where −x·w′/w = h at x = 1/Q. Tolerances: w is good
-/// to 1e-18, of which a hard kernel's w(1/Q) is only a little; the difference quotient is good to eight digits.
+/// φ is w(q/Q)/w(1/Q) for the w of a kernel's paper, and its Q is where −x·w′/w = h at x = 1/Q. Tolerances: w is
+/// correct to 1e-18, of which a hard kernel's w(1/Q) is only a small part; the difference quotient is correct to eight
+/// digits.
 void expect_is_scaled(const scene::Kernel& named, const std::function<long double(long double)>& w) {
   SCOPED_TRACE(named.hardness);
   const ReferenceKernel kernel(named);
@@ -165,7 +165,7 @@ TEST(ReferenceKernel, MetaballIsContinuousWithItsSlopeWhereItsPiecesMeet) {
     const Interval slope = kernel.slope(Interval(meeting - step, meeting + step));
     EXPECT_LT(value.width(), 1e-14L * value.hi);
     EXPECT_LT(slope.width(), 1e-14L * slope.magnitude());
-    // φ″ jumps from zero to ¾|φ′|/q there: the slope is constant before, and 0.00075 of it is gone a thousandth later.
+    // φ″ jumps from zero to ¾|φ′|/q there: the slope is constant before, and a thousandth later 0.00075 of it is gone.
     const auto change = [&](long double a, long double b) {
       return kernel.slope(meeting * b) - kernel.slope(meeting * a);
     };
@@ -174,7 +174,7 @@ TEST(ReferenceKernel, MetaballIsContinuousWithItsSlopeWhereItsPiecesMeet) {
   }
 }
 
-/// Cauchy's kernel less its tangent at Q, and its derivative, in σ² and Q as the definition has them.
+/// Cauchy's kernel minus its tangent at Q, and its derivative, in terms of σ² and Q as in the definition.
 struct WindowedCauchy {
   long double sigma_squared, border;
 
@@ -197,7 +197,7 @@ TEST(ReferenceKernel, CauchyIsTheKernelLessItsTangentWithTheKnownConstants) {
     const ReferenceKernel kernel(cauchy(known.hardness));
     const long double border = kernel.support().middle();
     EXPECT_CLOSE(std::sqrt(border), known.root_of_border, 5e-5L);
-    // The only σ that goes with this Q: the larger, the steeper at the radius.
+    // Only one σ belongs to this Q: the larger σ is, the steeper the kernel at the radius.
     long double low = known.sigma * 0.9L, high = known.sigma * 1.1L;
     for (int i = 0; i < 70; ++i) {
       const long double middle = (low + high) / 2;

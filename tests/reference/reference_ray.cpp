@@ -62,7 +62,7 @@ FieldOnRay::Active FieldOnRay::active(const Active& from, long double t0, long d
   return kept;
 }
 
-/// Of the greatest of several sums, its value and, where any of them may be the greatest, its derivative.
+/// The value of the greatest of several sums, and the hull of the derivatives of those that may be the greatest.
 FieldRange FieldOnRay::total(std::vector<FieldRange>& sums) const {
   fold_maxima(*branches_, [&](std::uint32_t parent, std::span<const std::uint32_t> rivals) {
     Interval greatest = sums[rivals[0]].value;
@@ -101,8 +101,8 @@ FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1
     firsts[part.branch].value = firsts[part.branch].value + range.first.value;
     lasts[part.branch].value = lasts[part.branch].value + range.last.value;
   }
-  // A maximum has edges, but between any two of its values lie slopes of the sums that are the greatest there: the
-  // mean-value form holds for it too.
+  // A maximum has edges. But the slope between any two of its values lies between slopes of the sums that are the
+  // greatest there, so the mean-value form holds for it too.
   FieldRange sum = total(sums);
   const Interval step(0, (Interval(t1) - Interval(t0)).hi);
   sum.value = common(sum.value, total(firsts).value + sum.derivative * step);
@@ -134,7 +134,7 @@ bool FieldOnRay::stays_within(long double bound, long double t0, long double t1)
   };
   std::vector<Piece> open{{t0, t1}};
   const Active everything = all();
-  // 10,000 pieces: far more than any stretch needs whose answer is clear.
+  // 10,000 pieces are far more than any stretch with a clear result needs.
   for (int step = 0; !open.empty(); ++step) {
     const Piece piece = open.back();
     open.pop_back();

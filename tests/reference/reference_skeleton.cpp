@@ -53,7 +53,8 @@ long double convex_minimum(long double t0, long double t1, const DistanceOnLine&
   const long double h = t1 - t0;
   const long double s =
       std::clamp((first.q.lo - last.q.lo + last.slope.hi * h) / (last.slope.hi - first.slope.lo), 0.0L, h);
-  // Left of t0 + s the falling tangent is above its value there, right of it the rising one: any s gives a bound.
+  // The function lies above the falling tangent to the left of t0 + s, and above the rising one to the right: any s
+  // gives a bound.
   const Interval left = Interval(first.q.lo) + Interval(first.slope.lo) * Interval(s);
   const Interval right = Interval(last.q.lo) - Interval(last.slope.hi) * (Interval(h) - Interval(s));
   return std::min(left.lo, right.lo);

@@ -2,8 +2,8 @@
 // reference_field and reference_ray; must not know kernels or blobs, and leaves each skeleton's geometry to its form
 // (skeleton_forms.h).
 //
-// Wherever the skeleton is a convex set and the radius the same all over it, q is convex: its slope along a ray is
-// monotone, so that the slope's range is exact. Only cones and circles say more themselves.
+// If the skeleton is a convex set with the same radius everywhere, q is convex: its slope along a ray is monotone, so
+// the slope's range is exact. Only the forms of cones and circles compute their own ranges.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -21,13 +21,13 @@ class ReferenceSkeleton {
   /// `corners` are the blob's.
   explicit ReferenceSkeleton(const scene::Component& component, std::span<const scene::Vec3> corners = {});
 
-  /// q and ∇q at the points of a box. Where q has no bound (the tip of a cone of radius zero), everything.
+  /// q and ∇q at the points of a box. If q has no bound (the tip of a cone of radius zero), the range is everything.
   [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const { return form_->at(p); }
   [[nodiscard]] DistanceOnLine at(const Line& line, long double t) const;
   /// q and dq/dt over a stretch of a line.
   [[nodiscard]] DistanceOnLine over(const Stretch& stretch) const { return form_->over(stretch); }
 
-  /// Of a skeleton without end: where on a line q passes between 0 and root_q².
+  /// For a skeleton without end: the stretch of a line on which q passes between 0 and root_q².
   [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const {
     return form_->change_on(line, root_q);
   }

@@ -1,4 +1,4 @@
-// The reference's distances against minimising over the skeleton by brute force.
+// The reference's distances, compared with minimising over the skeleton by brute force.
 #include "tests/reference/reference_skeleton.h"
 
 #include "tests/reference/near.h"
@@ -13,8 +13,8 @@
 namespace isl::reference {
 namespace {
 
-/// The least value of f on [low, high] by ternary search, good where f falls and then rises; (2/3)⁶⁰ = 3e-11 of a place
-/// is 1e-21 of a value.
+/// The least value of f on [low, high] by ternary search. Precondition: f falls and then rises. (2/3)⁶⁰ = 3e-11 of a
+/// place is 1e-21 of a value.
 template <class Function>
 long double ternary_minimum(const Function& f, long double low, long double high) {
   long double least = std::min(f(low), f(high));
@@ -27,7 +27,7 @@ long double ternary_minimum(const Function& f, long double low, long double high
   return least;
 }
 
-/// The same in each of 64 stretches.
+/// The least value found by ternary search in each of 64 stretches.
 template <class Function>
 long double stretchwise_minimum(const Function& f, long double low, long double high) {
   long double least = f(low);
@@ -68,14 +68,14 @@ TEST(ReferenceSkeleton, ConeIsTheNearestOfAllItsSpheres) {
   }
 }
 
-/// q of p against `brute_force` and the eikonal equation |∇q|² = 4q/r², which every distance obeys.
+/// Compares q of p with `brute_force` and with the eikonal equation |∇q|² = 4q/r², which every distance obeys.
 template <class BruteForce>
 void expect_distance(const ReferenceSkeleton& skeleton, long double radius, const Vector<long double>& p,
                      const BruteForce& brute_force) {
   const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
   const long double expected = brute_force(p) / (radius * radius);
   ASSERT_CLOSE(here.q.middle(), expected, 1e-15L * expected + 1e-18L);
-  // The splinter's normal costs two digits.
+  // The normal of a splinter costs two digits.
   ASSERT_LT(here.q.width(), 1e-13L * here.q.hi + 1e-30L);
   const Interval eikonal = squared_length(here.gradient) * square(Interval(radius)) * Interval(0.25L);
   ASSERT_CLOSE(eikonal.middle(), here.q.middle(), 1e-14L * here.q.middle() + 1e-30L);
@@ -128,7 +128,7 @@ TEST(ReferenceSkeleton, TriangleIsTheNearestOfItsPoints) {
     component.corner = 1;
     const ReferenceSkeleton skeleton(component, corners);
     for (int i = 0; i < 50; ++i) expect_distance(skeleton, 0.2, exactly(random.in_ball(2.5)), brute_force);
-    // Over and next to the face, where the other points seldom are.
+    // Points over and next to the face, which the other points seldom are.
     for (int i = 0; i < 50; ++i) {
       const long double u = random.between(-0.1, 1.1), v = random.between(-0.1, 1.1 - static_cast<double>(u));
       const Vector<long double> lift = exactly(random.in_ball(0.3));
@@ -155,7 +155,7 @@ TEST(ReferenceSkeleton, CircleIsTheNearestOfItsPoints) {
       const Vector<long double> p = exactly(random.in_ball(3));
       const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
       const long double expected = brute_force(p) / square(Interval(0.3)).middle();
-      // x and y are of unit length to 1e-16 only.
+      // x and y have unit length only to 1e-16.
       ASSERT_CLOSE(here.q.middle(), expected, 1e-14L * (1 + expected));
       ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi));
       const Interval eikonal = squared_length(here.gradient) * square(Interval(0.3)) * Interval(0.25L);
@@ -171,17 +171,17 @@ TEST(ReferenceSkeleton, LinesAcrossACirclesAxisAreEnclosed) {
   const ReferenceSkeleton skeleton(component);
   RandomSource random(19);
   for (int i = 0; i < 50; ++i) {
-    // Through the axis itself, and just past it.
+    // Lines through the axis itself, and just past it.
     const scene::Vec3 middle(i % 2 == 0 ? 0 : 1e-6 * random.unit(), random.between(-1, 1), 0);
     const Line line{interval_of(middle), interval_of(random.direction())};
     const long double t0 = -random.unit(), t1 = random.unit();
     const DistanceOnLine range = skeleton.over({line, t0, t1, skeleton.at(line, t0), skeleton.at(line, t1)});
-    EXPECT_LT(range.q.hi, 40);  // the most there is: at two from the circle, where q = 16, and the steps' slack
+    EXPECT_LT(range.q.hi, 40);  // the greatest value: at the distance 2 from the circle q = 16, plus the steps' slack
     for (int k = 0; k <= 200; ++k) {
       const DistanceOnLine here = skeleton.at(line, t0 + (t1 - t0) * k / 200);
       ASSERT_LE(range.q.lo, here.q.hi);
       ASSERT_GE(range.q.hi, here.q.lo);
-      if (here.slope.width() > 1) continue;  // on the axis: any of its slopes
+      if (here.slope.width() > 1) continue;  // on the axis any of its slopes is right
       ASSERT_LE(range.slope.lo, here.slope.hi);
       ASSERT_GE(range.slope.hi, here.slope.lo);
     }

@@ -9,14 +9,14 @@
 namespace isl::reference {
 namespace {
 
-/// Halvings after which a stretch is below the last bit of any t; only reached next to t = 0.
+/// Number of halvings after which a stretch is below the last bit of any t. It is reached only next to t = 0.
 constexpr int kMaxDepth = 250;
 
 class RootSearch {
  public:
   RootSearch(const FieldOnRay& field, bool first_only) : field_(field), first_only_(first_only) {}
 
-  /// Searches [t0, t1] on the field's components `from`; signs are those of F at the ends, 0 where they are unknown.
+  /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
   void isolate(const FieldOnRay::Active& from, long double t0, int sign0, long double t1, int sign1, int depth = 0) {
     if (is_done() || !(t0 < t1)) return;
     const FieldOnRay::Active active = field_.active(from, t0, t1);
@@ -26,7 +26,7 @@ class RootSearch {
       return sign0 == sign1 ? constant(sign0) : crossing(active, t0, t1, sign0);
     }
     if (depth > kMaxDepth || t1 - t0 <= 0x1p-60L * std::max(std::abs(t0), std::abs(t1))) return doubt(t0, t1);
-    // A cut where the sign is certain; five tries, since a root may lie on one of them.
+    // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
     long double cut = t0;
     Interval value;
     for (const long double fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
@@ -39,14 +39,14 @@ class RootSearch {
     isolate(active, cut, value.sign(), t1, sign1, depth + 1);
   }
 
-  /// F keeps this sign on the next stretch.
+  /// Records that F keeps this sign on the next stretch.
   void constant(int sign) {
     settle_doubt(sign);
     if (sign_ == 0) roots_.starts_inside = sign > 0;
     sign_ = sign;
   }
 
-  /// The next stretch is undecided.
+  /// Records that the next stretch is undecided.
   void doubt(long double t0, long double t1) {
     if (doubt_) {
       doubt_->end = t1;
@@ -62,7 +62,7 @@ class RootSearch {
   [[nodiscard]] bool is_done() const { return first_only_ && !roots_.crossings.empty(); }
 
  private:
-  /// F is monotone on [t0, t1] with certain and different signs at its ends.
+  /// Records a crossing: F is monotone on [t0, t1] with certain and different signs at its ends.
   void crossing(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) {
     constant(sign0);
     if (is_done()) return;
@@ -70,7 +70,7 @@ class RootSearch {
     sign_ = -sign0;
   }
 
-  /// Newton kept in its bracket, until the value is lost in its own rounding error or the bracket is two neighbours.
+  /// Newton's method in a bracket, until the value is lost in its own rounding error or the bracket is two neighbours.
   [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) const {
     long double t = t0 + (t1 - t0) / 2;
     for (int step = 0;; ++step) {
@@ -84,12 +84,12 @@ class RootSearch {
       }
       (here.value.sign() == sign0 ? t0 : t1) = t;
       const long double newton = t - here.value.middle() / slope;
-      // Every third step halves, so that a slow Newton cannot starve the bracket.
+      // Every third step halves, so that the bracket shrinks even if Newton's steps are slow.
       t = step % 3 != 2 && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
     }
   }
 
-  /// What lies before a stretch of known sign: a touch, or a crossing that could not be pinned down any better.
+  /// Decides an undecided stretch before one of known sign: a touch, or a crossing that cannot be located any better.
   void settle_doubt(int next_sign) {
     if (!doubt_) return;
     const Touch doubt = *doubt_;
@@ -105,11 +105,12 @@ class RootSearch {
   const FieldOnRay& field_;
   bool first_only_;
   RayRoots roots_;
-  int sign_ = 0;  ///< of F on what was last decided
+  int sign_ = 0;  ///< the sign of F where it was decided last
   std::optional<Touch> doubt_;
 };
 
-/// Leaves the root at t = 0: how far F keeps the sign it gets by leaving it, or where that can no longer be told.
+/// Leaves the root at t = 0. Returns the t up to which F keeps the sign it gets there, or where the sign can no longer
+/// be decided.
 long double leave_start(const FieldOnRay& field, RootSearch& search, long double end) {
   const FieldOnRay::Active all = field.all();
   for (int halving = 0; halving < 100; ++halving, end /= 2) {
@@ -130,14 +131,15 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   const FieldOnRay::Active all = field.all();
   const long double begin = std::max(field.begin(), 0.0L), end = std::min(field.end(), options.t_max);
   if (all.empty()) return search.finish();
-  if (begin >= end) {  // nothing changes in front of the ray's start
+  if (begin >= end) {  // nothing changes beyond the ray's start
     if (const int sign = field.at(all, 0).value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
     return search.finish();
   }
   long double from = begin;
   if (options.starts_on_root) {
-    // The start is only as near to the surface as doubles are: near it the level that it lies on counts, until the ray has come
-    // eight times as far as that is off. Farther away, where F can be steep, the surface itself.
+    // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
+    // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself
+    // counts.
     const FieldRange start = field.at(all, 0);
     const long double offset = start.value.middle();
     field.raise_threshold(offset);

@@ -1,8 +1,9 @@
-// Every root of F along a ray, by proof: a stretch is left alone only when an enclosure of F excludes zero, or when F
-// is monotone there and its signs at the ends are certain; otherwise it is cut. On top, rays against the blobs of a
-// database. The oracle of the tests of solvers and tracer: certain rather than fast, and sharing no code with them.
+// Every root of F along a ray, by proof: a stretch is decided only when an enclosure of F excludes zero, or when F is
+// monotone there and its signs at the ends are certain; otherwise it is divided. On top of this, rays against the blobs
+// of a database. It is the oracle of the tests of solvers and tracer: certain rather than fast, and sharing no code
+// with them.
 //
-// What double-extended precision cannot decide (a surface touched to 1e-18) is reported as a touch, never guessed.
+// Cases that extended precision cannot decide (a surface touched to 1e-18) are reported as a touch, never guessed.
 #pragma once
 
 #include "tests/reference/reference_ray.h"
@@ -13,7 +14,7 @@
 
 namespace isl::reference {
 
-/// Where F changes sign.
+/// A place where F changes sign.
 struct Crossing {
   long double t = 0;
   long double slack = 0;  ///< the root lies within t ± slack
@@ -33,14 +34,14 @@ struct RayRoots {
 
 struct RootOptions {
   long double t_max = std::numeric_limits<long double>::infinity();
-  /// The origin is on the surface: the level set through it is searched, and its root at t = 0 is known and left out.
+  /// The origin is on the surface: the level set through it is searched, and its known root at t = 0 is left out.
   bool starts_on_root = false;
   bool first_only = false;  ///< stop after the first crossing
 };
 
 [[nodiscard]] RayRoots roots_along(const ReferenceField& field, const FieldRay& ray, const RootOptions& options);
 
-/// Encloses the largest F on [t0, t1] to about 1e-15 of the threshold (one-sidedly if many maxima compete).
+/// Encloses the largest F on [t0, t1] to about 1e-15 of the threshold (only from one side if many maxima compete).
 [[nodiscard]] Interval largest_value(const FieldOnRay& field, long double t0, long double t1);
 
 /// The blobs of a database, placed. Objects other than blobs are left out.
@@ -61,9 +62,10 @@ class ReferenceScene {
 
   struct Hit {
     Crossing crossing;
-    std::size_t placed;  ///< number of the blob
+    std::size_t placed;  ///< index of the blob
   };
-  /// The nearest surface with 0 < t < options.t_max; `starts_on_root` concerns every blob, so use it with one only.
+  /// The nearest surface with 0 < t < options.t_max. `starts_on_root` applies to every blob, so use it with one blob
+  /// only.
   [[nodiscard]] std::optional<Hit> first_hit(const scene::Vec3& origin, const scene::Vec3& direction,
                                              RootOptions options = {}) const;
 

@@ -1,5 +1,4 @@
-// The reference tracer against closed forms: the hard cases whose answer can be written down. Names carry the case's
-// number.
+// The reference tracer, compared with closed forms of the hard cases that have one. Names contain the case's number.
 #include "tests/reference/reference_tracer.h"
 
 #include "tests/reference/near.h"
@@ -39,7 +38,7 @@ TEST(ReferenceTracer, A01_GrazingRayFindsTwoRootsOrMisses) {
       const double d = 1 - epsilon;
       const long double half = std::sqrt((1 - static_cast<long double>(d)) * (1 + static_cast<long double>(d)));
       SCOPED_TRACE(epsilon);
-      // F's own error, 1e-17, over its slope at the root, 8·half.
+      // The tolerance is F's own error, 1e-17, over its slope at the root, 8·half.
       expect_roots(roots(ball, {0, d, -8}, {0, 0, 1}), {8 - half, 8 + half}, 1e-17L + 1e-17L / half);
     }
     EXPECT_THAT(roots(ball, {0, 1 + 1e-12, -8}, {0, 0, 1}).crossings, IsEmpty());
@@ -64,7 +63,7 @@ TEST(ReferenceTracer, A02_DoubleRootInsideIsATouchAndNoCrossing) {
   // On the axis F = 2x⁴ + x²(12c² − 4) + 2(1 − c²)² − T with c² = 9/16: a quadratic in x².
   const long double b = 12 * 0.5625L - 4, rest = static_cast<long double>(above) - middle;
   const long double x = std::sqrt((-b + std::sqrt(b * b + 8 * rest)) / 4);
-  // F is good to 1e-18 and its slope there is 6e-5.
+  // F is correct to 1e-18 and its slope there is 6e-5.
   EXPECT_CLOSE(four.crossings[1].t, 4 - x, 5e-14L);
   EXPECT_CLOSE(four.crossings[2].t, 4 + x, 5e-14L);
 }
@@ -168,7 +167,8 @@ TEST(ReferenceTracer, D38_RayFromTheSurfaceForgetsWhereItStarts) {
   for (int i = 0; i < 200; ++i) {
     const Vec3 start = random.direction(), direction = random.direction();
     const RayRoots found = roots(ball, start, direction, {.starts_on_root = true});
-    // To the ball itself: the start lies on it to a rounding only, which counts in a short chord.
+    // The expected chord is that of the ball itself: the start lies on it only up to a rounding, which matters for a
+    // short chord.
     const long double back = dot(exactly(start), exactly(direction)), length2 = squared_length(exactly(direction));
     const long double off = squared_length(exactly(start)) - 1;
     const long double chord = (std::sqrt(back * back - length2 * off) - back) / length2;
@@ -210,7 +210,7 @@ TEST(ReferenceTracer, E44_SegmentAlongAcrossAndBesideItsAxis) {
 TEST(ReferenceTracer, ConeHasItsEndSpheresAndItsSlantedFlank) {
   const scene::Database limb = one_blob(quartic(4), {cone({0, 0, 0}, 0.5, {2, 0, 0}, 0.25)});
   expect_roots(roots(limb, {-4, 0, 0}, {1, 0, 0}), {3.5L, 6.25L}, 1e-16L);
-  // Where q = 1, ρ² = A² + k²ρ², with A the radius that the axis has there: ρ = A/√(1 − k²).
+  // At q = 1, ρ² = A² + k²ρ², with A the radius that the axis has there: ρ = A/√(1 − k²).
   const long double k = -0.125L, radius = (0.5L + k) / std::sqrt(1 - k * k);
   expect_roots(roots(limb, {1, 0, -4}, {0, 0, 1}), {4 - radius, 4 + radius}, 1e-16L);
 }
@@ -219,7 +219,7 @@ TEST(ReferenceTracer, BoxHasItsFacesAndItsRoundEdges) {
   const scene::Database solid = one_blob(quartic(4), {box({-1, -0.5, -2}, {1, 0.5, 2}, 0.25)});
   expect_roots(roots(solid, {0.25, 0, -4}, {0, 0, 1}), {1.75L, 6.25L}, 1e-16L);
   expect_roots(roots(solid, {0, 0, 0}, {0, 1, 0}), {0.75L}, 1e-16L);
-  // 0.15 beside the box: the round edges are met at √(0.25² − 0.15²) = 0.2 beyond its ends.
+  // At 0.15 beside the box, the line meets the round edges at √(0.25² − 0.15²) = 0.2 beyond its ends.
   const long double x = scene::Vec3(1.15).x - 1.0L, edge = std::sqrt(0.0625L - x * x);
   expect_roots(roots(solid, {1.15, 0, -4}, {0, 0, 1}), {2 - edge, 6 + edge}, 1e-16L);
   const scene::Database flat = one_blob(cauchy(4), {box({-1, 0, -1}, {1, 0, 1}, 0.25)});
@@ -232,7 +232,7 @@ TEST(ReferenceTracer, TriangleHasItsFaceItsEdgesAndItsCorners) {
   expect_roots(roots(flat, {0, -4, 0.5}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
   expect_roots(roots(flat, {0, 0, -4}, {0, 0, 1}), {3.75L, 5.25L}, 1e-16L);
   expect_roots(roots(flat, {-4, 0, 0}, {1, 0, 0}), {2.75L, 5.25L}, 1e-16L);
-  // 0.125/√2 outside the slanted edge x + z = 1.
+  // The line is 0.125/√2 outside the slanted edge x + z = 1.
   const long double half = std::sqrt(0.0625L - 0.125L * 0.125L / 2);
   expect_roots(roots(flat, {0.5, -4, 0.625}, {0, 1, 0}), {4 - half, 4 + half}, 1e-16L);
 }
@@ -242,7 +242,7 @@ TEST(ReferenceTracer, CircleHasItsHole) {
   expect_roots(roots(ring, {-4, 0, 0}, {1, 0, 0}), {2.75L, 3.25L, 4.75L, 5.25L}, 1e-16L);
   expect_roots(roots(ring, {1, -4, 0}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
   EXPECT_THAT(roots(ring, {0, -4, 0}, {0, 1, 0}).crossings, IsEmpty());
-  // Beside the axis, ρ = 1 ± 0.25 at x = √(ρ² − 0.5²).
+  // Beside the axis, ρ = 1 ± 0.25 is at x = √(ρ² − 0.5²).
   const long double inner = std::sqrt(0.5625L - 0.25L), outer = std::sqrt(1.5625L - 0.25L);
   expect_roots(roots(ring, {-4, 0, 0.5}, {1, 0, 0}), {4 - outer, 4 - inner, 4 + inner, 4 + outer}, 1e-16L);
 }

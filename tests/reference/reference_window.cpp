@@ -1,8 +1,9 @@
-// Along a line that is followed with unit speed, y′² ≤ 4y and y″ = 2, so the second derivative of g(y) is y′²g″ + 2g′ with
+// Along a line of unit speed, y′² ≤ 4y and y″ = 2, so the second derivative of g(y) is y′²g″ + 2g′ with
 //   quartic   |8(y′²/4) − 4(1 − y)| ≤ 8
 //   cauchy    g″ = 6/Y⁴, −2/Y³ ≤ g′ ≤ 0: between −4/Y³ and 24y/Y⁴ < 24/Y³
-// and the first |y′g′| ≤ 4√y(1 − y) < 1.54, or 4√y/Y³ < 4/Y^{5/2}. Integrated along a curve no nearer than least: the length
-// times that at the least distance; or of the falling powers, with P = ε + least, as along a line of any length,
+// and the first derivative is |y′g′| ≤ 4√y(1 − y) < 1.54, or 4√y/Y³ < 4/Y^{5/2}. Integrals along a curve no nearer than
+// least are bounded by the length times the value at the least distance or, for the falling powers, with P = ε + least,
+// as along a line of any length, by
 //   ∫(P + v²)⁻³dv = (3π/8)√P/P³,   ∫(P + v²)^{−5/2}dv = (4/3)√P/P^{5/2},
 // times the spread.
 #include "tests/reference/reference_window.h"
@@ -19,10 +20,10 @@ namespace isl::reference {
 namespace {
 
 constexpr long double kLeastEpsilon = 1e-40L;
-/// For the rounding of bounds.
+/// Allows for the rounding of bounds.
 constexpr long double kAbove = 1 + 0x1p-50L;
 
-/// Halves until nothing lies between: where `is_below` ends.
+/// Bisects to neighbouring numbers: the place where `is_below` ends.
 template <class IsBelow>
 long double border_of(long double low, long double high, const IsBelow& is_below) {
   for (int step = 0; step < 75; ++step) {
@@ -46,7 +47,7 @@ ReferenceWindow::ReferenceWindow(const scene::Kernel& kernel)
   }
 }
 
-/// A line has (16/15)(1 − y)^{5/2}: φ′/φ = −5/2/(Q − q).
+/// For a line the integral is (16/15)(1 − y)^{5/2}: φ′/φ = −5/2/(Q − q).
 void ReferenceWindow::solve_quartic(long double hardness) {
   border_ = 1 + 2.5L / hardness;
   amplitude_ = 1 / line(1 / border_).value;
@@ -54,7 +55,7 @@ void ReferenceWindow::solve_quartic(long double hardness) {
 
 void ReferenceWindow::solve_cauchy(long double hardness) {
   static std::mutex mutex;
-  static std::map<long double, ReferenceWindow> solved;  // it takes a tenth of a second
+  static std::map<long double, ReferenceWindow> solved;  // cached, because solving takes a tenth of a second
   const std::lock_guard lock(mutex);
   if (const auto known = solved.find(hardness); known != solved.end()) {
     *this = known->second;
@@ -71,8 +72,8 @@ void ReferenceWindow::solve_cauchy(long double hardness) {
   solved.emplace(hardness, *this);
 }
 
-/// y of a line's surface, where −y∫g′/∫g = h: it rises from 0 on the line. As ln(y/(1 − y)), for soft ones of small ε have it
-/// far within.
+/// y of a line's surface, where −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)),
+/// because soft windows of small ε have it far within.
 long double ReferenceWindow::surface(long double hardness) const {
   const auto place = [](long double u) { return 1 / (1 + std::exp(-u)); };
   return place(border_of(-100, 40, [&](long double u) {

@@ -1,10 +1,10 @@
-// The window of a convolution, straight from its definition (docs/language.md), in long double: what is integrated along a curve.
-// With y the squared distance to a point of the curve over the squared support,
+// The window of a convolution, straight from its definition (docs/language.md), in long double: the function that is
+// integrated along a curve. With y the squared distance to a point of the curve over the squared support,
 //   quartic   g = (1 − y)²,
-//   cauchy    g = 1/Y² less its tangent at the border, Y = ε + y, B = ε + 1;
-// of an infinite straight line at the squared distance q radii squared, y = q/Q, it makes φ(q) with φ(1) = 1 and φ′(1) = −h. The
-// Cauchy window has φ(0) = eʰ too, or the least ε, 10⁻⁴⁰. The conditions are solved with lines that are integrated
-// numerically: nothing here knows a closed form.
+//   cauchy    g = 1/Y² minus its tangent at the border, Y = ε + y, B = ε + 1;
+// for an infinite straight line at the squared distance of q radii squared, y = q/Q, it gives φ(q) with φ(1) = 1 and
+// φ′(1) = −h. The Cauchy window also gives φ(0) = eʰ, or has the least ε, 10⁻⁴⁰. The conditions are solved with lines
+// that are integrated numerically: nothing here uses a closed form.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -18,27 +18,28 @@ class ReferenceWindow {
 
   /// Q: the squared support over the squared radius.
   [[nodiscard]] long double border() const { return border_; }
-  /// What makes φ(1) = 1 of integrals whose lengths are in supports.
+  /// The factor that makes φ(1) = 1 of integrals whose lengths are in supports.
   [[nodiscard]] long double amplitude() const { return amplitude_; }
 
   struct Value {
     long double value, fall;  ///< g and −dg/dy
   };
-  /// Given y and 1 − y > 0, which a caller may know to more digits.
+  /// The window, given y and 1 − y > 0, which a caller may know to more digits.
   [[nodiscard]] Value at(long double y, long double to_border) const;
-  /// How far off a straight line, at the squared distance y of the nearest point, g along it is analytic.
+  /// The distance from a straight line within which g along it is analytic, where y is the squared distance of the
+  /// nearest point.
   [[nodiscard]] long double scale(long double y) const;
 
-  /// Part of a curve as seen from where nothing of it is nearer than √least.
+  /// A part of a curve, seen from a place to which no point of it is nearer than √least.
   struct View {
     long double least;   ///< < 1
-    long double length;  ///< of the part within the support, or more
+    long double length;  ///< length of the part within the support, or more
     long double spread;  ///< the distance grows along the curve at least as along a straight line this much shorter
   };
   /// Bounds of the second and the first derivative of ∫g, along a line that is followed with unit speed.
   [[nodiscard]] long double most_bend(const View& view) const;
   [[nodiscard]] long double most_slope(const View& view) const;
-  /// And of ∫g.
+  /// Bound of ∫g.
   [[nodiscard]] long double most(const View& view) const;
 
   /// ∫g and ∫(−dg/dy) along an infinite line at the squared distance y < 1.

@@ -1,5 +1,5 @@
-// The rival solvers: the certified ones miss nothing that the reference sees,
-// the others miss what their papers say they miss, and no ray goes on for ever.
+// The baselines: the certified ones miss nothing that the reference finds, the others miss what their papers say they
+// miss, and the search ends for every ray.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
@@ -106,7 +106,7 @@ TEST_P(Rivals, FindASphereToTheirTolerance) {
     const TracerUnderTest tracer(database, options_of(GetParam(), {tolerance, false}, {1e-2 * radius, false}));
     RandomSource random(73);
     for (int i = 0; i < 100; ++i) {
-      // To within nine tenths of the radius: near the rim one step may pass.
+      // The line passes within nine tenths of the radius, because near the rim one step may pass over the sphere.
       const LineOfSight line = random_line(random, 3 * radius, 0.9 * radius);
       const double middle = -line.origin.dot(line.direction);
       const double across2 = (line.origin + line.direction * middle).length2();
@@ -121,9 +121,8 @@ TEST_P(Rivals, FindASphereToTheirTolerance) {
 }
 
 TEST_P(Rivals, EndWithEveryRay) {
-  // Along whole lines from hit to hit, from inside as well as out, through all
-  // that a blob can be; and rays that lie in a face, where F is the threshold
-  // all along.
+  // Whole lines from hit to hit, from inside as well as outside, through blobs of every kind; and rays that lie in a
+  // face, where F is the threshold all along.
   RandomSource random(74);
   for (const RandomBlobsCase& given : kCases) {
     RandomBlobOptions blob = given.options;
@@ -143,7 +142,7 @@ TEST_P(Rivals, EndWithEveryRay) {
   }
 }
 
-/// Thin limbs on a ball: what steps and tolerances may pass over.
+/// Thin limbs on a ball, which steps and tolerances may pass over.
 scene::Database bristles() {
   RandomSource random(75);
   std::vector<scene::Component> components = {point({0, 0, 0}, 0.4)};
@@ -154,8 +153,8 @@ scene::Database bristles() {
 struct Misses {
   std::size_t coarse, fine, hits;
 };
-/// Of the reference's hits, with two lengths of step or tolerance. Whatever
-/// else differs is no miss.
+/// The misses among the reference's hits, with two lengths of step or tolerance. Other differences do not count as
+/// misses.
 Misses misses_of(const render::TracerOptions& coarse, const render::TracerOptions& fine) {
   const scene::Database database = bristles();
   const ReferenceScene scene(database);
@@ -164,7 +163,7 @@ Misses misses_of(const render::TracerOptions& coarse, const render::TracerOption
   const Truth truth = truth_of(scene, rays);
   const auto missed = [&](const render::TracerOptions& options, std::size_t& hits) {
     const TracerUnderTest tracer(database, options);
-    // What is found behind something missed counts too.
+    // Surfaces found behind something missed count as misses too.
     const Agreement agreement =
         compare_first_hits(scene, truth, tracer.trace(), rays, {.tolerance = {0.05, false}, .pixel_angle = 1e-3});
     hits = agreement.hits;
@@ -226,7 +225,7 @@ TEST(Segment, TakesFewerStepsThanSphereTracing) {
   const TracerUnderTest sphere(database, with(render::SolverName::sphere, {1e-5, false}));
   const TracerUnderTest segment(database, with(render::SolverName::segment, {1e-5, false}));
   const std::vector<render::Hit> one = sphere.hits(rays), other = segment.hits(rays);
-  // Either may pass over what is thinner than the tolerance.
+  // Either may pass over parts thinner than the tolerance.
   int differ = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     differ += one[i].is_miss() != other[i].is_miss() || std::abs(one[i].t - other[i].t) > 2e-5 ? 1 : 0;

@@ -1,6 +1,6 @@
 // A million rays that start on a surface, at all angles down to 10⁻¹² off the tangent plane: those that leave a convex
-// surface never meet it again, those that enter it come out (hard cases F54 and F55), and what lies 10⁻⁶ of the radius
-// away is found (F56).
+// surface never meet it again, those that enter it come out (hard cases F54 and F55), and surfaces 10⁻⁶ of the radius
+// away are found (F56).
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
@@ -38,7 +38,7 @@ scene::Database alone(const ConvexShape& shape, const scene::Kernel& kernel) {
   return database;
 }
 
-/// A point of the surface, and what a ray needs that starts there.
+/// A point of the surface, with the data that a ray from there needs.
 struct Start {
   Vec3 position, normal;
   double path_length;
@@ -58,7 +58,7 @@ std::vector<Start> starts_on(const TracerUnderTest& tracer, RandomSource& random
   return starts;
 }
 
-/// Off the tangent plane by a sine of 10⁻¹² to 1, evenly by its logarithm, to the outside.
+/// A direction to the outside whose sine to the tangent plane is from 10⁻¹² to 1, uniform by its logarithm.
 Vec3 leaving_direction(const Vec3& normal, RandomSource& random) {
   const Vec3 tangent = normal.cross(random.direction()).normalized();
   const double sine = std::pow(10, random.between(-12, 0));
@@ -91,8 +91,8 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
       const std::string which = std::string(shape.name) + ", kernel " + std::to_string(&kernel - all_kernels.data());
       EXPECT_EQ(met_itself, 0U) << which << ": of " << 2 * leaving.size();
       EXPECT_EQ(lost, 0U) << which << ": of " << entering.size();
-      // A ray that keeps within the rounding of a surface with straight lines, 10⁻¹¹ off one of them, cannot be told
-      // from one in it.
+      // On a surface with straight lines, a ray 10⁻¹¹ off one of them stays within rounding of the surface and cannot
+      // be distinguished from a ray in it.
       const bool has_lines = shape.component.skeleton != scene::Skeleton::point;
       EXPECT_LE(tracer.uncertified_steps(), has_lines ? leaving.size() / 500 : 0) << which;
       rays_in_all += 2 * leaving.size() + entering.size();
@@ -106,7 +106,7 @@ TEST(SecondaryRays, FindAnOccluderAMillionthOfTheRadiusAway) {
   for (const scene::Kernel& kernel : every_kernel(4)) {
     const TracerUnderTest bare(one_blob(kernel, {point({0, 0, 0}, 1)}));
     for (const Start& start : starts_on(bare, random, 200, 0.9)) {
-      // A ball of 10⁻⁷ in the same blob. The large one's field, just below the threshold, swells it to its support,
+      // A ball of 10⁻⁷ in the same blob. The large ball's field, just below the threshold, swells it to its support,
       // which is less than three radii of hardness 4.
       const TracerUnderTest tracer(
           one_blob(kernel, {point({0, 0, 0}, 1), point(start.position + start.normal * 1e-6, 1e-7)}));

@@ -1,4 +1,4 @@
-// Convolved planes through the public tracer, with answers in closed form.
+// Convolved planes through the public tracer, with results in closed form.
 #include "tests/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
@@ -37,7 +37,7 @@ TEST(Sheet, HasASurfaceOnBothSidesAtItsRadius) {
     expect_roots(walk(alone, {0, 4, 0}, {0, -1, 0}), {3.5, 4.5}, 1e-13);
     expect_roots(walk(alone, {0, -400, 0}, {0, 1, 0}), {399.5, 400.5}, 1e-12);
     expect_roots(walk(alone, {0, 1, 0}, {0.8, -0.6, 0}), {0.5 / 0.6, 1.5 / 0.6}, 1e-13);
-    // From within, to one side, and away from it.
+    // Lines from within, to one side, and away from the plane.
     expect_roots(walk(alone, {0, 0.25, 0}, {0, 1, 0}), {0.25}, 1e-13);
     expect_roots(walk(alone, {0, 0, 0}, {0, 1, 0}), {0.5}, 1e-13);
     expect_roots(walk(alone, {0, 0.25, 0}, {0, -1, 0}), {0.75}, 1e-13);
@@ -51,7 +51,7 @@ TEST(Sheet, IsNeverLeftAlongIt) {
     const scene::Database alone = one_blob(kernel, {sheet({0, 0, 0}, {0, 0, 1}, 0.5)});
     for (const double z : {-0.7, -0.499, -0.1, 0.0, 0.3, 0.501, 40.0})
       EXPECT_THAT(walk(alone, {1, 2, z}, {0.6, 0.8, 0}), IsEmpty()) << z;
-    // All but along it: out of it far away, or never by any scene's measure.
+    // Lines almost along the plane: they leave it far away, or never by the measure of any scene.
     expect_roots(walk(alone, {0, 0, 0}, {1, 0, 1e-9}), {5e8}, 1e-4);
     EXPECT_THAT(walk(alone, {0, 0, 0.25}, {1, 0, 1e-200}), IsEmpty());
   }
@@ -79,19 +79,19 @@ TEST(Sheet, MapsAreMapsOfItsDistances) {
 
 TEST(Sheet, AddsUpWithOthersAndWithWhatHasAnEnd) {
   for (const scene::Kernel& kernel : {over_sheets(quartic(4)), over_sheets(cauchy(4))}) {
-    // Of two on one plane the surface is where φ = ½.
+    // Two sheets on one plane have their surface where φ = ½.
     const ReferenceKernel phi(kernel);
     long double low = 1, high = phi.support().hi;
     for (int i = 0; i < 70; ++i) (phi.value((low + high) / 2) > 0.5L ? low : high) = (low + high) / 2;
     const double half = 0.5 * static_cast<double>(std::sqrt(low));
     const scene::Component one = sheet({0, 0, 0}, {0, 1, 0}, 0.5), other = sheet({3, 0, 3}, {0, -1, 0}, 0.5);
     expect_roots(walk(one_blob(kernel, {one, other}), {0, 4, 0}, {0, -1, 0}), {4 - half, 4 + half}, 1e-13);
-    // One carves all of another.
+    // One sheet carves away all of another.
     scene::Component against = other;
     against.strength = -1;
     EXPECT_THAT(walk(one_blob(kernel, {one, against}), {0, 4, 0}, {0, -1, 0}), IsEmpty());
   }
-  // A ball of the same kernel beside it is met where it is, and the sheet behind it; a ball far in front too.
+  // A ball of the same kernel beside the sheet is met at its place, and the sheet behind it; so is a ball far in front.
   const scene::Kernel kernel = over_sheets(quartic(4));
   const scene::Database standing =
       one_blob(kernel, {sheet({0, 0, 0}, {0, 1, 0}, 0.25), point({0, 3, 0}, 0.5), point({0, 1000, 0}, 0.5)});

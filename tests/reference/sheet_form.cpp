@@ -1,4 +1,5 @@
-// The plane through a across the unit vector b, as it stands in the database: with x = (p − a)·b, q = x²/r² and ∇q = 2x b/r². It is
+// The plane through a perpendicular to the unit vector b, as stored in the database: with x = (p − a)·b, q = x²/r² and
+// ∇q = 2x b/r². It is
 // convex, and along a line it changes only where |x| < r·root.
 #include "tests/reference/skeleton_forms.h"
 

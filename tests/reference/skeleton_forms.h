@@ -1,6 +1,6 @@
-// The skeletons, one form each: the squared distance q to it relative to the squared radius, and its gradient, from the
-// definition; in long double and over intervals. Behind reference_skeleton, which knows what all of them have in
-// common; must not know kernels or blobs.
+// The skeletons, one form each: the squared distance q to the skeleton relative to the squared radius, and its
+// gradient, from the definition; in long double and over intervals. reference_skeleton uses the forms and has
+// everything that they share; the forms must not know kernels or blobs.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -12,7 +12,7 @@
 
 namespace isl::reference {
 
-/// Stands for "any size at all" where a bound does not exist; far from overflow even after multiplications.
+/// Stands for "any size at all" if a bound does not exist; far from overflow even after multiplications.
 inline constexpr long double kUnbounded = 1e4000L;
 
 [[nodiscard]] inline Vector<Interval> interval_of(const scene::Vec3& v) {
@@ -56,7 +56,7 @@ struct Stretch {
   [[nodiscard]] Interval steps() const { return {0, (Interval(t1) - Interval(t0)).hi}; }
 };
 
-/// Where on a line a field without end changes; before and behind it is constant. Empty where begin = end.
+/// The stretch of a line on which an endless field changes; before and behind it is constant. Empty if begin = end.
 struct ChangeOnLine {
   long double begin, end;
 };
@@ -65,17 +65,18 @@ class SkeletonForm {
  public:
   virtual ~SkeletonForm() = default;
   [[nodiscard]] virtual SkeletonExtent extent() const = 0;
-  /// At the points of a box, which may be one point.
+  /// q and ∇q at the points of a box, which may be one point.
   [[nodiscard]] virtual RelativeDistance at(const Vector<Interval>& p) const = 0;
-  /// All over a stretch. The forms whose skeleton is a convex set of one radius, where q is convex, need not say.
+  /// q and dq/dt over a whole stretch. Forms whose skeleton is a convex set of one radius, so that q is convex, need
+  /// not override it.
   [[nodiscard]] virtual DistanceOnLine over(const Stretch& stretch) const;
-  /// Of a skeleton without end: where q passes between 0 and root_q². Nothing for all others.
+  /// For a skeleton without end: the stretch on which q passes between 0 and root_q². Empty for all others.
   [[nodiscard]] virtual std::optional<ChangeOnLine> change_on(const Line&, long double) const { return std::nullopt; }
 };
 
 using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 
-/// point, segment and cone.
+/// The form of point, segment and cone.
 [[nodiscard]] SkeletonFormHandle limb_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle box_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle triangle_form(const scene::Component& component, const scene::Vec3& third_corner);
@@ -84,8 +85,8 @@ using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 [[nodiscard]] SkeletonFormHandle plane_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle sheet_form(const scene::Component& component);
 
-/// A lower bound of a convex function on [t0, t1], from enclosures of its values and slopes at the ends: where the
-/// tangents meet, or the end that is lowest.
+/// A lower bound of a convex function on [t0, t1], from enclosures of its values and slopes at the ends: its value
+/// where the tangents meet, or at the lowest end.
 [[nodiscard]] long double convex_minimum(long double t0, long double t1, const DistanceOnLine& first,
                                          const DistanceOnLine& last);
 

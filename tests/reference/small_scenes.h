@@ -10,7 +10,7 @@ namespace isl::reference {
 
 inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::RadiusMeaning::support, 4};
 
-/// A function for each kernel, called by its word: gaussian(4).
+/// A function for each kernel, named by its word: gaussian(4).
 #define ISL_KERNEL(word, Type)                                                  \
   [[nodiscard]] constexpr scene::Kernel word(double hardness) {                 \
     return {scene::KernelShape::word, scene::RadiusMeaning::surface, hardness}; \
@@ -18,7 +18,7 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
 #include "renderer/scene/kernel_shapes.def"
 #undef ISL_KERNEL
 
-/// Each of them.
+/// One kernel of each shape.
 [[nodiscard]] inline std::vector<scene::Kernel> every_kernel(double hardness) {
   return {
 #define ISL_KERNEL(word, Type) word(hardness),
@@ -27,12 +27,12 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   };
 }
 
-/// Integrated along segments and circles; a quartic or a cauchy.
+/// The kernel, integrated along segments and circles. Precondition: a quartic or a cauchy.
 [[nodiscard]] constexpr scene::Kernel convolved(scene::Kernel kernel) {
   kernel.mode = scene::FieldMode::convolution;
   return kernel;
 }
-/// Integrated over sheets.
+/// The kernel, integrated over sheets.
 [[nodiscard]] constexpr scene::Kernel over_sheets(scene::Kernel kernel) {
   kernel.mode = scene::FieldMode::sheet;
   return kernel;
@@ -69,7 +69,7 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
-/// Its third corner is the first of the blob's corners.
+/// A triangle whose third corner is the first of the blob's corners.
 [[nodiscard]] inline scene::Component triangle(const scene::Vec3& a, const scene::Vec3& b, double radius,
                                                double strength = 1) {
   scene::Component component = segment(a, b, radius, strength);
@@ -77,7 +77,7 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
-/// `axis` has unit length.
+/// Precondition: `axis` has unit length.
 [[nodiscard]] inline scene::Component circle(const scene::Vec3& centre, const scene::Vec3& axis, double ring_radius,
                                              double radius, double strength = 1) {
   scene::Component component = segment(centre, axis, radius, strength);
@@ -94,7 +94,7 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
-/// The plane through `at`, convolved: for kernels of the mode sheet. `normal` has unit length.
+/// The plane through `at`, convolved, for kernels of the mode sheet. `normal` has unit length.
 [[nodiscard]] inline scene::Component sheet(const scene::Vec3& at, const scene::Vec3& normal, double radius,
                                             double strength = 1) {
   scene::Component component = half_space(at, normal, radius, strength);
@@ -134,7 +134,7 @@ template <class Change>
   return with_places(std::move(database), [&](scene::Vec3& place) { place += shift; });
 }
 
-/// The same blob times a power of two: its picture must scale exactly.
+/// The same blob scaled by a power of two: its picture must scale exactly.
 [[nodiscard]] inline scene::Database scaled(scene::Database database, double factor) {
   for (scene::Component& component : database.blobs.front().components) {
     component.radius_a *= factor;

@@ -1,11 +1,13 @@
-// Random blobs of everything, as many as there is patience for, tracer against reference: what the tests do with fixed seeds, by
-// the million. Every blob has a seed of its own, which is printed with whatever goes wrong, so that it can be had again.
+// Compares the tracer with the reference on random blobs of every kind, as many as you like: the comparison of the
+// tests with fixed seeds, a million times. Every blob has a seed of its own, which is printed with every disagreement,
+// so that it can be repeated.
 //
 //   soak [FIRST_SEED [RAYS]]      (1, 1000000)
 //
-// A blob has 1 to 200 components of all skeletons and kernels, half of them carving or mapped where the seed says so, maxima, a
-// half-space now and then (or a sheet), convolutions every other time, hardness up to 300, and a scale from 10⁻³ to 10³. Of the rays half look for the first hit and half
-// are shadow rays, from the surfaces that were found, at all angles down to grazing. Exit code 1 after a disagreement.
+// A blob has 1 to 200 components of all skeletons and kernels. Depending on the seed, half of them carve or are mapped,
+// and it has maxima, sometimes a half-space (or a sheet), and every other time convolutions, a hardness up to 300, and
+// a scale from 10⁻³ to 10³. Half of the rays look for the first hit, and half are shadow rays from the surfaces that
+// were found, at all angles down to grazing. Exit code 1 after a disagreement.
 #include "tests/reference/agreement.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"

@@ -1,5 +1,5 @@
-// Spikes thinner than a pixel: however rarely a sample meets one, over many samples it does as often as its share of the area says.
-// (HardCases E52; the paper's sea urchin.)
+// Spikes thinner than a pixel: a sample rarely meets one, but over many samples it does so as often as the spike's
+// share of the area says. (HardCases E52; the paper's sea urchin.)
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
@@ -17,7 +17,7 @@ constexpr int kPixels = 100, kSamples = 1024;
 class ThinSpikes : public testing::TestWithParam<double> {};
 
 TEST_P(ThinSpikes, AreMetAsOftenAsTheirAreaSays) {
-  const double radius = GetParam();  // of a pixel of side 1
+  const double radius = GetParam();  // in pixels
   std::vector<scene::Component> spikes;
   for (int i = 0; i < kPixels; ++i)
     spikes.push_back(segment(scene::Vec3(i + 0.5, -2, 0), scene::Vec3(i + 0.5, 3, 0), radius));
@@ -34,7 +34,7 @@ TEST_P(ThinSpikes, AreMetAsOftenAsTheirAreaSays) {
   const double share = 2 * radius, n = double{kPixels} * kSamples;
   const double sigma = std::sqrt(n * share * (1 - share));
   EXPECT_NEAR(static_cast<double>(met), n * share, 4 * sigma);
-  // Aimed at, each is met, at its very edge too, from both sides.
+  // Rays aimed at a spike meet it, even at its edge, from both sides.
   for (int i = 0; i < kPixels; ++i) {
     for (const double offset : {0.0, 0.999999, -0.999999})
       EXPECT_FALSE(tracer.hit(camera_ray({{i + 0.5 + offset * radius, 0.3, -7}, {0, 0, 1}})).is_miss()) << i << ' ' << offset;

@@ -1,4 +1,4 @@
-// A render::Tracer as the tests of this folder ask it: in batches for the comparison, ray by ray for closed forms.
+// A render::Tracer as the tests of this folder use it: in batches for the comparison, ray by ray for closed forms.
 #pragma once
 
 #include "renderer/trace/tracer.h"
@@ -12,7 +12,7 @@ namespace isl::reference {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Options with a solver and a tolerance, the rest as shipped.
+/// Options with this solver and tolerance, the rest as shipped.
 [[nodiscard]] inline render::TracerOptions with(render::SolverName solver, render::Tolerance tolerance) {
   render::TracerOptions options;
   options.solver = solver;
@@ -74,7 +74,7 @@ class TracerUnderTest {
   }
 
   [[nodiscard]] const AgreementOptions& comparison() const { return comparison_; }
-  /// Of all rays so far.
+  /// The sum over all rays until now.
   [[nodiscard]] std::uint64_t uncertified_steps() const { return counters_.uncertified_steps; }
   [[nodiscard]] std::uint64_t field_evaluations() const { return counters_.field_evaluations; }
 
@@ -84,8 +84,8 @@ class TracerUnderTest {
   AgreementOptions comparison_;
 };
 
-/// From every surface that the eyes meet, one ray to a light somewhere, the same for eight eyes, and one that grazes: 1e-6 off the
-/// tangent plane, to either side. `scale` is that of the scene.
+/// From every surface that the eyes' rays meet, one ray to a light, which is the same for eight eyes, and one that
+/// grazes: 1e-6 off the tangent plane, to either side. `scale` is that of the scene.
 [[nodiscard]] inline std::vector<render::Ray> shadow_rays(const TracerUnderTest& tracer,
                                                           const std::vector<render::Ray>& eyes, double scale,
                                                           RandomSource& random) {

@@ -4,8 +4,8 @@
 //   face      w·(eᵢ × n) ≤ 0 for all i                        o = n(w·n)/|n|²
 //   edge i    w·(eᵢ × n) ≥ 0 and 0 ≤ w·eᵢ ≤ |eᵢ|²             o = w − eᵢ(w·eᵢ)/|eᵢ|²
 //   corner i  w·eᵢ ≤ 0 and w·eᵢ₋₁ ≥ 0                         o = w
-// Every p is in one of the seven, and in several only on their common border, where their offsets agree. What a box
-// may lie in is taken together. q = |o|²/r² and ∇q = 2o/r².
+// Every p is in one of the seven, and in several only on their common border, where their offsets agree. For a box, the
+// features that it may lie in are combined. q = |o|²/r² and ∇q = 2o/r².
 #include "tests/reference/skeleton_forms.h"
 
 #include "base/check.h"
