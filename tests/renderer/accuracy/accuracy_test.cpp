@@ -1,4 +1,4 @@
-// What is told of errors, and what proves a reference: neither may praise what is wrong.
+// Reports of errors, and the proof of a reference: neither may praise what is wrong.
 #include "renderer/accuracy/comparison.h"
 #include "renderer/accuracy/measured_aovs.h"
 #include "renderer/accuracy/measured_layers.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
-/// Two balls that melt into one another, seen from the front.
+/// Two balls that blend into one another, seen from the front.
 scene::Database two_balls() {
   scene::Database database;
   database.camera = scene::Camera{};

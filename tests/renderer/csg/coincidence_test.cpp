@@ -1,4 +1,4 @@
-// Faces that coincide, surfaces that touch, and rays that start where they do.
+// Faces that coincide, surfaces that touch, and rays that start on them.
 #include "tests/renderer/csg/csg_scene.h"
 
 #include <gtest/gtest.h>
@@ -36,13 +36,13 @@ scene::Transform turned(double degrees) {
   return affine(rotation * shift);
 }
 
-/// An operation on two equal objects, each with its own transform of the same meaning, and what is left of it.
+/// Tests an operation on two equal objects, each with its own transform of the same meaning. `empty`: nothing is left.
 void expect_hits_of_equals(Operation operation, const scene::Solid& solid, const scene::Transform& transform,
                            bool empty) {
   CsgScene both, alone;
   Object a = both.solid(solid), b = both.solid(solid);
   a.parent_from_object = transform;
-  // The same place, rounded differently.
+  // Two transforms to the same place that are rounded differently.
   scene::Matrix there, back;
   there.setTranslation(Vec3(0.3, 0.7, -0.1));
   back.setTranslation(Vec3(-0.3, -0.7, 0.1));
@@ -55,7 +55,7 @@ void expect_hits_of_equals(Operation operation, const scene::Solid& solid, const
   for (const Line& line : lines(71, 3000)) {
     const std::size_t found = walk(tracer, line.origin, line.direction).t.size();
     const Walk expected = walk(plain, line.origin, line.direction);
-    // Where the line only grazes, rounding may decide for one of the two and not for the other.
+    // If the line only grazes, rounding may decide differently for the two objects.
     if (expected.t.size() == 2 && expected.t[1] - expected.t[0] < 1e-6) continue;
     ASSERT_EQ(found, empty ? 0 : expected.t.size()) << line.origin << " " << line.direction;
   }
@@ -94,7 +94,7 @@ TEST(Coincidence, of_a_solid_with_itself_is_the_solid) {
 }
 
 TEST(Coincidence, of_an_open_frames_faces_leaves_no_skin) {
-  // A box with a hole from face to face: a line along the hole meets nothing, one beside it two faces.
+  // A box with a hole from face to face: a line along the hole meets nothing, and one beside it meets two faces.
   CsgScene scene;
   const Object frame = scene.group(
       Operation::subtract, {scene.solid(box(Vec3(-1), Vec3(1))), scene.solid(box({-0.5, -1, -0.5}, {0.5, 1, 0.5}))});
@@ -134,12 +134,12 @@ TEST(Coincidence, of_touching_spheres_keeps_parity) {
   const Tracer tracer(scene.database, {});
   Random random(74);
   for (int i = 0; i < 20000; ++i) {
-    // Through the point of contact, more or less, at all angles.
+    // Lines close to the point of contact, at all angles.
     const Vec3 direction = random.direction();
     const Vec3 aim = random.in_cube(1) * std::pow(10, random.uniform(-18, -1));
     ASSERT_EQ(walk(tracer, aim - direction * 3, direction).t.size() % 2, 0u);
   }
-  // The intersection of what only touches is nothing.
+  // The intersection of two objects that only touch is empty.
   scene.database.groups[0].operation = Operation::intersect;
   const Tracer none(scene.database, {});
   for (int i = 0; i < 5000; ++i) {
@@ -188,7 +188,7 @@ TEST(StartsOnCombinations, neither_meet_themselves_nor_leak) {
       Ray next{point.position, onward, std::numeric_limits<double>::infinity(), hit.t, hit.start()};
       Hit second;
       same.first_hits(std::span(&next, 1), std::span(&second, 1), counters);
-      // A step away from the surface the definition knows the side; at grazing angles only a longer step does.
+      // A step away from the surface, the definition tells the side; at grazing angles only a longer step does.
       const double step = 1e-4 / std::abs(lean);
       if (!second.is_miss() && second.t < 2 * step) continue;
       if (step > 0.01) continue;

@@ -1,4 +1,4 @@
-// Objects of their own whose faces coincide but for the rounding of their places: which is seen, and what throws a
+// Separate objects whose faces coincide except for the rounding of their places: which is seen, and what throws a
 // shadow. Sizes are 10⁻⁶ to 10⁶, places up to 100 sizes from the origin, light down to 10⁻⁷ above the faces.
 #include "tests/renderer/csg/coinciding_scenes.h"
 
@@ -43,8 +43,8 @@ TEST(CoincidingFaces, show_what_was_declared_first_and_throw_no_shadow_on_each_o
   EXPECT_GT(seen, 10000);
 }
 
-/// Whether the ray from p of the plane along d passes the box x0 … x1, y0 … y1, z0 … z1, with that much to spare or to
-/// lack.
+/// Tells whether the ray from p in the plane along d passes the box from a to b; `unclear` if it does so for the box
+/// grown by the margin and not for the box shrunk by it.
 enum class Shade { none, full, unclear };
 Shade shade(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& d, double margin) {
   long double in[2], out[2];
@@ -52,7 +52,7 @@ Shade shade(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& d, double m
     const long double by = grown ? margin : -margin;
     in[grown] = 0, out[grown] = std::numeric_limits<long double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-      // The lower face is exact: it is what may coincide.
+      // The lower face is exact, because it is the one that may coincide.
       const long double low = a[axis] - (axis == 1 ? 0 : by), high = b[axis] + by;
       const long double t0 = (low - p[axis]) / d[axis], t1 = (high - p[axis]) / d[axis];
       in[grown] = std::max(in[grown], std::min(t0, t1));
@@ -73,7 +73,7 @@ TEST(CoincidingFaces, are_shadowed_by_what_stands_on_them_or_hovers_close_above)
       all.flats.push_back(random_flat(all.scene, random));
       all.put(all.flats.back().object, place.once_more(random));
     }
-    // A plane of 10⁻⁸ sizes is far above the rounding of places 100 sizes away.
+    // A plane at 10⁻⁸ sizes is far above the rounding of places 100 sizes away.
     const double above = turn % 3 == 0 ? 0 : std::pow(10, random.uniform(-8, -1));
     const Vec3 a(random.uniform(-0.5, 0.2), above, random.uniform(-0.5, 0.2));
     const Vec3 b = a + Vec3(random.uniform(0.1, 0.5), random.uniform(0.1, 0.5), random.uniform(0.1, 0.5));
@@ -82,12 +82,12 @@ TEST(CoincidingFaces, are_shadowed_by_what_stands_on_them_or_hovers_close_above)
     look_down(tracer, place, random, 60, [&](const Vec3& p, const Ray& ray, const Hit& hit) {
       if (hit.is_miss() || hit.instance == 2) return;
       if (std::max(all.flats[0].depth(p.x, p.z), all.flats[1].depth(p.x, p.z)) < 1e-5)
-        return;  // a side, below the plane
+        return;  // a side of the object, below the plane
       for (int light = 0; light < 4; ++light) {
         const Vec3 up = upwards(random);
         const Shade expected = shade(a, b, p, up, 1e-6);
         if (expected == Shade::unclear) continue;
-        // Where the light grazes, the box's lower border is met or not by less than its own rounding.
+        // If the light grazes, rounding alone decides whether it meets the box's lower border.
         if (above > 0 && std::abs(above / up.y) > 1e-7 * above / 1e-13) continue;
         ++(expected == Shade::full ? shaded : lit);
         ASSERT_EQ(is_occluded(tracer, shadow_ray(ray, hit, place.transform.vector(up))), expected == Shade::full)
@@ -118,7 +118,7 @@ TEST(CoincidingFaces, of_the_same_object_twice_look_like_one) {
       const Ray ray = ray_from(place.transform.point(from), place.transform.vector(direction));
       const Hit hit = first_hit(tracer, ray), expected = first_hit(alone, ray);
       if (hit.is_miss() != expected.is_miss()) {
-        // One of the two may be missed where the ray only grazes it.
+        // One of the two objects may be missed if the ray only grazes it.
         continue;
       }
       if (hit.is_miss()) continue;
@@ -127,7 +127,7 @@ TEST(CoincidingFaces, of_the_same_object_twice_look_like_one) {
       SurfacePoint point;
       alone.surface_at(ray, expected, point);
       for (int light = 0; light < 6; ++light) {
-        // Towards all sides, and as low as 10⁻⁷ above the surface.
+        // Light in all directions, and from as low as 10⁻⁷ above the surface.
         Vec3 to = random.direction();
         if (light % 2 == 0) {
           to = (to - point.normal * to.dot(point.normal)).normalized() +
@@ -178,8 +178,8 @@ TEST(CoincidingFaces, are_the_same_to_rays_in_packets) {
 }
 
 TEST(CoincidingFaces, that_end_where_the_next_begins_throw_no_shadow_across_the_border) {
-  // From just before the border, a ray just above one box's top may enter the next through its side, and leave through
-  // its top, which lies higher by a rounding.
+  // A ray that starts just before the border and just above one box's top may enter the next box through its side, and
+  // leave it through its top, which is higher by a rounding.
   Random random(604);
   int seen = 0;
   for (int turn = 0; turn < 400; ++turn) {

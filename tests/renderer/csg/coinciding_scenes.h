@@ -1,4 +1,4 @@
-// Scenes of objects whose faces coincide but for the rounding of their places, and rays that look at them.
+// Scenes of objects whose faces coincide except for the rounding of their places, and rays that look at them.
 #pragma once
 
 #include "tests/renderer/csg/csg_scene.h"
@@ -17,7 +17,7 @@ inline scene::Transform shifted(const Vec3& by) {
   return affine(m);
 }
 
-/// A rigid place for a scene, and ways of putting objects there that mean the same and are rounded differently.
+/// A rigid transform for a scene, and ways of placing objects there that have the same meaning and different rounding.
 struct Place {
   double scale;
   scene::Transform transform;
@@ -34,13 +34,13 @@ struct Place {
   }
 };
 
-/// What is flat in the plane y = 0 and lies below it, and where.
+/// An object that is flat in the plane y = 0 and lies below it, and its place.
 struct Flat {
   Object object;
-  int form;  ///< 0: everywhere, 1: a square, 2: a circle, 3: a triangle
+  int form;  ///< 0: unbounded, 1: a square, 2: a circle, 3: a triangle
   double x = 0, z = 0, size = 0;
 
-  /// How far a place of the plane lies within its border; negative outside.
+  /// The distance of a point of the plane from the flat's border; negative outside.
   [[nodiscard]] double depth(double px, double pz) const {
     const double dx = px - x, dz = pz - z;
     if (form == 0) return 1e9;
@@ -86,7 +86,7 @@ inline Flat random_flat(CsgScene& scene, Random& random) {
       scene.database.polygons.push_back({{centre + Vec3(-s, 0, -s), centre + Vec3(s, 0, -s), centre + Vec3(s, 0, s),
                                           centre + Vec3(-s, 0, s), centre + Vec3(-s, 0, -s)}});
       break;
-    case 5:  // sides that reach beyond the top are cut away by a half-space
+    case 5:  // a half-space cuts off sides that reach beyond the top
       flat.object = scene.group(Operation::intersect, {scene.solid(box(centre - Vec3(s, 1, s), centre + Vec3(s, 1, s))),
                                                        scene.solid(plane({0, 1, 0}, 0))});
       return flat;
@@ -132,7 +132,7 @@ inline Ray shadow_ray(const Ray& ray, const Hit& hit, const Vec3& direction) {
   return result;
 }
 
-/// From the plane upwards, as low as 10⁻⁷.
+/// A direction from the plane upwards, as low as 10⁻⁷.
 inline Vec3 upwards(Random& random) {
   const double turn = random.uniform(0, 6.3), rise = std::pow(10, random.uniform(-7, 0.5));
   return Vec3(std::cos(turn), rise, std::sin(turn)).normalized();
@@ -152,7 +152,7 @@ void look_down(const Tracer& tracer, const Place& place, Random& random, int cou
   }
 }
 
-/// Of about unit size.
+/// A random object of about unit size.
 inline Object random_round(CsgScene& scene, Random& random, int form) {
   switch (form) {
     case 0: return scene.solid(sphere(random.in_cube(0.3), random.uniform(0.3, 1)));

@@ -1,4 +1,4 @@
-// Small scenes of combined solids and blobs, and lines followed through them hit by hit.
+// Small scenes of combined solids and blobs, and lines that are followed through them from hit to hit.
 #pragma once
 
 #include "renderer/queries/inside.h"
@@ -93,7 +93,7 @@ inline scene::Transform random_transform(Random& random) {
   return affine(scale * rotation * shift);
 }
 
-/// Every surface along a line, each found by a ray that starts on the one before. A sound tracer ends long before
+/// All surfaces along a line, each found by a ray that starts on the one before. A correct tracer finds far fewer than
 /// `most`.
 struct Walk {
   std::vector<double> t;

@@ -31,7 +31,7 @@ inline Object random_leaf(CsgScene& scene, Random& random) {
   return scene.solid(random_whole(random, kinds[static_cast<int>(random.uniform(0, 3))]).solid);
 }
 
-/// `unite` only with `with_inner`: its inner surfaces change nothing.
+/// A random expression. `unite` occurs only if `with_inner`, which keeps its inner surfaces.
 inline Object random_tree(CsgScene& scene, Random& random, int depth, bool with_inner) {
   Object result;
   if (depth == 0 || random.uniform(0, 1) < 0.2) {

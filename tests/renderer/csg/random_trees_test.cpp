@@ -1,5 +1,5 @@
-// Random expressions over random solids and blobs against the definition of their insides: along random lines, inside
-// and outside alternate at the hits and nowhere else.
+// Random expressions over random solids and blobs, compared with the definition of their insides: along random lines,
+// inside and outside alternate at the hits and nowhere else.
 #include "tests/renderer/csg/random_tree.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ TEST(RandomTrees, alternate_at_their_hits) {
 }
 
 TEST(RandomTrees, end_for_the_published_solvers_too) {
-  // A ray goes on from a blob's surface into the blob. What it meets is not exact, and a walk can stand still where one
-  // ray's interpolants say something else than the next one's; but every search ends.
+  // A ray continues from a blob's surface into the blob. Its hits are not exact, and a walk can stand still where one
+  // ray's interpolants disagree with the next one's; but every search ends.
   Random random(63);
   std::size_t hits = 0;
   for (int turn = 0; turn < 100; ++turn) {
@@ -72,7 +72,7 @@ TEST(RandomTrees, end_for_the_published_solvers_too) {
 }
 
 TEST(RandomTrees, show_through_many_interpolants_what_is_there) {
-  // Two blobs of points, one taken from the other, by sixteen interpolants a field: nearly every line agrees.
+  // Two blobs of points, one subtracted from the other, with sixteen interpolants a field: nearly every line agrees.
   Random random(64);
   CsgScene scene;
   const auto ball = [](const Vec3& at, double radius) {

@@ -1,4 +1,4 @@
-// Which surfaces a combination shows, with which texture and normal: sheets, open tubes, clips, unions within.
+// The surfaces that a combination shows, with their textures and normals: sheets, open tubes, clips, unions within.
 #include "tests/renderer/csg/csg_scene.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class Surfaces : public testing::Test {
     for (const double t : walk(tracer, {x, from, 0}, {0, -1, 0}).t) result.push_back(from - t);
     return result;
   }
-  /// Texture and normal of what is met first on the way down.
+  /// Texture and normal of the first surface on the way down.
   [[nodiscard]] SurfacePoint seen(const Object& object, double x, double from = 5) {
     scene_.database.objects = {object};
     const Tracer tracer(scene_.database, {});
@@ -91,7 +91,7 @@ TEST_F(Surfaces, OfWhatIsClippedStayWhereTheClipIsAndGetNoCap) {
   const Object half = scene_.clipped(ball, {scene_.solid(plane({0, 1, 0}, 0.3))});
   expect_heights(heights(half, 0), {-1});
   expect_heights(heights(half, 0.99), {std::sqrt(1 - 0.99 * 0.99), -std::sqrt(1 - 0.99 * 0.99)});
-  // Within a combination a clip takes the inside away too.
+  // Within a combination a clip also removes the inside.
   const Object cut = scene_.group(Operation::subtract, {scene_.solid(box(Vec3(-2), Vec3(2))), half});
   expect_heights(heights(cut, 0), {2, -1, -2});
 }
@@ -168,7 +168,7 @@ TEST_F(Surfaces, OfCopiesComeFromOneTree) {
 }
 
 TEST_F(Surfaces, OfCombinationsAreBoundedByTheirOperations) {
-  // In a grid of many things, an intersection with planes is found where it is.
+  // In a grid of many objects, an intersection with planes is found at its place.
   Object wedge =
       scene_.group(Operation::intersect, {scene_.solid(sphere({50, 0, 0}, 1)), scene_.solid(plane({0, 1, 0}, 0))});
   scene_.database.objects = {wedge};

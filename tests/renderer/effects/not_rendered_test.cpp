@@ -1,4 +1,4 @@
-// Effects that the renderer does not draw yet: found wherever a scene says them, and gone once they are left out.
+// Effects that the renderer does not draw yet are found wherever a scene states them, and are gone when left out.
 #include "renderer/effects/plan.h"
 
 #include <gmock/gmock.h>
@@ -94,7 +94,7 @@ TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
   EXPECT_EQ(things[0].used_by, OriginId{4});
 }
 
-/// Everything that is on the list, once.
+/// A database that calls for every effect on the list.
 Database everything() {
   Database database;
   database.camera = Camera{.kind = CameraKind::fisheye, .blur = FocalBlur{}};

@@ -1,4 +1,4 @@
-// The plan holds what a scene calls for and nothing else.
+// The plan holds the effects that a scene calls for and no others.
 #include "renderer/effects/plan.h"
 #include "tests/support/textures.h"
 
@@ -58,7 +58,7 @@ TEST(Plan, with_shadowless_lights_only_has_neither_shadows_nor_highlights) {
   EXPECT_FALSE(plan.has("shadows") || plan.has("highlights"));
 }
 
-/// The small scene with its sphere in a texture of this finish.
+/// The small scene with a texture of this finish on its sphere.
 scene::Database with_finish(const scene::Finish& finish) {
   scene::Database database = small_scene();
   database.textures.push_back(isl::test::plain_texture(database, {}, finish));

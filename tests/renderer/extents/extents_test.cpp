@@ -1,4 +1,4 @@
-// Boxes against points of the surfaces, and against what POV-Ray 3.7 prints.
+// Extents, compared with points of the surfaces and with the extents that POV-Ray 3.7 prints.
 #include "renderer/extents/extents.h"
 
 #include "renderer/extents/solid_support.h"
@@ -28,7 +28,7 @@ void expect_box(const Box& box, const Vec3& low, const Vec3& high) {
   }
 }
 
-/// About z by an angle in degrees.
+/// A rotation about z by an angle in degrees.
 scene::Transform turned(double degrees) {
   const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
   scene::Transform t;
@@ -43,11 +43,11 @@ Box box_of_solid(const Solid& solid, const scene::Transform& transform = {}, con
 
 TEST(SolidExtent, OfTurnedSolidsIsTight) {
   expect_box(box_of_solid({.radius_a = 1}, turned(45)), Vec3(-1), Vec3(1));
-  // POV-Ray: <-1.3660, -0.5, -1>, <0.8660, 1.3660, 1>, the box of the turned box; ours follows the discs.
+  // POV-Ray prints <-1.3660, -0.5, -1>, <0.8660, 1.3660, 1>, the box of the turned box; ours follows the discs.
   const double r = std::cos(std::numbers::pi / 6);
   expect_box(box_of_solid({.kind = SolidKind::cylinder, .b = {0, 1, 0}, .radius_a = 1}, turned(30)),
              {-r - 0.5, -0.5, -1}, {r, r + 0.5, 1});
-  // POV-Ray: ±<1.2075, 0.8415, 1.25>.
+  // POV-Ray prints ±<1.2075, 0.8415, 1.25>.
   const Vec3 torus(r + 0.25, 0.5 + 0.25, 1.25);
   expect_box(box_of_solid({.kind = SolidKind::torus, .radius_a = 1, .radius_b = 0.25}, turned(30)), -torus, torus);
   expect_box(box_of_solid({.kind = SolidKind::box, .a = Vec3(-1), .b = Vec3(1)}, turned(45)),
@@ -55,7 +55,7 @@ TEST(SolidExtent, OfTurnedSolidsIsTight) {
 }
 
 TEST(SolidExtent, OfSlantedCapsIsThatOfTheirDiscs) {
-  const double reach = std::sqrt(0.5);  // of a unit disc across <1, 1, 0>
+  const double reach = std::sqrt(0.5);  // extent of a unit disc perpendicular to <1, 1, 0>
   expect_box(box_of_solid({.kind = SolidKind::cylinder, .b = {1, 1, 0}, .radius_a = 1}), {-reach, -reach, -1},
              {1 + reach, 1 + reach, 1});
   expect_box(box_of_solid({.kind = SolidKind::disc, .b = Vec3(1, 1, 0).normalized(), .radius_a = 1}),
@@ -77,7 +77,7 @@ TEST(SolidExtent, OfASuperellipsoidHoldsItsSurfaceAndTouchesIt) {
     double reached = 0;
     for (int i = 0; i < 200; ++i) {
       for (int j = 0; j < 200; ++j) {
-        // The usual parameters: powers of sines and cosines.
+        // The usual parametrisation by powers of sines and cosines.
         const double u = i * std::numbers::pi / 199 - std::numbers::pi / 2, v = j * std::numbers::pi / 99.5;
         const auto power = [](double x, double exponent) { return std::copysign(std::pow(std::abs(x), exponent), x); };
         const double ring = power(std::cos(u), n);

@@ -19,7 +19,7 @@ Sets sorted(Sets sets) {
   return sets;
 }
 
-/// 1, 2, 3 rival in the blob's own sum, and so do 4, 5; inside 2 do 6 and 7.
+/// 1, 2, 3 are alternatives in the blob's own sum, and so are 4, 5; inside 2 are 6 and 7.
 constexpr std::array<scene::Branch, 8> kTree = {{{0, 0}, {0, 1}, {0, 1}, {0, 1}, {0, 4}, {0, 4}, {2, 6}, {2, 6}}};
 
 TEST(BranchTree, AddsTheGreatestOfEachMaximum) {
@@ -38,8 +38,8 @@ TEST(BranchTree, SelectsOneBranchOfEveryMaximum) {
 TEST(BranchTree, LeavesOutWhatIsBeaten) {
   std::vector<FieldRange> ranges(8, {0, 0});
   ranges[1] = {0.5, 1};
-  ranges[3] = {0.2, 0.4};   // less than 1 everywhere, as are 2 with 6 and 7, which have nothing here
-  ranges[4] = {-2, -1};     // less than 5, which has nothing
+  ranges[3] = {0.2, 0.4};  // less than 1 everywhere, like 2 with 6 and 7, which have no field here
+  ranges[4] = {-2, -1};    // less than 5, which has no field here
   EXPECT_EQ(BranchTree(kTree).selections(ranges), (Sets{{0, 1}}));
   ranges[4] = {-2, 1};
   EXPECT_EQ(sorted(BranchTree(kTree).selections(ranges)), (Sets{{0, 1}, {0, 1, 4}}));

@@ -1,4 +1,4 @@
-// Compiling a blob's components: canonical order, groups, what is baked in.
+// Compilation of a blob's components: canonical order, groups, and transforms that are baked in.
 #include "renderer/fields/component_table.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(ComponentTable, OrderOfTheSceneDoesNotMatter) {
 
 TEST(ComponentTable, GroupsHoldOneSkeletonAndOneKernelEach) {
   const ComponentTable table = compile_components(database(), mixed_blob());
-  ASSERT_EQ(table.groups.size(), 6U);  // points, segments and cones, of two kernels
+  ASSERT_EQ(table.groups.size(), 6U);  // points, segments and cones, each with two kernels
   EXPECT_EQ(table.groups.front().begin, 0U);
   EXPECT_EQ(table.groups.back().end, table.size());
   for (std::size_t i = 1; i < table.groups.size(); ++i) EXPECT_EQ(table.groups[i].begin, table.groups[i - 1].end);

@@ -1,4 +1,4 @@
-// Lipschitz bounds of fields over boxes, against the fields' values at places in them.
+// Lipschitz bounds of fields over boxes, compared with the fields' values at points in them.
 #include "renderer/fields/lipschitz.h"
 #include "tests/reference/random_scenes.h"
 

@@ -1,4 +1,4 @@
-// (u, v) of every skeleton at points whose coordinates are plain from its definition.
+// (u, v) of every skeleton at points whose coordinates follow directly from its definition.
 #include "renderer/fields/skeleton_coordinates.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace isl::render {
 namespace {
 
 using scene::Skeleton;
-constexpr double kTiny = 1e-14;  // a few roundings of numbers of the size of 1
+constexpr double kTiny = 1e-14;  // a few roundings of numbers of size 1
 
 struct Made {
   scene::Database database;
@@ -37,7 +37,7 @@ void expect_coordinates(const Made& of, const Vec3& point, double u, double v) {
   EXPECT_NEAR(found.v, v, kTiny) << point;
 }
 
-/// (x, y, z) ↦ (−y, x, z): about z by 90°.
+/// (x, y, z) ↦ (−y, x, z): a rotation about z by 90°.
 scene::Turn about_z() { return {Imath::M33d(0, 1, 0, -1, 0, 0, 0, 0, 1)}; }
 
 TEST(SkeletonCoordinates, OfAPointAreThoseOfAGlobe) {
@@ -62,7 +62,8 @@ TEST(SkeletonCoordinates, OfASegmentRunFromEndToEndAndAround) {
 }
 
 TEST(SkeletonCoordinates, AroundAnyAxisStartFromTheShortestTurnOfX) {
-  // y to x takes x to −y and keeps z; y to z keeps x and takes z to −y; y to −y is a turn about x.
+  // The turn from y to x takes x to −y and keeps z; that from y to z keeps x and takes z to −y; that from y to −y is a
+  // turn about x.
   expect_coordinates(made(Skeleton::segment, {0, 0, 0}, {2, 0, 0}), {1, -0.5, 0}, 0.5, 0);
   expect_coordinates(made(Skeleton::segment, {0, 0, 0}, {2, 0, 0}), {1, 0, 0.5}, 0.5, 0.25);
   expect_coordinates(made(Skeleton::segment, {0, 0, 0}, {0, 0, 2}), {0.5, 0, 1}, 0.5, 0);
@@ -85,10 +86,10 @@ TEST(SkeletonCoordinates, AroundAnAxisAreMeasuredByTwoUnitVectorsAcrossIt) {
 }
 
 TEST(SkeletonCoordinates, OfAConeAreThoseOfTheNearestSphere) {
-  // Radii 2 and 1 at a distance of 4: k = −1/4.
+  // Radii of 2 and 1 at a distance of 4 give k = −1/4.
   const Made limb = made(Skeleton::cone, {0, 0, 0}, {0, 4, 0}, 2, 1);
   expect_coordinates(limb, {0, 2, 0}, 0.5, 0);
-  // At a height of 3 and a distance ρ = 1 from the axis w = 2 − 3/4, and the sphere stands at 3 + kρ²/w.
+  // At the height 3 and the distance ρ = 1 from the axis, w = 2 − 3/4, and the sphere's centre is at 3 + kρ²/w.
   expect_coordinates(limb, {0, 3, 1}, 2.8 / 4, 0.25);
   expect_coordinates(limb, {1, -1, 0}, 0, 0);
   expect_coordinates(limb, {0, 6, 0}, 1, 0);
@@ -111,10 +112,11 @@ TEST(SkeletonCoordinates, OfABoxAreThoseOfTheUnfoldedBox) {
   expect_coordinates(box, {1, 1.5, -0.5}, 15 / 16.0, 0.5);
   expect_coordinates(box, {1, 3.5, 2}, 5 / 16.0, 5 / 6.0);
   expect_coordinates(box, {1, -0.5, 2}, 5 / 16.0, 1 / 6.0);
-  // Round an edge: those of the edge, on the face that the point is farther beyond; inside, of the nearest face.
+  // Round an edge, the coordinates are those of the edge on the face that the point is farther beyond; inside, those of
+  // the nearest face.
   expect_coordinates(box, {-0.3, 3.4, 2}, 0.25, 5 / 6.0);
   expect_coordinates(box, {3.9, 1.5, 1}, 11 / 16.0, 0.5);
-  // Without thickness the nearer side.
+  // A box without thickness gives the nearer side.
   expect_coordinates(made(Skeleton::box, {0, 0, 0}, {4, 0, 4}), {1, 0.5, 2}, 5 / 16.0, 5 / 6.0);
 }
 
@@ -139,11 +141,11 @@ TEST(SkeletonCoordinates, GoAlongWithTheTurnOfWhatIsBakedIn) {
   globe.blob.turns.push_back(about_z());
   expect_coordinates(globe, {1, 3, 3}, 0, 0.5);
   expect_coordinates(globe, {0, 2, 3}, 0, 1);
-  // A limb that was along x: turned about y it would start elsewhere, about z it takes its start along.
+  // A limb that was along x: a turn about y would put its start elsewhere, and a turn about z takes the start along.
   Made limb = made(Skeleton::segment, {0, 0, 0}, {0, 2, 0});
   limb.blob.turns.push_back(about_z());
   expect_coordinates(limb, {0.5, 1, 0}, 0.5, 0);
-  // Mirrored in x: the angle runs the other way round.
+  // Mirrored in x, the angle runs the other way round.
   Made mirrored = made(Skeleton::segment, {0, 0, 0}, {0, 2, 0});
   mirrored.blob.turns.push_back({Imath::M33d(-1, 0, 0, 0, 1, 0, 0, 0, 1)});
   expect_coordinates(mirrored, {-0.5, 1, 0}, 0.5, 0);

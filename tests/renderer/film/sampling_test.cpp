@@ -1,4 +1,4 @@
-// Where samples lie, which pixels get them, and in what order pixels are visited.
+// The positions of samples, the pixels that get them, and the order in which pixels are visited.
 #include "renderer/film/adaptive.h"
 #include "renderer/film/camera.h"
 #include "renderer/film/sample_pattern.h"
@@ -62,7 +62,7 @@ TEST(Tiles, are_shuffled_when_asked) {
   EXPECT_NE(tiles_of(rect, TileOrder::shuffled), tiles_of(rect, TileOrder::rows));
 }
 
-/// A film of one sample a pixel: linear greys.
+/// A film of one sample a pixel, with linear greys.
 Film film_of(const PixelRect& rect, const std::vector<double>& greys) {
   Film film(rect, {});
   for (std::size_t i = 0; i < greys.size(); ++i) film.add_sample(i, Rgb(greys[i]), 1);
@@ -88,7 +88,7 @@ TEST(Adaptive, compares_with_all_eight_neighbours) {
 }
 
 TEST(Adaptive, judges_what_a_display_shows) {
-  // In light 0 and 0.02 are close; on a display they are codes 0 and 0.15.
+  // In linear light 0 and 0.02 are close; on a display they are codes 0 and 0.15.
   std::vector<double> dark(9, 0.0);
   dark[0] = 0.02;
   EXPECT_TRUE(rough(dark, 1, 1, 0.1));
@@ -101,8 +101,8 @@ TEST(Adaptive, judges_what_a_display_shows) {
 TEST(Camera, puts_pixel_centres_where_povray_does) {
   const scene::Camera camera{{0, 0, 0}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}};
   const CameraRays rays(camera, 4, 3);
-  // The ray through a pixel's centre meets z = 1 in whole and half units: POV-Ray's pictures of a gradient there say
-  // so.
+  // The ray through a pixel's centre meets z = 1 in whole and half units, as POV-Ray's pictures of a gradient there
+  // show.
   const Vec3 first = rays.through(0.5, 0.5).direction;
   EXPECT_NEAR(first.x / first.z, -1.5, 1e-15);
   EXPECT_NEAR(first.y / first.z, 1.0, 1e-15);

@@ -1,5 +1,5 @@
-// The grid's promises: its stretches of a ray join without gaps, a cell's list holds all that matters, and classes are
-// true.
+// The properties of the grid: its stretches of a ray join without gaps, a cell's list holds everything that matters,
+// and cells are classified correctly.
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/grid_walk-inl.h"
@@ -52,7 +52,7 @@ std::vector<Stretch> stretches(const Grid& grid, const Vec3& origin, const Vec3&
   return result;
 }
 
-/// The sum of all fields at a point, by the ranges over a box of no size.
+/// The sum of all fields at a point, from the ranges over a box of no size.
 double value_at(const ComponentTable& table, const Vec3& p) {
   double sum = 0;
   for (const FieldGroup& group : table.groups) {
@@ -76,8 +76,8 @@ TEST(Grid, StretchesAscendAndDoNotOverlap) {
 }
 
 void expect_nothing_between_the_stretches(const Flake& flake) {
-  // At any point of a ray: above the threshold only within a stretch, and there the cell's own list tells the whole
-  // field.
+  // At any point of a ray, the field is above the threshold only within a stretch, and there the cell's own list gives
+  // the whole field.
   Rays rays;
   int inside = 0;
   for (int i = 0; i < 120; ++i) {
@@ -121,7 +121,7 @@ TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       for (const double zero : {0.0, -0.0}) {
-        for (int plane = 0; plane <= 8; ++plane) {  // on planes of the top brick's cells and between them
+        for (int plane = 0; plane <= 8; ++plane) {  // lines on planes of the top brick's cells and between them
           Vec3 origin = grid.box.min + Vec3(grid.cell_size * plane / 2), direction(zero);
           origin[axis] = -5 * sign;
           direction[axis] = sign;
@@ -131,7 +131,7 @@ TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
             const Vec3 p = origin + direction * (0.5 * (s.t0 + s.t1));
             ASSERT_TRUE(grid.box.intersects(p));
           }
-          // Where the field is above the threshold anywhere on the line, stretches cover it.
+          // Stretches cover every place on the line where the field is above the threshold.
           for (double t = 3.5; t < 6.5; t += 0.01) {
             if (value_at(flake.components, origin + direction * t) > flake.components.threshold) {
               ASSERT_GT(covered, 0);

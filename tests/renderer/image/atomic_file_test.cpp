@@ -1,4 +1,4 @@
-// A file is written wholly or its place is left as it was.
+// A file is written completely, or its place is left unchanged.
 #include "renderer/image/atomic_file.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// While it lives, no file of this process may grow beyond `bytes`: a full disk in small.
+/// While this object lives, no file of this process may grow beyond `bytes`, as on a full disk.
 class SizeLimit {
  public:
   explicit SizeLimit(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,4 +1,4 @@
-// The codes of integer files are those of the curve, value by value.
+// The codes of integer files equal those of the curve, value by value.
 #include "renderer/image/display_codes.h"
 #include "renderer/image/transfer.h"
 

@@ -9,7 +9,7 @@
 namespace isl::render {
 namespace {
 
-/// OKLab of linear sRGB, from the published matrices of that direction.
+/// Converts linear sRGB to OKLab by the published matrices.
 Rgb oklab_of(const Rgb& c) {
   const double l = std::cbrt(0.4122214708 * c.x + 0.5363325363 * c.y + 0.0514459929 * c.z);
   const double m = std::cbrt(0.2119034982 * c.x + 0.6806995451 * c.y + 0.1073969566 * c.z);

@@ -1,4 +1,4 @@
-// Files hold what the picture says, read back by OpenImageIO; the same picture gives the same bytes.
+// Files hold the picture's content, as OpenImageIO reads it back; the same picture gives the same bytes.
 #include "renderer/image/image_file.h"
 #include "renderer/image/atomic_file.h"
 #include "renderer/image/transfer.h"
@@ -42,8 +42,8 @@ void add_layers(Image& image) {
 struct ReadBack {
   OIIO::ImageSpec spec;
   std::vector<float> values;
-  std::vector<std::uint32_t> ids;     ///< of `primitive.id`, if there is that channel
-  std::vector<std::uint32_t> counts;  ///< of `samples.count`
+  std::vector<std::uint32_t> ids;     ///< values of `primitive.id`, if that channel exists
+  std::vector<std::uint32_t> counts;  ///< values of `samples.count`
 
   [[nodiscard]] float at(std::size_t pixel, const char* channel) const {
     return values[pixel * static_cast<std::size_t>(spec.nchannels) +
@@ -51,7 +51,7 @@ struct ReadBack {
   }
 };
 
-/// Writes the picture and reads it again. Throws when that fails: no test can go on then.
+/// Writes the picture and reads it back. Throws if that fails, because the test cannot continue.
 ReadBack through_file(const Image& image, const std::string& format, const ImageFileOptions& options = {}) {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("isl_image_file_test.{}.{}", getpid(), format);
@@ -98,7 +98,7 @@ TEST(ImageFile, png_has_sixteen_bits_and_says_that_it_is_srgb) {
   EXPECT_EQ(file.spec.format, OIIO::TypeDesc::UINT16);
   EXPECT_EQ(file.spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
   EXPECT_EQ(std::lround(file.values[0] * 65535), 48192) << "what POV-Ray writes for 0.5";
-  // For viewers that know one of the chunks only; the others say the same.
+  // The chunks agree, so that viewers that know only one of them show the same.
   const EncodedFile png = encode_image(sample_picture(), "png", {});
   const std::string bytes(png.bytes.begin(), png.bytes.end());
   for (const char* chunk : {"sRGB", "gAMA", "cHRM", "oFFs"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
@@ -208,7 +208,7 @@ TEST(ImageFile, the_same_picture_is_the_same_bytes_at_any_time) {
 }
 
 TEST(ImageFile, the_same_picture_is_the_same_bytes_with_any_number_of_threads) {
-  Image image;  // of several strips of compressed data
+  Image image;  // large enough for several strips of compressed data
   image.full_width = 700;
   image.full_height = 500;
   image.window = {0, 0, 700, 500};

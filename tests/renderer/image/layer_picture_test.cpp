@@ -83,7 +83,7 @@ TEST(TinyTexts, DrawDotsAndNothingOutside) {
   EXPECT_EQ(colour_at(image, 3, 1), Rgb(1.0)) << "the top of the stem";
   EXPECT_EQ(colour_at(image, 1, 1), Rgb(0.0));
   EXPECT_EQ(colour_at(image, 2, 7), Rgb(1.0)) << "the foot";
-  draw_text(image, 6, -3, "888", 3, {1, 1, 1});  // across the border: nothing but what is inside
+  draw_text(image, 6, -3, "888", 3, {1, 1, 1});  // across the border: only the part inside is drawn
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// PNG and EXR are written without OpenImageIO. What it reads of these files is what it reads of the files that it
-// writes itself of the same pictures: every attribute, every channel, every bit of the pixels.
+// PNG and EXR are written without OpenImageIO. OpenImageIO must read the same from these files as from the files that
+// it writes itself for the same pictures: every attribute, every channel, every bit of the pixels.
 #include "tests/renderer/image/oiio_reference.h"
 #include "tests/renderer/image/test_layers.h"
 
@@ -14,7 +14,7 @@ namespace {
 const ImageFileOptions kOptions{
     .metadata = {{"Software", "isl 1"}, {"isl:Scene", "a scene, 100%"}, {"isl:Options", "-s 8x6 -D N=\"x y\""}}};
 
-/// Smooth, with an edge, out of range here and there, never one value for long.
+/// A smooth picture with an edge and some values out of range, and no long run of one value.
 Image picture(const PixelRect& window, int full_width, int full_height) {
   Image image;
   image.full_width = full_width;

@@ -17,7 +17,7 @@ namespace {
 
 using OIIO::TypeDesc;
 
-/// A channel: its name, its type in the file, and its value at a pixel, which every type used here converts from.
+/// A channel: its name, its type in the file, and its value at a pixel in a type that converts to every type used here.
 struct Channel {
   std::string name;
   TypeDesc type;

@@ -1,4 +1,4 @@
-// Pictures written and read by OpenImageIO alone: what files of PNG and EXR are compared with.
+// Writes and reads pictures by OpenImageIO alone, for comparison with our PNG and EXR files.
 #pragma once
 
 #include "renderer/image/image_file.h"
@@ -10,17 +10,18 @@
 
 namespace isl::render::test {
 
-/// The file that OpenImageIO makes of the picture; `format` is png or exr.
+/// The file that OpenImageIO writes for the picture; `format` is png or exr.
 [[nodiscard]] std::vector<unsigned char> written_by_oiio(const Image& image, const std::string& format,
                                                          const ImageFileOptions& options);
 
-/// All that OpenImageIO finds in a file.
+/// Everything that OpenImageIO finds in a file.
 struct FileContent {
-  std::vector<std::string> attributes;  ///< "name: type = value", sorted; with the size, the place and the channels
+  std::vector<std::string> attributes;  ///< "name: type = value", sorted; includes the size, the position and the
+                                        ///< channels
   std::vector<unsigned char> pixels;    ///< in the file's own types, channels side by side
 };
 
-/// Throws a std::runtime_error if the bytes are no file of the format.
+/// The content of a file. Throws a std::runtime_error if the bytes are not a file of the format.
 [[nodiscard]] FileContent read_by_oiio(const std::vector<unsigned char>& bytes, const std::string& format);
 
 }  // namespace isl::render::test

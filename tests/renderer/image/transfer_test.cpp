@@ -1,5 +1,5 @@
-// Working space → light → code values, against POV-Ray 3.7: what a 16-bit PNG of background { rgb <0.5, 0.2, 0.01> }
-// holds.
+// The conversion of working space to light to code values, compared with POV-Ray 3.7: the values of a 16-bit PNG of
+// background { rgb <0.5, 0.2, 0.01> }.
 #include "renderer/image/transfer.h"
 
 #include <gtest/gtest.h>

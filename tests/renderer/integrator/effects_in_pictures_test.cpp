@@ -1,5 +1,5 @@
-// Effects in whole pictures: what POV-Ray 3.7 shows in the middle of them (assumed_gamma 1, linear values, five digits), and
-// closed forms.
+// Effects in whole pictures, compared with the middle of POV-Ray 3.7's pictures (assumed_gamma 1, linear values, five
+// digits) and with closed forms.
 #include "tests/renderer/integrator/rendered_text.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 using render::Rgb;
 
 constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } ";
-/// Straight on, and at 60 degrees to the normal of z = 0, through the origin.
+/// Cameras that look through the origin: straight on, and at 60 degrees to the normal of z = 0.
 constexpr const char* kStraight = "camera { location -5*z direction z right x up y } ";
 constexpr const char* kAt60 = "camera { location -5*<.8660254037844387, 0, .5> look_at 0 right x up y } ";
 constexpr const char* kBackground = "background { rgb <.8, .4, .2> } ";
@@ -108,7 +108,7 @@ TEST(SkySphere, lays_its_pigments_over_the_background) {
 
 TEST(SkySphere, before_version_3_7_dims_layers_without_colouring_them) {
   const std::string view = std::string("#version 3.6; background { rgb <1, .5, .25> } ") + kStraight;
-  constexpr double kByte = 1.0 / 255;  // POV-Ray's values are of eight bits
+  constexpr double kByte = 1.0 / 255;  // POV-Ray's values have eight bits
   expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbf <.4, .6, .8, .5> } }", .302, .502, .702, kByte);
   expect_middle(view + "sky_sphere { pigment { rgbft <.4, .6, .8, .2, .1> } pigment { rgbft <.8, .6, .4, .3, .4> } }", .4941,
                 .5059, .5255, kByte);
@@ -128,7 +128,7 @@ TEST(SkySphere, is_looked_up_by_the_direction) {
 }
 
 TEST(HiddenObjects, are_seen_by_the_rays_that_they_are_not_hidden_from) {
-  // A red ball before the mirror, and a green one behind the camera which the mirror shows.
+  // A red ball in front of the mirror, and a green one behind the camera, which the mirror shows.
   const auto scene = [](const char* front, const char* back) {
     return fmt::format(
         "camera {{ location -5*z direction z right .01*x up .01*y }} #default {{ finish {{ ambient 1 diffuse 0 }} }} "

@@ -100,7 +100,7 @@ scene::Database povray_blob() {
   add_solid(database, {SolidKind::plane, false, {0, 1, 0}, Vec3(0), -1, 0}, {0.7, 0.7, 0.6},
             {.ambient = grey(0.15), .diffuse = 0.7});
 
-  database.kernels.emplace_back();  // POV-Ray's own
+  database.kernels.emplace_back();  // POV-Ray's own kernel
   database.transforms.push_back(then(scaling({0.5, 1, 0.7}), translation({0, 0.8, -0.4})));
   const scene::TextureId red =
       add_texture(database, {0.9, 0.1, 0.1}, {.ambient = grey(0.2), .diffuse = 0.8, .phong = 0.5, .phong_size = 5});

@@ -5,7 +5,7 @@
 
 namespace isl::render::test {
 
-/// Adds a solid with its own texture; `world_from_object` as given.
+/// Adds a solid with its own texture, placed by `world_from_object`.
 void add_solid(scene::Database& database, const scene::Solid& solid, const scene::Colour& pigment,
                const scene::Finish& finish, const scene::Transform& world_from_object = {});
 

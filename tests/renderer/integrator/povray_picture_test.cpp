@@ -1,5 +1,5 @@
-// The renderer agrees with POV-Ray 3.7 about the camera, the lighting, the solids and the blob: see
-// povray_solids.pov and povray_blob.pov.
+// The renderer agrees with POV-Ray 3.7 on the camera, the lighting, the solids and the blob; see povray_solids.pov and
+// povray_blob.pov.
 #include "renderer/render.h"
 #include "tests/renderer/integrator/picture_scene.h"
 #include "tests/renderer/integrator/povray_pixels.h"
@@ -12,7 +12,7 @@
 namespace isl::render::test {
 namespace {
 
-/// `tolerance` in units of 16 bits.
+/// `tolerance` is in units of 16 bits.
 void expect_pixels(const scene::Database& database, std::span<const PovrayPixel> pixels, double tolerance) {
   const Tracer tracer(database, {});
   RenderOptions options;
@@ -30,7 +30,7 @@ void expect_pixels(const scene::Database& database, std::span<const PovrayPixel>
   }
 }
 
-// POV-Ray keeps colours in single precision and rounds: one unit of 16 bits.
+// POV-Ray keeps colours in single precision and rounds them, which is one unit of 16 bits.
 TEST(PovrayPicture, of_solids_agrees_pixel_by_pixel) { expect_pixels(povray_solids(), kPovraySolids, 1.01); }
 
 TEST(PovrayPicture, of_a_blob_agrees_pixel_by_pixel) { expect_pixels(povray_blob(), kPovrayBlob, 1.01); }

@@ -1,5 +1,5 @@
-// What POV-Ray 3.7 made of povray_solids.pov and povray_blob.pov (the commands are there), every eighth pixel from (4,
-// 4): 16-bit linear values.
+// POV-Ray 3.7's pictures of povray_solids.pov and povray_blob.pov (the commands are in these files), every eighth pixel
+// from (4, 4): 16-bit linear values.
 #pragma once
 
 namespace isl::render::test {

@@ -1,4 +1,4 @@
-// Whole pictures: against closed forms, and against themselves made in other ways.
+// Whole pictures, compared with closed forms and with the same pictures made in other ways.
 #include "renderer/render.h"
 #include "tests/renderer/integrator/picture_scene.h"
 #include "tests/support/textures.h"
@@ -29,7 +29,7 @@ std::array<double, 4> pixel(const Image& image, int x, int y) {
   return {value[0], value[1], value[2], value[3]};
 }
 
-/// Unit sphere at the origin, seen along z from −4, light at `light`.
+/// A unit sphere at the origin, seen along z from −4, with a light at `light`.
 scene::Database lit_sphere(const Vec3& light, double diffuse) {
   scene::Database database;
   database.settings.assumed_gamma = 1.0;
@@ -176,7 +176,7 @@ TEST(Render, antialiasing_of_an_edge_is_its_coverage) {
   add_solid(database, {SolidKind::cylinder, false, {0, edge - 10, 0}, {0, edge, 0}, 5, 5}, {1, 1, 1},
             {.ambient = {1, 1, 1}, .diffuse = 0});
   database.camera->location = {0, edge, -10};
-  // Seen edge-on the cap is a line through the eye's height: rows above it are black, below white.
+  // Seen edge-on, the cap is a line at the height of the eye: rows above it are black, rows below are white.
   database.camera->direction = {0, -edge, 1};
   const Image image = rendered(database, small()).image;
   EXPECT_EQ(pixel(image, 35, 29)[0], 0);

@@ -1,4 +1,4 @@
-// A scene given as text, rendered small: what the picture's middle shows.
+// Renders a scene given as text in a small size and returns the colour in the picture's middle.
 #pragma once
 
 #include "renderer/render.h"
@@ -7,7 +7,7 @@
 
 namespace isl::test {
 
-/// One ray a pixel, `size` pixels a side. Fails the test for a scene with errors or one that is refused.
+/// Traces one ray a pixel, with `size` pixels a side. Fails the test if the scene has errors or is refused.
 [[nodiscard]] render::RenderResult rendered(std::string_view scene, int size = 17, render::RenderOptions options = {});
 
 /// The linear colour of the middle pixel.

@@ -1,4 +1,5 @@
-// Textures that are looked up on the surface: each component of a blob at its own coordinates, and the results blended.
+// Textures that are evaluated in surface coordinates: each component of a blob has its own, and the results are
+// blended.
 #include "renderer/render.h"
 #include "renderer/shading/point_textures.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using scene::Skeleton;
 
-/// Texture 0: red is u and green is 0, by a gradient along x from black to red over one unit, with `uv_mapping`.
+/// Texture 0: red is u and green is 0, from a gradient along x from black to red over one unit, with `uv_mapping`.
 scene::Database with_gradient() {
   scene::Database database;
   scene::Pattern gradient;
@@ -58,7 +59,7 @@ struct Seen {
   }
 };
 
-/// Along z from −10.
+/// The surface along z from −10.
 Seen seen_at(const scene::Database& database, double x, double y) {
   const Tracer tracer(database, {});
   Ray ray;
@@ -74,7 +75,7 @@ Seen seen_at(const scene::Database& database, double x, double y) {
   return seen;
 }
 
-constexpr double kSingle = 1e-6;  // colours are in single precision
+constexpr double kSingle = 1e-6;  // colours have single precision
 
 TEST(UvMapping, GivesALimbsColourByWhereAlongItThePointIs) {
   scene::Database database = with_gradient();
@@ -84,7 +85,7 @@ TEST(UvMapping, GivesALimbsColourByWhereAlongItThePointIs) {
 }
 
 TEST(UvMapping, BlendsTheColoursThatEachComponentHasAtItsOwnCoordinates) {
-  // At the height 1 the first limb is at its u of 3/4 and the other at 1/2; both are as near.
+  // At the height 1, u is 3/4 on the first limb and 1/2 on the other; both are equally near.
   for (const bool is_of_blob : {false, true}) {
     scene::Database database = with_gradient();
     const scene::TextureId own = is_of_blob ? scene::kNoTexture : scene::TextureId{0};
@@ -107,7 +108,7 @@ TEST(UvMapping, BlendsWithACarvingComponentToo) {
   add_blob(database, {limb({0, -2, 0}, {0, 2, 0}, scene::TextureId{0}), carver}, scene::kNoTexture);
   const Seen seen = seen_at(database, 0.2, 1);
   ASSERT_EQ(seen.lit.size(), 2u);
-  // u is 3/4 and 1/2; the shares follow from what is between.
+  // u is 3/4 and 1/2; the shares follow from the colour between.
   const double share = (seen.colour().x - 0.5) / 0.25;
   const auto& first = seen.lit[0].pigment.x > 0.6 ? seen.lit[0] : seen.lit[1];
   EXPECT_NEAR(share, first.weight, 1e-5);

@@ -32,14 +32,14 @@ TEST(Cubic, FindsTheFirstOfThreeRoots) {
 TEST(Cubic, FindsOneOfACloseTripleAndNeverHalfAPair) {
   for (const double gap : {1e-3, 1e-6, 1e-8}) {
     const double u = first_crossing(with_roots(0.5, 0.5 + gap, 0.9, 1));
-    // The pair is found as a whole or dropped as a whole: then the lone root remains.
+    // The pair is found as a whole or dropped as a whole; in the latter case the single root remains.
     EXPECT_TRUE(std::abs(u - 0.5) <= 2 * gap || std::abs(u - 0.9) < 1e-12) << gap << ' ' << u;
   }
 }
 
 TEST(Cubic, LinesAndParabolasAreCubicsToo) {
   EXPECT_NEAR(first_crossing({-1, -1.0 / 3, 1.0 / 3, 1}), 0.5, 1e-15);
-  // u² − ¼ raised to a cubic.
+  // u² − ¼, raised to a cubic.
   EXPECT_NEAR(first_crossing({-0.25, -0.25, -0.25 + 1.0 / 3, 0.75}), 0.5, 1e-15);
 }
 

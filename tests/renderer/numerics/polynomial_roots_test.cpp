@@ -1,4 +1,5 @@
-// Sign changes of polynomials whose roots are known: made of exact linear factors in 200 bits, or hard by construction.
+// Sign changes of polynomials whose roots are known: products of exact linear factors in 200 bits, or hard by
+// construction.
 #include "renderer/numerics/polynomial_roots.h"
 #include "tests/renderer/solids/solid_oracle.h"
 
@@ -20,7 +21,7 @@ struct Made {
   double band = 0;
 };
 Made with_roots(const std::vector<double>& roots, double scale = 1) {
-  std::vector<Big> c{Big(scale)};  // of (1−u)ᵏ⁻ⁱ uⁱ
+  std::vector<Big> c{Big(scale)};  // coefficients of (1−u)ᵏ⁻ⁱ uⁱ
   for (const double root : roots) {
     std::vector<Big> next(c.size() + 1, Big(0));
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -78,7 +79,7 @@ TEST(SignChanges, of_every_degree_up_to_ten_at_random) {
     }
     std::sort(expected.begin(), expected.end());
     ++all;
-    // Roots too close to one another for the band are dropped two at a time, never one.
+    // Roots too close to one another for the band are dropped in pairs, never singly.
     ASSERT_EQ((expected.size() - found.size()) % 2, 0u);
     ASSERT_LE(found.size(), expected.size());
     if (found.size() < expected.size()) {
@@ -105,7 +106,7 @@ TEST(SignChanges, of_close_pairs_are_found_or_dropped_together) {
   for (double gap = 1e-2; gap > 1e-13; gap /= 10) {
     const std::vector<double> found = changes(with_roots({0.5, 0.5 + gap, 0.9}));
     ASSERT_TRUE(found.size() == 3 || found.size() == 1) << gap;
-    // Between them the polynomial is gap²/10: above the band, some 1e-15, from here on.
+    // Between the roots the polynomial is gap²/10, which is above the band of some 1e-15 from here on.
     if (gap > 2e-7) {
       EXPECT_EQ(found.size(), 3u) << gap;
     }
@@ -145,7 +146,7 @@ TEST(SignChanges, after_a_known_root_are_those_of_the_quotient) {
 }
 
 TEST(SignChanges, of_two_pieces_join_at_a_root_between_them) {
-  // u − 1, then u: the root is where they meet.
+  // u − 1, then u: the root is where the pieces meet.
   SignFollower follower(0);
   int count = 0;
   Made left = with_roots({1.0}), right = with_roots({0.0});

@@ -1,4 +1,4 @@
-// power() against the C library in long double.
+// power(), compared with the C library in long double.
 #include "renderer/numerics/power.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What can be said of patterns without asking POV-Ray; the digits are compared in tests/povray/probes/.
+// Properties of patterns that need no comparison with POV-Ray; their digits are compared in tests/povray/probes/.
 #include "renderer/patterns/patterns.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(Patterns, CrackleIsContinuousAndVanishesBetweenTwoPoints) {
   double least = 1, before = value(crackle, {-3, 0.3, 0.4});
   for (int i = 1; i <= 6000; ++i) {
     const double now = value(crackle, {-3 + i * 0.001, 0.3, 0.4});
-    EXPECT_LE(std::abs(now - before), 0.0021);  // both distances change as fast as the point, at most
+    EXPECT_LE(std::abs(now - before), 0.0021);  // both distances change at most as fast as the point
     least = std::min(least, now);
     before = now;
   }

@@ -41,7 +41,7 @@ TEST(Inside, OfEachSolidIsItsDefinition) {
 
 TEST(Inside, OfAPolynomialIsWhereItIsNotPositive) {
   Database database;
-  // x² + 2xy + 3z − 4, then x³ + y²z − z − 1, each term at its place.
+  // x² + 2xy + 3z − 4, then x³ + y²z − z − 1; each term tests the place of its coefficient.
   database.polynomials = {{2, {1, 2, 0, 0, 0, 0, 0, 0, 3, -4}},
                           {3, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, -1, -1}}};
   const Solid quadric{.kind = SolidKind::quadric, .detail = 0}, cubic{.kind = SolidKind::cubic, .detail = 1};

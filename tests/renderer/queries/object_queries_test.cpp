@@ -92,7 +92,7 @@ TEST_F(Trace, SeesWhatFlagsHideFromTheCamera) {
 }
 
 TEST_F(Trace, FindsCutSurfacesWithTheirNormalsOutwards) {
-  // The numbers are POV-Ray's.
+  // The numbers are those of POV-Ray.
   database_.solids.push_back({.kind = SolidKind::box, .a = Vec3(-1), .b = Vec3(1)});
   database_.solids.push_back({.a = {0, 1, 0}, .radius_a = 0.5});
   database_.groups = {{.operation = scene::Operation::subtract,

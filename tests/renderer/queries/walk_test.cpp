@@ -1,7 +1,7 @@
-// Objects of every kind walked through by `trace`, each step starting on the point that the last one gave: what is
-// found is every crossing of the line, once. The line's crossings are known from elsewhere: of blobs from the
-// reference, which proves where their roots are; of all else from rays that know the surface they start on and never
-// ask which one it is.
+// `trace` walks through objects of every kind, with each step starting on the point that the last one returned: it must
+// find every crossing of the line exactly once. The line's crossings are known independently: for blobs from the
+// reference, which proves where their roots are; for all other objects from rays that are told the surface they start
+// on and need not find out.
 #include "renderer/queries/object_queries.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/reference_tracer.h"
@@ -16,12 +16,12 @@ namespace {
 
 using scene::SolidKind;
 
-/// A line's crossing: its t and |n·d| there.
+/// A crossing of a line: its t and |n·d| there.
 struct Crossed {
   double t, slope;
 };
 
-/// A uniform scale of 10⁻⁶ to 10⁶, stretched a little, turned, and up to 1000 times its size away from the origin.
+/// A uniform scale of 10⁻⁶ to 10⁶, with a slight stretch, a rotation, and a shift of up to 1000 times the size.
 struct Place {
   double scale;
   scene::Transform transform;
@@ -66,17 +66,17 @@ std::vector<Crossed> known(const CsgScene& scene, const Vec3& origin, const Vec3
   return result;
 }
 
-/// The distance that `trace` does not tell apart, with room for a stretched object.
+/// The distance within which `trace` does not tell surfaces apart, with room for a stretched object.
 double least_of(const Place& place, const Vec3& origin) {
   const auto& m = place.transform.matrix;
   const Vec3 at(m[3][0], m[3][1], m[3][2]);
   return 0x1p-39 * (at.length() + 4 * place.scale) + 0x1p-50 * origin.length();
 }
 
-/// Every crossing is found and nothing else, but for neighbours that are no farther apart than the least distance: of
+/// Expects exactly the known crossings, except for neighbours that are no farther apart than the least distance: of
 /// those both may be missing.
 void expect_same(const std::vector<Crossed>& found, const std::vector<Crossed>& known, double least, double scale) {
-  // A grazing ray passes a surface of this curvature within the least distance for so long.
+  // The length for which a grazing ray stays within the least distance of a surface of this curvature.
   const double graze = 4 * std::sqrt(least * scale);
   std::size_t i = 0, k = 0;
   while (i < found.size() || k < known.size()) {
@@ -105,7 +105,7 @@ void check_object(CsgScene& scene, Random& random, Object object, int lines, int
     const Vec3 direction = random.direction();
     const Vec3 aim = place.transform.point(random.in_cube(0.8));
     const Vec3 origin = aim - direction * (place.scale * std::pow(10, random.uniform(0.7, 3)));
-    // A polynomial may cross the line again 10⁹ sizes away, where its roots are not known as well from here.
+    // A polynomial may cross the line again 10⁹ sizes away, where its roots are less well known from here.
     const auto is_far = [&](const Crossed& c) { return c.t > 2000 * place.scale; };
     std::vector<Crossed> found = walked(scene, origin, direction), expected = known(scene, origin, direction);
     std::erase_if(found, is_far);
@@ -203,12 +203,13 @@ TEST(WalkByTrace, finds_an_even_number_however_little_a_line_dips_below_the_surf
     component.a = centre;
     component.radius_a = 2;
     component.strength = 1;
-    // A ball of radius 1: (1 - 1/4)² of POV-Ray's component of radius 2.
+    // A ball of radius 1: POV-Ray's component of radius 2 has (1 − 1/4)² there.
     scene.database.objects = {form == 0   ? scene.solid(sphere(centre, 1))
                               : form == 1 ? scene.blob({component}, 0.5625)
                                           : scene.solid(box(centre - Vec3(1), centre + Vec3(1)))};
     for (int line = 0; line < 4000; ++line) {
-      // Towards a point so deep below a pole, or below an edge or face of the box, along the surface there.
+      // The line runs along the surface towards a point at this depth below a pole, or below an edge or face of the
+      // box.
       const double depth = std::pow(10, random.uniform(-17, -9));
       Vec3 up = random.direction(), along = random.direction();
       if (form == 2) {
@@ -228,7 +229,8 @@ TEST(WalkByTrace, finds_an_even_number_however_little_a_line_dips_below_the_surf
 }
 
 TEST(WalkByTrace, reaches_the_surface_whatever_way_it_came) {
-  // From 10¹² sizes away the place of a hit is no better known than the way is; the point that trace gives is.
+  // From 10¹² sizes away, the place of a hit is known no better than the length of the way allows; the point that trace
+  // returns is.
   Random random(504);
   CsgScene scene;
   scene.database.objects = {scene.solid(sphere({0.1, 0.2, 0.3}, 1))};

@@ -1,9 +1,10 @@
-// A blob's blended material: every texture finished by itself with the shared normal, then averaged. The numbers are
+// A blob's blended material: every texture is finished by itself with the shared normal, then averaged. The numbers are
 // POV-Ray 3.7's for the pixel where the z axis meets
 //   blob { threshold .6
 //     sphere { -.5*x, 1.2, 1      pigment { rgb <.9, .1, .1> } finish { ambient .2 diffuse .8 phong .5 phong_size 5 } }
-//     sphere { .5*x, 1.2, 1.5    pigment { rgb <.1, .2, .9> } finish { ambient .05 diffuse .3 brilliance 2 specular .5
-//     roughness .1 } } sphere { 1.2*y - .2*z, 1, -.7  pigment { rgb <.1, .9, .2> } finish { ambient .1 diffuse .6 } } }
+//     sphere { .5*x, 1.2, 1.5    pigment { rgb <.1, .2, .9> }
+//              finish { ambient .05 diffuse .3 brilliance 2 specular .5 roughness .1 } }
+//     sphere { 1.2*y - .2*z, 1, -.7  pigment { rgb <.1, .9, .2> } finish { ambient .1 diffuse .6 } } }
 // seen from −5 z, light_source { <2, 3, -5> rgb <.5, .7, .9> }, in linear 16 bits.
 #include "renderer/shading/lighting.h"
 #include "tests/renderer/shading/lit_point.h"

@@ -1,5 +1,5 @@
-// One light on one point, against what POV-Ray 3.7 shows there: a plane z = 0 seen from <0, 0, −1>, pigment rgb <0.4,
-// 0.6, 0.8>, light colour rgb <0.5, 0.7, 0.9>, ambient 0; assumed_gamma 1, File_Gamma=1.0, 16 bits, rounded to 5
+// One light on one point, compared with what POV-Ray 3.7 shows there: a plane z = 0 seen from <0, 0, −1>, pigment rgb
+// <0.4, 0.6, 0.8>, light colour rgb <0.5, 0.7, 0.9>, ambient 0; assumed_gamma 1, File_Gamma=1.0, 16 bits, rounded to 5
 // digits.
 #include "renderer/shading/lighting.h"
 #include "tests/renderer/shading/lit_point.h"

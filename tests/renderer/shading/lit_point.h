@@ -1,4 +1,5 @@
-// What one light adds to a point where nothing is in between: the terms of shading/lighting.h put together as pictures do.
+// The light that one light source adds to a point if nothing is in between: the terms of shading/lighting.h, put
+// together as in pictures.
 #pragma once
 
 #include "renderer/shading/lighting.h"

@@ -1,4 +1,4 @@
-// What a texture comes to at a point: layers as POV-Ray 3.7 lays them, and what patterns choose.
+// The result of a texture at a point: layers as in POV-Ray 3.7, and the textures that patterns choose.
 #include "renderer/shading/point_textures.h"
 
 #include "renderer/shading/lighting.h"
@@ -14,7 +14,7 @@ namespace {
 
 using scene::TextureId;
 
-/// Layer upon layer, the lowest first; the number of the topmost.
+/// Adds layers, the lowest first. Returns the index of the topmost.
 TextureId add_layers(scene::Database& database, const std::vector<scene::Colour>& colours,
                      const scene::Finish& finish) {
   TextureId below = scene::kNoTexture;
@@ -27,7 +27,7 @@ TextureId add_layers(scene::Database& database, const std::vector<scene::Colour>
   return below;
 }
 
-/// Of a point (x, 0, 0) of `plane { z, 0 }`, seen from in front.
+/// The point (x, 0, 0) of `plane { z, 0 }`, seen from in front.
 class Point {
  public:
   Point(const scene::Database& database, TextureId texture, const Vec3& position = {0, 0, 0}) : textures_(database) {
@@ -71,8 +71,8 @@ TEST(PointTextures, LayersLetLightThroughAsPovraysDo) {
   expect_colour(shown({{0.9, 0.5, 0.25, 0.5, 0.8}}), 0.73, 0.585, 0.48);
 }
 
-// The same with light_source { <2, 3, -10> rgb <1, .9, .8> } and `finish { ambient 0 diffuse .5 phong .4 phong_size 2
-// }`, at the middle of the first of 2x2 pixels that show 0.1 × 0.1.
+// The same layers with light_source { <2, 3, -10> rgb <1, .9, .8> } and `finish { ambient 0 diffuse .5 phong .4
+// phong_size 2 }`, at the middle of the first of 2x2 pixels that show 0.1 × 0.1.
 TEST(PointTextures, HighlightsOfLayersAreAddedUp) {
   const auto lit = [](const std::vector<scene::Colour>& above) {
     scene::Database database;
@@ -140,7 +140,7 @@ TEST(PointTextures, AnObjectChoosesByItsInside) {
 }
 
 TEST(PointTextures, WhatAPatternChoosesLiesInThePatternsSpace) {
-  // The pattern is twice as large, and so is the gradient of the texture that it chooses.
+  // The pattern is twice as large, and so is the gradient in the texture that it chooses.
   scene::Pattern checker = pattern_of(scene::PatternKind::checker);
   checker.warps.emplace_back(scene::TransformId{0});
   scene::Database database = with_choice(checker, 0, 1);

@@ -1,4 +1,4 @@
-// Our exponential against MPFR.
+// Our exponential, compared with MPFR.
 #include "renderer/simd/exp-inl.h"
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -19,7 +19,7 @@ double ours(double y) {
   return out[3];
 }
 
-/// Relative error in units of 2⁻⁵³, half a unit in the last place at its least.
+/// The relative error in units of 2⁻⁵³, which is the least half unit in the last place.
 double error(double y) {
   const Exact exact = boost::multiprecision::exp(Exact(y));
   return static_cast<double>(boost::multiprecision::abs((Exact(ours(y)) - exact) / exact)) * 0x1p53;

@@ -1,4 +1,4 @@
-// Crossings lie on the surface, and inside and outside alternate as they say, at every scale and from afar.
+// Crossings lie on the surface, and they separate inside from outside, at every scale and from far away.
 #include "tests/renderer/solids/solid_oracle.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ Solid scaled(Solid solid, double scale) {
   return solid;
 }
 
-/// Every crossing is on the surface to 1e-12 of the distances involved, they ascend, and a sample of other points of
-/// the line is inside exactly where the crossings say so.
+/// Every crossing is on the surface to 1e-12 of the distances involved, crossings ascend, and samples of other points
+/// of the line are inside exactly if the crossings say so.
 void expect_consistent(const Solid& solid, const Vec3& origin, const Vec3& direction, Random& random) {
   if (testing::Test::HasFailure()) return;  // the first case says enough
   const Crossings found = crossings(solid, origin, direction, kNoPart);
@@ -174,7 +174,7 @@ RC_GTEST_PROP(Crossings, move_along_with_the_origin, ()) {
   const double shift = *rc::gen::inRange(-8, 9);
   const Crossings here = crossings(solid, origin, direction, kNoPart);
   const Crossings there = crossings(solid, origin + direction * shift, direction, kNoPart);
-  // Grazing lines may fall on either side of tangency; what is left must agree up to the conditioning of a chord.
+  // Grazing lines may fall on either side of tangency; the others must agree up to the conditioning of a chord.
   if (here.count == 2 && here.t[1] - here.t[0] < 1e-5) return;
   if (there.count == 2 && there.t[1] - there.t[0] < 1e-5) return;
   RC_ASSERT(here.count == there.count);

@@ -1,5 +1,5 @@
-// The solids that are more than a quadratic, or flat, said once more as signed functions in long double, without any
-// solving; and random ones of about unit size.
+// The flat solids and those with more than a quadratic, defined independently as signed functions in long double,
+// without any solving; and random ones of about unit size.
 #pragma once
 
 #include "tests/renderer/solids/solid_oracle.h"
@@ -9,14 +9,14 @@
 
 namespace isl::render::test {
 
-/// A solid with what it needs.
+/// A solid with the records that it needs.
 struct WholeSolid {
   scene::Solid solid;
   SolidDetails details{};
-  scene::Polynomial polynomial{};  ///< of an algebraic one
+  scene::Polynomial polynomial{};  ///< for an algebraic solid
 };
 
-/// `absolute`: with every term taken as positive.
+/// `absolute`: every term is taken as positive.
 inline Real polynomial_value(const scene::Polynomial& polynomial, const RealVec& p, bool absolute = false) {
   std::array<std::array<Real, 36>, 3> powers;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -38,7 +38,7 @@ inline Real polynomial_value(const scene::Polynomial& polynomial, const RealVec&
   return sum;
 }
 
-/// Negative inside, zero on the surface. Near it, but for polynomials, about the distance.
+/// Negative inside, zero on the surface. Near the surface it is about the distance, except for polynomials.
 inline Real membership(const WholeSolid& whole, const RealVec& p) {
   const scene::Solid& solid = whole.solid;
   switch (solid.kind) {
@@ -80,7 +80,7 @@ inline WholeSolid random_whole(Random& random, scene::SolidKind kind) {
     }
     case scene::SolidKind::torus:
       whole.solid.radius_a = random.uniform(0.3, 1);
-      // Rings from needles to fat ones, and spindles.
+      // Rings from thin to fat ones, and spindles.
       whole.solid.radius_b = whole.solid.radius_a * std::exp2(random.uniform(-8, 1.5));
       break;
     case scene::SolidKind::superellipsoid:

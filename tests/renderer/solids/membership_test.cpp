@@ -10,7 +10,7 @@ namespace {
 
 using scene::SolidKind;
 
-/// How large membership may be at a point that is `shift` off the surface.
+/// The size of membership at a point that is `shift` off the surface.
 Real value_of_shift(const WholeSolid& whole, const RealVec& p, Real shift) {
   Real largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -21,7 +21,7 @@ Real value_of_shift(const WholeSolid& whole, const RealVec& p, Real shift) {
     }
   }
   if (scene::is_polynomial(whole.solid.kind)) {
-    // Terms that nearly cancel leave values that rounding decides, that of the terms on the whole piece of the line.
+    // If terms nearly cancel, rounding decides the value: the rounding of the terms on the whole piece of the line.
     const Real m = 2 * std::sqrt(dot(p, p)) + static_cast<Real>(whole.details.polynomials[0].reach);
     largest +=
         polynomial_value(whole.polynomial, {m, m, m}, true) * 0x1p-46L * static_cast<Real>(whole.polynomial.order);
@@ -29,7 +29,7 @@ Real value_of_shift(const WholeSolid& whole, const RealVec& p, Real shift) {
   return largest;
 }
 
-/// The state that the crossings give right after t.
+/// The state right after t according to the crossings.
 bool inside_at(const Crossings& found, double t) {
   bool inside = found.ends_inside;
   for (int i = 0; i < found.count; ++i) inside ^= found.t[i] > t;
@@ -131,7 +131,7 @@ TEST(Membership, of_polynomials_scales) {
 }
 
 TEST(Membership, of_a_known_quartic_is_that_of_the_torus) {
-  // x⁴ + … of the torus 1, ½ about the z axis.
+  // x⁴ + … is the torus 1, ½ about the z axis.
   const WholeSolid whole = algebraic(4, {1, 0, 0, 0, 2, 0, 0, 2,    0, -2.5, 0, 0, 0, 0, 0,   0, 0,     0,
                                          0, 0, 1, 0, 0, 2, 0, -2.5, 0, 0,    0, 0, 1, 0, 1.5, 0, 0.5625});
   scene::Solid torus;
@@ -155,7 +155,7 @@ TEST(Membership, of_a_known_quartic_is_that_of_the_torus) {
 }
 
 TEST(Membership, ends_where_a_polynomials_cube_says) {
-  // x⁴ − 5x² + y⁴ − 5y² + z⁴ − 5z² + 11.8, and an order that does not end, and one whose highest terms vanish.
+  // x⁴ − 5x² + y⁴ − 5y² + z⁴ − 5z² + 11.8, then an unbounded quadric, and one whose highest terms vanish.
   const WholeSolid tangle = algebraic(4, {1, 0, 0, 0, 0, 0, 0, 0,  0, -5, 0, 0, 0, 0, 0,  0, 0,   0,
                                           0, 0, 1, 0, 0, 0, 0, -5, 0, 0,  0, 0, 1, 0, -5, 0, 11.8});
   EXPECT_LT(tangle.details.polynomials[0].cube, 4.5);
@@ -163,7 +163,7 @@ TEST(Membership, ends_where_a_polynomials_cube_says) {
   EXPECT_TRUE(std::isinf(algebraic(2, {1, 0, 0, 0, 1, 0, 0, -1, 0, -1}).details.polynomials[0].cube));
   EXPECT_TRUE(std::isinf(algebraic(2, {1, 0, 0, 0, 1, 0, 0, 0, 0, -1}).details.polynomials[0].cube)) << "a cylinder";
   EXPECT_NEAR(algebraic(2, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}).details.polynomials[0].cube, 1, 0.02);
-  // Inside is nowhere beyond it.
+  // No inside lies beyond the cube.
   Random random(38);
   int bounded = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -207,7 +207,7 @@ TEST(Membership, normals_are_gradients) {
           }
           return gradient;
         };
-        // Where two steps do not agree there is an edge, or nearly one.
+        // If two steps do not agree, there is an edge, or nearly one.
         const Vec3 gradient = gradient_of(1e-7L), coarse = gradient_of(2e-7L);
         if ((gradient - coarse).length() > 1e-5 * gradient.length()) continue;
         ASSERT_LT((normal - gradient.normalized()).length(), 1e-4)
@@ -240,7 +240,7 @@ TEST(Membership, boxes_hold_every_crossing) {
   }
 }
 
-/// From a crossing of a random line on: inwards, outwards, grazing.
+/// Rays from a crossing of a random line: inwards, outwards, grazing.
 void expect_no_acne_and_no_leak(SolidKind kind, int wanted, unsigned seed) {
   Random random(seed);
   int starts = 0, undecided = 0;
@@ -258,7 +258,7 @@ void expect_no_acne_and_no_leak(SolidKind kind, int wanted, unsigned seed) {
     const double lean = (random.uniform(0, 1) < 0.5 ? -1 : 1) * std::pow(10, random.uniform(-6, 0));
     const Vec3 direction = (across.normalized() + normal * lean).normalized();
     const Crossings found = crossings(whole.solid, point, direction, first.part[k], whole.details);
-    // Well past the start the crossings and the definition agree about the side, whichever way the surface bends.
+    // Well beyond the start the crossings and the definition agree about the side, whichever way the surface bends.
     ++starts;
     for (int i = 0; i < 8; ++i) {
       const double t = std::pow(10, random.uniform(-5, 0.5));

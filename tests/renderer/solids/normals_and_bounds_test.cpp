@@ -23,7 +23,7 @@ TEST(Normals, are_the_gradient_of_the_gap) {
         const Vec3 normal = normal_at(solid, found.part[i], point);
         ASSERT_NEAR(normal.length(), 1, 1e-14);
         const double step = 1e-6;
-        // Near an edge or a point the step would cross it: there only the length is checked.
+        // Near an edge or an apex the step would cross it, so only the length is checked there.
         Vec3 gradient;
         for (int axis = 0; axis < 3; ++axis) {
           Vec3 ahead = point, behind = point;
@@ -52,7 +52,7 @@ TEST(Bounds, hold_every_crossing_and_are_tight) {
       const Solid solid = random_solid(random, kind);
       const Box box = bounds(solid);
       for (int axis = 0; axis < 3; ++axis) {
-        // Just beyond each face of the box nothing is met; the point that is farthest along the axis lies on the face.
+        // Nothing is met just beyond each face of the box; the point that is farthest along the axis lies on the face.
         Vec3 normal(0);
         normal[axis] = 1;
         const Vec3 along_axis = kind == SolidKind::sphere ? Vec3(0) : (solid.b - solid.a).normalized();

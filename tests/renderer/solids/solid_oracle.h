@@ -1,5 +1,5 @@
-// What a solid is, said once more and differently: as a signed function in long double, without any solving. Tests
-// compare crossings against it.
+// An independent definition of the solids, as signed functions in long double, without any solving. Tests compare
+// crossings with it.
 #pragma once
 
 #include "renderer/solids/solid.h"
@@ -21,8 +21,8 @@ inline Real dot(const RealVec& a, const RealVec& b) { return a.x * b.x + a.y * b
 inline RealVec real(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline RealVec along(const Vec3& o, const Vec3& d, Real t) { return {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z}; }
 
-/// A length that is negative inside the solid, zero on its surface, positive outside; near the surface about the
-/// distance.
+/// A length that is negative inside the solid, zero on its surface, and positive outside; near the surface it is about
+/// the distance.
 inline Real signed_gap(const scene::Solid& solid, const RealVec& p) {
   using scene::SolidKind;
   const RealVec a = real(solid.a);
@@ -41,12 +41,12 @@ inline Real signed_gap(const scene::Solid& solid, const RealVec& p) {
   return std::max({side, -height, height - length});
 }
 
-/// About how large the solid is.
+/// The approximate size of the solid.
 inline double size_of(const scene::Solid& solid) {
   return (solid.b - solid.a).length() + solid.radius_a + solid.radius_b;
 }
 
-/// Random numbers for tests that count to 10^5: the same on every machine.
+/// Random numbers for tests of up to 10^5 cases, the same on every machine.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -65,7 +65,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// A closed solid of about unit size near the origin. Every fourth cone has a point at a, every fourth at b.
+/// A closed solid of about unit size near the origin. Every fourth cone has its apex at a, every fourth at b.
 inline scene::Solid random_solid(Random& random, scene::SolidKind kind) {
   scene::Solid solid;
   solid.kind = kind;

@@ -1,5 +1,5 @@
-// Rays that start on a surface: it is not met again at the start, and it is met where it must be. No offsets, so no
-// gaps.
+// Rays that start on a surface do not meet it again at the start, and meet it where they must. There are no offsets, so
+// there are no gaps.
 #include "tests/renderer/solids/solid_oracle.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Start {
   std::uint8_t part;
 };
 
-/// Where a random line first meets the solid.
+/// Finds the point where a random line first meets the solid.
 bool random_start(const Solid& solid, Random& random, Start& start) {
   const Vec3 direction = random.direction();
   const Vec3 origin = random.in_cube(1.5) - direction * 4.0;
@@ -25,7 +25,7 @@ bool random_start(const Solid& solid, Random& random, Start& start) {
   return true;
 }
 
-/// Leaning from the surface by the sine `lean`: positive outward.
+/// A direction that leans from the surface by the sine `lean`; positive is outward.
 Vec3 leaning(const Vec3& normal, double lean, Random& random) {
   const Vec3 across = normal.cross(random.direction()).normalized();
   return (across + normal * lean).normalized();
@@ -66,7 +66,7 @@ TEST(RaysFromASurface, leave_a_closed_solid_exactly_once_when_they_enter_it) {
       const double lean = random_lean(random);
       const Vec3 in = leaning(normal_at(solid, start.part, start.point), -lean, random);
       const Crossings found = crossings(solid, start.point, in, start.part);
-      // Within rounding of an edge or an apex the way in may already be the way out.
+      // Within rounding of an edge or an apex, the entry may already be the exit.
       if (positive(found) == 0) {
         ++tiny;
         continue;
@@ -90,7 +90,7 @@ TEST(RaysFromASurface, meet_a_sphere_again_at_the_end_of_the_chord) {
     const Vec3 in = leaning(normal, -lean, random);
     const Crossings found = crossings(solid, normal, in, 0);
     ASSERT_EQ(found.count, 1);
-    // The chord is 2 sin(lean): true to its last digits that a direction of unit length in doubles can say.
+    // The chord is 2 sin(lean), correct to the last digit that a direction of unit length in doubles can express.
     EXPECT_NEAR(found.t[0], -2 * normal.dot(in), 1e-15);
     EXPECT_GT(found.t[0], 0);
   }

@@ -12,7 +12,7 @@
 namespace isl::render {
 namespace {
 
-/// Points, tapered limbs, segments, negative and stretched components, of both kernels.
+/// Points, tapered limbs, segments, and negative and stretched components, with both kernels.
 scene::Database mixed_scene() {
   scene::Database database = test::sphereflake(1, {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
   database.kernels.push_back({scene::KernelShape::quartic, scene::RadiusMeaning::surface, 3});

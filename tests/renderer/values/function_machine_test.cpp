@@ -36,7 +36,7 @@ Function square_and_one() {
   return function;
 }
 
-/// Σ i from 1 to a
+/// Σ i, for i from 1 to a
 Function sum_to() {
   Program program;
   program.constants = {0, 1};

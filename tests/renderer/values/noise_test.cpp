@@ -12,7 +12,7 @@ using scene::Vec3;
 
 constexpr NoiseGenerator kAll[] = {NoiseGenerator::original, NoiseGenerator::range_corrected, NoiseGenerator::perlin};
 
-// What POV-Ray 3.7 prints for f_noise_generator and vturbulence.
+// The numbers are those that POV-Ray 3.7 prints for f_noise_generator and vturbulence.
 TEST(Noise, IsPovraysToTheLastDigit) {
   const Vec3 p(0.3, -20.2, 7.1);
   EXPECT_NEAR(noise(p, NoiseGenerator::original), 0.361400873958, 1e-12);

@@ -1,5 +1,6 @@
-// What the lanes of convolved curves say of themselves along a ray, against dense samples of their own values: no bound is
-// exceeded, wherever the support's border, an end of the curve or its axis falls; and bounds shrink as fast as they should.
+// The bounds of convolved curves in lanes along a ray, compared with dense samples of their values: no bound is
+// exceeded, wherever the support's border, an end of the curve or its axis lies, and bounds shrink as fast as they
+// should.
 #include "renderer/fields/convolutions/ring_lanes-inl.h"
 #include "renderer/fields/convolutions/segment_lanes-inl.h"
 #include "renderer/fields/kernels/curve_constants.h"
@@ -29,7 +30,7 @@ struct Sample {
   double value, slope, noise, slope_noise;
 };
 
-/// One lane, in support radii, with the window of a kernel.
+/// One lane with the window of a kernel; lengths are in support radii.
 template <class Lanes>
 struct Field {
   KernelConstants constants;
@@ -55,11 +56,11 @@ struct Field {
 };
 
 struct Error {
-  double value, slope;          ///< of the cubic through both ends
+  double value, slope;  ///< error of the cubic through both ends
   double bound, slope_bound;
 };
 
-/// Checks a stretch, and returns how far its cubic was off.
+/// Checks a stretch, and returns the error of its cubic.
 template <class Lanes>
 Error check(const Field<Lanes>& field, double t0, double t1, const std::string& place) {
   const double amplitude = first(field.lane.amplitude), h = t1 - t0;
@@ -89,7 +90,7 @@ class ConvolutionBounds : public testing::TestWithParam<scene::Kernel> {
  protected:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
-  /// A segment from a ray's point of view; every fifth ray lies in a special way.
+  /// A segment as a ray sees it; every fifth ray has a special position.
   Field<lanes::SegmentLanes> random_segment(int i) {
     const KernelConstants k = curve_constants(GetParam());
     const double length = i % 3 == 0 ? std::pow(10, uniform(-4, 0)) : uniform(0, 4);
@@ -110,7 +111,7 @@ class ConvolutionBounds : public testing::TestWithParam<scene::Kernel> {
     const double angle = i % 5 == 0 ? 0 : i % 5 == 1 ? 1.5707963267948966 : uniform(0, 1.5707963267948966);
     const double dz = i % 5 == 1 ? 0 : std::cos(angle), n2 = std::sin(angle) * std::sin(angle);
     const double impact = i % 7 == 0 ? 0 : uniform(0, radius + 1);
-    // t = 0 is where the ray is nearest to the axis; what is of interest is where it is nearest to the ring.
+    // t = 0 is where the ray is nearest to the axis, but the interesting place is where it is nearest to the ring.
     const double shift = impact < radius && i % 2 == 0 && n2 > 0.1 ? std::sqrt((radius * radius - impact * impact) / n2) : 0;
     return {k,
             {Octet(uniform(-1, 1) - dz * shift), Octet(dz), Octet(impact * impact), Octet(n2), Octet(0.0),

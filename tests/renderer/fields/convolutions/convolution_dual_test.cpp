@@ -1,5 +1,5 @@
-// The gradients of convolutions against their values' own: the closed forms are templates, so they take numbers that carry their
-// derivatives along. Of sheets the slope, likewise.
+// The gradients of convolutions, compared with the derivatives of their values: the closed forms are templates, so they
+// accept numbers that carry their derivatives. The same is done for the slope of sheets.
 #include "renderer/fields/convolutions/ring_cauchy-inl.h"
 #include "renderer/fields/convolutions/ring_quartic-inl.h"
 #include "renderer/fields/convolutions/segment_cauchy-inl.h"
@@ -45,10 +45,10 @@ Dual abs(const Dual& a) { return a.value < 0 ? Dual(0) - a : a; }
 Dual select(bool condition, const Dual& yes, const Dual& no) { return condition ? yes : no; }
 Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value);
-  return Dual(root, root > 0 ? a.gradient / (2 * root) : Vec3(0));  // what is cut off at 0 stays there
+  return Dual(root, root > 0 ? a.gradient / (2 * root) : Vec3(0));  // a value that is cut off at 0 stays there
 }
 
-/// A place as numbers that know how they change with it.
+/// A point in dual numbers.
 struct Place {
   explicit Place(const Vec3& p) : x(p.x, {1, 0, 0}), y(p.y, {0, 1, 0}), z(p.z, {0, 0, 1}) {}
 
@@ -95,7 +95,7 @@ TEST(ConvolutionDual, GradientOfARingIsThatOfItsValue) {
   reference::RandomSource random(302);
   with_windows([&](const auto& window) {
     for (int i = 0; i < 200; ++i) {
-      // About the z axis.
+      // The circle lies about the z axis.
       const double radius = random.between(0.1, 2);
       const Vec3 p = random.in_ball(radius + 0.8);
       const double rho = std::hypot(p.x, p.y), d2 = (rho - radius) * (rho - radius) + p.z * p.z;
@@ -123,7 +123,7 @@ void expect_slopes(const KernelConstants& constants) {
     lanes::store(sheet.curvature(lanes::Octet(v)), bend);
     const double expected = sheet.value(Dual(v, {1, 0, 0})).gradient.x;
     EXPECT_NEAR(slope[0], expected, 1e-13 * std::abs(expected)) << v;
-    // And once more: the difference of slopes.
+    // The curvature is compared with the difference of slopes.
     const double step = constants.support * 1e-6;
     const double rise =
         sheet.value(Dual(v + step, {1, 0, 0})).gradient.x - sheet.value(Dual(v - step, {1, 0, 0})).gradient.x;

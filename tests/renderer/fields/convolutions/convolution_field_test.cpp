@@ -1,4 +1,4 @@
-// Convolved curves at points, over boxes and along rays: one field, whoever asks.
+// Convolved curves have the same field at points, over boxes and along rays.
 #include "renderer/fields/component_table.h"
 #include "renderer/fields/convolutions/curve_field.h"
 #include "tests/reference/random_scenes.h"
@@ -20,7 +20,7 @@ scene::Database convolution(scene::KernelShape shape, double hardness, const std
   return reference::one_blob({shape, scene::RadiusMeaning::surface, hardness, scene::FieldMode::convolution}, components);
 }
 
-/// A segment or a ring, one in three with a map of its own.
+/// A segment or a ring; one in three has a map of its own.
 scene::Database random_curve(RandomSource& random, int i) {
   const auto shape = i % 2 == 0 ? scene::KernelShape::quartic : scene::KernelShape::cauchy;
   const double radius = random.between(0.1, 0.5);
@@ -55,11 +55,11 @@ TEST(ConvolvedField, PointsAndRaysSeeTheSame) {
     const double value = curve.value(p), noise = 64 * f.noise + 1e-14;
     inside += value != 0 ? 1 : 0;
     EXPECT_NEAR(f.value + curve.table.threshold, value, noise) << i;
-    // The slope, from values on both sides.
+    // The slope, by a difference of values on both sides.
     constexpr double kStep = 1e-5;
     const double slope = (curve.value(p + direction * kStep) - curve.value(p - direction * kStep)) / (2 * kStep);
     const double size = f.steepness + std::abs(slope) + std::abs(value);
-    // A step over the support's border sees half of what is there.
+    // A step across the support's border sees half of the change.
     EXPECT_NEAR(f.slope, slope, 3e-4 * size + 1e-6 * std::abs(curve.table.amplitude[0])) << i;
   }
   EXPECT_GT(inside, 300);

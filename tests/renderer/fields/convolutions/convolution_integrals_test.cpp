@@ -1,5 +1,5 @@
-// The closed forms of convolutions against graded Gauss quadrature of their definitions, in long double: every integral within
-// the rounding that it claims for itself, which is 10⁻¹¹ of the field or less wherever a surface can be.
+// The closed forms of convolutions, compared with graded Gauss quadrature of their definitions in long double. Every
+// integral is within the rounding that it claims, which is 10⁻¹¹ of the field or less wherever a surface can be.
 #include "renderer/fields/convolutions/ring_cauchy-inl.h"
 #include "renderer/fields/convolutions/ring_quartic-inl.h"
 #include "renderer/fields/convolutions/segment_cauchy-inl.h"
@@ -32,7 +32,7 @@ struct Window {
     const Real a = epsilon + y, b = epsilon + 1;
     return (1 - y) * (1 - y) * (b + 2 * a) / (a * a * b * b * b);
   }
-  /// The length within which it changes, at squared distance y.
+  /// The length within which the window changes, at squared distance y.
   [[nodiscard]] Real steepest(Real y) const { return is_quartic ? 1 : std::sqrt(y + epsilon); }
   [[nodiscard]] Real fall(Real y) const {
     if (is_quartic) return 2 * (1 - y);
@@ -42,10 +42,10 @@ struct Window {
 };
 
 /// ∫ f over middle − half … middle + half, in panels that shrink towards 0 until they are as short as the integrand is
-/// steep: on each it is analytic well beyond, and 30 nodes of Gauss are exact to rounding.
+/// steep. On each panel it is analytic well beyond, and 30 nodes of Gauss are exact to rounding.
 template <class F>
 Real integral(const F& f, Real middle, Real half, Real scale) {
-  std::vector<Real> cuts = {-half, half};  // from the middle, so that a short stretch loses no digits
+  std::vector<Real> cuts = {-half, half};  // measured from the middle, so that a short stretch loses no digits
   for (Real x = 0.5L * scale; x < 4; x *= 2) {
     for (const Real cut : {-x - middle, x - middle}) {
       if (std::abs(cut) < half) cuts.push_back(cut);
@@ -92,7 +92,7 @@ std::vector<Case> cases() {
   return list;
 }
 
-/// What the noise of a ray's field allows (RayLanes): 16 units in the last place.
+/// The rounding that the noise of a ray's field allows (RayLanes): 16 units in the last place.
 constexpr Real kRounding = 16 * 0x1p-52L;
 
 class Convolution : public testing::TestWithParam<Case> {
@@ -107,7 +107,7 @@ TEST_P(Convolution, SegmentIsTheIntegralOfItsWindow) {
   const double least = window.is_quartic || window.epsilon > 1e-6L ? 0 : 1e-3;
   Real worst = 0;
   for (int i = 0; i < 300; ++i) {
-    // Closer to a line that is thinner than that the quadrature itself would lose digits.
+    // Closer to a line that is thinner than this, the quadrature itself would lose digits.
     const double rho = i % 10 == 0 ? least : std::max(least, std::pow(uniform(0, 1), i % 3 == 0 ? 6 : 1));
     const double length = std::pow(10, uniform(-9, 2));
     const double before = i % 7 == 0 ? 0 : uniform(-1, length + 1), behind = length - before;
@@ -123,7 +123,7 @@ TEST_P(Convolution, SegmentIsTheIntegralOfItsWindow) {
     const std::string place = fmt::format("rho {} from {} length {}", rho, before, length);
     EXPECT_LE(std::abs(closed.value - value), kRounding * closed.value_terms) << place;
     EXPECT_LE(std::abs(closed.across - across), kRounding * closed.across_terms) << place;
-    // Where both sides of the foot cancel, the quadrature keeps what the closed form never had.
+    // If both sides of the foot cancel, the quadrature keeps digits that the closed form never had.
     const Real sides = integral([&](Real v) { return std::abs(v) * window.fall(rho2 + v * v); }, middle, half, scale);
     EXPECT_LE(std::abs(closed.along - along), kRounding * closed.along_terms + 1e-18L * sides) << place;
     if (amplitude * closed.value < 10) worst = std::max(worst, amplitude * std::abs(closed.value - value));
@@ -145,7 +145,7 @@ TEST_P(Convolution, RingIsTheIntegralOfItsWindow) {
     if (!(view.distance2 < 1)) continue;
     const auto closed = GetParam().integrate(view);
     const Real y0 = view.distance2, r = radius, a = 2 * r * Real(rho);
-    // By the arc's length from the nearest point.
+    // The argument is the arc's length from the nearest point.
     const auto y = [&](Real s) {
       const Real sine = std::sin(s / (2 * r));
       return y0 + 2 * a * sine * sine;
@@ -161,7 +161,7 @@ TEST_P(Convolution, RingIsTheIntegralOfItsWindow) {
     if (rho > 0) {
       const Real radial =
           r / rho * integral([&](Real s) { return std::cos(s / r) * window.fall(y(s)); }, 0, end, scale);
-      // Near the axis the quadrature has lost the digits that the closed form keeps.
+      // Near the axis the quadrature loses digits that the closed form keeps.
       const Real slack = 1e-17L * r / rho * closed.whole;
       EXPECT_LE(std::abs(closed.radial - radial), kRounding * closed.radial_terms + slack) << place;
     }

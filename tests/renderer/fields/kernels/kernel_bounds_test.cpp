@@ -1,4 +1,5 @@
-// What the kernels say of their derivatives, and of those of f along a ray, against dense samples of the definitions.
+// The kernels' bounds of their derivatives, and of those of f along a ray, compared with dense samples of the
+// definitions.
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "tests/renderer/fields/kernels/kernel_definition.h"
 
@@ -37,13 +38,13 @@ KernelDefinition definition_of(const scene::Kernel& kernel, double border) {
   return {};
 }
 
-/// What the samples themselves may be off by, relative to what they are compared with: near the surface of a hard
-/// kernel Q − 1 has lost three of a double's digits.
+/// The relative error of the samples themselves: near the surface of a hard kernel Q − 1 has lost three of a double's
+/// digits.
 constexpr double kRounding = 1e-12;
 
 class KernelBounds : public testing::TestWithParam<scene::Kernel> {
  protected:
-  /// φ and its derivatives with respect to v, without the amplitude: the product's units.
+  /// φ and its derivatives with respect to v, without the amplitude, as in the product.
   [[nodiscard]] Derivatives at(long double v) const {
     Derivatives d = definition_.at(v / constants_.scale);
     long double unit = constants_.amplitude;
@@ -66,15 +67,15 @@ class KernelBounds : public testing::TestWithParam<scene::Kernel> {
   KernelDefinition definition_ = definition_of(GetParam(), constants_.support_q());
 };
 
-/// Fractions of the support, in equal steps and downward to where the hardest kernels have their peaks.
+/// Fractions of the support, in equal steps and down to where the hardest kernels have their peaks.
 std::vector<double> fractions(int steps) {
   std::vector<double> list = {0, 1e-200, 1e-107, 1e-60, 1e-30, 1e-12, 1e-6, 1e-4, 1e-3, 1e-2};
   for (int i = 1; i < steps; ++i) list.push_back(static_cast<double>(i) / steps);
   return list;
 }
 
-/// Of the support: 1e-15 of a radius on the ray. Nothing shorter matters, and next to a peak of 1e-107 the derivatives
-/// over anything shorter are more than a double holds.
+/// A fraction of the support: 1e-15 of a radius on the ray. Nothing shorter matters, and next to a peak of 1e-107 the
+/// derivatives over anything shorter overflow a double.
 constexpr double kShortest = 1e-30;
 
 /// Calls check(v0, u_near, u_far) over a lattice of intervals within the support.
@@ -107,7 +108,7 @@ TEST_P(KernelBounds, HoldTheSecondAndFourthDerivativeAlongARay) {
         // f = φ(v0 + κτ²), u = κτ².
         const Derivatives d = at(v0 + u);
         const long double slope = 2 * kKappa * d[1], bend = 4 * kKappa * u * d[2];
-        // The border itself is rounded: towards it the second derivative of a sheet vanishes.
+        // The border itself is rounded; towards it the second derivative of a sheet vanishes.
         const long double moved = 0x1p-51L * (v0 + u) * kKappa * (6 * d[2] + 4 * u * std::abs(d[3]));
         const long double slack = kRounding * (std::abs(slope) + bend) + moved;
         ASSERT_GE(slope + bend, low - slack) << where();
@@ -144,7 +145,7 @@ TEST_P(KernelBounds, CurvatureIsTheSecondDerivative) {
       const double v = constants_.support * start * (1 - 1e-9);
       const long double expected = at(v)[2];
       const double curvature = first_lane(kernel.curvature(lanes::Octet(v)));
-      // What no double holds may be infinite.
+      // A bound that overflows a double may be infinite.
       if (curvature == static_cast<double>(expected)) continue;
       ASSERT_LE(std::abs(curvature - expected), kRounding * expected) << v;
     }
@@ -178,7 +179,7 @@ TEST_P(KernelBounds, AreOfTheSizeOfTheDerivativesOnShortIntervals) {
         const double v0 = constants_.support * start, room = constants_.support - v0, u_near = room * fraction;
         const lanes::SecondAndFourth bounds = kernel.on_quadratic(
             lanes::Octet(v0), lanes::Octet(1), lanes::Octet(u_near), lanes::Octet(std::min(u_near * 1.05, room)));
-        // The sizes of what adds up to the derivatives, from here to twice as far.
+        // The sizes of the terms of the derivatives, from here to twice as far.
         long double second = 0, fourth = 0;
         for (int i = 0; i <= 100; ++i) {
           const long double u = std::min(u_near * (1 + i / 100.0), room);

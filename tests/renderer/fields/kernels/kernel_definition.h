@@ -1,17 +1,17 @@
-// The kernels and their first four derivatives, written out by hand from their definitions in long double: what the
-// bounds in renderer/fields/kernels are tested against. From the product it takes Q alone (the conformance suite has
-// seen to that), and must know nothing of how its kernels are written.
+// The kernels and their first four derivatives, written out by hand from their definitions in long double, to test the
+// bounds in renderer/fields/kernels. Only Q comes from the product (the conformance suite tests it), and nothing else
+// of how its kernels are written may be used.
 //
 // φ(q) = p(q)/p(1), q the squared distance over the squared radius, h the hardness, for 0 ≤ q < Q:
 //   quartic   p = (1 − q/Q)²
 //   cubic     p = (1 − q/Q)³
 //   gaussian  p = e^{−a(q−1)} less its tangent at Q, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), δ = 10⁻³
-//   soft      p = 1 − (22/9)x + (17/9)x² − (4/9)x³, x = q/Q
+//   gaussian  p = e^{−a(q−1)} minus its tangent at Q, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), δ = 10⁻³
 //   metaball  p = 1 − 3x for x ≤ 1/9, (3/2)(1 − √x)² from there
-//   cauchy    p = (1 + σ²q)⁻² less its tangent at Q, σ from φ(0) = eʰ
-// and of planes, convolved with the windows quartic and cauchy:
+//   cauchy    p = (1 + σ²q)⁻² minus its tangent at Q, σ from φ(0) = eʰ
+// and of planes that are convolved with the windows quartic and cauchy:
 //   quartic   p = (1 − q/Q)³
-//   cauchy    p = (1 + σ²q)⁻¹ less its parabola at Q, σ from φ(0) = eʰ
+//   cauchy    p = (1 + σ²q)⁻¹ minus its parabola at Q, σ from φ(0) = eʰ
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ template <class Unscaled>
   };
 }
 
-/// A function less its tangent at `border`.
+/// A function minus its tangent at `border`.
 template <class Function>
 [[nodiscard]] auto less_tangent(const Function& f, long double border) {
   return [f, border, at_border = f(border)](long double q) {
@@ -92,7 +92,7 @@ template <class Function>
     };
     return less_tangent(cauchy, border);
   };
-  // The height of the middle over the surface rises with σ: ln σ² by halving.
+  // The ratio of the middle to the surface rises with σ: bisects ln σ².
   long double low = -6, high = hardness;
   for (int i = 0; i < 90; ++i) {
     const long double middle = (low + high) / 2;
@@ -124,7 +124,7 @@ template <class Function>
       return d;
     };
   };
-  // As above; σ² ends at 10⁴⁰, where a harder sheet changes within 10⁻²⁰ radii of its plane only.
+  // As above. σ² ends at 10⁴⁰, where a harder sheet only changes within 10⁻²⁰ radii of its plane.
   long double low = -6, high = std::min(hardness + 10, std::log(1e40L));
   for (int i = 0; i < 90; ++i) {
     const long double middle = (low + high) / 2;

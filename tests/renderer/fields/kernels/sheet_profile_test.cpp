@@ -1,4 +1,4 @@
-// The profiles of convolved planes, against their windows integrated over a plane numerically.
+// The profiles of convolved planes, compared with their windows integrated numerically over a plane.
 #include "renderer/fields/kernels/kernel_constants.h"
 
 #include <gtest/gtest.h>
@@ -29,14 +29,14 @@ long double window(const KernelConstants& constants, long double v) {
   return k(v) - k(border) - slope * (v - border);
 }
 
-/// Its integral over a plane at the squared distance v, in rings of the radius ρ about the foot of the point.
+/// The window's integral over a plane at the squared distance v, in rings of the radius ρ about the foot of the point.
 long double over_the_plane(const KernelConstants& constants, long double v) {
   const long double end = std::sqrt(constants.support - v);
   const auto ring = [&](long double rho) {
     return 2 * 3.14159265358979323846L * rho * window(constants, v + rho * rho);
   };
   long double sum = 0, from = 0;
-  // In steps that grow from the width of the hardest spike.
+  // The steps grow from the width of the hardest spike.
   for (long double to = end * 0x1p-40L; from < end; to *= 2) {
     to = std::min(to, end);
     sum += boost::math::quadrature::gauss<long double, 30>::integrate(ring, from, to);

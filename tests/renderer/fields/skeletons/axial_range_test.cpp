@@ -17,7 +17,7 @@ TEST(AxialRange, HoldsEveryCorner) {
       const auto side = [&](int k) { return (corner >> k & 1U) != 0 ? half[k] : -half[k]; };
       const Vec3 from = centre + Vec3(side(0), side(1), side(2)) - at;
       const double x = from.dot(axis), rho = (from - axis * x).length();
-      // Some units in the last place of numbers up to 6.
+      // The tolerance is some units in the last place of numbers up to 6.
       EXPECT_LE(range.x_low, x + 1e-14);
       EXPECT_GE(range.x_high, x - 1e-14);
       EXPECT_LE(range.rho_low, rho + 1e-14);

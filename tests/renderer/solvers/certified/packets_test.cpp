@@ -1,4 +1,4 @@
-// Rays in packets find what they find one by one, and meet the same cells on the way.
+// Rays in packets have the same hits as single rays, and meet the same cells.
 #include "renderer/trace/tracer.h"
 #include "tests/support/sphereflake.h"
 
@@ -28,7 +28,7 @@ Traced traced(const scene::Database& database, bool packets, const std::vector<R
   return result;
 }
 
-/// How many rays hit. `in_planes`: some begin in planes of the grid.
+/// Returns the number of rays that hit. `in_planes`: some rays begin in planes of the grid.
 int expect_same(const scene::Database& database, const std::vector<Ray>& rays, bool in_planes = false) {
   const Traced alone = traced(database, false, rays), together = traced(database, true, rays);
   int hits = 0;
@@ -38,18 +38,19 @@ int expect_same(const scene::Database& database, const std::vector<Ray>& rays, b
     EXPECT_EQ(alone.occluded[i], together.occluded[i]) << "ray " << i;
     if (a.is_miss() || b.is_miss()) continue;
     ++hits;
-    // Both are Newton's, down to rounding; a grazing ray's slope is a thousandth of what it is in the mean.
+    // Both results are Newton's, down to rounding; a grazing ray's slope is a thousandth of the mean slope.
     EXPECT_NEAR(a.t, b.t, 1e-11 * (1 + a.t)) << "ray " << i;
     EXPECT_EQ(a.from_inside, b.from_inside) << "ray " << i;
   }
-  // Where a ray passes an edge within a rounding, one walk may take a cell in and the other not; so may those in a plane.
+  // If a ray passes an edge within a rounding, one walk may take a cell that the other leaves out; the same holds for
+  // rays in a plane.
   const double cells = static_cast<double>(alone.counters.cells);
   EXPECT_NEAR(static_cast<double>(together.counters.cells), cells, (in_planes ? 0.05 : 1e-3) * cells + 8);
   EXPECT_EQ(together.counters.uncertified_steps, alone.counters.uncertified_steps);
   return hits;
 }
 
-/// Eight rays from about `eye`, apart by `spread`, for each of the targets.
+/// Packets of eight rays from about `eye`, apart by `spread`, for each of the targets.
 std::vector<Ray> bundles(std::mt19937_64& bits, int count, const Vec3& eye, double spread) {
   const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
   const auto in_cube = [&] { return Vec3(2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1); };
@@ -86,7 +87,7 @@ TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
   for (int i = 0; i < 40; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       for (const double towards : {-1.0, 1.0}) {
-        // Their origins in planes of the grid as well: its box is a round number about the origin.
+        // The origins lie in planes of the grid as well, because its box has round numbers about the origin.
         Vec3 origin(0.05 * (i % 8) - 0.2, 0.05 * (i / 8) - 0.1, 0.03 * i - 0.6), direction(0);
         direction[axis] = towards;
         origin[axis] = i % 5 == 0 ? 0 : -2 * towards;
