@@ -4,7 +4,7 @@
 usage: compare.py ISL [SCENE.pov ...]
 
 Each program includes its own library of that name. Numbers may differ by 2e-5: POV-Ray keeps colours in single
-precision. Exit code 77 (skipped) where povray is not installed.
+precision. The exit code is 77 (skipped) if povray is not installed.
 """
 import pathlib
 import shutil
@@ -20,7 +20,7 @@ def said_by_isl(program, scene):
     run = subprocess.run([program, "check", "--lenient", scene], capture_output=True, text=True)
     lines = run.stderr.splitlines()
     errors = [line for line in lines if "error:" in line]
-    # What #debug prints comes before the messages, and these before the summary.
+    # The output of #debug comes before the messages, and these come before the summary.
     end = next((i for i, line in enumerate(lines) if "warning:" in line or "error:" in line), len(lines))
     return " ".join(lines[:end]).split(), errors
 
