@@ -1,5 +1,7 @@
 #include "interpreter/functions/pattern_use.h"
 
+#include "renderer/patterns/kinds/pattern_kind.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,29 +10,22 @@
 namespace isl::interpreter {
 namespace {
 
-using scene::PatternKind;
-
-/// Patterns whose input is more than a point and the database.
-struct MissingRow {
-  PatternKind kind;
-  std::string_view name;
-};
-constexpr MissingRow kMissing[] = {
-    {PatternKind::density_file, "function { density_file }"},
-    {PatternKind::image_map, "function { image_map }"},
-    {PatternKind::image_pattern, "function { image_pattern }"},
-    {PatternKind::pavement, "function { pavement }"},
-    {PatternKind::tiling, "function { tiling }"},
+/// "function { image_map }" by kind; what names a pattern that cannot be evaluated lives on in functions.
+constexpr std::string_view kFunctions[] = {
+    "",
+#define ISL_PATTERN(name, frequency) "function { " #name " }",
+#include "renderer/scene/patterns.def"
+#undef ISL_PATTERN
 };
 
-/// Visits each pigment once, however many maps name it.
+/// A pigment is looked at once, however many maps name it.
 class Walk {
  public:
   Walk(Context& context, SourceSpan span) : context_(context), span_(span) {}
 
   PatternUse of(const scene::Pattern& pattern, std::uint32_t outer) {
     check(outer);
-    PatternUse use{1, missing_of(pattern.kind)};
+    PatternUse use{1, missing_of(pattern)};
     if (const auto* const pigment = std::get_if<scene::PigmentOperands>(&pattern.operands))
       add(use, of(scene::Pigment{.pattern = pigment->pigment}, outer + 1));
     const auto* const function = std::get_if<scene::FunctionOperands>(&pattern.operands);
@@ -59,10 +54,13 @@ class Walk {
   }
 
  private:
-  [[nodiscard]] std::string_view missing_of(PatternKind kind) const {
-    if (kind == PatternKind::object && !context_.options.queries) return "function { object }";
-    const auto* const row = std::ranges::find(kMissing, kind, &MissingRow::kind);
-    return row == std::end(kMissing) ? std::string_view() : row->name;
+  [[nodiscard]] std::string_view missing_of(const scene::Pattern& pattern) const {
+    const render::PatternLack lack = render::info_of(pattern.kind).lack;
+    const bool asks_objects = std::holds_alternative<scene::ObjectOperands>(pattern.operands);
+    // Functions see what asks for a surface as 0.
+    const bool is_known = lack == render::PatternLack::nothing || lack == render::PatternLack::surface;
+    if (is_known && (!asks_objects || context_.options.queries)) return {};
+    return kFunctions[static_cast<std::size_t>(pattern.kind)];
   }
 
   static void add(PatternUse& use, const PatternUse& inner) {
@@ -72,8 +70,8 @@ class Walk {
 
   void check(std::uint32_t depth) const {
     if (depth <= scene::Function::kMaxDepth) return;
-    context_.fail(
-        span_, fmt::format("the patterns of this function are nested more than {} deep", scene::Function::kMaxDepth));
+    context_.fail(span_,
+                  fmt::format("this function is of patterns nested more than {} deep", scene::Function::kMaxDepth));
   }
 
   Context& context_;

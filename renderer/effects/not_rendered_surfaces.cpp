@@ -1,7 +1,7 @@
 #include "renderer/effects/not_rendered.h"
 
-#include <algorithm>
-#include <iterator>
+#include "renderer/patterns/kinds/pattern_kind.h"
+
 #include <optional>
 #include <unordered_set>
 #include <variant>
@@ -24,11 +24,6 @@ bool is_transparent(const Colour& colour) { return colour.filter != 0 || colour.
 bool is_patterned(const Database& database, const Pigment& pigment) {
   return !pigment.is_plain() && database.pigments[index(pigment.pattern)].pattern.kind != PatternKind::plain;
 }
-
-/// What needs more than a point, or a file.
-constexpr PatternKind kNotDrawn[] = {
-    PatternKind::aoi,           PatternKind::bump_map, PatternKind::density_file, PatternKind::facets, PatternKind::image_map,
-    PatternKind::image_pattern, PatternKind::material_map, PatternKind::pavement, PatternKind::slope, PatternKind::tiling};
 
 /// Where the scene says something; its place may be unknown.
 using Found = std::optional<OriginId>;
@@ -61,7 +56,7 @@ class PigmentWalk {
   std::unordered_set<std::uint32_t> seen_;
 };
 
-bool is_undrawable(const Pattern& pattern) { return std::ranges::find(kNotDrawn, pattern.kind) != std::end(kNotDrawn); }
+bool is_undrawable(const Pattern& pattern) { return info_of(pattern.kind).lack != PatternLack::nothing; }
 
 bool is_undrawable(const Pigment&, const PatternedPigment* record) { return record && is_undrawable(record->pattern); }
 

@@ -1,22 +1,15 @@
 // The values of patterns and the colours of pigments at points. The language asks through functions
-// (renderer/values/pattern_source.h); textures ask here. One table of what each kind of pattern computes is in
-// patterns.cpp, one file for each family of formulas beside it. Knows no text, no rays and of the surface only its
+// (renderer/values/pattern_source.h); textures ask here. What each kind of pattern
+// computes stands in kinds/. Knows no text, no rays and of the surface only its
 // coordinates (values::Environment): what depends on more of it (slope, aoi) is 0, as in POV-Ray's functions.
 #pragma once
 
+#include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/scene/database.h"
 #include "renderer/values/function_machine.h"
 #include "renderer/values/pattern_source.h"
 
 namespace isl::render {
-
-/// What patterns ask that the database alone does not tell.
-class PatternSurroundings {
- public:
-  virtual ~PatternSurroundings() = default;
-  /// Of the point, in the space that the object is placed into.
-  [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point) const = 0;
-};
 
 /// A pattern's value at a point, and that point in the pattern's own space, where what it chooses is looked up.
 struct PatternPlace {
@@ -32,7 +25,10 @@ class Patterns final : public values::PatternSource {
   /// for pictures, while functions called by the scene itself always take POV-Ray's default.
   explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr,
                     int number_of_waves = scene::Settings{}.number_of_waves)
-      : database_(database), surroundings_(surroundings), number_of_waves_(number_of_waves) {}
+      : world_{database, *this, surroundings, number_of_waves} {}
+  Patterns(const Patterns& other)
+      : world_{other.world_.database, *this, other.world_.surroundings, other.world_.number_of_waves} {}
+  Patterns& operator=(const Patterns&) = delete;
 
   /// `point` in the space that the pattern is placed into. After warps, turbulence, frequency and wave: from 0 to 1 and
   /// rarely a little beyond; the item's number from 0 on for patterns that choose from a list. NaN in, anything out.
@@ -52,9 +48,7 @@ class Patterns final : public values::PatternSource {
   [[nodiscard]] scene::Colour average(const scene::PigmentMap& map, const scene::Vec3& p,
                                       values::Environment& environment) const noexcept;
 
-  const scene::Database& database_;
-  const PatternSurroundings* surroundings_;
-  int number_of_waves_;
+  const PatternWorld world_;
 };
 
 }  // namespace isl::render

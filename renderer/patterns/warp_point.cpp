@@ -1,8 +1,8 @@
 #include "renderer/patterns/warp_point.h"
 
+#include "renderer/patterns/kinds/random_cubes.h"
+#include "renderer/patterns/kinds/turbulence.h"
 #include "renderer/patterns/mapping_warps.h"
-#include "renderer/patterns/noise_patterns.h"
-#include "renderer/patterns/random_cubes.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/single_precision.h"
 

@@ -7,13 +7,11 @@ namespace {
 
 /// In the order of PatternKind.
 constexpr std::string_view kPatternKinds[] = {
-    "plain",   "agate",   "aoi",          "average",  "boxed",     "bozo",        "brick",           "bump_map",
-    "bumps",   "cells",   "checker",      "crackle",  "cubic",     "cylindrical", "density_file",    "dents",
-    "facets",  "fractal", "function",     "gradient", "granite",   "hexagon",     "image_map",       "image_pattern",
-    "leopard", "marble",  "material_map", "object",   "onion",     "pavement",    "pigment_pattern", "planar",
-    "quilted", "radial",  "ripples",      "slope",    "spherical", "spiral1",     "spiral2",         "spotted",
-    "square",  "tiling",  "triangular",   "waves",    "wood",      "wrinkles"};
-static_assert(std::size(kPatternKinds) == static_cast<std::size_t>(PatternKind::wrinkles) + 1);
+    "plain",
+#define ISL_PATTERN(name, frequency) #name,
+#include "renderer/scene/patterns.def"
+#undef ISL_PATTERN
+};
 
 constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
 constexpr std::string_view kShapes[] = {"cylindrical", "spherical", "toroidal", "planar", "cubic"};
@@ -52,69 +50,38 @@ struct WarpWriter {
   }
 };
 
+struct ValueWriter {
+  Json operator()(const Vec3& value) const { return vector(value); }
+  Json operator()(const std::vector<std::variant<double, int>>& values) const {
+    Json json = Json::array();
+    for (const auto& value : values) std::visit([&json](const auto number) { json.push_back(number); }, value);
+    return json;
+  }
+  template <class Value>
+  Json operator()(const Value& value) const {
+    return value;
+  }
+};
+
 /// Adds the operands to the pattern's JSON.
 struct OperandWriter {
   Json& json;
 
   void operator()(std::monostate /*none*/) const {}
-  void operator()(const AgateOperands& o) const { json["agate_turb"] = o.turbulence; }
-  void operator()(const BrickOperands& o) const {
-    json["brick_size"] = vector(o.size);
-    json["mortar"] = o.mortar;
-  }
-  void operator()(const CrackleOperands& o) const {
-    json["form"] = vector(o.form);
-    json["metric"] = o.metric;
-    json["offset"] = o.offset;
-    if (o.is_solid) json["solid"] = true;
-  }
-  void operator()(const DensityFileOperands& o) const {
-    json["file"] = o.file;
-    json["interpolate"] = o.interpolate;
-  }
-  void operator()(const FacetsOperands& o) const {
-    if (o.coords != 0) json["coords"] = o.coords;
-    if (o.size != 0) json["size"] = o.size;
-  }
-  void operator()(const FractalOperands& o) const {
-    json["type"] = o.is_julia ? "julia" : "mandel";
-    if (o.magnet != 0) json["magnet"] = o.magnet;
-    if (o.is_julia) json["c"] = Json::array({o.real, o.imaginary});
-    json["iterations"] = o.iterations;
-    json["exponent"] = o.exponent;
-    json["exterior"] = Json::array({o.exterior_type, o.exterior_factor});
-    json["interior"] = Json::array({o.interior_type, o.interior_factor});
+  void operator()(const Operands& o) const {
+    for (const OperandField& field : o.fields) {
+      if (field.is_dumped && !field.is_dumped(o.record)) continue;
+      json[std::string(field.key)] = std::visit(ValueWriter(), field.get(o.record));
+    }
   }
   void operator()(const FunctionOperands& o) const {
     if (o.function != kNoFunction) json["function"] = index(o.function);
   }
-  void operator()(const GradientOperands& o) const { json["direction"] = vector(o.direction); }
   void operator()(ImageId id) const { json["image"] = index(id); }
   void operator()(const ObjectOperands& o) const {
     if (o.object != kNone) json["object"] = o.object;
   }
-  void operator()(const PavementOperands& o) const {
-    json["number_of_sides"] = o.sides;
-    json["number_of_tiles"] = o.tiles;
-    json["number"] = o.pattern;
-    json["form"] = o.form;
-    json["interior"] = o.interior;
-    json["exterior"] = o.exterior;
-  }
   void operator()(const PigmentOperands& o) const { json["pigment"] = index(o.pigment); }
-  void operator()(const QuiltedOperands& o) const {
-    json["control0"] = o.control0;
-    json["control1"] = o.control1;
-  }
-  void operator()(const SlopeOperands& o) const {
-    json[o.is_reference ? "point_at" : "direction"] = vector(o.direction);
-    json["slope"] = Json::array({o.low_slope, o.high_slope});
-    if (!o.has_altitude) return;
-    json["altitude"] = vector(o.altitude);
-    json["altitudes"] = Json::array({o.low_altitude, o.high_altitude});
-  }
-  void operator()(const SpiralOperands& o) const { json["arms"] = o.arms; }
-  void operator()(const TilingOperands& o) const { json["number"] = o.number; }
 };
 
 }  // namespace

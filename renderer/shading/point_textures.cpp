@@ -53,7 +53,7 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
                                values::Environment& environment, std::vector<LitTexture>& lit) const {
   const scene::TextureMap& map = database_.texture_maps[scene::index(choice.map)];
   const PatternPlace place = patterns_.look_up(choice.pattern, point, environment);
-  if (choice.pattern.kind == scene::PatternKind::average) {
+  if (info_of(choice.pattern.kind).choice == PatternChoice::mean_of_map) {
     double total = 0;
     for (const scene::TextureEntry& entry : map) total += entry.value;
     for (const scene::TextureEntry& entry : map)

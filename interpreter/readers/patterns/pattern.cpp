@@ -10,101 +10,83 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace isl::interpreter {
 namespace {
 
+using render::info_of;
+using render::PatternBlock;
+using render::PatternHosts;
+using render::PatternInfo;
 using scene::Pattern;
 using scene::PatternKind;
 using scene::Wave;
 namespace word = grammar::word;
 
-/// One pattern: its word, its kind, the number of items in its list, and its operands if it has any.
-struct PatternRow {
-  grammar::Symbol word;
-  PatternKind kind;
-  int list = 0;
-  Wave wave = Wave::ramp;
-  ReadOperands read = nullptr;  ///< after the word, or the whole block if `is_block`
-  bool is_block = false;
+constexpr std::string_view kNames[] = {
+    "plain",
+#define ISL_PATTERN(name, frequency) #name,
+#include "renderer/scene/patterns.def"
+#undef ISL_PATTERN
 };
 
-constexpr PatternRow kPatterns[] = {
-    {word::kw_agate, PatternKind::agate, 0, Wave::ramp, begin_agate},
-    {word::kw_aoi, PatternKind::aoi},
-    {word::kw_average, PatternKind::average},
-    {word::kw_boxed, PatternKind::boxed},
-    {word::kw_bozo, PatternKind::bozo},
-    {word::kw_brick, PatternKind::brick, 2, Wave::ramp, begin_brick},
-    {word::kw_bump_map, PatternKind::bump_map, 0, Wave::ramp, nullptr, true},
-    {word::kw_bumps, PatternKind::bumps},
-    {word::kw_cells, PatternKind::cells},
-    {word::kw_checker, PatternKind::checker, 2},
-    {word::kw_crackle, PatternKind::crackle, 0, Wave::ramp, begin_crackle},
-    {word::kw_cubic, PatternKind::cubic, 6},
-    {word::kw_cylindrical, PatternKind::cylindrical},
-    {word::kw_density_file, PatternKind::density_file, 0, Wave::ramp, read_density_file},
-    {word::kw_dents, PatternKind::dents},
-    {word::kw_facets, PatternKind::facets, 0, Wave::ramp, begin_facets},
-    {word::kw_gradient, PatternKind::gradient, 0, Wave::ramp, read_gradient},
-    {word::kw_granite, PatternKind::granite},
-    {word::kw_hexagon, PatternKind::hexagon, 3},
-    {word::kw_image_map, PatternKind::image_map, 0, Wave::ramp, read_image_operand, true},
-    {word::kw_image_pattern, PatternKind::image_pattern, 0, Wave::ramp, read_image_operand, true},
-    {word::kw_julia, PatternKind::fractal, 0, Wave::ramp, read_julia},
-    {word::kw_leopard, PatternKind::leopard},
-    {word::kw_magnet, PatternKind::fractal, 0, Wave::ramp, read_magnet},
-    {word::kw_mandel, PatternKind::fractal, 0, Wave::ramp, read_mandel},
-    {word::kw_marble, PatternKind::marble, 0, Wave::triangle},
-    {word::kw_object, PatternKind::object, 2, Wave::ramp, nullptr, true},
-    {word::kw_onion, PatternKind::onion},
-    {word::kw_pavement, PatternKind::pavement, 0, Wave::ramp, begin_pavement},
-    {word::kw_pigment_pattern, PatternKind::pigment_pattern, 0, Wave::ramp, read_pigment_operand, true},
-    {word::kw_planar, PatternKind::planar},
-    {word::kw_quilted, PatternKind::quilted, 0, Wave::ramp, begin_quilted},
-    {word::kw_radial, PatternKind::radial},
-    {word::kw_ripples, PatternKind::ripples},
-    {word::kw_slope, PatternKind::slope, 0, Wave::ramp, read_slope},
-    {word::kw_spherical, PatternKind::spherical},
-    {word::kw_spiral1, PatternKind::spiral1, 0, Wave::triangle, read_spiral},
-    {word::kw_spiral2, PatternKind::spiral2, 0, Wave::triangle, read_spiral},
-    {word::kw_spotted, PatternKind::spotted},
-    {word::kw_square, PatternKind::square, 4},
-    {word::kw_tiling, PatternKind::tiling, 0, Wave::ramp, read_tiling},
-    {word::kw_triangular, PatternKind::triangular, 6},
-    {word::kw_waves, PatternKind::waves},
-    {word::kw_wood, PatternKind::wood, 0, Wave::triangle},
-    {word::kw_wrinkles, PatternKind::wrinkles},
-};
-
-const PatternRow* find_row(const Element& element) {
-  const bool is_block = element.is(ElementKind::block);
-  if (!is_block && !element.is(ElementKind::word)) return nullptr;
-  for (const PatternRow& row : kPatterns) {
-    if (row.word != element.word) continue;
-    // `slope` is allowed with and without braces.
-    return row.is_block == is_block || row.kind == PatternKind::slope ? &row : nullptr;
-  }
-  return nullptr;
+/// The words that begin a pattern of the kind.
+std::span<const std::string_view> words_of(PatternKind kind) {
+  const std::span<const std::string_view> words = info_of(kind).words;
+  return words.empty() ? std::span(&kNames[static_cast<std::size_t>(kind)], 1) : words;
 }
 
-/// Patterns that only one host has: a picture's own colours, bumps, facets.
+/// The kind of pattern that each reserved word begins, `plain` where none does. Reserved words have the same numbers in
+/// every scene.
+using KindByWord = std::vector<PatternKind>;
+const KindByWord& kinds_by_word(Context& context) {
+  static const KindByWord kKinds = [&context] {
+    KindByWord kinds(word::kReservedCount, PatternKind::plain);
+    for (std::size_t i = 1; i < scene::kPatternKindCount; ++i) {
+      for (const std::string_view name : words_of(PatternKind(i))) {
+        const grammar::Symbol symbol = context.symbols.intern(name);
+        ISL_CHECK(grammar::is_reserved(symbol), "the pattern `{}` has no word", name);
+        kinds[static_cast<std::size_t>(symbol)] = PatternKind(i);
+      }
+    }
+    return kinds;
+  }();
+  return kKinds;
+}
+
+/// The kind of pattern that the element begins; `plain` for none.
+PatternKind kind_of(Context& context, const Element& element) {
+  const bool is_block = element.is(ElementKind::block);
+  if ((!is_block && !element.is(ElementKind::word)) || !grammar::is_reserved(element.word)) return PatternKind::plain;
+  const PatternKind kind = kinds_by_word(context)[static_cast<std::size_t>(element.word)];
+  const PatternBlock block = info_of(kind).block;
+  const bool fits = block == PatternBlock::optional || is_block == (block != PatternBlock::none);
+  return fits ? kind : PatternKind::plain;
+}
+
+struct HostRow {
+  bool PatternHosts::*is_host;
+  std::string_view name;
+};
+/// In the order of PatternHost.
+constexpr HostRow kHosts[] = {{&PatternHosts::pigment, "pigment"},
+                              {&PatternHosts::normal, "normal"},
+                              {&PatternHosts::texture, "texture"},
+                              {&PatternHosts::function, "function"}};
+
 void check_host(Context& context, const Element& element, PatternKind kind, PatternHost host) {
-  const bool is_normals = kind == PatternKind::facets || kind == PatternKind::bump_map;
-  if (is_normals && host != PatternHost::normal) {
-    context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
-                 fmt::format("`{}` is allowed only in a `normal`", context.text(element.word)));
-  }
-  if (kind == PatternKind::image_map && host != PatternHost::pigment) {
-    context.fail(element.word_span, "`image_map` is allowed only in a `pigment`", "did you mean `image_pattern`?");
-  }
-  const bool needs_more = kind == PatternKind::aoi || kind == PatternKind::slope || kind == PatternKind::average;
-  if (needs_more && host == PatternHost::function) {
-    context.fail(
-        element.is(ElementKind::block) ? element.word_span : element.span,
-        fmt::format("`{}` depends on more than a point and is not allowed in a function", context.text(element.word)));
-  }
+  const PatternInfo& info = info_of(kind);
+  if (info.hosts.*kHosts[static_cast<std::size_t>(host)].is_host) return;
+  const SourceSpan span = element.is(ElementKind::block) ? element.word_span : element.span;
+  const std::string_view name = context.text(element.word);
+  const auto is_host = [&info](const HostRow& row) { return info.hosts.*row.is_host; };
+  if (std::ranges::count_if(kHosts, is_host) > 1)
+    context.fail(span, fmt::format("`{}` is no pattern of points alone; it cannot stand in a function", name));
+  context.fail(span, fmt::format("`{}` stands only in a `{}`", name, std::ranges::find_if(kHosts, is_host)->name),
+               info.instead.empty() ? std::string() : fmt::format("did you mean `{}`?", info.instead));
 }
 
 /// `function { … }` is one value of the stream.
@@ -112,61 +94,54 @@ bool is_function(const Element& element) {
   return element.is(ElementKind::value) && element.node->kind == grammar::NodeKind::function;
 }
 
-void set_kind(PatternDraft& draft, PatternKind kind, Wave wave) {
-  draft.pattern.kind = kind;
-  draft.pattern.frequency = scene::default_frequency(kind);
-  draft.pattern.wave = wave;
-  draft.pattern.operands = std::monostate{};
-}
-
 }  // namespace
 
-bool starts_pattern(const Element& element) { return is_function(element) || find_row(element); }
+bool starts_pattern(Context& context, const Element& element) {
+  return is_function(element) || kind_of(context, element) != PatternKind::plain;
+}
 
 PatternDraft draft_of(Context& context, const Pattern& pattern) {
   return {pattern, context.database.transforms.size()};
 }
 
-int list_length(PatternKind kind) {
-  const auto* const row = std::ranges::find(kPatterns, kind, &PatternRow::kind);
-  return row == std::end(kPatterns) ? 0 : row->list;
+void set_kind(PatternDraft& draft, PatternKind kind) {
+  const PatternInfo& info = info_of(kind);
+  draft.pattern.kind = kind;
+  draft.pattern.frequency = scene::default_frequency(kind);
+  draft.pattern.wave = info.wave;
+  draft.pattern.operands = std::monostate{};
+  if (info.operands) draft.pattern.operands = info.operands();
 }
 
-std::string_view name_of(Context& context, PatternKind kind) {
-  const auto* const row = std::ranges::find(kPatterns, kind, &PatternRow::kind);
-  return row == std::end(kPatterns) ? "function" : context.text(row->word);
-}
+std::string_view name_of(PatternKind kind) { return words_of(kind).front(); }
 
 bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, const ReadList& read_list) {
   Context& context = stream.context();
   const Element next = stream.peek();
   if (is_function(next)) {
-    set_kind(draft, PatternKind::function, Wave::ramp);
+    set_kind(draft, PatternKind::function);
     draft.pattern.said_at = place_of(context, next);
     draft.pattern.operands = scene::FunctionOperands{read_function_operand(stream)};
     return true;
   }
-  const PatternRow* const row = find_row(next);
-  if (!row) return false;
-  check_host(context, next, row->kind, host);
+  const PatternKind kind = kind_of(context, next);
+  if (kind == PatternKind::plain) return false;
+  check_host(context, next, kind, host);
   stream.drop();
-  set_kind(draft, row->kind, row->wave);
+  set_kind(draft, kind);
   draft.pattern.said_at = place_of(context, next);
+  const PatternInfo& info = info_of(kind);
+  const auto read_rest = [&](ElementStream& from) {
+    read_operands(from, draft.pattern, context.text(next.word));
+    if (info.list_length > 0 && read_list) read_list(from, kind, info.list_length);
+  };
   if (!next.is(ElementKind::block)) {
-    if (row->read) row->read(stream, draft.pattern);
-    if (row->list > 0 && read_list) read_list(stream, row->kind, row->list);
-    return true;
+    read_rest(stream);
+  } else if (info.block != PatternBlock::of_host) {
+    ElementStream inside(context, next);
+    read_rest(inside);
+    expect_end(inside);
   }
-  ElementStream inside(context, next);
-  if (row->kind == PatternKind::object) {
-    read_object_operand(inside, draft.pattern);
-    if (read_list) read_list(inside, row->kind, row->list);
-  } else if (row->kind == PatternKind::bump_map) {
-    return true;  // its host reads the block, which also holds the size of the bumps
-  } else {
-    row->read(inside, draft.pattern);
-  }
-  expect_end(inside);
   return true;
 }
 

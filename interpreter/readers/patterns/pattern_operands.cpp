@@ -3,157 +3,153 @@
 #include "interpreter/functions/functions.h"
 #include "interpreter/readers/objects/objects.h"
 #include "interpreter/readers/patterns/image.h"
+#include "interpreter/readers/patterns/operand_stream.h"
+#include "interpreter/readers/patterns/pattern.h"
 #include "interpreter/readers/textures/pigment.h"
 #include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace isl::interpreter {
 namespace {
 
+using render::info_of;
+using render::PatternBlock;
+using scene::OperandField;
+using scene::Operands;
 using scene::Pattern;
-namespace word = grammar::word;
+using scene::PatternKind;
 
-constexpr int kMaxArms = 1 << 16;
-constexpr int kMaxTiling = 27;
-
-int read_integer_in(ElementStream& stream, std::string_view what, int low, int high) {
-  return static_cast<int>(read_number_in(stream, what, low, high));
-}
-
-}  // namespace
-
-void begin_agate(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::AgateOperands{}; }
-void begin_brick(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::BrickOperands{}; }
-void begin_crackle(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::CrackleOperands{}; }
-void begin_facets(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::FacetsOperands{}; }
-void begin_pavement(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::PavementOperands{}; }
-void begin_quilted(ElementStream& /*stream*/, Pattern& pattern) { pattern.operands = scene::QuiltedOperands{}; }
-
-void read_density_file(ElementStream& stream, Pattern& pattern) {
-  if (!stream.peek().is_word(word::kw_df3)) fail_expected(stream, "`df3` after `density_file`");
-  stream.drop();
-  pattern.operands = scene::DensityFileOperands{read_file_name(stream, "the name of a file"), 0};
-}
-
-void read_gradient(ElementStream& stream, Pattern& pattern) {
-  pattern.operands = scene::GradientOperands{read_vector(stream, "a vector after `gradient`").normalized()};
-}
-
-void read_image_operand(ElementStream& stream, Pattern& pattern) {
+scene::ImageId read_image(ElementStream& stream) {
   scene::Image image = read_image_source(stream);
   while (read_image_item(stream, image)) {
   }
-  pattern.operands = add_image(stream.context(), std::move(image));
+  return add_image(stream.context(), std::move(image));
 }
 
-// ---- Fractals -------------------------------------------------------------------------------------------------------
-
-namespace {
-
-void read_iterations(ElementStream& stream, scene::FractalOperands& fractal) {
-  fractal.iterations = std::floor(read_number_in(stream, "the number of iterations", 0, 4294967295.0));
+scene::ObjectOperands read_object(ElementStream& stream) {
+  Context& context = stream.context();
+  const Ref<ObjectValue> object = read_child(stream);
+  if (!object) fail_expected(stream, "an object");
+  if (object->object.shape == scene::kNone) return {};
+  context.database.pattern_objects.push_back(object->object);
+  return {static_cast<std::uint32_t>(context.database.pattern_objects.size() - 1)};
 }
 
-void read_julia_operands(ElementStream& stream, scene::FractalOperands& fractal) {
-  fractal.is_julia = true;
-  const scene::Vec3 c = read_vector(stream, "a complex number as a vector");
-  fractal.real = c.x;
-  fractal.imaginary = c.y;
-  stream.accept_comma();
-  read_iterations(stream, fractal);
+scene::PigmentOperands read_pigment_operand(ElementStream& stream) {
+  const scene::Pigment pigment = read_pigment_body(stream, {});
+  return {patterned_pigment(stream.context(), pigment)};
+}
+
+/// Reads a value of the type that the field has.
+struct FieldReader {
+  ElementStream& stream;
+  const OperandField& field;
+  std::string what;
+
+  scene::OperandValue operator()(double /*value*/) const { return number(); }
+  scene::OperandValue operator()(int /*value*/) const { return static_cast<int>(number()); }
+  scene::OperandValue operator()(bool /*value*/) const { return read_optional_truth(stream); }
+  scene::OperandValue operator()(const scene::Vec3& /*value*/) const { return read_vector(stream, what); }
+  template <class Other>
+  scene::OperandValue operator()(const Other& /*value*/) const {
+    ISL_CHECK(false, "the operand {} has no way to be read", what);
+  }
+
+ private:
+  [[nodiscard]] double number() const {
+    const bool is_bounded = std::isfinite(field.low) || std::isfinite(field.high);
+    return is_bounded ? read_number_in(stream, what, field.low, field.high) : read_number(stream, what);
+  }
+};
+
+const OperandField* field_named(std::span<const OperandField> fields, std::string_view word) {
+  const auto field = std::ranges::find(fields, word, &OperandField::word);
+  return field == fields.end() ? nullptr : &*field;
+}
+
+/// The patterns that have an operand of that word, as messages name them: "`crackle` and `pavement`".
+std::string owners_of(std::string_view word) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene::kPatternKindCount; ++i) {
+    const auto kind = PatternKind(i);
+    if (!info_of(kind).operands || !field_named(info_of(kind).operands().fields, word)) continue;
+    names.push_back(fmt::format("`{}`", name_of(kind)));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+/// Whether any pattern has an operand of the word. Few words have; reserved words have the same numbers in every scene.
+bool is_operand_word(Context& context, grammar::Symbol symbol) {
+  using Flags = std::array<bool, grammar::word::kReservedCount>;
+  static const Flags kFlags = [&context] {
+    Flags flags{};
+    for (std::size_t i = 0; i < scene::kPatternKindCount; ++i) {
+      if (!info_of(PatternKind(i)).operands) continue;
+      for (const OperandField& field : info_of(PatternKind(i)).operands().fields) {
+        if (!field.word.empty()) flags.at(static_cast<std::size_t>(context.symbols.intern(field.word))) = true;
+      }
+    }
+    return flags;
+  }();
+  return grammar::is_reserved(symbol) && kFlags[static_cast<std::size_t>(symbol)];
 }
 
 }  // namespace
 
-void read_mandel(ElementStream& stream, Pattern& pattern) {
-  scene::FractalOperands fractal;
-  read_iterations(stream, fractal);
-  pattern.operands = fractal;
-}
-
-void read_julia(ElementStream& stream, Pattern& pattern) {
-  scene::FractalOperands fractal;
-  read_julia_operands(stream, fractal);
-  pattern.operands = fractal;
-}
-
-void read_magnet(ElementStream& stream, Pattern& pattern) {
-  scene::FractalOperands fractal;
-  fractal.magnet = read_integer_in(stream, "the type of a `magnet`", 1, 2);
-  if (stream.peek().is_word(word::kw_mandel)) {
-    stream.drop();
-    read_iterations(stream, fractal);
-  } else if (stream.peek().is_word(word::kw_julia)) {
-    stream.drop();
-    read_julia_operands(stream, fractal);
-  } else {
-    fail_expected(stream, "`mandel` or `julia` after the type of a `magnet`");
+void read_operands(ElementStream& stream, Pattern& pattern, std::string_view word) {
+  const render::PatternInfo& info = info_of(pattern.kind);
+  switch (info.block) {
+    case PatternBlock::image: pattern.operands = read_image(stream); break;
+    case PatternBlock::object: pattern.operands = read_object(stream); break;
+    case PatternBlock::pigment: pattern.operands = read_pigment_operand(stream); break;
+    case PatternBlock::none:
+    case PatternBlock::optional:
+    case PatternBlock::of_host:
+    case PatternBlock::function: break;
   }
-  pattern.operands = fractal;
-}
-
-// ---- Patterns of other things ---------------------------------------------------------------------------------------
-
-void read_object_operand(ElementStream& stream, Pattern& pattern) {
-  Context& context = stream.context();
-  const Ref<ObjectValue> object = read_child(stream);
-  if (!object) fail_expected(stream, "an object");
-  scene::ObjectOperands operands;
-  if (object->object.shape != scene::kNone) {
-    operands.object = static_cast<std::uint32_t>(context.database.pattern_objects.size());
-    context.database.pattern_objects.push_back(object->object);
-  }
-  pattern.operands = operands;
-}
-
-void read_pigment_operand(ElementStream& stream, Pattern& pattern) {
-  const scene::Pigment pigment = read_pigment_body(stream, {});
-  pattern.operands = scene::PigmentOperands{patterned_pigment(stream.context(), pigment)};
-}
-
-void read_slope(ElementStream& stream, Pattern& pattern) {
-  scene::SlopeOperands slope;
-  if (stream.peek().is_word(word::kw_point_at)) {
-    stream.drop();
-    slope.is_reference = true;
-  }
-  slope.direction = read_vector(stream, "a direction");
-  if (!slope.is_reference && slope.direction.length() == 0) {
-    stream.context().fail(stream.span(), "the direction of `slope` must not be <0, 0, 0>");
-  }
-  if (stream.accept_comma() || stream.peek().is(ElementKind::value)) {
-    slope.low_slope = read_number(stream, "the low slope");
-    stream.accept_comma();
-    slope.high_slope = read_number(stream, "the high slope");
-  }
-  if (stream.peek().is_word(word::kw_altitude)) {
-    const SourceSpan span = stream.take().span;
-    if (slope.is_reference) stream.context().fail(span, "`altitude` cannot be used with `point_at`");
-    slope.has_altitude = true;
-    slope.altitude = read_vector(stream, "a vector after `altitude`");
-    if (stream.accept_comma() || stream.peek().is(ElementKind::value)) {
-      slope.low_altitude = read_number(stream, "the low altitude");
-      stream.accept_comma();
-      slope.high_altitude = read_number(stream, "the high altitude");
-    }
-  }
-  pattern.operands = slope;
-}
-
-void read_spiral(ElementStream& stream, Pattern& pattern) {
-  pattern.operands = scene::SpiralOperands{read_integer_in(stream, "the number of arms", -kMaxArms, kMaxArms)};
-}
-
-void read_tiling(ElementStream& stream, Pattern& pattern) {
-  pattern.operands = scene::TilingOperands{read_integer_in(stream, "the number of a `tiling`", 1, kMaxTiling)};
+  if (!info.read) return;
+  OperandStream reader(stream);
+  info.read(reader, std::get<Operands>(pattern.operands).record, word);
+  reader.rethrow_failure();
 }
 
 scene::FunctionId read_function_operand(ElementStream& stream) {
   const Element next = stream.take();
   return make_point_function(stream.context(), grammar::as<grammar::Function>(*next.node));
+}
+
+bool read_operand_modifier(ElementStream& stream, Pattern& pattern) {
+  Context& context = stream.context();
+  const Element next = stream.peek();
+  if (!is_operand_word(context, next.word)) return false;
+  stream.drop();
+  const std::string_view word = context.text(next.word);
+  auto* const operands = std::get_if<Operands>(&pattern.operands);
+  const OperandField* const field = operands ? field_named(operands->fields, word) : nullptr;
+  if (!field) {
+    const std::string found = pattern.kind == PatternKind::plain ? "there is no pattern before it"
+                                                                 : fmt::format("this is `{}`", name_of(pattern.kind));
+    context.fail(next.span, fmt::format("`{}` belongs to {}, and {}", word, owners_of(word), found));
+  }
+  if (field->read) {
+    OperandStream reader(stream);
+    field->read(reader, operands->record);
+    reader.rethrow_failure();
+  } else {
+    const FieldReader read_value{stream, *field, fmt::format("`{}`", word)};
+    field->set(operands->record, std::visit(read_value, field->get(operands->record)));
+  }
+  return true;
 }
 
 }  // namespace isl::interpreter

@@ -11,6 +11,7 @@
 namespace isl::interpreter {
 namespace {
 
+using render::info_of;
 using scene::Normal;
 using scene::NormalId;
 using scene::PatternKind;
@@ -36,7 +37,7 @@ class NormalReader {
       draft_.pattern.uv_mapping = true;
       read_identifier();
     }
-    if (starts_pattern(stream_.peek())) read_type();
+    if (starts_pattern(context_, stream_.peek())) read_type();
     while (!stream_.peek().is(ElementKind::end)) {
       if (!read_modifier()) refuse(stream_, kKnown);
     }
@@ -44,7 +45,7 @@ class NormalReader {
       context_.warn(stream_.span(), "a `normal` without a pattern is flat");
       return scene::kNoNormal;
     }
-    if (draft_.pattern.kind == PatternKind::average && normal_.map == scene::kNoNormalMap) {
+    if (info_of(draft_.pattern.kind).choice == render::PatternChoice::mean_of_map && normal_.map == scene::kNoNormalMap) {
       context_.fail(stream_.span(), "`average` needs a `normal_map`");
     }
     normal_.pattern = std::move(draft_.pattern);
@@ -79,7 +80,7 @@ class NormalReader {
     };
     static_cast<void>(read_pattern(stream_, draft_, PatternHost::normal, read_list));
     if (had_list || list_length(draft_.pattern.kind) > 0) normal_.map = list;
-    if (draft_.pattern.kind == PatternKind::bump_map) read_bump_map(type);
+    if (info_of(draft_.pattern.kind).block == render::PatternBlock::of_host) read_bump_map(type);
     read_size();
   }
 
@@ -133,7 +134,7 @@ class NormalReader {
       value = read_number(stream_, fmt::format("a number after `{}`", context_.text(next.word)));
       return true;
     }
-    if (starts_pattern(next)) {
+    if (starts_pattern(context_, next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
                     "a `normal` has at most one pattern, before its other items");
     }
@@ -142,9 +143,9 @@ class NormalReader {
 
   void check_map(const Element& block) {
     const PatternKind kind = draft_.pattern.kind;
-    if (list_length(kind) == 0 && kind != PatternKind::bump_map) return;
+    if (info_of(kind).takes_map()) return;
     context_.fail(block.word_span,
-                  fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), name_of(context_, kind)));
+                  fmt::format("`{}` cannot be used with `{}`", context_.text(block.word), name_of(kind)));
   }
 
   ElementStream& stream_;

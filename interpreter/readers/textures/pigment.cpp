@@ -28,10 +28,9 @@ bool is_map_block(const Element& next) {
   return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) || next.is_block(word::kw_pigment_map);
 }
 
-/// False for kinds without a map: lists, pictures, and kinds that are no patterns.
-bool takes_map(PatternKind kind) {
-  return list_length(kind) == 0 && kind != PatternKind::image_map && kind != PatternKind::plain;
-}
+bool takes_map(PatternKind kind) { return kind != PatternKind::plain && render::info_of(kind).takes_map(); }
+
+bool is_mean(PatternKind kind) { return render::info_of(kind).choice == render::PatternChoice::mean_of_map; }
 
 Pigment with_record(Context& context, PatternedPigment&& record) {
   return {.pattern = add_record<scene::PigmentId>(context, context.database.pigments, std::move(record))};
@@ -58,7 +57,7 @@ class PigmentReader {
   }
 
  private:
-  /// Reads a declared pigment, or a declared colour with its overrides.
+  /// A declared pigment, or a declared colour with what overrides it.
   bool read_identifier() {
     const Element first = stream_.peek();
     if (!first.is(ElementKind::value) || first.node->kind == grammar::NodeKind::function) return false;
@@ -88,7 +87,7 @@ class PigmentReader {
       set_colour(read_colour(stream_), next);
       return true;
     }
-    if (!starts_pattern(next)) return false;
+    if (!starts_pattern(context_, next)) return false;
     PatternedPigment& record = open();
     const bool had_list = !takes_map(draft_.pattern.kind);
     scene::PigmentMapId list = scene::kNoPigmentMap;
@@ -101,7 +100,7 @@ class PigmentReader {
   }
 
   bool read_modifier(bool has_type) {
-    // A plain colour is the same after every transform.
+    // A plain colour is the same wherever it is moved to.
     if (!record_ && pigment_.is_plain() && read_transform(stream_)) return true;
     const Element next = stream_.peek();
     if (is_map_block(next)) {
@@ -119,12 +118,12 @@ class PigmentReader {
       set_colour(read_colour(stream_), next);
       return true;
     }
-    if (starts_pattern(next)) {
+    if (starts_pattern(context_, next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
-                    "a `pigment` has at most one pattern or colour, before its other items");
+                    "the pattern or colour of a `pigment` comes first, and there is one");
     }
     if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
-    // As in POV-Ray, a pigment that was declared with the surface's coordinates is not moved.
+    // As in POV-Ray: what was declared on the surface's coordinates is not moved there.
     if (is_declared_on_surface_ && read_transform(stream_)) return true;
     open();
     return read_pattern_modifier(stream_, draft_);
@@ -134,12 +133,12 @@ class PigmentReader {
     PatternedPigment& record = open();
     const PatternKind kind = draft_.pattern.kind;
     const bool is_colours = block.word != word::kw_pigment_map;
-    const bool fits = takes_map(kind) && !(is_colours && kind == PatternKind::average);
+    const bool fits = takes_map(kind) && !(is_colours && is_mean(kind));
     if (kind == PatternKind::plain && !has_type) {
-      context_.warn(block.word_span, "a map without a pattern before it has no effect");
+      context_.warn(block.word_span, "a map without a pattern before it says nothing");
     } else if (!fits) {
       const std::string what =
-          kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(context_, kind));
+          kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(kind));
       context_.fail(block.word_span, fmt::format("`{}` cannot be used with {}", context_.text(block.word), what));
     }
     record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block, entry_value(kind));
@@ -156,7 +155,7 @@ class PigmentReader {
     }
   }
 
-  /// The record that this pigment needs once it is more than a colour.
+  /// The record that this pigment needs once it says more than a colour.
   PatternedPigment& open() {
     if (record_) return *record_;
     record_ = pigment_.is_plain() ? PatternedPigment{.colour = pigment_.colour}
@@ -171,7 +170,7 @@ class PigmentReader {
     const PatternKind kind = draft_.pattern.kind;
     if (kind == PatternKind::plain && !record.quick_colour)
       return Pigment{.colour = record.colour, .said_at = draft_.pattern.said_at};
-    if (kind == PatternKind::average && record.map == scene::kNoPigmentMap) {
+    if (is_mean(kind) && record.map == scene::kNoPigmentMap) {
       context_.fail(stream_.span(), "`average` needs a `pigment_map`");
     }
     if (takes_map(kind) && record.map == scene::kNoPigmentMap)
@@ -186,7 +185,7 @@ class PigmentReader {
   Pigment pigment_;
   bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
   std::optional<PatternedPigment> record_;
-  PatternDraft draft_;  ///< of the record's pattern, if there is a record
+  PatternDraft draft_;  ///< of the record's pattern, where there is a record
 };
 
 }  // namespace

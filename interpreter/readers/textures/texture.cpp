@@ -57,7 +57,7 @@ class TextureReader {
   /// `texture { Texture Pigment Normal Finish … }`: each declared value replaces that of the base.
   bool read_identifiers() {
     bool is_texture = false;
-    while (stream_.peek().is(ElementKind::value) && !starts_pattern(stream_.peek())) {
+    while (stream_.peek().is(ElementKind::value) && !starts_pattern(context_, stream_.peek())) {
       const SourceSpan span = stream_.peek().span;
       const Value value = stream_.take_value();
       switch (value.kind()) {
@@ -95,7 +95,7 @@ class TextureReader {
       stream_.drop();
       return no_bump_scale_ = true;
     }
-    if (starts_pattern(next)) {
+    if (starts_pattern(context_, next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
                     "put the pattern of a `texture` first, before its other items");
     }
@@ -122,7 +122,7 @@ class TextureReader {
     } else if (next.is_block(word::kw_material_map)) {
       stream_.drop();
       read_material_map(next);
-    } else if (starts_pattern(next)) {
+    } else if (starts_pattern(context_, next)) {
       const ReadList read_list = [this](ElementStream& stream, PatternKind /*kind*/, int count) {
         map_ = read_texture_list(stream, count);
       };
@@ -138,9 +138,9 @@ class TextureReader {
     const Element next = stream_.peek();
     if (next.is_block(word::kw_texture_map)) {
       stream_.drop();
-      if (list_length(draft_.pattern.kind) > 0 || draft_.pattern.kind == PatternKind::material_map) {
+      if (const PatternKind kind = draft_.pattern.kind; kind != PatternKind::plain && !render::info_of(kind).takes_map()) {
         context_.fail(next.word_span,
-                      fmt::format("`texture_map` cannot be used with `{}`", name_of(context_, draft_.pattern.kind)));
+                      fmt::format("`texture_map` cannot be used with `{}`", name_of(draft_.pattern.kind)));
       }
       map_ = read_texture_map(context_, next, entry_value(draft_.pattern.kind));
     } else if (next.is_word(word::kw_no_bump_scale)) {
@@ -160,8 +160,7 @@ class TextureReader {
     stream.drop();
     scene::TextureMap list{{0, read_list_texture(stream)}, {1, first}};
     expect_end(stream);
-    draft_.pattern.kind = PatternKind::checker;
-    draft_.pattern.frequency = scene::default_frequency(PatternKind::checker);
+    set_kind(draft_, PatternKind::checker);
     map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }
 
@@ -174,7 +173,7 @@ class TextureReader {
     do {
       list.push_back({static_cast<double>(list.size()), read_list_texture(stream)});
     } while (!stream.peek().is(ElementKind::end));
-    draft_.pattern.kind = PatternKind::material_map;
+    set_kind(draft_, PatternKind::material_map);
     draft_.pattern.operands = add_image(context_, std::move(image));
     map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }
@@ -188,7 +187,7 @@ class TextureReader {
   Texture close_pattern() {
     if (map_ == scene::kNoTextureMap) {
       context_.fail(stream_.span(),
-                    fmt::format("`{}` in a texture needs a `texture_map`", name_of(context_, draft_.pattern.kind)));
+                    fmt::format("`{}` in a texture needs a `texture_map`", name_of(draft_.pattern.kind)));
     }
     context_.check_memory(stream_.span(), sizeof(TexturePattern));
     return with_pattern(context_, {std::move(draft_.pattern), map_});

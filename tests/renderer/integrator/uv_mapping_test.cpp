@@ -2,6 +2,7 @@
 // blended.
 #include "renderer/render.h"
 #include "renderer/shading/point_textures.h"
+#include "tests/support/patterns.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +17,7 @@ using scene::Skeleton;
 /// Texture 0: red is u and green is 0, from a gradient along x from black to red over one unit, with `uv_mapping`.
 scene::Database with_gradient() {
   scene::Database database;
-  scene::Pattern gradient;
-  gradient.kind = scene::PatternKind::gradient;
-  gradient.operands = scene::GradientOperands{{1, 0, 0}};
-  database.pigments.push_back({.pattern = gradient, .map = scene::PigmentMapId{0}});
+  database.pigments.push_back({.pattern = gradient_along({1, 0, 0}), .map = scene::PigmentMapId{0}});
   database.pigment_maps = {{{0, {}}, {1, {{1, 0, 0}}}}};
   database.textures.push_back({.pigment = {.pattern = scene::PigmentId{0}}, .uv_mapping = 1});
   database.kernels.push_back({scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});

@@ -1,6 +1,8 @@
 // Properties of patterns that need no comparison with POV-Ray; their digits are compared in tests/povray/probes/.
 #include "renderer/patterns/patterns.h"
 
+#include "tests/support/patterns.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,20 +14,14 @@
 namespace isl::render {
 namespace {
 
+using test::gradient_along;
+using test::pattern_of;
 using scene::Database;
 using scene::Pattern;
 using scene::PatternKind;
 using scene::Vec3;
 using values::Environment;
 using values::NoiseGenerator;
-
-Pattern pattern_of(PatternKind kind, scene::PatternOperands operands = {}) {
-  Pattern pattern;
-  pattern.kind = kind;
-  pattern.frequency = scene::default_frequency(kind);
-  pattern.operands = std::move(operands);
-  return pattern;
-}
 
 double value(const Pattern& pattern, const Vec3& p, const Database& database = {}) {
   Environment environment(NoiseGenerator::range_corrected);
@@ -68,7 +64,7 @@ TEST(Patterns, SixTrianglesMeetAtACorner) {
 }
 
 TEST(Patterns, CrackleIsContinuousAndVanishesBetweenTwoPoints) {
-  const Pattern crackle = pattern_of(PatternKind::crackle, scene::CrackleOperands{});
+  const Pattern crackle = pattern_of(PatternKind::crackle);
   double least = 1, before = value(crackle, {-3, 0.3, 0.4});
   for (int i = 1; i <= 6000; ++i) {
     const double now = value(crackle, {-3 + i * 0.001, 0.3, 0.4});
@@ -80,7 +76,7 @@ TEST(Patterns, CrackleIsContinuousAndVanishesBetweenTwoPoints) {
 }
 
 TEST(Patterns, AWaveIsAppliedAfterFrequencyAndPhase) {
-  Pattern gradient = pattern_of(PatternKind::gradient, scene::GradientOperands{{1, 0, 0}});
+  Pattern gradient = gradient_along({1, 0, 0});
   gradient.frequency = 2;
   gradient.phase = 0.25;
   EXPECT_NEAR(value(gradient, {0.25, 0, 0}), 0.75, 1e-12);
@@ -91,7 +87,7 @@ TEST(Patterns, AWaveIsAppliedAfterFrequencyAndPhase) {
 }
 
 TEST(Patterns, OneItselfStaysOne) {
-  EXPECT_EQ(value(pattern_of(PatternKind::gradient, scene::GradientOperands{{1, 0, 0}}), {1, 0, 0}), 1);
+  EXPECT_EQ(value(gradient_along({1, 0, 0}), {1, 0, 0}), 1);
 }
 
 TEST(Patterns, InfinitiesAndNansDoNoHarm) {
@@ -103,7 +99,7 @@ TEST(Patterns, InfinitiesAndNansDoNoHarm) {
     for (const double x : odd) static_cast<void>(value(pattern_of(kind), {x, 0.5, x}));
   }
   for (const double x : odd)
-    static_cast<void>(value(pattern_of(PatternKind::crackle, scene::CrackleOperands{}), {x, 0.5, 0.5}));
+    static_cast<void>(value(pattern_of(PatternKind::crackle), {x, 0.5, 0.5}));
   Database database;
   database.pigment_maps = {{{0, {{0.25}}}, {1, {{0.5}}}}};
   database.pigments.resize(1);

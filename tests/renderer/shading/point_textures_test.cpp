@@ -3,6 +3,7 @@
 
 #include "renderer/shading/lighting.h"
 #include "tests/renderer/shading/lit_point.h"
+#include "tests/support/patterns.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -104,17 +105,9 @@ scene::Database with_choice(scene::Pattern pattern, double first, double second)
   return database;
 }
 
-scene::Pattern pattern_of(scene::PatternKind kind, scene::PatternOperands operands = {}) {
-  scene::Pattern pattern;
-  pattern.kind = kind;
-  pattern.frequency = scene::default_frequency(kind);
-  pattern.operands = std::move(operands);
-  return pattern;
-}
-
 TEST(PointTextures, BetweenTwoEntriesOfAMapTexturesAreBlended) {
   const scene::Database database =
-      with_choice(pattern_of(scene::PatternKind::gradient, scene::GradientOperands{{1, 0, 0}}), 0.25, 0.75);
+      with_choice(gradient_along({1, 0, 0}), 0.25, 0.75);
   const Point point(database, TextureId{2}, {0.375, 0, 0});
   ASSERT_EQ(point.lit().size(), 2u);
   EXPECT_EQ(point.lit()[0].weight, 0.75);
@@ -148,7 +141,7 @@ TEST(PointTextures, WhatAPatternChoosesLiesInThePatternsSpace) {
   twice.matrix.setScale(Vec3(2));
   twice.inverse.setScale(Vec3(0.5));
   database.transforms.push_back(twice);
-  database.pigments.push_back({.pattern = pattern_of(scene::PatternKind::gradient, scene::GradientOperands{{1, 0, 0}}),
+  database.pigments.push_back({.pattern = gradient_along({1, 0, 0}),
                                .map = scene::PigmentMapId{0}});
   database.pigment_maps = {{{0, {}}, {1, {{0, 1, 0}}}}};
   database.textures[0].pigment = database.textures[1].pigment = {.pattern = scene::PigmentId{0}};

@@ -1,6 +1,7 @@
-#include "renderer/patterns/cell_patterns.h"
-
-#include "renderer/patterns/random_cubes.h"
+// Patterns of random cells: one number for every unit cube, and Worley's cellular texture ("A Cellular Texture Basis
+// Function", SIGGRAPH 1996).
+#include "renderer/patterns/kinds/pattern_kind.h"
+#include "renderer/patterns/kinds/random_cubes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,18 +90,35 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
   return nearest;
 }
 
-}  // namespace
+double cells_at(const PatternPoint& at) noexcept { return *random_numbers(cube_of(at.point + Vec3(kSmall))); }
 
-double cells(const Vec3& p) noexcept { return *random_numbers(cube_of(p + Vec3(kSmall))); }
+struct Crackle {
+  Vec3 form{-1, 1, 0};  ///< weights of the distances to the nearest three points
+  double metric = 2;
+  double offset = 0;
+  bool is_solid = false;
+};
+constexpr scene::OperandField kCrackle[] = {
+    scene::modifier<&Crackle::form>("form"), scene::modifier<&Crackle::metric>("metric"),
+    scene::modifier<&Crackle::offset>("offset"),
+    scene::modifier<&Crackle::is_solid>("solid").dumped_with<&Crackle::is_solid>()};
 
-double crackle(const Vec3& p, const scene::CrackleOperands& operands, values::NoiseGenerator generator) noexcept {
+/// One random feature point in every unit cube; form · (distances to the nearest three), which `offset` keeps apart,
+/// cut to [0, 1]; or the noise at the nearest.
+double crackle_at(const PatternPoint& at) noexcept {
+  const Crackle& operands = at.operands<Crackle>();
   const Metric metric(operands.metric, operands.offset);
-  const Nearest nearest = find_nearest(p, metric);
-  if (operands.is_solid) return values::noise(nearest.point, generator);
+  const Nearest nearest = find_nearest(at.point, metric);
+  if (operands.is_solid) return values::noise(nearest.point, at.noise_generator());
   const double sum = operands.form.x * metric.distance(nearest.distances[0]) +
                      operands.form.y * metric.distance(nearest.distances[1]) +
                      operands.form.z * metric.distance(nearest.distances[2]);
   return std::clamp(sum, 0.0, 1.0);
 }
+
+}  // namespace
+
+constinit const PatternInfo pattern_kinds::cells{.value = cells_at};
+constinit const PatternInfo pattern_kinds::crackle{.operands = operands_of<Crackle, kCrackle>, .value = crackle_at};
 
 }  // namespace isl::render

@@ -1,6 +1,6 @@
-#include "renderer/patterns/wave_patterns.h"
-
-#include "renderer/patterns/waveform.h"
+// Circular waves from a few sources on the unit sphere, as on water (Max 1981; Skinner).
+#include "renderer/patterns/kinds/pattern_kind.h"
+#include "renderer/patterns/kinds/waveform.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/single_precision.h"
 
@@ -12,6 +12,9 @@
 
 namespace isl::render {
 namespace {
+
+/// The most that a scene can ask for; at least 1.
+constexpr int kMaxWaves = 100000;
 
 struct WaveSource {
   Vec3 position{0};
@@ -42,10 +45,12 @@ std::span<const WaveSource> wave_sources(int count) noexcept {
   return std::span(kAll).first(static_cast<std::size_t>(std::min(count, kMaxWaves)));
 }
 
-}  // namespace
-
-double waves(const Vec3& p, const scene::Pattern& pattern, int number_of_waves) noexcept {
-  const std::span<const WaveSource> sources = wave_sources(number_of_waves);
+/// 0.2 · (2.5 + mean of sin(2π(distance · frequency · fᵢ + phase)) / fᵢ) over the sources, each of its own frequency
+/// fᵢ.
+double waves_at(const PatternPoint& at) noexcept {
+  const Vec3& p = at.point;
+  const scene::Pattern& pattern = at.pattern;
+  const std::span<const WaveSource> sources = wave_sources(at.world.number_of_waves);
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
   for (const WaveSource& source : sources) {
@@ -55,12 +60,20 @@ double waves(const Vec3& p, const scene::Pattern& pattern, int number_of_waves) 
   return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
 
-double ripples(const Vec3& p, const scene::Pattern& pattern, int number_of_waves) noexcept {
-  const std::span<const WaveSource> sources = wave_sources(number_of_waves);
+/// ½ · (1 + mean of sin(2π(distance · frequency + phase))).
+double ripples_at(const PatternPoint& at) noexcept {
+  const Vec3& p = at.point;
+  const scene::Pattern& pattern = at.pattern;
+  const std::span<const WaveSource> sources = wave_sources(at.world.number_of_waves);
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
   for (const WaveSource& source : sources) sum += cycloidal((p - source.position).length() * frequency + phase);
   return 0.5 * (1 + sum / static_cast<double>(sources.size()));
 }
+
+}  // namespace
+
+constinit const PatternInfo pattern_kinds::ripples{.value = ripples_at};
+constinit const PatternInfo pattern_kinds::waves{.value = waves_at};
 
 }  // namespace isl::render

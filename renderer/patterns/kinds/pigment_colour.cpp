@@ -1,4 +1,4 @@
-#include "renderer/patterns/pigment_colour.h"
+#include "renderer/patterns/kinds/pigment_colour.h"
 
 #include "renderer/values/single_precision.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/patterns/waveform.h"
+#include "renderer/patterns/kinds/waveform.h"
 
 #include "base/check.h"
 #include "renderer/values/single_precision.h"

@@ -1,4 +1,4 @@
-#include "renderer/patterns/random_cubes.h"
+#include "renderer/patterns/kinds/random_cubes.h"
 
 #include "renderer/values/integer.h"
 #include "renderer/values/noise_tables.h"

@@ -1,0 +1,205 @@
+// Escape-time fractals in the plane of x and y: Mandelbrot and Julia sets of any power, and the magnets (Peitgen,
+// Richter, "The Beauty of Fractals", 1986).
+#include "renderer/patterns/kinds/pattern_kind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isl::render {
+namespace {
+
+/// z ↦ z^exponent + c or a magnet of type 1 or 2, from z = 0 (mandel) or the point (julia).
+struct Fractal {
+  bool is_julia = false;
+  int magnet = 0;                  ///< 0: none
+  double real = 0, imaginary = 0;  ///< c of a Julia set
+  double iterations = 0;
+  int exponent = 2;
+  int exterior_type = 1;
+  double exterior_factor = 1;
+  int interior_type = 0;
+  double interior_factor = 1;
+};
+
+/// Of complex numbers, written out: std::complex looks for infinities in every product.
+struct Complex {
+  double re = 0, im = 0;
+  friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
+  friend Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
+  friend Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+  friend Complex operator/(Complex a, Complex b) {
+    const double d = b.re * b.re + b.im * b.im;
+    return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
+  }
+  [[nodiscard]] double norm() const { return re * re + im * im; }
+};
+
+constexpr double kBailout = 4, kMagnetBailout = 10000, kMagnetGoal = 1 / 10000.0;  ///< of squared distances
+
+Complex power(Complex z, int exponent) {
+  Complex result = z;
+  for (int i = 1; i < exponent; ++i) result = result * z;
+  return result;
+}
+
+/// One step from z, and whether the orbit has then escaped.
+struct PowerStep {
+  Complex c;
+  int exponent;
+  [[nodiscard]] Complex next(Complex z) const { return power(z, exponent) + c; }
+  [[nodiscard]] static bool has_ended(Complex z) { return z.norm() > kBailout; }
+};
+
+/// z ↦ ((z² + c − 1) / (2z + c − 2))²; orbits end at infinity or at 1.
+struct Magnet1Step {
+  Complex c;
+  [[nodiscard]] Complex next(Complex z) const {
+    const Complex quotient = (z * z + c - Complex{1, 0}) / (z + z + c - Complex{2, 0});
+    return quotient * quotient;
+  }
+  [[nodiscard]] static bool has_ended(Complex z) {
+    return z.norm() > kMagnetBailout || (z - Complex{1, 0}).norm() < kMagnetGoal;
+  }
+};
+
+/// z ↦ ((z³ + 3(c − 1)z + (c − 1)(c − 2)) / (3z² + 3(c − 2)z + (c − 1)(c − 2) + 1))².
+struct Magnet2Step {
+  Complex c1, c2, c12;  ///< c − 1, c − 2, and their product
+  explicit Magnet2Step(Complex c) : c1(c - Complex{1, 0}), c2(c - Complex{2, 0}), c12(c1 * c2) {}
+  [[nodiscard]] Complex next(Complex z) const {
+    const Complex three{3, 0};
+    const Complex quotient =
+        (z * z * z + three * c1 * z + c12) / (three * z * z + three * c2 * z + c12 + Complex{1, 0});
+    return quotient * quotient;
+  }
+  [[nodiscard]] static bool has_ended(Complex z) { return Magnet1Step::has_ended(z); }
+};
+
+/// The colouring of what the orbit came to; `iterations` after which it ended.
+double exterior(const Fractal& o, double iterations, Complex z) {
+  const double factor = o.exterior_factor;
+  switch (o.exterior_type) {
+    case 0: return factor;
+    case 1: return iterations / o.iterations;
+    case 2: return z.re * factor;
+    case 3: return z.im * factor;
+    case 4: return z.re * z.re * factor;
+    case 5: return z.im * z.im * factor;
+    default: return std::sqrt(z.norm()) * factor;
+  }
+}
+
+double interior(const Fractal& o, Complex z, double least_norm) {
+  const double factor = o.interior_factor;
+  switch (o.interior_type) {
+    case 0: return factor;
+    case 1: return std::sqrt(least_norm) * factor;
+    case 2: return z.re * factor;
+    case 3: return z.im * factor;
+    case 4: return z.re * z.re * factor;
+    case 5: return z.im * z.im * factor;
+    default: return z.re * z.re + z.im * z.im * factor;  // as POV-Ray has it: no root, and the factor in one term
+  }
+}
+
+template <class Step>
+double orbit(const Fractal& o, Complex z, double least_norm, const Step& step) {
+  for (double i = 0; i < o.iterations; ++i) {
+    z = step.next(z);
+    least_norm = std::min(least_norm, z.norm());
+    if (step.has_ended(z)) return exterior(o, i, z);
+  }
+  return interior(o, z, least_norm);
+}
+
+double fractal_at(const PatternPoint& at) noexcept {
+  const Fractal& o = at.operands<Fractal>();
+  const Complex point{at.point.x, at.point.y};
+  const Complex c = o.is_julia ? Complex{o.real, o.imaginary} : point;
+  if (o.magnet == 0) return orbit(o, point, point.norm(), PowerStep{c, o.exponent});
+  // The start of a magnet's Mandelbrot set is 0 and does not count as near to it.
+  const Complex start = o.is_julia ? point : Complex{0, 0};
+  const double least_norm = o.is_julia ? point.norm() : kMagnetBailout;
+  return o.magnet == 1 ? orbit(o, start, least_norm, Magnet1Step{c}) : orbit(o, start, least_norm, Magnet2Step(c));
+}
+
+// ---- Operands -------------------------------------------------------------------------------------------------------
+
+/// `mandel N`, `julia <re, im>, N`, `magnet T mandel N`, `magnet T julia <re, im>, N`.
+void read_fractal(scene::OperandReader& reader, Fractal& fractal, std::string_view word) noexcept {
+  if (word == "magnet") {
+    fractal.magnet = reader.whole_in("the type of a `magnet`", 1, 2);
+    fractal.is_julia = reader.accept_word("julia");
+    if (!fractal.is_julia && !reader.accept_word("mandel"))
+      reader.expected("`mandel` or `julia` after the type of a `magnet`");
+  } else {
+    fractal.is_julia = word == "julia";
+  }
+  if (fractal.is_julia) {
+    const Vec3 c = reader.vector("a complex number as a vector");
+    fractal.real = c.x;
+    fractal.imaginary = c.y;
+    reader.accept_comma();
+  }
+  constexpr double kMaxIterations = 4294967295.0;  // of POV-Ray's 32 bits
+  fractal.iterations = std::floor(reader.number_in("the number of iterations", 0, kMaxIterations));
+}
+
+/// POV-Ray warns of an exponent that it does not have, and takes 2.
+void read_exponent(scene::OperandReader& reader, Fractal& fractal) noexcept {
+  const double exponent = reader.number("`exponent`");
+  if (fractal.magnet != 0) return reader.fail("a `magnet` has no `exponent`");
+  const bool is_known = exponent >= 2 && exponent < 34;
+  if (!is_known) reader.warn(fmt::format("`exponent` is from 2 to 33, found {:g}; 2 is taken", exponent));
+  fractal.exponent = is_known ? static_cast<int>(exponent) : 2;
+}
+
+void read_exterior(scene::OperandReader& reader, Fractal& fractal) noexcept {
+  fractal.exterior_type = reader.whole_in("the type of the `exterior`", 0, 6);
+  reader.accept_comma();
+  fractal.exterior_factor = reader.number("a factor");
+}
+
+void read_interior(scene::OperandReader& reader, Fractal& fractal) noexcept {
+  fractal.interior_type = reader.whole_in("the type of the `interior`", 0, 6);
+  reader.accept_comma();
+  fractal.interior_factor = reader.number("a factor");
+}
+
+using Numbers = std::vector<std::variant<double, int>>;
+std::string form_of(const Fractal& fractal) { return fractal.is_julia ? "julia" : "mandel"; }
+Numbers c_of(const Fractal& fractal) { return {fractal.real, fractal.imaginary}; }
+Numbers exterior_of(const Fractal& fractal) { return {fractal.exterior_type, fractal.exterior_factor}; }
+Numbers interior_of(const Fractal& fractal) { return {fractal.interior_type, fractal.interior_factor}; }
+
+constexpr scene::OperandField kFractal[] = {
+    scene::dumped<Fractal, form_of>("type"),
+    scene::operand<&Fractal::magnet>("magnet").dumped_with<&Fractal::magnet>(),
+    scene::dumped<Fractal, c_of>("c").dumped_with<&Fractal::is_julia>(),
+    scene::operand<&Fractal::iterations>("iterations"),
+    scene::modifier<&Fractal::exponent>("exponent").read_by<read_exponent>(),
+    scene::dumped<Fractal, exterior_of>("exterior").with_word("exterior").read_by<read_exterior>(),
+    scene::dumped<Fractal, interior_of>("interior").with_word("interior").read_by<read_interior>(),
+};
+
+constexpr std::string_view kWords[] = {"mandel", "julia", "magnet"};
+
+constexpr PatternColour kMandelColours[] = {{0, 0, 0, 0},     {0.001, 0, 0, 0}, {0.001, 0, 1, 1},
+                                            {0.012, 1, 1, 0}, {0.015, 1, 0, 1}, {0.1, 0, 1, 1}};
+bool is_mandel(const std::any& record) {
+  const auto& fractal = *std::any_cast<Fractal>(&record);
+  return !fractal.is_julia && fractal.magnet == 0;
+}
+
+}  // namespace
+
+constinit const PatternInfo pattern_kinds::fractal{.words = kWords,
+                                                   .colours = kMandelColours,
+                                                   .has_colours = is_mandel,
+                                                   .operands = operands_of<Fractal, kFractal>,
+                                                   .read = read_operands<Fractal, read_fractal>,
+                                                   .value = fractal_at};
+
+}  // namespace isl::render

@@ -1,0 +1,22 @@
+// The turbulence that patterns take into their formulas, and that warps push points by. Formulas by Perlin ("An Image
+// Synthesizer", SIGGRAPH 1985); constants as POV-Ray's program answers.
+#pragma once
+
+#include "renderer/scene/pattern.h"
+#include "renderer/values/noise.h"
+#include "renderer/values/single_precision.h"
+
+namespace isl::render {
+
+/// The noises 2 and 3 stretched to the contrast of the first.
+[[nodiscard]] double stretched_noise(const scene::Vec3& p, values::NoiseGenerator generator) noexcept;
+
+/// Σ omegaⁱ · noise(lambdaⁱ · p) with the noises 2 and 3 stretched.
+[[nodiscard]] double turbulence_at(const scene::Vec3& p, const scene::Turbulence& turbulence,
+                                   values::NoiseGenerator generator) noexcept;
+
+[[nodiscard]] inline values::Octaves octaves_of(const scene::Turbulence& t) noexcept {
+  return {values::to_single(t.lambda), values::to_single(t.omega), t.octaves};
+}
+
+}  // namespace isl::render

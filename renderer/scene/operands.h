@@ -1,0 +1,142 @@
+// The operands of a kind that declares them itself: a record of the kind's own type, and the list of its fields. The
+// database holds such a record without knowing its type; by the list the interpreter reads it and a dump prints it.
+//
+//   struct Brick { Vec3 size{8, 3, 4.5}; double mortar = 0.5; };
+//   constexpr OperandField kBrick[] = {modifier<&Brick::size>("brick_size"), modifier<&Brick::mortar>("mortar")};
+#pragma once
+
+#include "renderer/scene/transform.h"
+
+#include <any>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace isl::scene {
+
+class OperandReader;
+
+/// A field's value. A list of numbers is one that is only dumped.
+using OperandValue = std::variant<double, int, bool, Vec3, std::string, std::vector<std::variant<double, int>>>;
+
+namespace detail {
+
+template <class>
+struct RecordOf;
+template <class Record, class Type>
+struct RecordOf<Type Record::*> {
+  using type = Record;
+};
+template <class Record>
+struct RecordOf<void (*)(OperandReader&, Record&) noexcept> {
+  using type = Record;
+};
+
+template <class Record>
+[[nodiscard]] Record& record_in(std::any& record) noexcept {
+  return *std::any_cast<Record>(&record);
+}
+template <class Record>
+[[nodiscard]] const Record& record_in(const std::any& record) noexcept {
+  return *std::any_cast<Record>(&record);
+}
+
+}  // namespace detail
+
+/// One field of a record.
+struct OperandField {
+  /// Reads the field, and whatever depends on it.
+  using Read = void (*)(OperandReader& reader, std::any& record) noexcept;
+
+  std::string_view key;  ///< in a dump
+  std::string_view
+      word;  ///< of the language, which gives the field a value; empty where what follows the kind's own word does
+  OperandValue (*get)(const std::any& record);
+  void (*set)(std::any& record, const OperandValue& value) = nullptr;  ///< null for what is only dumped
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  Read read = nullptr;                                  ///< null: a value of the field's type
+  bool (*is_dumped)(const std::any& record) = nullptr;  ///< null: always
+
+  [[nodiscard]] constexpr OperandField within(double least, double most) const {
+    OperandField field = *this;
+    field.low = least;
+    field.high = most;
+    return field;
+  }
+  [[nodiscard]] constexpr OperandField with_key(std::string_view name) const {
+    OperandField field = *this;
+    field.key = name;
+    return field;
+  }
+  [[nodiscard]] constexpr OperandField with_word(std::string_view name) const {
+    OperandField field = *this;
+    field.word = name;
+    return field;
+  }
+  /// `function(OperandReader&, Record&) noexcept` reads the field.
+  template <auto function>
+  [[nodiscard]] constexpr OperandField read_by() const {
+    OperandField field = *this;
+    field.read = [](OperandReader& reader, std::any& record) noexcept {
+      function(reader, detail::record_in<typename detail::RecordOf<decltype(function)>::type>(record));
+    };
+    return field;
+  }
+  /// Only where the record's `member` is not 0.
+  template <auto member>
+  [[nodiscard]] constexpr OperandField dumped_with() const {
+    OperandField field = *this;
+    field.is_dumped = [](const std::any& record) {
+      return detail::record_in<typename detail::RecordOf<decltype(member)>::type>(record).*member != 0;
+    };
+    return field;
+  }
+};
+
+/// A field that follows the kind's own word.
+template <auto member>
+[[nodiscard]] constexpr OperandField operand(std::string_view key) {
+  using Record = typename detail::RecordOf<decltype(member)>::type;
+  using Type = std::remove_cvref_t<decltype(std::declval<Record&>().*member)>;
+  return {.key = key,
+          .word = {},
+          .get = [](const std::any& record) { return OperandValue(detail::record_in<Record>(record).*member); },
+          .set = [](std::any& record,
+                    const OperandValue& value) { detail::record_in<Record>(record).*member = std::get<Type>(value); }};
+}
+
+/// A field with a word of its own, by which a dump names it too.
+template <auto member>
+[[nodiscard]] constexpr OperandField modifier(std::string_view word) {
+  OperandField field = operand<member>(word);
+  field.word = word;
+  return field;
+}
+
+/// What a dump says of the record besides its fields: `value(const Record&)`.
+template <class Record, auto value>
+[[nodiscard]] constexpr OperandField dumped(std::string_view key) {
+  return {.key = key, .word = {}, .get = [](const std::any& record) {
+            return OperandValue(value(detail::record_in<Record>(record)));
+          }};
+}
+
+struct Operands {
+  std::any record;
+  std::span<const OperandField> fields;
+
+  /// Gives the field with that key a value of the field's own type.
+  void set(std::string_view key, const OperandValue& value) {
+    for (const OperandField& field : fields) {
+      if (field.key == key) field.set(record, value);
+    }
+  }
+};
+
+}  // namespace isl::scene
