@@ -17,8 +17,8 @@ struct PatternPlace {
   double value;
 };
 
-/// Of one database, which may grow between calls. Immutable; threads share one, each with its own environment.
-/// Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
+/// The patterns of one database, which may grow between calls. Immutable; threads share one, each with its own
+/// environment. Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
 class Patterns final : public values::PatternSource {
  public:
   /// `surroundings` may be null where no `object` pattern is. `number_of_waves`: at most kMaxWaves count; the scene's

@@ -1,11 +1,11 @@
-// Where a pattern is looked up: its point, taken through transforms, warps and turbulence. Knows no pattern.
+// The point at which a pattern is evaluated, taken through transforms, warps and turbulence. Knows no pattern.
 #pragma once
 
 #include "renderer/scene/database.h"
 
 namespace isl::render {
 
-/// Whether the pattern's `turbulence` moves the point too; some patterns use it in ways of their own.
+/// The pattern's `turbulence` moves the point too, or it does not; some patterns use it in ways of their own.
 enum class PointTurbulence { yes, no };
 
 /// The point of the pattern's own space for one of the space it is placed into: through the warps, the last one first,

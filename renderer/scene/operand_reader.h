@@ -1,4 +1,4 @@
-// What a kind asks for where its operands have rules of their own (renderer/scene/operands.h). The interpreter answers
+// The questions of a kind whose operands have rules of their own (renderer/scene/operands.h). The interpreter answers
 // from what a scene writes. After a mistake, which it tells by itself, every answer is 0 or no, so that a kind need not
 // look for mistakes.
 #pragma once
@@ -25,7 +25,7 @@ class OperandReader {
   /// The name of a file that is to be read.
   [[nodiscard]] virtual std::string file_name(std::string_view what) noexcept = 0;
 
-  /// Whether the next thing is this one; if so, it is taken.
+  /// Takes the next thing if it is this one, and tells whether it is.
   [[nodiscard]] virtual bool accept_word(std::string_view word) noexcept = 0;
   virtual bool accept_comma() noexcept = 0;
   [[nodiscard]] virtual bool is_value_next() noexcept = 0;

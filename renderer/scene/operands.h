@@ -1,8 +1,8 @@
 // The operands of a kind that declares them itself: a record of the kind's own type, and the list of its fields. The
 // database holds such a record without knowing its type; by the list the interpreter reads it and a dump prints it.
 //
-//   struct Brick { Vec3 size{8, 3, 4.5}; double mortar = 0.5; };
-//   constexpr OperandField kBrick[] = {modifier<&Brick::size>("brick_size"), modifier<&Brick::mortar>("mortar")};
+//   struct Ring { Vec3 middle{0}; double radius = 1; };
+//   constexpr OperandField kRing[] = {modifier<&Ring::middle>("middle"), modifier<&Ring::radius>("radius")};
 #pragma once
 
 #include "renderer/scene/transform.h"
@@ -119,7 +119,7 @@ template <auto member>
   return field;
 }
 
-/// What a dump says of the record besides its fields: `value(const Record&)`.
+/// A line of the dump beside the fields: `value(const Record&)`.
 template <class Record, auto value>
 [[nodiscard]] constexpr OperandField dumped(std::string_view key) {
   return {.key = key, .word = {}, .get = [](const std::any& record) {

@@ -43,7 +43,8 @@ inline constexpr std::size_t kPatternKindCount = std::size(detail::kDefaultFrequ
   return detail::kDefaultFrequencies[static_cast<std::size_t>(kind)];
 }
 
-/// How the value v of a pattern goes up and down: as fmod(v · frequency + phase, 1) through the wave.
+/// The wave form by which the value v of a pattern goes up and down: as fmod(v · frequency + phase, 1) through the
+/// wave.
 enum class Wave : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
 
 // Operands that refer to another record of the database.

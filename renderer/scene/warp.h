@@ -1,4 +1,4 @@
-// What moves the point at which a pattern is evaluated: transforms, and POV-Ray's warps. Read by renderer/patterns; knows
+// Transforms and POV-Ray's warps, which move the point at which a pattern is evaluated. Read by renderer/patterns; knows
 // no pattern.
 #pragma once
 

@@ -11,7 +11,7 @@ namespace isl::interpreter {
 
 class OperandStream final : public scene::OperandReader {
  public:
-  explicit OperandStream(ElementStream& stream) : stream_(stream) {}
+  explicit OperandStream(ElementStream& stream) : stream_(stream), taken_(stream.span()) {}
 
   [[nodiscard]] double number(std::string_view what) noexcept override;
   [[nodiscard]] double number_in(std::string_view what, double low, double high) noexcept override;
@@ -30,12 +30,12 @@ class OperandStream final : public scene::OperandReader {
   }
 
  private:
-  /// What `ask` answers, which may throw; nothing after a mistake.
+  /// The answer of `ask`, which may throw; after a mistake, nothing.
   template <class Ask>
   auto answer(Ask ask) noexcept -> decltype(ask());
 
   ElementStream& stream_;
-  SourceSpan taken_{};  ///< the last value or word
+  SourceSpan taken_;  ///< the last value or word, at first all that is read
   std::exception_ptr failure_;
 };
 

@@ -33,12 +33,6 @@ constexpr std::string_view kNames[] = {
 #undef ISL_PATTERN
 };
 
-/// The words that begin a pattern of the kind.
-std::span<const std::string_view> words_of(PatternKind kind) {
-  const std::span<const std::string_view> words = info_of(kind).words;
-  return words.empty() ? std::span(&kNames[static_cast<std::size_t>(kind)], 1) : words;
-}
-
 /// The kind of pattern that each reserved word begins, `plain` where none does. Reserved words have the same numbers in
 /// every scene.
 using KindByWord = std::vector<PatternKind>;
@@ -95,6 +89,11 @@ bool is_function(const Element& element) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> words_of(PatternKind kind) {
+  const std::span<const std::string_view> words = info_of(kind).words;
+  return words.empty() ? std::span(&kNames[static_cast<std::size_t>(kind)], 1) : words;
+}
 
 bool starts_pattern(Context& context, const Element& element) {
   return is_function(element) || kind_of(context, element) != PatternKind::plain;
@@ -233,6 +232,7 @@ scene::Pattern read_pattern_block(Context& context, const Element& block) {
   while (!stream.peek().is(ElementKind::end)) {
     if (!read_pattern_modifier(stream, draft)) refuse(stream, kKnownModifiers);
   }
+  check_operands(stream, draft.pattern);
   return std::move(draft.pattern);
 }
 

@@ -7,10 +7,12 @@
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 #include <functional>
+#include <span>
+#include <string_view>
 
 namespace isl::interpreter {
 
-/// What holds the pattern: it decides which patterns may stand there and what follows them.
+/// The block that holds the pattern. It decides which patterns may stand there and what follows them.
 enum class PatternHost { pigment, normal, texture, function };
 
 /// A pattern while its block is read.
@@ -30,7 +32,7 @@ void set_kind(PatternDraft& draft, scene::PatternKind kind);
 /// none.
 using ReadList = std::function<void(ElementStream& stream, scene::PatternKind kind, int count)>;
 
-/// Whether the next thing is a pattern's word or block.
+/// The next thing is a pattern's word or block.
 [[nodiscard]] bool starts_pattern(Context& context, const Element& element);
 
 /// Reads a pattern's word or block with its operands into the draft, if the next element is one.
@@ -40,9 +42,11 @@ using ReadList = std::function<void(ElementStream& stream, scene::PatternKind ki
 /// `pattern { … }` as the body of a function: a pattern of points, with its modifiers.
 [[nodiscard]] scene::Pattern read_pattern_block(Context& context, const Element& block);
 
-/// How many items the pattern's list has; 0 for one that has no list.
+/// The number of items in the pattern's list; 0 for one that has no list.
 [[nodiscard]] inline int list_length(scene::PatternKind kind) { return render::info_of(kind).list_length; }
-/// What the language calls the pattern.
+/// The words that begin a pattern of the kind.
+[[nodiscard]] std::span<const std::string_view> words_of(scene::PatternKind kind);
+/// The first of these words.
 [[nodiscard]] std::string_view name_of(scene::PatternKind kind);
 
 /// Reads a transform, warp, wave, turbulence or other modifier of any pattern, if the next element is one.

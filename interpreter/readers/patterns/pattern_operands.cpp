@@ -74,7 +74,7 @@ const OperandField* field_named(std::span<const OperandField> fields, std::strin
   return field == fields.end() ? nullptr : &*field;
 }
 
-/// The patterns that have an operand of that word, as messages name them: "`crackle` and `pavement`".
+/// The patterns that have an operand of that word, as messages name them: in accents, joined by commas and `and`.
 std::string owners_of(std::string_view word) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene::kPatternKindCount; ++i) {
@@ -88,7 +88,7 @@ std::string owners_of(std::string_view word) {
   return text;
 }
 
-/// Whether any pattern has an operand of the word. Few words have; reserved words have the same numbers in every scene.
+/// Some pattern has an operand of the word. Reserved words have the same numbers in every scene.
 bool is_operand_word(Context& context, grammar::Symbol symbol) {
   using Flags = std::array<bool, grammar::word::kReservedCount>;
   static const Flags kFlags = [&context] {
@@ -150,6 +150,15 @@ bool read_operand_modifier(ElementStream& stream, Pattern& pattern) {
     field->set(operands->record, std::visit(read_value, field->get(operands->record)));
   }
   return true;
+}
+
+void check_operands(ElementStream& stream, const Pattern& pattern) {
+  const auto check = info_of(pattern.kind).check;
+  const auto* const operands = std::get_if<Operands>(&pattern.operands);
+  if (!check || !operands) return;
+  OperandStream reader(stream);
+  check(reader, operands->record);
+  reader.rethrow_failure();
 }
 
 }  // namespace isl::interpreter

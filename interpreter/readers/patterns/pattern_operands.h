@@ -1,5 +1,5 @@
-// What patterns take beside the modifiers of all: the operands that the descriptor of each kind declares, and what
-// stands in the block of a pattern that is one.
+// Readers of the part of a pattern that is not common to all patterns: the operands that the descriptor of each kind
+// declares, and the content of the block of a pattern that is one.
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -14,8 +14,11 @@ void read_operands(ElementStream& stream, scene::Pattern& pattern, std::string_v
 /// `function { … }` as a value of the stream.
 [[nodiscard]] scene::FunctionId read_function_operand(ElementStream& stream);
 
-/// Reads an operand that has a word of its own (`agate_turb`, `brick_size` …) if the next element is one; fails where
+/// Reads an operand that has a word of its own if the next element is one; fails where
 /// the word belongs to another pattern.
 [[nodiscard]] bool read_operand_modifier(ElementStream& stream, scene::Pattern& pattern);
+
+/// Fails where operands do not go together. For whoever has read all of the pattern; `stream` says where.
+void check_operands(ElementStream& stream, const scene::Pattern& pattern);
 
 }  // namespace isl::interpreter

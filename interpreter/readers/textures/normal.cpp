@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/patterns/image.h"
 #include "interpreter/readers/patterns/pattern.h"
+#include "interpreter/readers/patterns/pattern_operands.h"
 #include "interpreter/readers/textures/maps.h"
 #include "interpreter/readers/words/arguments.h"
 #include "interpreter/records.h"
@@ -48,6 +49,7 @@ class NormalReader {
     if (info_of(draft_.pattern.kind).choice == render::PatternChoice::mean_of_map && normal_.map == scene::kNoNormalMap) {
       context_.fail(stream_.span(), "`average` needs a `normal_map`");
     }
+    check_operands(stream_, draft_.pattern);
     normal_.pattern = std::move(draft_.pattern);
     context_.check_memory(stream_.span(), sizeof(Normal));
     return add_normal(context_, std::move(normal_));

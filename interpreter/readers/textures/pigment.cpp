@@ -1,6 +1,7 @@
 #include "interpreter/readers/textures/pigment.h"
 
 #include "interpreter/readers/patterns/pattern.h"
+#include "interpreter/readers/patterns/pattern_operands.h"
 #include "interpreter/readers/textures/default_maps.h"
 #include "interpreter/readers/textures/maps.h"
 #include "interpreter/readers/words/arguments.h"
@@ -173,6 +174,7 @@ class PigmentReader {
     if (is_mean(kind) && record.map == scene::kNoPigmentMap) {
       context_.fail(stream_.span(), "`average` needs a `pigment_map`");
     }
+    check_operands(stream_, draft_.pattern);
     if (takes_map(kind) && record.map == scene::kNoPigmentMap)
       record.map = default_pigment_map(context_, draft_.pattern);
     if (kind != PatternKind::plain) record.pattern = std::move(draft_.pattern);

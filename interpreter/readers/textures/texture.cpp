@@ -2,6 +2,7 @@
 
 #include "interpreter/readers/patterns/image.h"
 #include "interpreter/readers/patterns/pattern.h"
+#include "interpreter/readers/patterns/pattern_operands.h"
 #include "interpreter/readers/textures/finish.h"
 #include "interpreter/readers/textures/maps.h"
 #include "interpreter/readers/textures/normal.h"
@@ -189,6 +190,7 @@ class TextureReader {
       context_.fail(stream_.span(),
                     fmt::format("`{}` in a texture needs a `texture_map`", name_of(draft_.pattern.kind)));
     }
+    check_operands(stream_, draft_.pattern);
     context_.check_memory(stream_.span(), sizeof(TexturePattern));
     return with_pattern(context_, {std::move(draft_.pattern), map_});
   }

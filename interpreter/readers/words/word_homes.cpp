@@ -1,6 +1,7 @@
 #include "interpreter/readers/words/word_homes.h"
 
 #include "interpreter/readers/objects/objects.h"
+#include "interpreter/readers/patterns/pattern.h"
 
 #include <fmt/format.h>
 
@@ -14,14 +15,31 @@ namespace {
 using namespace grammar::word;
 using grammar::Symbol;
 
-/// A word and one of the blocks that accept it. A word with several has a row for each, the commonest first.
+/// A word and one of the blocks that accept it. A word with several has a row for each, the commonest first. Reserved
+/// words have the same numbers in every scene.
 using Homes = std::multimap<Symbol, Symbol>;
 
 void add(Homes& homes, Symbol block, std::initializer_list<Symbol> words) {
   for (const Symbol word : words) homes.emplace(word, block);
 }
 
-Homes make_homes() {
+/// Patterns stand where their descriptors say.
+void add_patterns(Homes& homes, Context& context) {
+  for (std::size_t i = 1; i < scene::kPatternKindCount; ++i) {
+    const auto kind = scene::PatternKind(i);
+    const render::PatternInfo& info = render::info_of(kind);
+    const auto add_home = [&](bool is_home, Symbol block) {
+      if (!is_home) return;
+      for (const std::string_view word : words_of(kind)) homes.emplace(context.symbols.intern(word), block);
+    };
+    add_home(info.hosts.normal && info.makes_bumps, kw_normal);
+    add_home(info.hosts.pigment, kw_pigment);
+    add_home(info.hosts.normal && !info.makes_bumps, kw_normal);
+    add_home(info.hosts.texture, kw_texture);
+  }
+}
+
+Homes make_homes(Context& context) {
   Homes homes;
   add(homes, kw_finish,
       {kw_ambient, kw_emission, kw_diffuse, kw_brilliance, kw_phong, kw_phong_size, kw_specular, kw_roughness,
@@ -32,20 +50,13 @@ Homes make_homes() {
   add(homes, kw_pigment,
       {kw_color,         kw_colour,    kw_rgb,         kw_rgbf,        kw_rgbt,      kw_rgbft,       kw_srgb,
        kw_srgbf,         kw_srgbt,     kw_srgbft,      kw_red,         kw_green,     kw_blue,        kw_filter,
-       kw_transmit,      kw_color_map, kw_colour_map,  kw_pigment_map, kw_image_map, kw_quick_color, kw_quick_colour,
-       kw_agate,         kw_boxed,     kw_bozo,        kw_brick,       kw_cells,     kw_checker,     kw_crackle,
-       kw_gradient,      kw_granite,   kw_hexagon,     kw_leopard,     kw_mandel,    kw_marble,      kw_onion,
-       kw_planar,        kw_radial,    kw_spiral1,     kw_spiral2,     kw_spotted,   kw_wood,        kw_turbulence,
-       kw_octaves,       kw_omega,     kw_lambda,      kw_frequency,   kw_phase,     kw_warp,        kw_ramp_wave,
-       kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
+       kw_transmit,      kw_color_map, kw_colour_map,  kw_pigment_map, kw_quick_color, kw_quick_colour,
+       kw_turbulence,    kw_octaves,   kw_omega,       kw_lambda,      kw_frequency,  kw_phase,       kw_warp,
+       kw_ramp_wave,     kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
   add(homes, kw_normal,
-      {kw_bumps,      kw_dents,         kw_ripples,    kw_waves,       kw_wrinkles,  kw_quilted, kw_facets,
-       kw_bump_map,   kw_bump_size,     kw_normal_map, kw_slope_map,   kw_agate,     kw_boxed,   kw_bozo,
-       kw_brick,      kw_cells,         kw_checker,    kw_crackle,     kw_gradient,  kw_granite, kw_hexagon,
-       kw_leopard,    kw_marble,        kw_onion,      kw_radial,      kw_spiral1,   kw_spotted, kw_wood,
-       kw_turbulence, kw_octaves,       kw_omega,      kw_lambda,      kw_frequency, kw_phase,   kw_warp,
-       kw_ramp_wave,  kw_triangle_wave, kw_sine_wave,  kw_scallop_wave});
-  add(homes, kw_texture, {kw_texture_map, kw_material_map, kw_tiles});
+      {kw_bump_size, kw_normal_map, kw_slope_map, kw_turbulence, kw_octaves, kw_omega, kw_lambda, kw_frequency, kw_phase,
+       kw_warp, kw_ramp_wave, kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
+  add(homes, kw_texture, {kw_texture_map, kw_tiles});
   add(homes, kw_camera,
       {kw_location, kw_look_at, kw_right, kw_up, kw_direction, kw_sky, kw_angle, kw_aperture, kw_focal_point,
        kw_blur_samples, kw_confidence, kw_variance, kw_bokeh, kw_perspective, kw_orthographic, kw_fisheye,
@@ -60,6 +71,7 @@ Homes make_homes() {
   add(homes, kw_global_settings,
       {kw_assumed_gamma, kw_ambient_light, kw_adc_bailout, kw_max_trace_level, kw_irid_wavelength, kw_number_of_waves,
        kw_noise_generator, kw_mm_per_unit, kw_charset, kw_max_intersections, kw_hf_gray_16, kw_radiosity, kw_photons});
+  add_patterns(homes, context);
   return homes;
 }
 
@@ -100,7 +112,7 @@ std::string hint_for_object(Context& context, Symbol stream_word) {
 }
 
 std::string hint_for_word(Context& context, const Element& element, Symbol stream_word) {
-  static const Homes homes = make_homes();
+  static const Homes homes = make_homes(context);
   const auto [first, last] = homes.equal_range(element.word);
   if (first == last) return {};
   const bool is_at_home = std::any_of(first, last, [&](const auto& row) { return row.second == stream_word; });

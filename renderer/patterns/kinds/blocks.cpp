@@ -11,7 +11,7 @@ namespace {
 
 using scene::OperandField;
 
-/// What POV-Ray moves points by so that a plane through the lattice lies on one side.
+/// POV-Ray moves points by so much, so that a plane through the lattice lies on one side.
 constexpr double kSmall = 1e-10;
 
 double fraction(double v) { return v - std::floor(v); }

@@ -25,7 +25,7 @@ class Metric {
  public:
   Metric(double exponent, double offset) : exponent_(exponent), offset_(term(offset)) {}
 
-  /// Of one coordinate.
+  /// The term of one coordinate.
   [[nodiscard]] double term(double d) const noexcept {
     if (exponent_ == 2) return d * d;
     if (exponent_ == 1) return std::abs(d);
@@ -68,7 +68,7 @@ constexpr int kSteps[kCubes] = {0, -1, 1, -2, 2};
 Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
   const Cube home = cube_of(p);
   const int home_of[3] = {home.x, home.y, home.z};
-  // How far the cubes of each step are at least, as terms of the metric.
+  // The least distances of the cubes of each step, as terms of the metric.
   double gaps[3][kCubes];
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < kCubes; ++i) {

@@ -23,7 +23,7 @@ struct Fractal {
   double interior_factor = 1;
 };
 
-/// Of complex numbers, written out: std::complex looks for infinities in every product.
+/// A complex number, with its products written out: std::complex looks for infinities in each of them.
 struct Complex {
   double re = 0, im = 0;
   friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }

@@ -93,14 +93,14 @@ constexpr PatternColour kWoodColours[] = {
 constinit const PatternInfo pattern_kinds::agate{
     .colours = kAgateColours, .operands = operands_of<Agate, kAgate>, .value = agate_at};
 constinit const PatternInfo pattern_kinds::bozo{.colours = kBozoColours, .value = plain_noise};
-constinit const PatternInfo pattern_kinds::bumps{.value = plain_noise};
-constinit const PatternInfo pattern_kinds::dents{.value = dents_at};
+constinit const PatternInfo pattern_kinds::bumps{.makes_bumps = true, .value = plain_noise};
+constinit const PatternInfo pattern_kinds::dents{.makes_bumps = true, .value = dents_at};
 constinit const PatternInfo pattern_kinds::granite{.value = granite_at};
 constinit const PatternInfo pattern_kinds::marble{
     .wave = scene::Wave::triangle, .colours = kMarbleColours, .uses_turbulence_itself = true, .value = marble_at};
 constinit const PatternInfo pattern_kinds::spotted{.value = plain_noise};
 constinit const PatternInfo pattern_kinds::wood{
     .wave = scene::Wave::triangle, .colours = kWoodColours, .uses_turbulence_itself = true, .value = wood_at};
-constinit const PatternInfo pattern_kinds::wrinkles{.value = wrinkles_at};
+constinit const PatternInfo pattern_kinds::wrinkles{.makes_bumps = true, .value = wrinkles_at};
 
 }  // namespace isl::render

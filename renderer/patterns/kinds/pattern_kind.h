@@ -1,7 +1,7 @@
-// What a kind of pattern is, once: the words that begin it, its operands, what it chooses from, where it may stand, and
-// its value at a point. The interpreter reads patterns by this, a dump prints them by it, and the renderer evaluates
-// them and tells what it cannot draw. Each kind is one constant of this type in a file of this folder, under the name
-// of its row in renderer/scene/patterns.def. Knows no text and no rays.
+// The descriptor of a kind of pattern: the words that begin it, its operands, what it chooses from, where it may stand,
+// and its value at a point. The interpreter reads patterns by this, a dump prints them by it, and the renderer
+// evaluates them and tells what it cannot draw. Each kind is one constant of this type in a file of this folder, under
+// the name of its row in renderer/scene/patterns.def. Knows no text and no rays.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -20,15 +20,15 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// What patterns ask that the database alone does not tell.
+/// Answers questions of patterns that the database alone does not answer.
 class PatternSurroundings {
  public:
   virtual ~PatternSurroundings() = default;
-  /// Of the point, in the space that the object is placed into.
+  /// `point` is in the space that the object is placed into.
   [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point) const = 0;
 };
 
-/// What is the same for all patterns of a database.
+/// The part of an evaluation that is the same for all patterns of a database.
 struct PatternWorld {
   const scene::Database& database;
   const values::PatternSource& patterns;    ///< answers for patterns and pigments in patterns
@@ -67,15 +67,16 @@ struct PatternHosts {
   bool pigment = true, normal = true, texture = true, function = true;
 };
 
-/// What a pattern chooses from. `own`: from nothing, it brings what it shows (the colours of a picture).
+/// The things that a pattern chooses from. `own` is for patterns that choose nothing and bring their own colours or
+/// textures, as pictures do.
 enum class PatternChoice : std::uint8_t { map, list, mean_of_map, own };
 
-/// What the block holds, for patterns that are one. `of_host`: an image, read by what holds the pattern, which has
-/// items there too. `function` is a value of the language and no word.
+/// The content of the block, for patterns that are a block. `of_host` is an image whose block is read by the host of
+/// the pattern, which has items there too. `function` is a value of the language and has no word.
 enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object, pigment, function };
 
-/// What keeps a pattern from being evaluated: it asks for more of a surface than a point, for a file that is not
-/// opened, or its formula is not known here.
+/// The reason why a pattern is not evaluated: it asks for more of a surface than a point, or for a file that is not
+/// opened.
 enum class PatternLack : std::uint8_t { nothing, surface, file, formula };
 
 struct PatternInfo {
@@ -83,17 +84,20 @@ struct PatternInfo {
   PatternBlock block = PatternBlock::none;
   PatternHosts hosts = {};
   std::string_view instead = {};  ///< the word for other hosts
+  bool makes_bumps = false;       ///< stands in normals more often than in pigments, for hints
   PatternChoice choice = PatternChoice::map;
   int list_length = 0;
   scene::Wave wave = scene::Wave::ramp;
   std::span<const PatternColour> colours = kBlackToWhite;  ///< a list's are all that it can have
-  /// Whether a record has the `colours`; where not, they go from black to white.
+  /// Tells whether a pattern with these operands has the `colours`; they go from black to white if it does not.
   bool (*has_colours)(const std::any& record) = nullptr;
   bool uses_turbulence_itself = false;  ///< so that it moves no points
 
   scene::Operands (*operands)() = nullptr;  ///< with their defaults
   /// Reads what follows one of `words`, which is given.
   void (*read)(scene::OperandReader& reader, std::any& record, std::string_view word) noexcept = nullptr;
+  /// Looks for operands that do not go together, once all are read.
+  void (*check)(scene::OperandReader& reader, const std::any& record) noexcept = nullptr;
 
   PatternLack lack = PatternLack::nothing;
   /// From 0 to about 1, or the item's number; null for what has no value: 0 is taken.
@@ -104,7 +108,7 @@ struct PatternInfo {
   }
 };
 
-/// Of `plain`, which is no pattern: what every pattern has unless it says otherwise.
+/// The descriptor of a kind. `plain`, which is no pattern, has the defaults of all others.
 [[nodiscard]] const PatternInfo& info_of(scene::PatternKind kind) noexcept;
 
 namespace pattern_kinds {
@@ -125,7 +129,13 @@ void read_operands(scene::OperandReader& reader, std::any& record, std::string_v
   function(reader, *std::any_cast<Record>(&record), word);
 }
 
-/// What POV-Ray does to values without a bound before they meet frequency and phase.
+/// For PatternInfo::check: `function(OperandReader&, const Record&) noexcept`.
+template <class Record, auto function>
+void check_operands(scene::OperandReader& reader, const std::any& record) noexcept {
+  function(reader, *std::any_cast<Record>(&record));
+}
+
+/// The value modulo 1 above 1: POV-Ray does this to values without a bound before they meet frequency and phase.
 [[nodiscard]] double below_1(double value) noexcept;
 
 }  // namespace isl::render

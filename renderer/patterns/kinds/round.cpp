@@ -128,7 +128,8 @@ constinit const PatternInfo pattern_kinds::gradient{
 constinit const PatternInfo pattern_kinds::leopard{.value = leopard_at};
 constinit const PatternInfo pattern_kinds::onion{.value = onion_at};
 constinit const PatternInfo pattern_kinds::planar{.value = planar_at};
-constinit const PatternInfo pattern_kinds::quilted{.operands = operands_of<Quilted, kQuilted>, .value = quilted_at};
+constinit const PatternInfo pattern_kinds::quilted{
+    .makes_bumps = true, .operands = operands_of<Quilted, kQuilted>, .value = quilted_at};
 constinit const PatternInfo pattern_kinds::radial{.colours = kRadialColours, .value = radial_at};
 constinit const PatternInfo pattern_kinds::spherical{.value = spherical_at};
 constinit const PatternInfo pattern_kinds::spiral1 = spiral(spiral1_at);

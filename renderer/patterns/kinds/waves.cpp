@@ -73,7 +73,7 @@ double ripples_at(const PatternPoint& at) noexcept {
 
 }  // namespace
 
-constinit const PatternInfo pattern_kinds::ripples{.value = ripples_at};
-constinit const PatternInfo pattern_kinds::waves{.value = waves_at};
+constinit const PatternInfo pattern_kinds::ripples{.makes_bumps = true, .value = ripples_at};
+constinit const PatternInfo pattern_kinds::waves{.makes_bumps = true, .value = waves_at};
 
 }  // namespace isl::render
