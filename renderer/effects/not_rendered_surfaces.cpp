@@ -132,10 +132,10 @@ struct TextureRow {
 };
 
 constexpr TextureRow kTextureRows[] = {
-    {"texture_by_surface", "textures that depend on a file, paving or slope",
-     "a texture that depends on a file, paving or the surface's slope", chosen_unseen, choose_first},
-    {"pigment_by_surface", "pigments that depend on a file, paving or slope",
-     "a pigment that depends on a file, paving or the surface's slope",
+    {"texture_by_surface", "textures that depend on a file or slope",
+     "a texture that depends on a file or the surface's slope", chosen_unseen, choose_first},
+    {"pigment_by_surface", "pigments that depend on a file or slope",
+     "a pigment that depends on a file or the surface's slope",
      [](const Database& database, const Texture& texture) { return find_in(database, texture.pigment, is_undrawable); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};

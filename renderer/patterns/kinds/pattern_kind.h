@@ -77,7 +77,7 @@ enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object,
 
 /// The reason why a pattern is not evaluated: it asks for more of a surface than a point, or for a file that is not
 /// opened.
-enum class PatternLack : std::uint8_t { nothing, surface, file, formula };
+enum class PatternLack : std::uint8_t { nothing, surface, file };
 
 struct PatternInfo {
   std::span<const std::string_view> words = {};  ///< that begin it; none: its name

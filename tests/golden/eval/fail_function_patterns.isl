@@ -7,6 +7,6 @@
 sphere { 0, 1 pigment { function (a, b) { a + b } } }
 sphere { 0, 1 pigment { function { transform { scale 2 } } } }
 #declare F = function 2, 2 { x }
-#declare G = function { pattern { tiling 3 } }
+#declare G = function { pattern { density_file df3 "ball.df3" } }
 #declare H = function { pattern { bozo frequncy 2 } }
 #debug str(G(1, 2, 3), 0, 3)
