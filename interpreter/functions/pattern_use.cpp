@@ -10,7 +10,7 @@
 namespace isl::interpreter {
 namespace {
 
-/// "function { image_map }" by kind; what names a pattern that cannot be evaluated lives on in functions.
+/// "function { image_map }" by kind: the names that functions keep of patterns that cannot be evaluated.
 constexpr std::string_view kFunctions[] = {
     "",
 #define ISL_PATTERN(name, frequency) "function { " #name " }",
@@ -18,7 +18,7 @@ constexpr std::string_view kFunctions[] = {
 #undef ISL_PATTERN
 };
 
-/// A pigment is looked at once, however many maps name it.
+/// Visits each pigment once, however many maps name it.
 class Walk {
  public:
   Walk(Context& context, SourceSpan span) : context_(context), span_(span) {}
@@ -70,8 +70,8 @@ class Walk {
 
   void check(std::uint32_t depth) const {
     if (depth <= scene::Function::kMaxDepth) return;
-    context_.fail(span_,
-                  fmt::format("this function is of patterns nested more than {} deep", scene::Function::kMaxDepth));
+    context_.fail(
+        span_, fmt::format("the patterns of this function are nested more than {} deep", scene::Function::kMaxDepth));
   }
 
   Context& context_;

@@ -78,8 +78,8 @@ void check_host(Context& context, const Element& element, PatternKind kind, Patt
   const std::string_view name = context.text(element.word);
   const auto is_host = [&info](const HostRow& row) { return info.hosts.*row.is_host; };
   if (std::ranges::count_if(kHosts, is_host) > 1)
-    context.fail(span, fmt::format("`{}` is no pattern of points alone; it cannot stand in a function", name));
-  context.fail(span, fmt::format("`{}` stands only in a `{}`", name, std::ranges::find_if(kHosts, is_host)->name),
+    context.fail(span, fmt::format("`{}` depends on more than a point and is not allowed in a function", name));
+  context.fail(span, fmt::format("`{}` is allowed only in a `{}`", name, std::ranges::find_if(kHosts, is_host)->name),
                info.instead.empty() ? std::string() : fmt::format("did you mean `{}`?", info.instead));
 }
 

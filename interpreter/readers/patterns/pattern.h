@@ -18,7 +18,8 @@ enum class PatternHost { pigment, normal, texture, function };
 /// A pattern while its block is read.
 struct PatternDraft {
   scene::Pattern pattern;
-  /// Transforms of the database from here on that `pattern.warps` ends with are this draft's own and may be changed.
+  /// The transforms at the end of `pattern.warps` that have this number or a greater one in the database belong to this
+  /// draft alone and may be changed.
   std::size_t first_own_transform = 0;
 };
 
@@ -28,7 +29,7 @@ struct PatternDraft {
 /// Makes it a pattern of the kind, with the kind's defaults.
 void set_kind(PatternDraft& draft, scene::PatternKind kind);
 
-/// Reads the list of items that belongs to a block pattern (`checker A, B`), at most `count`. Empty where there is
+/// Reads the list of items that belongs to a block pattern (`checker A, B`), at most `count`. Empty if there is
 /// none.
 using ReadList = std::function<void(ElementStream& stream, scene::PatternKind kind, int count)>;
 
@@ -52,7 +53,7 @@ using ReadList = std::function<void(ElementStream& stream, scene::PatternKind ki
 /// Reads a transform, warp, wave, turbulence or other modifier of any pattern, if the next element is one.
 [[nodiscard]] bool read_pattern_modifier(ElementStream& stream, PatternDraft& draft);
 
-/// Moves the pattern; what is evaluated at (u, v) of the surface stays.
+/// Moves the pattern; a pattern that is evaluated at (u, v) of the surface stays.
 void move(Context& context, PatternDraft& draft, const scene::Transform& transform);
 
 }  // namespace isl::interpreter

@@ -8,13 +8,13 @@
 
 namespace isl::interpreter {
 
-/// Reads what follows the word of a pattern, or stands in its block, into `pattern.operands`, which hold the defaults.
+/// Reads the operands after the word of a pattern, or in its block, into `pattern.operands`, which hold the defaults.
 void read_operands(ElementStream& stream, scene::Pattern& pattern, std::string_view word);
 
 /// `function { … }` as a value of the stream.
 [[nodiscard]] scene::FunctionId read_function_operand(ElementStream& stream);
 
-/// Reads an operand that has a word of its own if the next element is one; fails where
+/// Reads an operand that has a word of its own if the next element is one; fails if
 /// the word belongs to another pattern.
 [[nodiscard]] bool read_operand_modifier(ElementStream& stream, scene::Pattern& pattern);
 

@@ -1,5 +1,5 @@
-// Maps and lists: what a pattern chooses from. `color_map { [0 rgb 1] [1 rgb 0] }` and its kin, and the items of block
-// patterns (`checker A, B`).
+// Maps and lists: the values that a pattern chooses from. `color_map { [0 rgb 1] [1 rgb 0] }` and related blocks, and
+// the items of block patterns (`checker A, B`).
 #pragma once
 
 #include "interpreter/element_stream.h"
@@ -20,8 +20,8 @@ enum class EntryValue { needed, optional };
 [[nodiscard]] scene::SlopeMapId read_slope_map(Context& context, const Element& block);
 [[nodiscard]] scene::TextureMapId read_texture_map(Context& context, const Element& block, EntryValue value);
 
-// Each reads the items that follow a block pattern's word, at most `count`; what is missing is POV-Ray's default. None
-// for normals where there is no item.
+// Each reads the items that follow a block pattern's word, at most `count`; POV-Ray's defaults replace missing ones.
+// None for normals without an item.
 [[nodiscard]] scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind kind, int count);
 [[nodiscard]] scene::NormalMapId read_normal_list(ElementStream& stream, int count);
 [[nodiscard]] scene::TextureMapId read_texture_list(ElementStream& stream, int count);

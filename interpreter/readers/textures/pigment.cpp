@@ -58,7 +58,7 @@ class PigmentReader {
   }
 
  private:
-  /// A declared pigment, or a declared colour with what overrides it.
+  /// Reads a declared pigment, or a declared colour with its overrides.
   bool read_identifier() {
     const Element first = stream_.peek();
     if (!first.is(ElementKind::value) || first.node->kind == grammar::NodeKind::function) return false;
@@ -101,7 +101,7 @@ class PigmentReader {
   }
 
   bool read_modifier(bool has_type) {
-    // A plain colour is the same wherever it is moved to.
+    // A plain colour is the same after every transform.
     if (!record_ && pigment_.is_plain() && read_transform(stream_)) return true;
     const Element next = stream_.peek();
     if (is_map_block(next)) {
@@ -121,10 +121,10 @@ class PigmentReader {
     }
     if (starts_pattern(context_, next)) {
       context_.fail(next.is(ElementKind::block) ? next.word_span : next.span,
-                    "the pattern or colour of a `pigment` comes first, and there is one");
+                    "a `pigment` has at most one pattern or colour, before its other items");
     }
     if (!next.is(ElementKind::word) && !next.is(ElementKind::block)) return false;
-    // As in POV-Ray: what was declared on the surface's coordinates is not moved there.
+    // As in POV-Ray, a pigment that was declared with the surface's coordinates is not moved.
     if (is_declared_on_surface_ && read_transform(stream_)) return true;
     open();
     return read_pattern_modifier(stream_, draft_);
@@ -136,7 +136,7 @@ class PigmentReader {
     const bool is_colours = block.word != word::kw_pigment_map;
     const bool fits = takes_map(kind) && !(is_colours && is_mean(kind));
     if (kind == PatternKind::plain && !has_type) {
-      context_.warn(block.word_span, "a map without a pattern before it says nothing");
+      context_.warn(block.word_span, "a map without a pattern before it has no effect");
     } else if (!fits) {
       const std::string what =
           kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(kind));
@@ -156,7 +156,7 @@ class PigmentReader {
     }
   }
 
-  /// The record that this pigment needs once it says more than a colour.
+  /// The record that this pigment needs once it is more than a colour.
   PatternedPigment& open() {
     if (record_) return *record_;
     record_ = pigment_.is_plain() ? PatternedPigment{.colour = pigment_.colour}
@@ -187,7 +187,7 @@ class PigmentReader {
   Pigment pigment_;
   bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
   std::optional<PatternedPigment> record_;
-  PatternDraft draft_;  ///< of the record's pattern, where there is a record
+  PatternDraft draft_;  ///< of the record's pattern, if there is a record
 };
 
 }  // namespace

@@ -147,12 +147,12 @@ void read_fractal(scene::OperandReader& reader, Fractal& fractal, std::string_vi
   fractal.iterations = std::floor(reader.number_in("the number of iterations", 0, kMaxIterations));
 }
 
-/// POV-Ray warns of an exponent that it does not have, and takes 2.
+/// POV-Ray warns of an exponent that it does not support, and takes 2.
 void read_exponent(scene::OperandReader& reader, Fractal& fractal) noexcept {
   const double exponent = reader.number("`exponent`");
-  if (fractal.magnet != 0) return reader.fail("a `magnet` has no `exponent`");
+  if (fractal.magnet != 0) return reader.fail("`exponent` is not allowed with `magnet`");
   const bool is_known = exponent >= 2 && exponent < 34;
-  if (!is_known) reader.warn(fmt::format("`exponent` is from 2 to 33, found {:g}; 2 is taken", exponent));
+  if (!is_known) reader.warn(fmt::format("`exponent` must be from 2 to 33, found {:g}; 2 is used", exponent));
   fractal.exponent = is_known ? static_cast<int>(exponent) : 2;
 }
 

@@ -245,7 +245,7 @@ double pavement_at(const PatternPoint& at) noexcept {
 void read_sides(scene::OperandReader& reader, Pavement& pavement) noexcept {
   pavement.sides = static_cast<int>(reader.number("`number_of_sides`"));
   if (pavement.sides != 3 && pavement.sides != 4 && pavement.sides != 6)
-    reader.fail(fmt::format("`number_of_sides` is 3, 4 or 6, found {}", pavement.sides));
+    reader.fail(fmt::format("`number_of_sides` must be 3, 4 or 6, found {}", pavement.sides));
 }
 
 constexpr int kMostTiles = 6, kMostPolyforms = 35;

@@ -44,11 +44,11 @@ void read_slope(scene::OperandReader& reader, Slope& slope, std::string_view /*w
   slope.is_reference = reader.accept_word("point_at");
   slope.is_direction = !slope.is_reference;
   (slope.is_reference ? slope.reference : slope.direction) = reader.vector("a direction");
-  if (slope.is_direction && slope.direction.length() == 0) reader.fail("the direction of `slope` is not <0, 0, 0>");
+  if (slope.is_direction && slope.direction.length() == 0) reader.fail("the direction of `slope` must not be <0, 0, 0>");
   read_range(reader, slope.low_slope, slope.high_slope, "the low slope", "the high slope");
   slope.has_altitude = reader.accept_word("altitude");
   if (!slope.has_altitude) return;
-  if (slope.is_reference) reader.fail("`altitude` does not go with `point_at`");
+  if (slope.is_reference) reader.fail("`altitude` cannot be used with `point_at`");
   slope.altitude = reader.vector("a vector after `altitude`");
   read_range(reader, slope.low_altitude, slope.high_altitude, "the low altitude", "the high altitude");
 }
