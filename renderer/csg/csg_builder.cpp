@@ -2,7 +2,6 @@
 
 #include "renderer/csg/shape_size.h"
 #include "renderer/csg/spread.h"
-#include "renderer/extents/solid_support.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
@@ -14,7 +13,6 @@ namespace isl::render {
 using scene::Group;
 using scene::Object;
 using scene::Operation;
-using scene::SolidKind;
 
 namespace {
 
@@ -162,9 +160,9 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
 }
 
 Box CsgBuilder::box_of_leaf(const CsgLeaf& leaf) {
-  // What is inside a disc is a half-space.
+  // Such a solid's inside is a half-space.
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (leaf.kind == Object::Kind::solid && database_.solids[leaf.shape].kind == SolidKind::disc) {
+  if (leaf.kind == Object::Kind::solid && is_part_of_plane(database_.solids[leaf.shape])) {
     return {Vec3(-kFar), Vec3(kFar)};
   }
   Object placed;

@@ -9,23 +9,8 @@ namespace isl::render {
 namespace {
 
 using scene::Database;
-using scene::SolidKind;
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-double size_of(const Database& database, const scene::Solid& solid) {
-  double size = std::max({largest(solid.a), largest(solid.b), std::abs(solid.radius_a), std::abs(solid.radius_b)});
-  if (scene::is_triangle(solid.kind)) {
-    for (const Vec3& corner : database.triangles[solid.detail].corners) size = std::max(size, largest(corner));
-  } else if (solid.kind == SolidKind::polygon) {
-    for (const Vec3& point : database.polygons[solid.detail].points) size = std::max(size, largest(point));
-  } else if (scene::is_polynomial(solid.kind)) {
-    size = prepare(database.polynomials[solid.detail]).reach;
-  } else if (solid.kind == SolidKind::superellipsoid) {
-    size = 1;
-  }
-  return size;
-}
 
 double size_of(const scene::Blob& blob) {
   double size = 0;

@@ -2,7 +2,7 @@
 
 #include "renderer/extents/blob_extent.h"
 #include "renderer/extents/povray_blob_box.h"
-#include "renderer/extents/solid_support.h"
+#include "renderer/solids/solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ Extents::Boxes Extents::boxes_of(const Object& object) {
   if (object.kind == Object::Kind::solid) {  // tight in the space outside, which a mapped box would not be
     const scene::Solid& solid = database_.solids[object.shape];
     boxes.surface = boxes.inside = box_of(database_, solid, object.parent_from_object);
-    if (solid.kind == scene::SolidKind::disc) boxes.inside = kEverything;  // the half-space behind it
+    if (is_part_of_plane(solid)) boxes.inside = kEverything;  // the half-space behind it
   } else {
     boxes = boxes_of_shape(object);
     boxes.surface = mapped(boxes.surface, object.parent_from_object);

@@ -14,46 +14,8 @@ using scene::Database;
 using scene::Object;
 using scene::Operation;
 using scene::Solid;
-using scene::SolidKind;
 
 namespace {
-
-bool in_cone(const Solid& solid, double radius_b, const Vec3& point) {
-  const Vec3 axis = solid.b - solid.a, from_a = point - solid.a;
-  const double along = from_a.dot(axis) / axis.dot(axis);
-  if (!(along > 0 && along < 1)) return false;
-  const double radius = solid.radius_a + (radius_b - solid.radius_a) * along;
-  return (from_a - axis * along).length() < radius;
-}
-
-bool in_box(const Solid& solid, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) {
-    if (p[i] < solid.a[i] || p[i] > solid.b[i]) return false;
-  }
-  return true;
-}
-
-bool in_superellipsoid(const Solid& solid, const Vec3& p) {
-  const double e = solid.radius_a, n = solid.radius_b;
-  const double ring = std::pow(std::abs(p.x), 2 / e) + std::pow(std::abs(p.y), 2 / e);
-  return std::pow(ring, e / n) + std::pow(std::abs(p.z), 2 / n) <= 1;
-}
-
-/// Horner's rule, a polynomial in x whose coefficients are polynomials in y, whose coefficients are polynomials in z.
-double value(const scene::Polynomial& polynomial, const Vec3& p) {
-  const double* coefficient = polynomial.coefficients.data();
-  double in_x = 0;
-  for (int i = 0; i <= polynomial.order; ++i) {
-    double in_y = 0;
-    for (int j = 0; j <= i; ++j) {
-      double in_z = 0;
-      for (int k = 0; k <= j; ++k) in_z = in_z * p.z + *coefficient++;
-      in_y = in_y * p.y + in_z;
-    }
-    in_x = in_x * p.x + in_y;
-  }
-  return in_x;
-}
 
 /// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; sheets have neither, so
 /// that a negation is handed down to the leaves.
@@ -104,27 +66,6 @@ class Membership {
 };
 
 }  // namespace
-
-bool is_inside(const Database& database, const Solid& solid, const Vec3& p) {
-  switch (solid.kind) {
-    case SolidKind::sphere: return (p - solid.a).length() < solid.radius_a;
-    case SolidKind::cylinder: return in_cone(solid, solid.radius_a, p);
-    case SolidKind::cone: return in_cone(solid, solid.radius_b, p);
-    case SolidKind::plane: return p.dot(solid.a) <= solid.radius_a;
-    case SolidKind::box: return in_box(solid, p);
-    case SolidKind::torus: return std::hypot(std::hypot(p.x, p.z) - solid.radius_a, p.y) <= solid.radius_b;
-    case SolidKind::disc: return (p - solid.a).dot(solid.b) < 0;
-    case SolidKind::quadric:
-    case SolidKind::cubic:
-    case SolidKind::quartic:
-    case SolidKind::poly: return value(database.polynomials[solid.detail], p) <= 0;
-    case SolidKind::superellipsoid: return in_superellipsoid(solid, p);
-    case SolidKind::triangle:
-    case SolidKind::smooth_triangle:
-    case SolidKind::polygon: return false;
-  }
-  ISL_CHECK(false, "solid kind {}", static_cast<int>(solid.kind));
-}
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
                const Vec3& point) {

@@ -1,5 +1,7 @@
 #include "renderer/queries/subset.h"
 
+#include "renderer/scene/edges.h"
+
 #include <unordered_map>
 #include <vector>
 
@@ -81,13 +83,11 @@ class Copier {
 
   std::uint32_t solid(std::uint32_t i) {
     scene::Solid& copied = to_.solids.emplace_back(from_.solids[i]);
-    const auto move = [&](const auto& column, auto& to) {
-      to.push_back(column[copied.detail]);
-      copied.detail = static_cast<std::uint32_t>(to.size() - 1);
-    };
-    if (scene::is_polynomial(copied.kind)) move(from_.polynomials, to_.polynomials);
-    if (scene::is_triangle(copied.kind)) move(from_.triangles, to_.triangles);
-    if (copied.kind == scene::SolidKind::polygon) move(from_.polygons, to_.polygons);
+    for_each_edge(copied, [this]<class Id>(Id& detail) {
+      constexpr auto records = std::get<scene::column_of<Id>()>(scene::kColumns).records;
+      (to_.*records).push_back((from_.*records)[scene::index(detail)]);
+      detail = Id{static_cast<std::uint32_t>((to_.*records).size() - 1)};
+    });
     return static_cast<std::uint32_t>(to_.solids.size() - 1);
   }
 

@@ -38,9 +38,8 @@ struct Database {
   std::vector<Interior> interiors;
   std::vector<Blob> blobs;
   std::vector<Solid> solids;
-  std::vector<Polynomial> polynomials;  ///< of solids: Solid::detail
-  std::vector<Triangle> triangles;
-  std::vector<Polygon> polygons;
+#define ISL_SOLID_DETAIL(word, Type, column) std::vector<Type> column;
+#include "renderer/scene/solids.def"
   std::vector<Group> groups;
   std::vector<Object> objects;  ///< what stands in the world
   std::vector<Object> pattern_objects;  ///< whose insides `object` patterns ask for; nothing of the world

@@ -115,9 +115,14 @@ void for_each_edge(Record& blob, Visit&& visit) {
 
 template <Either<Solid> Record, class Visit>
 void for_each_edge(Record& solid, Visit&& visit) {
-  if (is_polynomial(solid.kind)) detail::visit_as<PolynomialId>(solid.detail, visit);
-  if (is_triangle(solid.kind)) detail::visit_as<TriangleId>(solid.detail, visit);
-  if (solid.kind == SolidKind::polygon) detail::visit_as<PolygonId>(solid.detail, visit);
+  switch (traits_of(solid.kind).detail) {
+    case SolidDetail::none: break;
+#define ISL_SOLID_DETAIL(word, Type, column)         \
+  case SolidDetail::word:                            \
+    detail::visit_as<Type##Id>(solid.detail, visit); \
+    break;
+#include "renderer/scene/solids.def"
+  }
 }
 
 template <Either<Object> Record, class Visit>
@@ -201,9 +206,8 @@ inline constexpr auto kColumns = std::tuple{
     ColumnOf<InteriorId, Interior>{&Database::interiors},
     ColumnOf<BlobId, Blob>{&Database::blobs},
     ColumnOf<SolidId, Solid>{&Database::solids},
-    ColumnOf<PolynomialId, Polynomial>{&Database::polynomials},
-    ColumnOf<TriangleId, Triangle>{&Database::triangles},
-    ColumnOf<PolygonId, Polygon>{&Database::polygons},
+#define ISL_SOLID_DETAIL(word, Type, column) ColumnOf<Type##Id, Type>{&Database::column},
+#include "renderer/scene/solids.def"
     ColumnOf<GroupId, Group>{&Database::groups},
     ColumnOf<PatternObjectId, Object>{&Database::pattern_objects},
     ColumnOf<FunctionId, FunctionPointer>{&Database::functions}};

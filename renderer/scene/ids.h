@@ -23,9 +23,8 @@ enum class ImageId : std::uint32_t {};
 enum class InteriorId : std::uint32_t {};
 enum class TransformId : std::uint32_t {};
 enum class FunctionId : std::uint32_t {};
-enum class PolynomialId : std::uint32_t {};
-enum class TriangleId : std::uint32_t {};
-enum class PolygonId : std::uint32_t {};
+#define ISL_SOLID_DETAIL(word, Type, column) enum class Type##Id : std::uint32_t{};
+#include "renderer/scene/solids.def"
 enum class PatternObjectId : std::uint32_t {};
 enum class KernelId : std::uint16_t {};
 

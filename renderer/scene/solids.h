@@ -1,47 +1,52 @@
 // Plain solids, each in the space in which the scene describes it. What does not fit into one record lies in a column
-// of its own kind, which Solid::detail indexes.
+// of its own kind, which Solid::detail indexes. solids.def lists the solids and the columns.
 #pragma once
 
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 namespace isl::scene {
 
-/// sphere: centre a, radius_a. cylinder: a to b, radius_a, with flat caps. cone: a, radius_a to b, radius_b, flat caps.
-/// plane: the half-space p·a ≤ radius_a, a normalised. box: least corner a, greatest corner b. torus: about the y axis,
-/// radius_a from the origin to the circle, radius_b about the circle. disc: centre a, normal b (normalised), flat from
-/// radius_b (0: no hole) to radius_a. quadric, cubic, quartic, poly: detail is a Polynomial of order 2, 3, 4, any.
-/// superellipsoid: (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) ≤ 1 with e = radius_a, n = radius_b. triangle,
-/// smooth_triangle: detail is a Triangle. polygon: detail is a Polygon.
 enum class SolidKind : std::uint8_t {
-  sphere,
-  cylinder,
-  cone,
-  plane,
-  box,
-  torus,
-  disc,
-  quadric,
-  cubic,
-  quartic,
-  poly,
-  superellipsoid,
-  triangle,
-  smooth_triangle,
-  polygon,
+#define ISL_SOLID(word, ...) word,
+#include "renderer/scene/solids.def"
 };
-inline constexpr int kSolidKindCount = static_cast<int>(SolidKind::polygon) + 1;
 
-[[nodiscard]] constexpr bool is_polynomial(SolidKind kind) {
-  return kind >= SolidKind::quadric && kind <= SolidKind::poly;
+/// Which column Solid::detail indexes.
+enum class SolidDetail : std::uint8_t {
+  none,
+#define ISL_SOLID_DETAIL(word, Type, column) word,
+#include "renderer/scene/solids.def"
+};
+
+/// What all solids of a kind have in common, as far as interpreter and dumps ask for it.
+struct SolidTraits {
+  std::string_view word = {};
+  /// What a dump calls the record's members; "" where the kind does not use them.
+  std::string_view a = "", b = "", radius_a = "", radius_b = "";
+  SolidDetail detail = SolidDetail::none;
+  bool takes_sturm = false;  ///< POV-Ray solves polynomials for it, so that `sturm` may stand in its block
+};
+
+inline constexpr SolidTraits kSolidTraits[] = {
+#define ISL_SOLID(kind, ...) {.word = #kind, __VA_ARGS__},
+#include "renderer/scene/solids.def"
+};
+
+inline constexpr int kSolidKindCount = static_cast<int>(std::size(kSolidTraits));
+
+[[nodiscard]] constexpr const SolidTraits& traits_of(SolidKind kind) {
+  return kSolidTraits[static_cast<std::size_t>(kind)];
 }
-[[nodiscard]] constexpr bool is_triangle(SolidKind kind) {
-  return kind == SolidKind::triangle || kind == SolidKind::smooth_triangle;
-}
+[[nodiscard]] constexpr bool is_polynomial(SolidKind kind) { return traits_of(kind).detail == SolidDetail::polynomial; }
+[[nodiscard]] constexpr bool is_triangle(SolidKind kind) { return traits_of(kind).detail == SolidDetail::triangle; }
 
 struct Solid {
   SolidKind kind = SolidKind::sphere;
@@ -50,6 +55,9 @@ struct Solid {
   double radius_a = 0, radius_b = 0;
   std::uint32_t detail = kNone;  ///< index into the column of the kind
 };
+
+// ---- Details --------------------------------------------------------------------------------------------------------
+// describe(kind, say) calls say(name, value) for everything that a dump tells.
 
 /// The set where the polynomial is ≤ 0. Terms in POV-Ray's order of `poly`: powers of x falling, within them powers of
 /// y, within them powers of z; x², xy, xz, x, y², yz, y, z², z, 1 for order 2.
@@ -61,17 +69,33 @@ struct Polynomial {
     const auto n = static_cast<std::size_t>(order);
     return (n + 1) * (n + 2) * (n + 3) / 6;
   }
+  template <class Say>
+  void describe(SolidKind, const Say& say) const {
+    say("order", order);
+    say("coefficients", coefficients);
+  }
 };
 
 /// Never degenerate.
 struct Triangle {
   std::array<Vec3, 3> corners;
   std::array<Vec3, 3> normals;  ///< of a smooth_triangle, unit length; else all the same, across the triangle
+
+  template <class Say>
+  void describe(SolidKind kind, const Say& say) const {
+    say("corners", corners);
+    if (kind == SolidKind::smooth_triangle) say("normals", normals);
+  }
 };
 
 /// A flat area between closed contours; where contours overlap, what an even number of them holds is a hole.
 struct Polygon {
   std::vector<Vec3> points;  ///< contour after contour, each ending with its first point; all in one plane
+
+  template <class Say>
+  void describe(SolidKind, const Say& say) const {
+    say("points", points);
+  }
 };
 
 }  // namespace isl::scene

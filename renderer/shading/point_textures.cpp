@@ -2,7 +2,7 @@
 
 #include "renderer/fields/skeleton_coordinates.h"
 #include "renderer/patterns/map_interval.h"
-#include "renderer/solids/solid_coordinates.h"
+#include "renderer/solids/solid.h"
 
 #include <cstdint>
 #include <limits>

@@ -3,6 +3,7 @@
 //
 // A box without thickness along an axis is the sheet that POV-Ray makes of it: a rectangle, crossed once.
 #include "renderer/solids/line_interval.h"
+#include "renderer/solids/solid_type.h"
 
 namespace isl::render {
 namespace {
@@ -52,10 +53,8 @@ Crossings rectangle_crossings(const scene::Solid& solid, int axis, const Vec3& o
   return result;
 }
 
-}  // namespace
-
-Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                        std::uint8_t start_part) noexcept {
+Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+                        const SolidDetails&) noexcept {
   if (const int axis = flat_axis(solid); axis >= 0) {
     return rectangle_crossings(solid, axis, origin, direction, start_part);
   }
@@ -65,12 +64,41 @@ Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec
   return closed_crossings(inside);
 }
 
-Vec3 box_normal(std::uint8_t part) noexcept {
+bool is_flat_box(const scene::Solid& solid) noexcept { return flat_axis(solid) >= 0; }
+
+Vec3 box_normal(const scene::Solid&, std::uint8_t part, const Vec3&, const SolidDetails&) noexcept {
   Vec3 normal(0);
   normal[part / 2] = part % 2 == 0 ? -1 : 1;
   return normal;
 }
 
-bool is_flat_box(const scene::Solid& solid) noexcept { return flat_axis(solid) >= 0; }
+Box box_bounds(const scene::Solid& solid, const SolidDetails&) noexcept { return {solid.a, solid.b}; }
+
+double box_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += std::max(direction[i] * solid.a[i], direction[i] * solid.b[i]);
+  return sum;
+}
+
+bool is_in_box(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
+  for (int i = 0; i < 3; ++i) {
+    if (point[i] < solid.a[i] || point[i] > solid.b[i]) return false;
+  }
+  return true;
+}
+
+Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
+  return box_coordinates(solid.a, solid.b, point);
+}
+
+}  // namespace
+
+constinit const SolidType kinds::box{.crossings = box_crossings,
+                                     .is_sheet = is_flat_box,
+                                     .normal = box_normal,
+                                     .bounds = box_bounds,
+                                     .support = box_support,
+                                     .is_inside = is_in_box,
+                                     .coordinates = coordinates};
 
 }  // namespace isl::render

@@ -85,10 +85,8 @@ void shift(LineInterval& interval, double t) {
   interval.high.t += t;
 }
 
-}  // namespace
-
-Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                         std::uint8_t start_part) noexcept {
+Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+                         const SolidDetails&) noexcept {
   const Axis axis(solid);
   const double dd = direction.dot(direction);
   if (!axis.valid || !(dd > 0)) return {};
@@ -109,7 +107,7 @@ Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Ve
   return closed_crossings(intersection(side, slab));
 }
 
-Vec3 cone_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point) noexcept {
+Vec3 cone_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (part == kCapA) return -axis.along;
   if (part == kCapB) return axis.along;
@@ -118,5 +116,31 @@ Vec3 cone_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point
   if (across.length() == 0) return slope > 0 ? -axis.along : axis.along;
   return (across.normalized() - axis.along * slope).normalized();
 }
+
+Crossings cone_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+                        const SolidDetails& details) noexcept {
+  return capped_boundary(cone_crossings, solid, origin, direction, start_part, details);
+}
+
+Box cone_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
+  return capped_bounds(solid, solid.radius_b);
+}
+
+double cone_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  return capped_support(solid, solid.radius_b, direction);
+}
+
+bool is_in_cone(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
+  return is_in_capped(solid, solid.radius_b, point);
+}
+
+}  // namespace
+
+constinit const SolidType kinds::cone{.crossings = cone_crossings,
+                                      .boundary = cone_boundary,
+                                      .normal = cone_normal,
+                                      .bounds = cone_bounds,
+                                      .support = cone_support,
+                                      .is_inside = is_in_cone};
 
 }  // namespace isl::render

@@ -2,12 +2,14 @@
 //
 // Across the axis the problem is a circle's (quadratic.h) for the shares of origin and direction across it; along the
 // axis it is a slab. A ray along the axis has no share across: then it is within the circle everywhere or nowhere.
+#include "renderer/solids/line_interval.h"
 #include "renderer/solids/quadratic.h"
 
 namespace isl::render {
+namespace {
 
 Crossings cylinder_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part) noexcept {
+                             std::uint8_t start_part, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (!axis.valid) return {};
   LineInterval side = within_radius(axis.across(origin - solid.a), axis.across(direction), std::abs(solid.radius_a),
@@ -19,22 +21,37 @@ Crossings cylinder_crossings(const scene::Solid& solid, const Vec3& origin, cons
   return closed_crossings(intersection(side, slab));
 }
 
-Vec3 cylinder_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point) noexcept {
+Vec3 cylinder_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (part == kCapA) return -axis.along;
   if (part == kCapB) return axis.along;
   return axis.across(point - solid.a).normalized();
 }
 
-Box capped_bounds(const scene::Solid& solid, double radius_b) noexcept {
-  const Axis axis(solid);
-  const Vec3 square = axis.along * axis.along;
-  const Vec3 reach(std::sqrt(square.y + square.z), std::sqrt(square.z + square.x), std::sqrt(square.x + square.y));
-  const Vec3 reach_a = reach * std::abs(solid.radius_a);
-  const Vec3 reach_b = reach * std::abs(radius_b);
-  Box box(solid.a - reach_a, solid.a + reach_a);
-  box.extendBy(Box(solid.b - reach_b, solid.b + reach_b));
-  return box;
+Crossings cylinder_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                            std::uint8_t start_part, const SolidDetails& details) noexcept {
+  return capped_boundary(cylinder_crossings, solid, origin, direction, start_part, details);
 }
+
+Box cylinder_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
+  return capped_bounds(solid, solid.radius_a);
+}
+
+double cylinder_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  return capped_support(solid, solid.radius_a, direction);
+}
+
+bool is_in_cylinder(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
+  return is_in_capped(solid, solid.radius_a, point);
+}
+
+}  // namespace
+
+constinit const SolidType kinds::cylinder{.crossings = cylinder_crossings,
+                                          .boundary = cylinder_boundary,
+                                          .normal = cylinder_normal,
+                                          .bounds = cylinder_bounds,
+                                          .support = cylinder_support,
+                                          .is_inside = is_in_cylinder};
 
 }  // namespace isl::render

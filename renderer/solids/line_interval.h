@@ -3,7 +3,7 @@
 // crossing or an entering and a leaving one: parity holds whatever is rounded.
 #pragma once
 
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/capped.h"
 
 #include <algorithm>
 #include <limits>

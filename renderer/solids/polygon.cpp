@@ -1,7 +1,7 @@
 // polygon: a flat area between closed contours. A point of its plane is in it if a half-line from there crosses the
 // edges an odd number of times (even-odd rule: a contour within a contour is a hole). Edges hold their lower end and
 // not their upper one, so that a corner counts once.
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/solid_type.h"
 
 #include <cmath>
 
@@ -52,8 +52,11 @@ PreparedPolygon prepare(const scene::Polygon& polygon) {
   return result;
 }
 
-Crossings polygon_crossings(const PreparedPolygon& polygon, const Vec3& origin, const Vec3& direction,
-                            std::uint8_t start_part) noexcept {
+namespace {
+
+Crossings polygon_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                            std::uint8_t start_part, const SolidDetails& details) noexcept {
+  const PreparedPolygon& polygon = details.polygons[solid.detail];
   Crossings result;
   const double rise = polygon.normal.dot(direction);
   if (start_part == kSide || rise == 0) return result;
@@ -73,5 +76,33 @@ Crossings polygon_crossings(const PreparedPolygon& polygon, const Vec3& origin, 
   if (is_in) result.add(t, kSide);
   return result;
 }
+
+Vec3 polygon_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails& details) noexcept {
+  return details.polygons[solid.detail].normal;
+}
+
+Box polygon_bounds(const scene::Solid& solid, const SolidDetails& details) noexcept {
+  return details.polygons[solid.detail].box;
+}
+
+double polygon_support(const scene::Database& database, const scene::Solid& solid, const Vec3& direction) {
+  return farthest(database.polygons[solid.detail].points, direction);
+}
+
+double polygon_size(const scene::Database& database, const scene::Solid& solid) {
+  double size = 0;
+  for (const Vec3& point : database.polygons[solid.detail].points) size = std::max(size, largest(point));
+  return size;
+}
+
+}  // namespace
+
+constinit const SolidType kinds::polygon{.crossings = polygon_crossings,
+                                         .is_sheet = always_sheet,
+                                         .normal = polygon_normal,
+                                         .bounds = polygon_bounds,
+                                         .support = polygon_support,
+                                         .is_inside = never_inside,
+                                         .size = polygon_size};
 
 }  // namespace isl::render

@@ -19,10 +19,12 @@
 // Where a cube is known to hold all that is inside (polynomial_bound.h), the stretch within it is the only piece.
 //
 // A ray that starts on the surface begins the first piece at its own origin, where the coefficient is 0: divided out.
+#include "renderer/solids/polynomial.h"
+
 #include "renderer/numerics/polynomial_roots.h"
 #include "renderer/numerics/power.h"
-#include "renderer/solids/kinds.h"
 #include "renderer/solids/polynomial_bound.h"
+#include "renderer/solids/solid_type.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/solids/polynomial_terms.h"
+#include "renderer/solids/polynomial.h"
 
 #include <cmath>
 

@@ -1,104 +1,84 @@
-// Dispatch by kind: the only place that lists the solids. A new one is a file, a line in kinds.h and a case in each
-// switch.
+// Calls what the kinds say of themselves (solid_type.h), by a table in the order of the kinds.
 #include "renderer/solids/solid.h"
 
-#include "base/check.h"
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/solid_type.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 namespace isl::render {
+namespace {
 
-using scene::SolidKind;
+constexpr const SolidType* kTypes[] = {
+#define ISL_SOLID(word, ...) &kinds::word,
+#include "renderer/scene/solids.def"
+};
+
+const SolidType& type_of(const scene::Solid& solid) { return *kTypes[static_cast<std::size_t>(solid.kind)]; }
+
+}  // namespace
 
 Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                     const SolidDetails& details) noexcept {
-  switch (solid.kind) {
-    case SolidKind::sphere: return sphere_crossings(solid, origin, direction, start_part);
-    case SolidKind::cylinder: return cylinder_crossings(solid, origin, direction, start_part);
-    case SolidKind::cone: return cone_crossings(solid, origin, direction, start_part);
-    case SolidKind::plane: return plane_crossings(solid, origin, direction, start_part);
-    case SolidKind::box: return box_crossings(solid, origin, direction, start_part);
-    case SolidKind::torus: return torus_crossings(solid, origin, direction, start_part);
-    case SolidKind::disc: return disc_crossings(solid, origin, direction, start_part, false);
-    case SolidKind::quadric:
-    case SolidKind::cubic:
-    case SolidKind::quartic:
-    case SolidKind::poly: return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part);
-    case SolidKind::superellipsoid: return superellipsoid_crossings(solid, origin, direction, start_part);
-    case SolidKind::triangle:
-    case SolidKind::smooth_triangle:
-      return triangle_crossings(details.triangles[solid.detail], origin, direction, start_part);
-    case SolidKind::polygon: return polygon_crossings(details.polygons[solid.detail], origin, direction, start_part);
-  }
-  ISL_CHECK(false, "solid kind {}", static_cast<int>(solid.kind));
+  return type_of(solid).crossings(solid, origin, direction, start_part, details);
 }
 
 Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                    const SolidDetails& details) noexcept {
-  if (solid.kind == SolidKind::disc) return disc_crossings(solid, origin, direction, start_part, true);
-  if (!solid.open) return crossings(solid, origin, direction, start_part, details);
-  scene::Solid closed = solid;
-  closed.open = false;
-  Crossings result = crossings(closed, origin, direction, start_part, details);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
-    if (result.part[i] != kSide) result.part[i] = kUnseen;
-  }
-  return result;
+  return type_of(solid).boundary(solid, origin, direction, start_part, details);
 }
 
-bool is_sheet(const scene::Solid& solid) noexcept {
-  return scene::is_triangle(solid.kind) || solid.kind == SolidKind::polygon ||
-         (solid.kind == SolidKind::box && is_flat_box(solid));
-}
+bool is_sheet(const scene::Solid& solid) noexcept { return type_of(solid).is_sheet(solid); }
+
+bool is_part_of_plane(const scene::Solid& solid) noexcept { return type_of(solid).is_part_of_plane; }
 
 Vec3 normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails& details) noexcept {
-  switch (solid.kind) {
-    case SolidKind::sphere: return sphere_normal(solid, point);
-    case SolidKind::cylinder: return cylinder_normal(solid, part, point);
-    case SolidKind::cone: return cone_normal(solid, part, point);
-    case SolidKind::plane: return solid.a;
-    case SolidKind::box: return box_normal(part);
-    case SolidKind::torus: return torus_normal(solid, point);
-    case SolidKind::disc: return solid.b;
-    case SolidKind::quadric:
-    case SolidKind::cubic:
-    case SolidKind::quartic:
-    case SolidKind::poly: return polynomial_normal(details.polynomials[solid.detail], point);
-    case SolidKind::superellipsoid: return superellipsoid_normal(solid, point);
-    case SolidKind::triangle:
-    case SolidKind::smooth_triangle: return triangle_normal(details.triangles[solid.detail]);
-    case SolidKind::polygon: return details.polygons[solid.detail].normal;
-  }
-  ISL_CHECK(false, "solid kind {}", static_cast<int>(solid.kind));
+  return type_of(solid).normal(solid, part, point, details);
 }
 
 Vec3 shading_normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
                        const SolidDetails& details) noexcept {
-  if (solid.kind == SolidKind::smooth_triangle) return smooth_normal(details.triangles[solid.detail], point);
-  return normal_at(solid, part, point, details);
+  return type_of(solid).shading_normal(solid, part, point, details);
+}
+
+Coordinates solid_coordinates(const scene::Solid& solid, const Vec3& point, const Vec3& world) noexcept {
+  return type_of(solid).coordinates(solid, point, world);
 }
 
 Box bounds(const scene::Solid& solid, const SolidDetails& details) noexcept {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  switch (solid.kind) {
-    case SolidKind::sphere: return sphere_bounds(solid);
-    case SolidKind::cylinder: return capped_bounds(solid, solid.radius_a);
-    case SolidKind::cone: return capped_bounds(solid, solid.radius_b);
-    case SolidKind::plane: return {Vec3(-kFar), Vec3(kFar)};
-    case SolidKind::box: return {solid.a, solid.b};
-    case SolidKind::torus: return torus_bounds(solid);
-    case SolidKind::disc: return disc_bounds(solid);
-    case SolidKind::quadric:
-    case SolidKind::cubic:
-    case SolidKind::quartic:
-    case SolidKind::poly: return polynomial_bounds(details.polynomials[solid.detail]);
-    case SolidKind::superellipsoid: return {Vec3(-1), Vec3(1)};
-    case SolidKind::triangle:
-    case SolidKind::smooth_triangle: return triangle_bounds(details.triangles[solid.detail]);
-    case SolidKind::polygon: return details.polygons[solid.detail].box;
+  return type_of(solid).bounds(solid, details);
+}
+
+double terms_over_gradient(const scene::Solid& solid, const Vec3& point, const SolidDetails& details) noexcept {
+  return type_of(solid).terms_over_gradient(solid, point, details);
+}
+
+double support(const scene::Database& database, const scene::Solid& solid, const Vec3& direction) {
+  return type_of(solid).support(database, solid, direction);
+}
+
+Box box_of(const scene::Database& database, const scene::Solid& solid, const scene::Transform& world_from_solid) {
+  const scene::Matrix& m = world_from_solid.matrix;
+  Box result;
+  for (int i = 0; i < 3; ++i) {
+    // The coordinate i of a mapped point p is this · p, plus the offset.
+    const Vec3 direction(m[0][i], m[1][i], m[2][i]);
+    result.max[i] = support(database, solid, direction) + m[3][i];
+    result.min[i] = -support(database, solid, -direction) + m[3][i];
   }
-  ISL_CHECK(false, "solid kind {}", static_cast<int>(solid.kind));
+  return result;
+}
+
+bool is_inside(const scene::Database& database, const scene::Solid& solid, const Vec3& point) {
+  return type_of(solid).is_inside(database, solid, point);
+}
+
+double size_of(const scene::Database& database, const scene::Solid& solid) {
+  return type_of(solid).size(database, solid);
+}
+
+double SolidType::size_of_members(const scene::Database&, const scene::Solid& solid) {
+  return std::max({largest(solid.a), largest(solid.b), std::abs(solid.radius_a), std::abs(solid.radius_b)});
 }
 
 }  // namespace isl::render

@@ -6,11 +6,10 @@ namespace isl::render {
 
 SolidDetails prepare_details(const scene::Database& database) {
   SolidDetails details;
-  details.polynomials.reserve(database.polynomials.size());
-  for (const scene::Polynomial& polynomial : database.polynomials) details.polynomials.push_back(prepare(polynomial));
-  details.triangles = database.triangles;
-  details.polygons.reserve(database.polygons.size());
-  for (const scene::Polygon& polygon : database.polygons) details.polygons.push_back(prepare(polygon));
+#define ISL_SOLID_DETAIL(word, Type, column)      \
+  details.column.reserve(database.column.size()); \
+  for (const scene::Type& detail : database.column) details.column.push_back(prepare(detail));
+#include "renderer/scene/solids.def"
   return details;
 }
 

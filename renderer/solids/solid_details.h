@@ -7,6 +7,8 @@
 #include <ImathBox.h>
 
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace isl::scene {
@@ -43,17 +45,23 @@ struct PreparedPolygon {
   std::vector<PlanePoint> starts, ends;  ///< of every edge
 };
 
+[[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);
+[[nodiscard]] PreparedPolygon prepare(const scene::Polygon& polygon);
+/// Any other detail is ready as it is.
+template <class Detail>
+[[nodiscard]] const Detail& prepare(const Detail& detail) {
+  return detail;
+}
+
 struct SolidDetails {
-  std::vector<PreparedPolynomial> polynomials;
-  std::vector<scene::Triangle> triangles;
-  std::vector<PreparedPolygon> polygons;
+#define ISL_SOLID_DETAIL(word, Type, column) \
+  std::vector<std::remove_cvref_t<decltype(prepare(std::declval<const scene::Type&>()))>> column;
+#include "renderer/scene/solids.def"
 };
 
 /// For solids that need none.
 inline const SolidDetails kNoDetails;
 
-[[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);
-[[nodiscard]] PreparedPolygon prepare(const scene::Polygon& polygon);
 [[nodiscard]] SolidDetails prepare_details(const scene::Database& database);
 
 }  // namespace isl::render

@@ -12,7 +12,7 @@
 // With m the larger and k the smaller of |x|, |y|, ρ = (k/m)ᵖ: r = m (1 + ρ)^(1/p), which neither overflows nor
 // vanishes for any p, and ∂r/∂m = (r/m)/(1 + ρ), ∂r/∂k = (r/k) ρ/(1 + ρ).
 #include "renderer/numerics/power.h"
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
 
 #include <cmath>
@@ -109,10 +109,8 @@ class OctantLine {
   Vec3 origin_, direction_, mirror_{1};
 };
 
-}  // namespace
-
 Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                   std::uint8_t start_part) noexcept {
+                                   std::uint8_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   double enter = -kInfinity, leave = kInfinity;
   for (int i = 0; i < 3; ++i) {
@@ -155,7 +153,7 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
 }
 
 /// ∇F, or where a component of it is infinite, that one alone.
-Vec3 superellipsoid_normal(const scene::Solid& solid, const Vec3& point) noexcept {
+Vec3 superellipsoid_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
   const double p = 2 / solid.radius_a, q = 2 / solid.radius_b;
   const Vec3 size(std::abs(point.x), std::abs(point.y), std::abs(point.z));
   const double r = ring(std::max(size.x, size.y), std::min(size.x, size.y), p).r;
@@ -174,5 +172,38 @@ Vec3 superellipsoid_normal(const scene::Solid& solid, const Vec3& point) noexcep
   const double length = gradient.length();
   return length > 0 && std::isfinite(length) ? gradient / length : Vec3(0, 0, point.z < 0 ? -1 : 1);
 }
+
+Box superellipsoid_bounds(const scene::Solid&, const SolidDetails&) noexcept { return {Vec3(-1), Vec3(1)}; }
+
+/// The norm dual to ‖(x, y)‖ₚ with p = 2/exponent. Below p = 1 the unit ball is not convex; its hull is that of p = 1.
+double dual_norm(double x, double y, double exponent) {
+  x = std::abs(x);
+  y = std::abs(y);
+  const double p = 2 / exponent, larger = std::max(x, y);
+  if (p <= 1 || larger == 0) return larger;
+  const double dual = p / (p - 1);
+  return larger * std::pow(std::pow(x / larger, dual) + std::pow(y / larger, dual), 1 / dual);
+}
+
+double superellipsoid_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  return dual_norm(dual_norm(direction.x, direction.y, solid.radius_a), direction.z, solid.radius_b);
+}
+
+bool is_in_superellipsoid(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
+  const double e = solid.radius_a, n = solid.radius_b;
+  const double ring = std::pow(std::abs(point.x), 2 / e) + std::pow(std::abs(point.y), 2 / e);
+  return std::pow(ring, e / n) + std::pow(std::abs(point.z), 2 / n) <= 1;
+}
+
+double superellipsoid_size(const scene::Database&, const scene::Solid&) { return 1; }
+
+}  // namespace
+
+constinit const SolidType kinds::superellipsoid{.crossings = superellipsoid_crossings,
+                                                .normal = superellipsoid_normal,
+                                                .bounds = superellipsoid_bounds,
+                                                .support = superellipsoid_support,
+                                                .is_inside = is_in_superellipsoid,
+                                                .size = superellipsoid_size};
 
 }  // namespace isl::render

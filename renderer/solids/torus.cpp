@@ -12,7 +12,7 @@
 // the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
 // and a norm), goes to split_search.h.
 #include "renderer/numerics/polynomial_roots.h"
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
 
 #include <algorithm>
@@ -99,10 +99,8 @@ SplitNode spindle_node(const scene::Solid& solid, const Vec3& origin, const Vec3
   return node;
 }
 
-}  // namespace
-
-Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                          std::uint8_t start_part) noexcept {
+Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+                          const SolidDetails&) noexcept {
   Crossings result;
   const bool starts_on_surface = start_part == kSide;
   const Stretch stretch = stretch_of(solid, origin, direction, starts_on_surface);
@@ -137,7 +135,7 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
   return result;
 }
 
-Vec3 torus_normal(const scene::Solid& solid, const Vec3& point) noexcept {
+Vec3 torus_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
   const double rho = from_axis(point);
   // On the axis, which only a spindle's surface meets, every direction of its cone is as good: along the axis.
   if (rho == 0) return {0, point.y < 0 ? -1.0 : 1.0, 0};
@@ -147,10 +145,31 @@ Vec3 torus_normal(const scene::Solid& solid, const Vec3& point) noexcept {
   return length > 0 ? across / length : Vec3(0, 1, 0);
 }
 
-Box torus_bounds(const scene::Solid& solid) noexcept {
+Box torus_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
   const double reach = solid.radius_a + solid.radius_b;
   const Vec3 corner(reach, solid.radius_b, reach);
   return {-corner, corner};
 }
+
+double torus_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  return solid.radius_a * std::hypot(direction.x, direction.z) + solid.radius_b * direction.length();
+}
+
+bool is_in_torus(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
+  return std::hypot(std::hypot(point.x, point.z) - solid.radius_a, point.y) <= solid.radius_b;
+}
+
+Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
+  return torus_coordinates(point, solid.radius_a);
+}
+
+}  // namespace
+
+constinit const SolidType kinds::torus{.crossings = torus_crossings,
+                                       .normal = torus_normal,
+                                       .bounds = torus_bounds,
+                                       .support = torus_support,
+                                       .is_inside = is_in_torus,
+                                       .coordinates = coordinates};
 
 }  // namespace isl::render

@@ -4,7 +4,7 @@
 // (B × A)·d tells (Plücker coordinates). Swapping the ends of an edge gives exactly the opposite number, so that of two
 // triangles which share it a line that does not meet one meets the other: meshes have no cracks. A line within the
 // plane meets nothing.
-#include "renderer/solids/kinds.h"
+#include "renderer/solids/solid_type.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,9 @@ Vec3 across(const scene::Triangle& triangle) {
   return (triangle.corners[0] - triangle.corners[1]).cross(triangle.corners[2] - triangle.corners[1]);
 }
 
-}  // namespace
-
-Crossings triangle_crossings(const scene::Triangle& triangle, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part) noexcept {
+Crossings triangle_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                             std::uint8_t start_part, const SolidDetails& details) noexcept {
+  const scene::Triangle& triangle = details.triangles[solid.detail];
   Crossings result;
   if (start_part == kSide) return result;
   const Vec3 a = triangle.corners[0] - origin, b = triangle.corners[1] - origin, c = triangle.corners[2] - origin;
@@ -37,22 +36,53 @@ Crossings triangle_crossings(const scene::Triangle& triangle, const Vec3& origin
   return result;
 }
 
-Vec3 triangle_normal(const scene::Triangle& triangle) noexcept { return across(triangle).normalized(); }
+Vec3 triangle_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails& details) noexcept {
+  return across(details.triangles[solid.detail]).normalized();
+}
 
 /// The corners' normals, weighted by the areas between the point and the opposite edges.
-Vec3 smooth_normal(const scene::Triangle& triangle, const Vec3& point) noexcept {
+Vec3 smooth_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails& details) noexcept {
+  const scene::Triangle& triangle = details.triangles[solid.detail];
   const Vec3 normal = across(triangle);
   const Vec3 a = triangle.corners[0] - point, b = triangle.corners[1] - point, c = triangle.corners[2] - point;
   const Vec3 sum = triangle.normals[0] * c.cross(b).dot(normal) + triangle.normals[1] * a.cross(c).dot(normal) +
                    triangle.normals[2] * b.cross(a).dot(normal);
   const double length = sum.length();
-  return length > 0 ? sum / length : triangle_normal(triangle);
+  return length > 0 ? sum / length : normal.normalized();
 }
 
-Box triangle_bounds(const scene::Triangle& triangle) noexcept {
+Box triangle_bounds(const scene::Solid& solid, const SolidDetails& details) noexcept {
   Box box;
-  for (const Vec3& corner : triangle.corners) box.extendBy(corner);
+  for (const Vec3& corner : details.triangles[solid.detail].corners) box.extendBy(corner);
   return box;
 }
+
+double triangle_support(const scene::Database& database, const scene::Solid& solid, const Vec3& direction) {
+  return farthest(database.triangles[solid.detail].corners, direction);
+}
+
+double triangle_size(const scene::Database& database, const scene::Solid& solid) {
+  double size = 0;
+  for (const Vec3& corner : database.triangles[solid.detail].corners) size = std::max(size, largest(corner));
+  return size;
+}
+
+constexpr SolidType kTriangle{.crossings = triangle_crossings,
+                              .is_sheet = always_sheet,
+                              .normal = triangle_normal,
+                              .bounds = triangle_bounds,
+                              .support = triangle_support,
+                              .is_inside = never_inside,
+                              .size = triangle_size};
+
+constexpr SolidType smooth(SolidType type) {
+  type.shading_normal = smooth_normal;
+  return type;
+}
+
+}  // namespace
+
+constinit const SolidType kinds::triangle = kTriangle;
+constinit const SolidType kinds::smooth_triangle = smooth(kTriangle);
 
 }  // namespace isl::render

@@ -1,6 +1,5 @@
 #include "renderer/trace/face.h"
 
-#include "renderer/solids/polynomial_terms.h"
 #include "renderer/solids/solid.h"
 
 namespace isl::render {
@@ -25,7 +24,7 @@ Vec3 normal_of(const CompiledScene& scene, const Shape& shape, const SurfacePiec
   }
   const scene::Solid& solid = scene.solids[shape.index];
   // The missing cap of a tube has none that the solid tells; a disc's plane has.
-  if (piece.part == kUnseen && solid.kind != scene::SolidKind::disc) return Vec3(0);
+  if (piece.part == kUnseen && !is_part_of_plane(solid)) return Vec3(0);
   return normal_at(solid, piece.part, point, scene.details);
 }
 
@@ -35,10 +34,8 @@ Face face_of_shape(const CompiledScene& scene, const Shape& shape, const Surface
   const Vec3 normal = normal_of(scene, shape, piece, point, gradient);
   const Vec3 error = reach + Vec3(shape.size);
   double across = normal == Vec3(0) ? error.length() : absolute(normal).dot(error);
-  if (shape.kind == Object::Kind::solid && scene::is_polynomial(scene.solids[shape.index].kind)) {
-    // Its terms cancel, and near a singular point they leave little slope.
-    across += terms_over_gradient(scene.details.polynomials[scene.solids[shape.index].detail], point);
-  }
+  // The terms of a polynomial cancel, and near a singular point they leave little slope.
+  if (shape.kind == Object::Kind::solid) across += terms_over_gradient(scene.solids[shape.index], point, scene.details);
   return {normal, kRounding * across};
 }
 

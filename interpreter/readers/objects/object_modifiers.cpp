@@ -16,7 +16,6 @@ namespace {
 
 using scene::Object;
 using scene::ObjectItem;
-using scene::SolidKind;
 namespace word = grammar::word;
 
 void move(ObjectDraft& draft, const scene::Transform& transform) {
@@ -73,8 +72,7 @@ const scene::Group* group_of(const ElementStream& stream, const ObjectDraft& dra
 bool takes_sturm(const ElementStream& stream, const ObjectDraft& draft) {
   if (draft.object.kind == Object::Kind::blob) return true;
   if (draft.object.kind != Object::Kind::solid || draft.object.shape == scene::kNone) return false;
-  const SolidKind kind = stream.context().database.solids[draft.object.shape].kind;
-  return kind == SolidKind::torus || (scene::is_polynomial(kind) && kind != SolidKind::quadric);
+  return scene::traits_of(stream.context().database.solids[draft.object.shape].kind).takes_sturm;
 }
 
 bool takes_cutaway_textures(const ElementStream& stream, const ObjectDraft& draft) {

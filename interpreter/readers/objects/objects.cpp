@@ -20,21 +20,8 @@ struct ObjectReader {
 
 constexpr ObjectReader kReaders[] = {
     {word::kw_blob, read_blob},
-    {word::kw_sphere, read_sphere},
-    {word::kw_cylinder, read_cylinder},
-    {word::kw_cone, read_cone},
-    {word::kw_plane, read_plane},
-    {word::kw_box, read_box},
-    {word::kw_torus, read_torus},
-    {word::kw_disc, read_disc},
-    {word::kw_superellipsoid, read_superellipsoid},
-    {word::kw_quadric, read_quadric},
-    {word::kw_cubic, read_cubic},
-    {word::kw_quartic, read_quartic},
-    {word::kw_poly, read_poly},
-    {word::kw_triangle, read_triangle},
-    {word::kw_smooth_triangle, read_smooth_triangle},
-    {word::kw_polygon, read_polygon},
+#define ISL_SOLID(solid, ...) {word::kw_##solid, read_##solid},
+#include "renderer/scene/solids.def"
     {word::kw_union, read_csg},
     {word::kw_merge, read_csg},
     {word::kw_intersection, read_csg},

@@ -45,21 +45,8 @@ void set_group(ElementStream& stream, ObjectDraft& draft, scene::Group group);
 
 // ---- Readers of geometry, one a row of the table: each reads up to the first modifier -------------------------------
 
-void read_sphere(ElementStream& stream, ObjectDraft& draft);
-void read_cylinder(ElementStream& stream, ObjectDraft& draft);
-void read_cone(ElementStream& stream, ObjectDraft& draft);
-void read_plane(ElementStream& stream, ObjectDraft& draft);
-void read_box(ElementStream& stream, ObjectDraft& draft);
-void read_torus(ElementStream& stream, ObjectDraft& draft);
-void read_disc(ElementStream& stream, ObjectDraft& draft);
-void read_superellipsoid(ElementStream& stream, ObjectDraft& draft);
-void read_quadric(ElementStream& stream, ObjectDraft& draft);
-void read_cubic(ElementStream& stream, ObjectDraft& draft);
-void read_quartic(ElementStream& stream, ObjectDraft& draft);
-void read_poly(ElementStream& stream, ObjectDraft& draft);
-void read_triangle(ElementStream& stream, ObjectDraft& draft);
-void read_smooth_triangle(ElementStream& stream, ObjectDraft& draft);
-void read_polygon(ElementStream& stream, ObjectDraft& draft);
+#define ISL_SOLID(word, ...) void read_##word(ElementStream& stream, ObjectDraft& draft);
+#include "renderer/scene/solids.def"
 void read_blob(ElementStream& stream, ObjectDraft& draft);
 void read_csg(ElementStream& stream, ObjectDraft& draft);
 void read_any_object(ElementStream& stream, ObjectDraft& draft);

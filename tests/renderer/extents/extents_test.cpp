@@ -1,7 +1,7 @@
 // Extents, compared with points of the surfaces and with the extents that POV-Ray 3.7 prints.
 #include "renderer/extents/extents.h"
 
-#include "renderer/extents/solid_support.h"
+#include "renderer/solids/solid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,70 @@
+// What each kind of solid says of itself: one record of functions, defined in the file of the kind. solid.cpp calls
+// them by Solid::kind; everyone else includes solid.h, which has their contracts.
+#pragma once
+
+#include "renderer/solids/solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace isl::render {
+
+/// The surface of a solid that has only one, and the side of a cylinder or cone.
+inline constexpr std::uint8_t kSide = 0;
+
+/// Members without a default are required. Functions get what solid.h says; `details` and `database` are those that the
+/// solid is part of, for what Solid::detail indexes.
+struct SolidType {
+  using CrossingsAlong = Crossings (*)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
+                                       std::uint8_t start_part, const SolidDetails& details) noexcept;
+  using NormalAt = Vec3 (*)(const scene::Solid&, std::uint8_t part, const Vec3& point,
+                            const SolidDetails& details) noexcept;
+
+  CrossingsAlong crossings = nullptr;
+  CrossingsAlong boundary = crossings;
+  bool (*is_sheet)(const scene::Solid&) noexcept = [](const scene::Solid&) noexcept { return false; };
+  NormalAt normal = nullptr;
+  NormalAt shading_normal = normal;
+  Box (*bounds)(const scene::Solid&, const SolidDetails& details) noexcept = nullptr;
+  double (*support)(const scene::Database&, const scene::Solid&, const Vec3& direction) = nullptr;
+  bool (*is_inside)(const scene::Database&, const scene::Solid&, const Vec3& point) = nullptr;
+  double (*size)(const scene::Database&, const scene::Solid&) = size_of_members;
+  double (*terms_over_gradient)(const scene::Solid&, const Vec3& point, const SolidDetails& details) noexcept =
+      [](const scene::Solid&, const Vec3&, const SolidDetails&) noexcept { return 0.0; };
+  Coordinates (*coordinates)(const scene::Solid&, const Vec3& point, const Vec3& world) noexcept =
+      [](const scene::Solid&, const Vec3&, const Vec3& world) noexcept {
+        return Coordinates{world.x, world.y};
+      };
+  bool is_part_of_plane = false;
+
+  static double size_of_members(const scene::Database&, const scene::Solid& solid);
+};
+
+namespace kinds {
+#define ISL_SOLID(word, ...) extern const SolidType word;
+#include "renderer/scene/solids.def"
+}  // namespace kinds
+
+/// For sheets.
+[[nodiscard]] inline bool always_sheet(const scene::Solid&) noexcept { return true; }
+[[nodiscard]] inline bool never_inside(const scene::Database&, const scene::Solid&, const Vec3&) { return false; }
+
+/// The largest coordinate.
+[[nodiscard]] inline double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// How far along `direction` a disc of radius one reaches across the unit vector `axis`: the part of `direction` across
+/// it.
+[[nodiscard]] inline double reach_across(const Vec3& direction, const Vec3& axis) {
+  return (direction - axis * direction.dot(axis)).length();
+}
+
+/// How far along `direction` the farthest of the points is.
+[[nodiscard]] inline double farthest(std::span<const Vec3> points, const Vec3& direction) {
+  double result = -std::numeric_limits<double>::infinity();
+  for (const Vec3& point : points) result = std::max(result, direction.dot(point));
+  return result;
+}
+
+}  // namespace isl::render
