@@ -1,4 +1,4 @@
-// The solids of a few numbers: sphere, cylinder, cone, plane, box, torus, disc, superellipsoid.
+// The solids of a few numbers: sphere, cylinder, cone, plane, box, torus, ovus, disc, superellipsoid.
 #include "interpreter/expressions.h"
 #include "interpreter/readers/objects/solid_draft.h"
 #include "interpreter/readers/words/arguments.h"
@@ -20,6 +20,15 @@ bool read_open(ElementStream& stream) {
   if (!stream.peek().is_word(word::kw_open)) return false;
   stream.drop();
   return true;
+}
+
+/// As in POV-Ray, a negative radius is a mistake here.
+double read_radius_from_zero(ElementStream& stream, std::string_view what) {
+  const SourceSpan span = stream.peek().span;
+  const double radius = read_number(stream, what);
+  if (!(radius >= 0 && std::isfinite(radius)))
+    stream.context().fail(span, fmt::format("{} is finite and at least 0, found {:g}", what, radius));
+  return radius;
 }
 
 void check_ends(ElementStream& stream, const Vec3& a, const Vec3& b) {
@@ -101,6 +110,24 @@ void read_torus(ElementStream& stream, ObjectDraft& draft) {
   stream.accept_comma();
   solid.radius_b = read_radius(stream, "the minor radius of the torus");
   if (solid.radius_b == 0) return leave_out(stream, draft, "this torus has the minor radius 0");
+  add_solid(stream, draft, solid);
+}
+
+void read_ovus(ElementStream& stream, ObjectDraft& draft) {
+  if (read_copy(stream, draft)) return;
+  Solid solid{.kind = SolidKind::ovus};
+  solid.radius_a = read_radius_from_zero(stream, "the bottom radius of an ovus");
+  stream.accept_comma();
+  solid.radius_b = read_radius_from_zero(stream, "the top radius of an ovus");
+  const double bottom = solid.radius_a, top = solid.radius_b;
+  if (bottom == 0 && top == 0) return leave_out(stream, draft, "this ovus has the radius 0");
+  if (top >= 2 * bottom) {  // its sphere would hold all the rest
+    stream.context().warn(
+        stream.span(), fmt::format("this ovus has a top radius of {:g}, which is not below twice its bottom radius of "
+                                   "{:g}; it becomes a sphere",
+                                   top, bottom));
+    solid = {.kind = SolidKind::sphere, .a = {0, bottom, 0}, .radius_a = top};
+  }
   add_solid(stream, draft, solid);
 }
 

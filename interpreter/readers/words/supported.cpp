@@ -16,7 +16,6 @@ constexpr auto kObjects = std::to_array<grammar::Symbol>({
     kw_lathe,
     kw_mesh,
     kw_mesh2,
-    kw_ovus,
     kw_parametric,
     kw_prism,
     kw_sor,

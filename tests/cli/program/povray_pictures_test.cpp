@@ -51,6 +51,11 @@ TEST_F(PovrayPictures, OfSolidsAgreeButForOutlines) {
   EXPECT_LT(share_that_differs("solids.isl"), 0.003);
 }
 
+TEST_F(PovrayPictures, OfEggsAgreeButForOutlines) {
+  if (!has_povray()) GTEST_SKIP() << "povray is not installed";
+  EXPECT_LT(share_that_differs("ovus.isl"), 0.003);
+}
+
 TEST_F(PovrayPictures, OfPatternsOnSurfacesAgreeButForOutlines) {
   if (!has_povray()) GTEST_SKIP() << "povray is not installed";
   EXPECT_LT(share_that_differs("uv_solids.isl"), 0.003);

@@ -52,3 +52,26 @@ Say3("lowest of a moved one", min_extent(Moved)) Say3("highest of a moved one", 
 #declare Turned = object { Cube rotate 90*z }
 Say3("lowest of a turned one", min_extent(Turned)) Say3("highest of a turned one", max_extent(Turned))
 Say3("lowest of two", min_extent(Pair)) Say3("highest of two", max_extent(Pair))
+#declare Egg = ovus { 1, 0.6 }
+#declare Onion = ovus { 0.6, 1 sturm }
+#declare Drop = ovus { 1, 0.1 }
+#declare Ball2 = ovus { 1, 2.5 }
+Hit("ovus at its bottom sphere", Egg, <-5, -0.6, 0.2>, x)
+Hit("ovus between its spheres", Egg, <-5, 0.9, 0.1>, x)
+Hit("ovus at its top sphere", Egg, <-5, 1.5, 0.1>, x)
+Hit("ovus from above", Egg, <0, 9, 0>, -y)
+Hit("ovus from below", Egg, <0, -9, 0>, y)
+Hit("ovus from within", Egg, <0, 0.5, 0>, <1, 2, 3>)
+Hit("ovus aslant", Egg, <-5, -4, -6>, <1, 1, 1.2>)
+Hit("ovus missed", Egg, <-5, 1.5, 0.5>, x)
+Hit("onion at its bottom sphere", Onion, <-5, -0.5, 0.2>, x)
+Hit("onion between its spheres", Onion, <-5, 0, 0.1>, x)
+Hit("onion at its top sphere", Onion, <-5, 1.2, 0.1>, x)
+Hit("drop near its tip", Drop, <-5, 1.05, 0.03>, x)
+Hit("drop between its spheres", Drop, <-5, 1.0, 0.03>, x)
+Hit("ovus that is a sphere", Ball2, <-5, 0.5, 0.1>, x)
+#macro InOvus(P) Say3("in ovus", <inside(Egg, P), inside(Onion, P), inside(Drop, P)>) #end
+InOvus(<0, 0, 0>) InOvus(<0, -0.99, 0>) InOvus(<0, -1.01, 0>) InOvus(<0, 1.59, 0>) InOvus(<0, 1.61, 0>) InOvus(<0, 1.09, 0>)
+InOvus(<0.7, 0.9, 0>) InOvus(<0.8, 0.9, 0>) InOvus(<0.99, 0, 0>) InOvus(<0.9, 1, 0>) InOvus(<0.5, -0.4, 0>) InOvus(<0, -0.58, 0>)
+Say("an ovus holds none of its surface", inside(Egg, <0, -1, 0>) + inside(Egg, <0, 1.6, 0>))
+Say3("lowest of an ovus", min_extent(Egg)) Say3("highest of an ovus", max_extent(Egg))

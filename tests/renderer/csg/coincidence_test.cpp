@@ -74,8 +74,8 @@ scene::Solid solid_of(scene::SolidKind kind) {
   return solid;
 }
 
-constexpr scene::SolidKind kKinds[] = {scene::SolidKind::box, scene::SolidKind::sphere, scene::SolidKind::cylinder,
-                                       scene::SolidKind::cone, scene::SolidKind::torus};
+constexpr scene::SolidKind kKinds[] = {scene::SolidKind::box,  scene::SolidKind::sphere, scene::SolidKind::cylinder,
+                                       scene::SolidKind::cone, scene::SolidKind::torus,  scene::SolidKind::ovus};
 
 TEST(Coincidence, of_a_solid_with_itself_leaves_nothing_of_a_difference) {
   for (const scene::SolidKind kind : kKinds) {

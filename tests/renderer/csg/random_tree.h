@@ -27,8 +27,9 @@ inline Object random_leaf(CsgScene& scene, Random& random) {
     const WholeSolid whole = random_whole(random, scene::SolidKind::quadric);
     return scene.algebraic(whole.polynomial);
   }
-  const scene::SolidKind kinds[] = {scene::SolidKind::box, scene::SolidKind::torus, scene::SolidKind::superellipsoid};
-  return scene.solid(random_whole(random, kinds[static_cast<int>(random.uniform(0, 3))]).solid);
+  const scene::SolidKind kinds[] = {scene::SolidKind::box, scene::SolidKind::torus, scene::SolidKind::superellipsoid,
+                                    scene::SolidKind::ovus};
+  return scene.solid(random_whole(random, kinds[static_cast<int>(random.uniform(0, 4))]).solid);
 }
 
 /// A random expression. `unite` occurs only if `with_inner`, which keeps its inner surfaces.

@@ -48,6 +48,17 @@ inline Real membership(const WholeSolid& whole, const RealVec& p) {
     case scene::SolidKind::torus:
       return std::hypot(std::hypot(p.x, p.z) - static_cast<Real>(solid.radius_a), p.y) -
              static_cast<Real>(solid.radius_b);
+    case scene::SolidKind::ovus: {
+      const Real b = solid.radius_a, t = solid.radius_b, c = 2 * std::max(b, t);
+      // The centre of the middle arc, (-h, v), is c - b away from (0, 0) and c - t away from (0, b).
+      const Real v = ((c - b) * (c - b) - (c - t) * (c - t) + b * b) / (2 * b);
+      const Real h = std::sqrt(std::max<Real>(0, (c - b) * (c - b) - v * v));
+      const Real rho = std::hypot(p.x, p.z), x = rho + h, y = p.y - v;
+      // Seen from there, what lies beyond the line through a sphere's centre is nearest to that sphere.
+      if (h * y < -v * x) return std::hypot(rho, p.y) - b;
+      if (h * y > (b - v) * x) return std::hypot(rho, p.y - b) - t;
+      return std::hypot(x, y) - c;
+    }
     case scene::SolidKind::superellipsoid: {
       const Real e = 2 / static_cast<Real>(solid.radius_a), n = 2 / static_cast<Real>(solid.radius_b);
       const Real ring = std::pow(std::pow(std::abs(p.x), e) + std::pow(std::abs(p.y), e), 1 / e);
@@ -83,6 +94,14 @@ inline WholeSolid random_whole(Random& random, scene::SolidKind kind) {
       // Rings from thin to fat ones, and spindles.
       whole.solid.radius_b = whole.solid.radius_a * std::exp2(random.uniform(-8, 1.5));
       break;
+    case scene::SolidKind::ovus: {
+      whole.solid.radius_a = random.uniform(0.2, 0.6);
+      // All the way from the sphere at the bottom to the sphere at the top, and nearly these.
+      const double form = random.uniform(0, 6), little = std::exp2(random.uniform(-40, -1));
+      const double ratio = form < 1 ? little : form < 2 ? 2 - little : random.uniform(0, 2);
+      whole.solid.radius_b = whole.solid.radius_a * ratio;
+      break;
+    }
     case scene::SolidKind::superellipsoid:
       whole.solid.radius_a = std::exp2(random.uniform(-5, 2.5));
       whole.solid.radius_b = std::exp2(random.uniform(-5, 2.5));
@@ -107,8 +126,7 @@ inline WholeSolid random_whole(Random& random, scene::SolidKind kind) {
 }
 
 inline constexpr scene::SolidKind kWholeKinds[] = {
-    scene::SolidKind::box,     scene::SolidKind::torus, scene::SolidKind::superellipsoid,
-    scene::SolidKind::quadric, scene::SolidKind::cubic, scene::SolidKind::quartic,
-    scene::SolidKind::poly};
+    scene::SolidKind::box,     scene::SolidKind::torus, scene::SolidKind::superellipsoid, scene::SolidKind::ovus,
+    scene::SolidKind::quadric, scene::SolidKind::cubic, scene::SolidKind::quartic,        scene::SolidKind::poly};
 
 }  // namespace isl::render::test

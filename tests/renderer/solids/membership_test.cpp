@@ -1,4 +1,4 @@
-// Box, torus, superellipsoid and polynomials: along random lines inside and outside alternate exactly where the
+// Box, torus, superellipsoid, ovus and polynomials: along random lines inside and outside alternate exactly where the
 // crossings say, from near and far; normals are gradients; rays from a surface neither meet it again nor lose it; boxes
 // hold.
 #include "tests/renderer/solids/membership.h"
@@ -282,6 +282,7 @@ TEST(RaysFromASurface, of_a_torus_keep_their_side) { expect_no_acne_and_no_leak(
 TEST(RaysFromASurface, of_a_superellipsoid_keep_their_side) {
   expect_no_acne_and_no_leak(SolidKind::superellipsoid, 10000, 43);
 }
+TEST(RaysFromASurface, of_an_ovus_keep_their_side) { expect_no_acne_and_no_leak(SolidKind::ovus, 10000, 48); }
 TEST(RaysFromASurface, of_a_quadric_keep_their_side) { expect_no_acne_and_no_leak(SolidKind::quadric, 10000, 44); }
 TEST(RaysFromASurface, of_a_cubic_keep_their_side) { expect_no_acne_and_no_leak(SolidKind::cubic, 10000, 45); }
 TEST(RaysFromASurface, of_a_quartic_keep_their_side) { expect_no_acne_and_no_leak(SolidKind::quartic, 10000, 46); }
