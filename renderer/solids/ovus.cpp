@@ -110,16 +110,10 @@ struct Stretch {
   }
 };
 
-/// A power of two that makes the egg's size about one, so that squares of coordinates neither overflow nor vanish while
-/// no digit changes. It is a finite number for every size.
-double unit_of(const scene::Solid& solid) {
-  return std::ldexp(1.0, std::clamp(-std::ilogb(std::max(solid.radius_a, solid.radius_b)), -1000, 1000));
-}
-
 Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, const Vec3& given_direction,
                          std::uint8_t start_part, const SolidDetails&) noexcept {
   Crossings result;
-  const double unit = unit_of(solid);
+  const double unit = unit_of(std::max(solid.radius_a, solid.radius_b));
   const Vec3 origin = given_origin * unit, direction = given_direction * unit;
   const Egg egg(solid.radius_a * unit, solid.radius_b * unit);
   const double widest = egg.widest(), extent = std::max(widest, egg.highest());

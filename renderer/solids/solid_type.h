@@ -54,6 +54,10 @@ namespace kinds {
 /// The largest coordinate.
 [[nodiscard]] inline double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+/// A power of two that makes the size about one, so that squares of coordinates neither overflow nor vanish while no
+/// digit changes. It is finite and above zero for every size that is not zero.
+[[nodiscard]] inline double unit_of(double size) { return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000)); }
+
 /// How far along `direction` a disc of radius one reaches across the unit vector `axis`: the part of `direction` across
 /// it.
 [[nodiscard]] inline double reach_across(const Vec3& direction, const Vec3& axis) {

@@ -110,8 +110,14 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
   const int sign = stretch.comes_from_outside ? 1 : 0;
   int last = 0;
   if (solid.radius_b > solid.radius_a) {
+    // Squares that overflow would leave slopes that are no numbers, of which the search never gets rid.
+    const double unit = unit_of(solid.radius_b);
+    scene::Solid small = solid;
+    small.radius_a *= unit;
+    small.radius_b *= unit;
+    const Vec3 small_begin = begin * unit, small_direction = direction * unit;
     SplitSearch search(sign);
-    search.follow([&](double t) { return spindle_node(solid, begin, direction, t); }, 0, length, 1, 1,
+    search.follow([&](double t) { return spindle_node(small, small_begin, small_direction, t); }, 0, length, 1, 1,
                   starts_on_surface, [&](double t) { result.add(stretch.from + t, kSide); });
     last = search.sign();
   } else {

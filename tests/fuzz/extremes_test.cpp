@@ -24,6 +24,7 @@ constexpr const char* kObjects[] = {
     "cone {{ 0, {0}, y, 1 }}",
     "torus {{ {0}, 1 }}",
     "torus {{ 1, {0} }}",
+    "torus {{ {0}, 1.2*{0} }}",
     "ovus {{ {0}, 1 }}",
     "ovus {{ 1, {0} }}",
     "ovus {{ {0}, {0} }}",
