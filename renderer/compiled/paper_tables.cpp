@@ -27,7 +27,7 @@ PaperTables make_paper_tables(const ComponentTable& table, bool iso) {
       profile[static_cast<std::size_t>(i)] =
           kernel_profile(group.kernel, group.kernel.support * i / PaperTables::kSteps);
     }
-    if (!iso || group.skeleton == scene::Skeleton::plane || group.skeleton == scene::Skeleton::sheet) continue;
+    if (!iso || scene::is_endless(group.skeleton)) continue;
     std::map<double, IsoLevel> known;  // of components of a kind there are few strengths
     for (std::uint32_t item = group.begin; item < group.end; ++item) {
       const auto [level, is_new] = known.try_emplace(table.amplitude[item]);

@@ -30,13 +30,13 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
 /// An integral along nothing.
 bool is_void(const scene::Database& database, const scene::Component& c) {
   const scene::FieldMode mode = database.kernels[scene::index(c.kernel)].mode;
-  return mode == scene::FieldMode::convolution && has_ends(c.skeleton) && c.a == c.b;
+  return mode == scene::FieldMode::convolution && has(c.skeleton, scene::kEndB) && c.a == c.b;
 }
 
-/// A component in blob space (similarities of points and limbs, and every map of what has no end, baked in), before sorting.
+/// A component in blob space, with the maps that its record takes baked in, before sorting.
 struct Prepared {
   scene::Component component;
-  Vec3 third_corner;  ///< of a triangle: its number depends on the order in which a scene names them
+  Vec3 third_corner;  ///< of what has one: its number depends on the order in which a scene names them
   std::uint32_t source;
   std::uint64_t morton = 0;
 
@@ -53,7 +53,7 @@ auto parameters(const Prepared& p) {
 Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::uint32_t source) {
   Prepared p{simplified(blob.components[source]), Vec3(0), source};
   scene::Component& c = p.component;
-  if (c.skeleton == scene::Skeleton::triangle) p.third_corner = blob.corners[c.corner];
+  if (has(c.skeleton, scene::kCorner)) p.third_corner = blob.corners[c.corner];
   if (!p.is_mapped()) return p;
   const scene::Transform& transform = database.transforms[scene::index(c.transform)];
   if (scene::is_endless(c.skeleton)) {
@@ -65,7 +65,7 @@ Prepared prepare(const scene::Database& database, const scene::Blob& blob, std::
     c.transform = scene::kIdentity;
     return p;
   }
-  if (c.skeleton != scene::Skeleton::point && !has_ends(c.skeleton)) return p;
+  if (!has(c.skeleton, scene::kTakesSimilarities)) return p;
   if (const auto factor = similarity_factor(transform.matrix)) {
     c.a = transform.point(c.a);
     c.b = transform.point(c.b);

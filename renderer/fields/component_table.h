@@ -67,11 +67,12 @@ struct ComponentTable {
   [[nodiscard]] static double support_root(const FieldGroup& group) {
     return std::sqrt(group.kernel.support / v_scale(group));
   }
-  /// What `use` makes of the half-space or the sheet.
+  /// What `use` makes of the component's skeleton, which has no end.
   template <class Use>
   auto with_endless(const FieldGroup& group, std::uint32_t component, const Use& use) const {
-    if (group.skeleton == scene::Skeleton::plane) return use(shape<HalfSpace>(group, component));
-    return use(shape<Sheet>(group, component));
+    return with_endless_type(group.skeleton, [&](auto type) {
+      return use(shape<typename decltype(type)::type>(group, component));
+    });
   }
   /// What `use` makes of the component's skeleton, in its own space.
   template <class Use>

@@ -6,12 +6,6 @@
 namespace isl::render {
 namespace {
 
-template <class Shape>
-double thinnest(const Shape& shape) {
-  return shape.thickest();
-}
-double thinnest(const Cone& cone) { return std::min(cone.radius, cone.radius_at(cone.length)); }
-
 double frobenius_norm(const scene::Matrix& m) {
   double sum = 0;
   for (int row = 0; row < 3; ++row) {

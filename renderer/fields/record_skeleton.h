@@ -7,18 +7,14 @@
 
 namespace isl::render {
 
-[[nodiscard]] inline bool has_ends(scene::Skeleton skeleton) {
-  return skeleton == scene::Skeleton::segment || skeleton == scene::Skeleton::cone;
-}
-
 /// A component without what does not matter to it; without length it is a point.
 [[nodiscard]] inline scene::Component simplified(scene::Component c) {
-  if (has_ends(c.skeleton) && c.a == c.b) {
-    if (c.skeleton == scene::Skeleton::cone) c.radius_a = std::max(c.radius_a, c.radius_b);
+  if (has(c.skeleton, scene::kEndB) && c.a == c.b) {
+    if (has(c.skeleton, scene::kRadiusB)) c.radius_a = std::max(c.radius_a, c.radius_b);
     c.skeleton = scene::Skeleton::point;
   }
-  if (c.skeleton == scene::Skeleton::point) c.b = c.a;
-  if (c.skeleton == scene::Skeleton::point || c.skeleton == scene::Skeleton::segment) c.radius_b = c.radius_a;
+  if (!has_b(c.skeleton)) c.b = c.a;
+  if (!has(c.skeleton, scene::kRadiusB)) c.radius_b = c.radius_a;
   return c;
 }
 

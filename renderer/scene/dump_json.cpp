@@ -102,10 +102,10 @@ class Writer {
 
   [[nodiscard]] Json component(const Blob& b, const Component& c, OriginId origin) const {
     Json json = {{"skeleton", name(kSkeletonWords, c.skeleton)}, {"a", vector(c.a)}};
-    if (c.skeleton != Skeleton::point) json["b"] = vector(c.b);
-    if (c.skeleton == Skeleton::triangle) json["c"] = vector(b.corners[c.corner]);
+    if (has_b(c.skeleton)) json["b"] = vector(c.b);
+    if (has(c.skeleton, kCorner)) json["c"] = vector(b.corners[c.corner]);
     json["radius"] = c.radius_a;
-    if (c.skeleton == Skeleton::cone || c.skeleton == Skeleton::circle) json["radius_b"] = c.radius_b;
+    if (has(c.skeleton, kRadiusB)) json["radius_b"] = c.radius_b;
     json["strength"] = c.strength;
     json["kernel"] = index(c.kernel);
     if (c.texture != kNoTexture) json["texture"] = index(c.texture);

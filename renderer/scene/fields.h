@@ -7,6 +7,7 @@
 #include "renderer/scene/transform.h"
 #include "renderer/scene/turn.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -31,10 +32,11 @@ inline constexpr std::string_view kKernelWords[] = {
 /// radius).
 enum class RadiusMeaning : std::uint8_t { surface, support };
 
-/// What a kernel is a function of. `distance`: the distance to the skeleton. The other two are of the shapes quartic and cauchy
-/// with the surface's radius. `convolution`: it is integrated along the skeleton (a segment or a circle), so that parts of a
-/// skeleton add up to the whole; a straight skeleton without end has φ(1) = 1 and φ′(1) = −hardness. `sheet`: it is
-/// integrated over a plane without end, with φ(1) = 1 and φ′(1) = −hardness; what comes of it is a function of the distance again.
+/// What a kernel is a function of. `distance`: the distance to the skeleton. The other two are of the shapes quartic
+/// and cauchy with the surface's radius. `convolution`: it is integrated along the skeleton (a segment or a circle), so
+/// that parts of a skeleton add up to the whole; a straight skeleton without end has φ(1) = 1 and φ′(1) = −hardness.
+/// `sheet`: it is integrated over a plane without end, with φ(1) = 1 and φ′(1) = −hardness; what comes of it is a
+/// function of the distance again.
 enum class FieldMode : std::uint8_t { distance, convolution, sheet };
 
 struct Kernel {
@@ -45,28 +47,45 @@ struct Kernel {
   friend bool operator==(const Kernel&, const Kernel&) = default;
 };
 
-/// point: a, radius_a. segment: a to b, radius_a. cone: a to b, radius_a at a and radius_b at b (a round cone: the
-/// union of the spheres whose centre and radius run linearly from one end to the other). box: between the corners a
-/// and b, radius_a. triangle: a, b and Blob::corners[corner], radius_a. circle: about the centre a and the unit axis b,
-/// of radius radius_b, with radius_a about it. plane: the half-space behind the plane through a across the unit vector b,
-/// with radius_a before it. sheet: that plane itself, with radius_a on both sides.
+/// What a component surrounds. The class of each says what its record means.
 enum class Skeleton : std::uint8_t {
-#define ISL_SKELETON(word, Type) word,
+#define ISL_SKELETON(word, Type, record) word,
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
 };
 
 /// What a dump calls each.
 inline constexpr std::string_view kSkeletonWords[] = {
-#define ISL_SKELETON(word, Type) #word,
+#define ISL_SKELETON(word, Type, record) #word,
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
 };
 
-/// Whether it reaches everywhere, in two directions at least.
-[[nodiscard]] constexpr bool is_endless(Skeleton skeleton) {
-  return skeleton == Skeleton::plane || skeleton == Skeleton::sheet;
+/// What the record of a component holds of its skeleton, besides the place `a` and the radius `radius_a`.
+enum SkeletonRecord : unsigned {
+  kPointB = 1 << 0,             ///< b is another point of it
+  kEndB = 1 << 1,               ///< b is a limb's other end; a limb without length is a point
+  kDirectionB = 1 << 2,         ///< b is a unit vector
+  kRadiusB = 1 << 3,            ///< radius_b is not radius_a
+  kCorner = 1 << 4,             ///< Blob::corners[corner] belongs to it
+  kTakesSimilarities = 1 << 5,  ///< a rotation, a mirror or an even scaling moves its record, and needs no transform
+  kEndless = 1 << 6,            ///< it reaches everywhere across the normal b; every affine map moves its record
+};
+
+inline constexpr unsigned kSkeletonRecords[] = {
+#define ISL_SKELETON(word, Type, record) record,
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+};
+
+/// Whether the record of the skeleton holds any of `parts`.
+[[nodiscard]] constexpr bool has(Skeleton skeleton, unsigned parts) {
+  return (kSkeletonRecords[static_cast<std::size_t>(skeleton)] & parts) != 0;
 }
+[[nodiscard]] constexpr bool has_b(Skeleton skeleton) { return has(skeleton, kPointB | kEndB | kDirectionB); }
+
+/// Whether it reaches everywhere, in two directions at least.
+[[nodiscard]] constexpr bool is_endless(Skeleton skeleton) { return has(skeleton, kEndless); }
 
 /// One field of a blob: f = strength · φ(squared distance / radius²), in the blob's space after `transform`.
 struct Component {
@@ -77,7 +96,7 @@ struct Component {
   TransformId transform = kIdentity;  ///< blob_from_component
   KernelId kernel{};
   Skeleton skeleton = Skeleton::point;
-  std::uint32_t corner = 0;  ///< triangle: the third one
+  std::uint32_t corner = 0;  ///< of what has one: its place in Blob::corners
 };
 
 }  // namespace isl::scene
@@ -100,17 +119,17 @@ struct Branch {
 struct Blob {
   double threshold = 1;
   GrowingArray<Component> components;
-  GrowingArray<OriginId> origins;  ///< cold: one a component
-  GrowingArray<Vec3> corners = {};  ///< third corners of triangles
+  GrowingArray<OriginId> origins;   ///< cold: one a component
+  GrowingArray<Vec3> corners = {};  ///< third points of what a and b are not enough for
   /// Empty where the blob is one sum. Else the first is the blob's own sum, and branch_of says for each component which
   /// one it is in.
   GrowingArray<Branch> branches = {};
   GrowingArray<std::uint32_t> branch_of = {};
   /// Empty where no component was turned. Else one a component: how, by what is baked into it; for its skeleton
-  /// coordinates alone, since its field does not know. Boxes, circles, triangles and planes are never turned so.
+  /// coordinates alone, since its field does not know. Only what takes similarities is turned so.
   GrowingArray<Turn> turns = {};
-  /// The skeleton model: the greatest of the fields instead of their sum, so that each component is the solid that it is
-  /// alone. Branches and what carves are left aside.
+  /// The skeleton model: the greatest of the fields instead of their sum, so that each component is the solid that it
+  /// is alone. Branches and what carves are left aside.
   bool is_skeleton = false;
 };
 

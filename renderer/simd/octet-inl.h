@@ -108,6 +108,7 @@ HWY_INLINE bool none(const OctetMask& m) {
 // These do the same for one number, so that one formula serves both.
 HWY_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
 HWY_INLINE double sqrt(double x) { return std::sqrt(x); }
+HWY_INLINE double abs(double x) { return std::abs(x); }
 
 /// Bit i is lane i.
 HWY_INLINE std::uint32_t bits(const OctetMask& m) {

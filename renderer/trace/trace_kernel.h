@@ -2,8 +2,8 @@
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"
-#include "renderer/fields/packet/packet_memory.h"
 #include "renderer/fields/point/blob_point.h"
+#include "renderer/fields/packet/ray_packet.h"
 #include "renderer/fields/ray/lane_memory.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/ray.h"

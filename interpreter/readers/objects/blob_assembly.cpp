@@ -15,13 +15,12 @@ using scene::Skeleton;
 
 /// The scale factor of a map that can be baked into the component's record; 0 if it cannot.
 double baked_factor(Skeleton skeleton, const scene::Transform& transform) {
-  const bool can_be = skeleton == Skeleton::point || skeleton == Skeleton::segment || skeleton == Skeleton::cone;
-  return can_be ? similarity_factor(transform.matrix) : 0;
+  return has(skeleton, scene::kTakesSimilarities) ? similarity_factor(transform.matrix) : 0;
 }
 
 scene::Turn bake(scene::Component& component, const scene::Transform& transform, double factor) {
   component.a = transform.point(component.a);
-  component.b = component.skeleton == Skeleton::point ? scene::Vec3(0) : transform.point(component.b);
+  component.b = has_b(component.skeleton) ? transform.point(component.b) : scene::Vec3(0);
   component.radius_a *= factor;
   component.radius_b *= factor;
   return scene::turn_of(transform.matrix);
@@ -98,7 +97,7 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
   std::unordered_map<std::uint32_t, scene::TransformId> moved_transforms;
   for (std::size_t i = 0; i < part.blob_.components.size(); ++i) {
     scene::Component component = part.blob_.components[i];
-    if (component.skeleton == Skeleton::triangle) component.corner += first_corner;
+    if (has(component.skeleton, scene::kCorner)) component.corner += first_corner;
     if (component.texture == scene::kNoTexture) {
       component.texture = texture;
     } else if (is_moved) {

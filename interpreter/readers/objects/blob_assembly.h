@@ -61,8 +61,8 @@ class BlobAssembly {
   std::vector<ThresholdOfPart> parts_;  ///< parts whose strengths wait for the blob's threshold
 };
 
-/// Moves a component. A similarity leaves a point, segment or cone of the same kind; any other map, and that of any
-/// other skeleton, is stored beside it. Returns the rotation that was baked into the component.
+/// Moves a component. A similarity moves the record of a skeleton that takes similarities; any other map, and that of
+/// any other skeleton, is stored beside it. Returns the rotation that was baked into the component.
 scene::Turn move(Context& context, scene::Component& component, const scene::Transform& blob_from_component);
 
 }  // namespace isl::interpreter

@@ -16,93 +16,106 @@ using scene::Skeleton;
 using scene::Vec3;
 namespace word = grammar::word;
 
-void check_apart(ElementStream& stream, const Vec3& a, const Vec3& b) {
-  if ((b - a).length() < kTolerance)
-    stream.context().fail(stream.span(), "both ends of the component are the same point");
-}
+/// A component that is being read.
+struct Reading {
+  ElementStream& stream;
+  Component& c;
+  scene::Blob& blob;  ///< takes what the record has no room for
+  SourceSpan span;    ///< of the component's block
+  bool is_convolved;
 
-void read_sphere(ElementStream& stream, Component& c, scene::Blob&) {
-  c.a = read_vector(stream, "a point");
-  stream.accept_comma();
-  c.radius_a = c.radius_b = read_positive(stream, "a radius");
-}
-
-void read_cylinder(ElementStream& stream, Component& c, scene::Blob&) {
-  c.skeleton = Skeleton::segment;
-  c.a = read_vector(stream, "a point");
-  stream.accept_comma();
-  c.b = read_vector(stream, "the second end");
-  stream.accept_comma();
-  c.radius_a = c.radius_b = read_positive(stream, "a radius");
-}
-
-void read_cone(ElementStream& stream, Component& c, scene::Blob&) {
-  c.skeleton = Skeleton::cone;
-  c.a = read_vector(stream, "a point");
-  stream.accept_comma();
-  c.radius_a = read_positive(stream, "the radius at the first end");
-  stream.accept_comma();
-  c.b = read_vector(stream, "the second end");
-  stream.accept_comma();
-  c.radius_b = read_positive(stream, "the radius at the second end");
-}
-
-void read_box(ElementStream& stream, Component& c, scene::Blob&) {
-  c.skeleton = Skeleton::box;
-  const Vec3 p = read_vector(stream, "a corner of the box");
-  stream.accept_comma();
-  const Vec3 q = read_vector(stream, "the opposite corner of the box");
-  stream.accept_comma();
-  for (int i = 0; i < 3; ++i) {
-    c.a[i] = std::min(p[i], q[i]);
-    c.b[i] = std::max(p[i], q[i]);
+  Vec3 point(const char* what) const { return with_comma(read_vector(stream, what)); }
+  Vec3 normal(const char* what) const { return with_comma(read_normal(stream, what)); }
+  double number(const char* what) const { return with_comma(read_number(stream, what)); }
+  double positive(const char* what) const { return with_comma(read_positive(stream, what)); }
+  /// The radius about the skeleton, which comes last.
+  void radius(const char* what) const { c.radius_a = c.radius_b = read_positive(stream, what); }
+  /// However short a segment, it has a convolution: its length is what counts.
+  void check_ends() const {
+    if (!is_convolved && (c.b - c.a).length() < kTolerance)
+      stream.context().fail(stream.span(), "both ends of the component are the same point");
   }
-  c.radius_a = c.radius_b = read_positive(stream, "a radius around the box");
+
+ private:
+  template <class Value>
+  Value with_comma(const Value& value) const {
+    stream.accept_comma();
+    return value;
+  }
+};
+
+void read_sphere(const Reading& r) {
+  r.c.a = r.point("a point");
+  r.radius("a radius");
+}
+
+void read_cylinder(const Reading& r) {
+  r.c.skeleton = Skeleton::segment;
+  r.c.a = r.point("a point");
+  r.c.b = r.point("the second end");
+  r.radius("a radius");
+  r.check_ends();
+}
+
+void read_cone(const Reading& r) {
+  r.c.skeleton = Skeleton::cone;
+  r.c.a = r.point("a point");
+  r.c.radius_a = r.positive("the radius at the first end");
+  r.c.b = r.point("the second end");
+  r.c.radius_b = read_positive(r.stream, "the radius at the second end");
+  r.check_ends();
+}
+
+void read_box(const Reading& r) {
+  r.c.skeleton = Skeleton::box;
+  const Vec3 p = r.point("a corner of the box"), q = r.point("the opposite corner of the box");
+  for (int i = 0; i < 3; ++i) {
+    r.c.a[i] = std::min(p[i], q[i]);
+    r.c.b[i] = std::max(p[i], q[i]);
+  }
+  r.radius("a radius around the box");
 }
 
 /// About the y axis, as POV-Ray's torus.
-void read_torus(ElementStream& stream, Component& c, scene::Blob&) {
-  c.skeleton = Skeleton::circle;
-  c.b = Vec3(0, 1, 0);
-  c.radius_b = read_positive(stream, "the major radius of the torus");
-  stream.accept_comma();
-  c.radius_a = read_positive(stream, "the minor radius of the torus");
+void read_torus(const Reading& r) {
+  r.c.skeleton = Skeleton::circle;
+  r.c.b = Vec3(0, 1, 0);
+  r.c.radius_b = r.positive("the major radius of the torus");
+  r.c.radius_a = read_positive(r.stream, "the minor radius of the torus");
+  if (r.c.radius_a < r.c.radius_b || r.is_convolved) return;
+  r.stream.context().warn(r.span, "this torus crosses its own axis, where its field has a crease",
+                          "keep the minor radius below the major one, or write `convolution on`, which has no crease");
 }
 
-void read_triangle(ElementStream& stream, Component& c, scene::Blob& blob) {
-  c.skeleton = Skeleton::triangle;
-  c.a = read_vector(stream, "a corner of the triangle");
-  stream.accept_comma();
-  c.b = read_vector(stream, "the second corner");
-  stream.accept_comma();
-  const Vec3 third = read_vector(stream, "the third corner");
-  stream.accept_comma();
-  c.radius_a = c.radius_b = read_positive(stream, "a radius around the triangle");
+void read_triangle(const Reading& r) {
+  r.c.skeleton = Skeleton::triangle;
+  r.c.a = r.point("a corner of the triangle");
+  r.c.b = r.point("the second corner");
+  const Vec3 third = r.point("the third corner");
+  r.radius("a radius around the triangle");
   // The sine of the angle at the first corner; rounding alone makes some 1e-16 of it.
-  const Vec3 ab = c.b - c.a, ac = third - c.a;
+  const Vec3 ab = r.c.b - r.c.a, ac = third - r.c.a;
   if (!(ab.cross(ac).length() > kTolerance * ab.length() * ac.length()) || !(ab.length() > 0 && ac.length() > 0)) {
-    stream.context().fail(stream.span(), "the corners of the triangle lie on one line",
-                          "use a `cylinder` for the segment between two points");
+    r.stream.context().fail(r.stream.span(), "the corners of the triangle lie on one line",
+                            "use a `cylinder` for the segment between two points");
   }
-  c.corner = static_cast<std::uint32_t>(blob.corners.size());
-  blob.corners.push_back(third);
+  r.c.corner = static_cast<std::uint32_t>(r.blob.corners.size());
+  r.blob.corners.push_back(third);
 }
 
-/// As in POV-Ray's plane the normal is normalised, and the distance is not scaled with it.
-void read_plane(ElementStream& stream, Component& c, scene::Blob&) {
-  c.skeleton = Skeleton::plane;
-  c.b = read_normal(stream, "the normal of the plane");
-  stream.accept_comma();
-  const double distance = read_number(stream, "the distance of the plane from the origin");
-  stream.accept_comma();
-  c.radius_a = c.radius_b = read_positive(stream, "a radius before the plane");
-  c.a = c.b * distance;
+/// As in POV-Ray's plane the normal is normalised, and the distance is not scaled with it. Of a half-space there is no
+/// convolution: the plane itself is the skeleton then.
+void read_plane(const Reading& r) {
+  r.c.skeleton = r.is_convolved ? Skeleton::sheet : Skeleton::plane;
+  r.c.b = r.normal("the normal of the plane");
+  r.c.a = r.c.b * r.number("the distance of the plane from the origin");
+  r.radius("a radius before the plane");
 }
 
 struct Row {
   grammar::Symbol word;
   bool needs_kernel, has_convolution;
-  void (*read)(ElementStream&, Component&, scene::Blob&);
+  void (*read)(const Reading&);
 };
 
 constexpr Row kRows[] = {
@@ -150,17 +163,7 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   const bool is_convolved = kernel && kernel->mode == scene::FieldMode::convolution;
   if (is_convolved) check_convolution(context, block, row, *kernel);
   Component component;
-  row.read(stream, component, blob);
-  // A half-space has no convolution: the plane itself is the skeleton.
-  if (is_convolved && component.skeleton == Skeleton::plane) component.skeleton = Skeleton::sheet;
-  const bool crosses_axis = component.skeleton == Skeleton::circle && component.radius_a >= component.radius_b;
-  if (crosses_axis && !is_convolved) {
-    context.warn(block.span, "this torus crosses its own axis, where its field has a crease",
-                 "keep the minor radius below the major one, or write `convolution on`, which has no crease");
-  }
-  // A segment of any length has a convolution, which depends on its length.
-  const bool has_ends = component.skeleton == Skeleton::segment || component.skeleton == Skeleton::cone;
-  if (has_ends && !is_convolved) check_apart(stream, component.a, component.b);
+  row.read({stream, component, blob, block.span, is_convolved});
   return component;
 }
 

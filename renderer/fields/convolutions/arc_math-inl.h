@@ -31,7 +31,6 @@ namespace HWY_NAMESPACE {
 // Beside octet-inl.h's, so that one formula serves a number and an octet.
 HWY_INLINE double min(double a, double b) { return std::min(a, b); }
 HWY_INLINE double max(double a, double b) { return std::max(a, b); }
-HWY_INLINE double abs(double x) { return std::abs(x); }
 HWY_INLINE double keep(bool condition, double x) { return condition ? x : 0; }
 
 inline constexpr double kPi = 3.14159265358979323846;

@@ -1,10 +1,10 @@
-// Eight convolved rings along a ray, in support radii: z = z₀ + z′t along the axis from the ring's centre, ρ² = n₀ + n₂(t −
-// tₙ)² from the axis.
+// Eight convolved rings along a ray, in support radii: z = z₀ + z′t along the axis from the ring's centre, ρ² = n₀ +
+// n₂(t − tₙ)² from the axis.
 //
 // With S = 1 − d² and a = 2Rρ (curve_integrals-inl.h) the support cuts the ring at an angle μ, sin²(μ/2) = S/2a, with
 //   W² = ρ² sin²μ = (S/R)(ρ − S/4R),
-// concave in S and rising with ρ, so its least value on a stretch is at a corner of their ranges; half the part within is
-// μ = 2 arcsin √σ ≤ 2√σ(1 + (π/2 − 1)σ), σ = S/2a (arcsin x/x is convex in x²). From its nearest point the squared
+// concave in S and rising with ρ, so its least value on a stretch is at a corner of their ranges; half the part within
+// is μ = 2 arcsin √σ ≤ 2√σ(1 + (π/2 − 1)σ), σ = S/2a (arcsin x/x is convex in x²). From its nearest point the squared
 // distance grows by 4Rρ sin²(φ/2) ≥ (4ρ/π²R)(Rφ)².
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
@@ -17,15 +17,33 @@
 #include "renderer/fields/convolutions/curve_remainder-inl.h"
 #include "renderer/fields/convolutions/ring_cauchy-inl.h"
 #include "renderer/fields/convolutions/ring_quartic-inl.h"
+#include "renderer/fields/skeletons/circle.h"
+#include "renderer/fields/skeletons/ray_form-inl.h"
+
+#include <array>
+#include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct RingLanes {
+  static constexpr std::size_t kAlong = 5, kShape = 1;
   Octet z0, dz;
   Octet n0, n2, middle;
   Octet ring_radius, amplitude;
+
+  template <class N>
+  [[nodiscard]] static HWY_INLINE std::array<N, kAlong> along(const Circle& ring, double per_unit,
+                                                              const Lines<N>& lines) {
+    const AboutAxis<N> line = about_axis(ring.centre, ring.axis, lines);
+    const N unit(per_unit), unit2 = unit * unit;
+    return {line.x0 * unit, line.dx * unit, line.n0 * unit2, line.n2 * unit2, line.middle};
+  }
+  [[nodiscard]] static std::array<double, kShape> shape(const Circle& ring, double unit) {
+    return {ring.ring_radius * unit};
+  }
+  static constexpr std::array<double, kAlong + kShape> kOutOfReach = {kFarAway, 1, 1, 0, 0, 1};
 
   /// |D|.
   [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dz * dz + n2); }
@@ -38,8 +56,7 @@ struct RingLanes {
     const RingIntegrals<Octet> f = integrate(window, view);
     const OctetMask active = view.distance2 < Octet(1.0);
     const Octet size = abs(amplitude), along = rise + z * dz;  // p·D
-    return {keep(active, amplitude * f.value),
-            keep(active, two * amplitude * (rise * f.radial - along * f.whole)),
+    return {keep(active, amplitude * f.value), keep(active, two * amplitude * (rise * f.radial - along * f.whole)),
             keep(active, size * f.value_terms),
             keep(active, two * size * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms))};
   }
@@ -62,16 +79,15 @@ struct RingLanes {
     const Octet sigma = min(one, s_high / max(four * ring_radius * r.rho_low, least));
     CurveStretch result;
     result.y_least = r.y_low;
-    result.length = two_pi_times(ring_radius) * min(one, Octet(2 / kPi) * sqrt(max(sigma, zero)) *
-                                                             (one + Octet(kPi / 2 - 1) * sigma));
+    result.length = two_pi_times(ring_radius) *
+                    min(one, Octet(2 / kPi) * sqrt(max(sigma, zero)) * (one + Octet(kPi / 2 - 1) * sigma));
     result.spread = Octet(kPi / 2) * sqrt(ring_radius / max(r.rho_low, least));
     result.speed2 = dz * dz + n2;
     result.e2 = result.speed2;  // the distance within the support is below 1
     result.tangent = sqrt(n2);
     const Octet most = sqrt(result.speed2);
-    const auto width2 = [&](const Octet& s) HWY_ATTR {
-      return s / ring_radius * (r.rho_low - Octet(0.25) * s / ring_radius);
-    };
+    const auto width2 = [&](const Octet& s)
+                            HWY_ATTR { return s / ring_radius * (r.rho_low - Octet(0.25) * s / ring_radius); };
     const OctetMask never = s_low >= four * ring_radius * r.rho_high;
     const OctetMask always = (s_low > zero) & (s_high < four * ring_radius * r.rho_low);
     CutBounds cut;
@@ -106,6 +122,11 @@ struct RingLanes {
     return r;
   }
   [[nodiscard]] static HWY_INLINE Octet two_pi_times(const Octet& radius) { return Octet(2 * kPi) * radius; }
+};
+
+template <>
+struct CurveFormOf<Circle> {
+  using type = RingLanes;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,11 +1,11 @@
-// Eight convolved segments along a ray, in support radii: the foot of the point on the segment's line lies x_a(t) beyond
-// the first end and x_b(t) before the second (x_a + x_b = L), at a squared distance ρ² = n₀ + n₂(t − tₙ)².
+// Eight convolved segments along a ray, in support radii: the foot of the point on the segment's line lies x_a(t)
+// beyond the first end and x_b(t) before the second (x_a + x_b = L), at a squared distance ρ² = n₀ + n₂(t − tₙ)².
 //
 // An end is within the support where |p − end|² = ρ² + x² < 1: a quadratic of t whose greatest value on a stretch is at
-// one of its ends and whose least is there too or, where e = (p − end)·D changes sign, |p − end|² − e²/D². An end that stays
-// without leaves the support's own border in its place, at W = √(1 − ρ²) from the foot; there e = n₂(t − tₙ) ∓ W x′.
-// Where the support cuts both sides throughout, f depends on ρ² alone: as if the segment went along with the point, with
-// D² = n₂ and no motion along it.
+// one of its ends and whose least is there too or, where e = (p − end)·D changes sign, |p − end|² − e²/D². An end that
+// stays without leaves the support's own border in its place, at W = √(1 − ρ²) from the foot; there e = n₂(t − tₙ) ∓ W
+// x′. Where the support cuts both sides throughout, f depends on ρ² alone: as if the segment went along with the point,
+// with D² = n₂ and no motion along it.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_
@@ -17,15 +17,41 @@
 #include "renderer/fields/convolutions/curve_remainder-inl.h"
 #include "renderer/fields/convolutions/segment_cauchy-inl.h"
 #include "renderer/fields/convolutions/segment_quartic-inl.h"
+#include "renderer/fields/skeletons/ray_form-inl.h"
+#include "renderer/fields/skeletons/segment.h"
+
+#include <array>
+#include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct SegmentLanes {
+  static constexpr std::size_t kAlong = 6, kShape = 1;
   Octet before0, behind0, dx;  ///< x_a = before0 + dx t, x_b = behind0 − dx t
   Octet n0, n2, middle;
   Octet length, amplitude;
+
+  template <class N>
+  [[nodiscard]] static HWY_INLINE std::array<N, kAlong> along(const Segment& segment, double per_unit,
+                                                              const Lines<N>& lines) {
+    const AboutAxis<N> from_a = about_axis(segment.a, segment.axis, lines);
+    const AboutAxis<N> from_b = about_axis(segment.a + segment.axis * segment.length, segment.axis, lines);
+    // From the nearer end: the farther one's distance would cost digits.
+    const auto nearer_a = abs(from_a.x0) < abs(from_b.x0);
+    const N unit(per_unit), unit2 = unit * unit;
+    return {from_a.x0 * unit,
+            (N(0.0) - from_b.x0) * unit,
+            select(nearer_a, from_a.dx, from_b.dx) * unit,
+            select(nearer_a, from_a.n0, from_b.n0) * unit2,
+            select(nearer_a, from_a.n2, from_b.n2) * unit2,
+            select(nearer_a, from_a.middle, from_b.middle)};
+  }
+  [[nodiscard]] static std::array<double, kShape> shape(const Segment& segment, double unit) {
+    return {segment.length * unit};
+  }
+  static constexpr std::array<double, kAlong + kShape> kOutOfReach = {0.5, 0.5, 1, 4, 0, 0, 1};
 
   /// |D|.
   [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dx * dx + n2); }
@@ -48,12 +74,12 @@ struct SegmentLanes {
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     const Ranges r = ranges(t0, t1);
     const Octet zero(0.0);
-    const Chord<Octet> chord = chord_of(r.rho2_low, r.before_high, r.behind_high,
-                                        Octet(0.5) * (r.before_high + r.behind_high));
+    const Chord<Octet> chord =
+        chord_of(r.rho2_low, r.before_high, r.behind_high, Octet(0.5) * (r.before_high + r.behind_high));
     const OctetMask counts = (r.y_least() < Octet(1.0)) & (chord.half_length > zero);
     const SegmentIntegrals<Octet> f = integrate(window, chord);
-    return keep(counts, min(f.value + Octet(0x1p-48) * f.value_terms,
-                            length * window.value(r.y_least()) * Octet(1 + 0x1p-48)));
+    return keep(counts,
+                min(f.value + Octet(0x1p-48) * f.value_terms, length * window.value(r.y_least()) * Octet(1 + 0x1p-48)));
   }
 
   [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
@@ -136,6 +162,11 @@ struct SegmentLanes {
     const Octet ends = min(y0, y1);
     return {select(passes, min(ends, y0 - e0 * e0 / speed2), ends), max(y0, y1)};
   }
+};
+
+template <>
+struct CurveFormOf<Segment> {
+  using type = SegmentLanes;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,5 @@
 // Sums of fields at a point: the value, the gradient, and each texture's share.
-// ∇f = A φ′(v) ∇v with ∇v = 2 scale (p − c)/r(u)², c the nearest sphere's centre (the envelope theorem again); a
-// component of its own space has its gradient brought back by the inverse transpose.
+// ∇f = A φ′(v) ∇v, with v and ∇v from component_point.h.
 #if defined(ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
 #undef ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
@@ -8,8 +7,7 @@
 #define ISL_RENDERER_FIELDS_POINT_POINT_SUMS_INL_H_
 #endif
 
-#include "renderer/fields/component_table.h"
-#include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/component_point.h"
 #include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/fields/point/blob_point.h"
 
@@ -30,15 +28,11 @@ struct PointLanes {
 
 inline void set_point_lane(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& point,
                            PointLanes& lanes, std::uint32_t lane) {
-  const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
-  const Vec3 p = map ? map->inverse_point(point) : point;
-  const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
-  const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
-  lanes.v[lane] = half_gradient.dot(foot.offset);
-  const Vec3 gradient = map ? map->normal(half_gradient) : half_gradient;
-  lanes.gx[lane] = gradient.x;
-  lanes.gy[lane] = gradient.y;
-  lanes.gz[lane] = gradient.z;
+  const KernelArgument at = argument_at(table, group, item, point);
+  lanes.v[lane] = at.v;
+  lanes.gx[lane] = at.half_gradient.x;
+  lanes.gy[lane] = at.half_gradient.y;
+  lanes.gz[lane] = at.half_gradient.z;
   lanes.amplitude[lane] = table.amplitude[item];
 }
 
@@ -78,13 +72,10 @@ inline void add_point_curves(const ComponentTable& table, const FieldGroup& grou
     alignas(64) double value[kOctet] = {}, gx[kOctet] = {}, gy[kOctet] = {}, gz[kOctet] = {};
     for (std::uint32_t j = 0; j < std::min<std::uint32_t>(kOctet, count - i); ++j) {
       const std::uint32_t item = items[i + j];
-      const scene::Transform* map = group.is_mapped ? &table.blob_from_component(group, item) : nullptr;
-      const Vec3 p = map ? map->inverse_point(point) : point;
-      const CurveSample f = table.with_skeleton(
-          group, item, [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+      const CurveSample f = curve_at(table, group, item, point);
       if (f.value == 0) continue;
       value[j] = table.amplitude[item] * f.value;
-      const Vec3 gradient = (map ? map->normal(f.gradient) : f.gradient) * table.amplitude[item];
+      const Vec3 gradient = f.gradient * table.amplitude[item];
       gx[j] = gradient.x;
       gy[j] = gradient.y;
       gz[j] = gradient.z;

@@ -1,5 +1,7 @@
-// The terms of a cell's sum and of its bounds, eight at a time: eight fields along one ray (ray_lanes-inl.h) or one field
-// along eight rays (packet_lanes-inl.h).
+// The fields of one cell laid out for the inner loops: set up once for a stretch of a ray, then asked for value, slope,
+// curvature and bounds at any t or interval in it. What cannot reach the stretch is dropped at set-up. Eight fields lie
+// side by side along one ray (RayLanes), or eight rays with one field after another (PacketLanes): which of them is the
+// parameter.
 #if defined(ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_
@@ -7,116 +9,130 @@
 #define ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_
 #endif
 
-#include "renderer/fields/kernels/kernels-inl.h"
-#include "renderer/fields/ray/lane_columns-inl.h"
+#include "renderer/fields/branches.h"
+#include "renderer/fields/ray/lane_range-inl.h"
+#include "renderer/fields/ray/lane_slope-inl.h"
+#include "renderer/fields/ray/lane_values-inl.h"
+#include "renderer/fields/ray/lane_walk-inl.h"
 
-#include <limits>
+#include <cstdint>
+#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// f and f′.
-struct FieldTerm {
-  Octet value, slope;
-};
+/// Setup lays the fields out: LaneSetup or PacketSetup. Its Number is what there is for each ray: a double, or an octet
+/// for eight.
+template <class Setup>
+class FieldLanes {
+ public:
+  using Memory = typename Setup::Memory;
+  using Number = typename Setup::Number;
 
-/// Of quadratics at t. `on_piece` is handed where t lies within the support and takes away where the quadratic does not hold.
-template <class Kernel, class OnPiece>
-[[nodiscard]] HWY_INLINE FieldTerm field_at(const Kernel& kernel, const QuadraticLanes& lane, const Octet& t,
-                                            const OnPiece& on_piece) {
-  const Octet tau = t - lane.middle;
-  const Octet kappa_tau = lane.kappa * tau;
-  const Octet v = lane.v0 + kappa_tau * tau;
-  const OctetMask active = on_piece(v < kernel.support());
-  const KernelValue phi = kernel.value_and_slope(v);
-  return {keep(active, lane.amplitude * phi.value),
-          keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau)))};
-}
+  /// F − T and its derivative along the ray.
+  struct FieldAt {
+    Number value, slope;
+    Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|: what rounding is relative to
+  };
+  /// How far a cubic Hermite interpolant of F may be from F over an interval of width h: |F − p| ≤ value, |F′ − p′| ≤
+  /// slope.
+  struct Remainder {
+    Number value, slope;
+  };
 
-/// Of cones or circles.
-template <class Kernel, class Shapes>
-[[nodiscard]] HWY_INLINE FieldTerm field_at(const Kernel& kernel, const Shapes& lanes, const Octet& t, double scale) {
-  const LanePoint p = lanes.at(t, scale);
-  const OctetMask active = p.v < kernel.support();
-  const KernelValue phi = kernel.value_and_slope(p.v);
-  return {keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope))};
-}
+  explicit FieldLanes(Memory& memory) : m_(memory) {}
 
-/// Σf, Σf′ and what their rounding is relative to, Σ|f| and Σ|f′|.
-struct FieldSums {
-  Octet value, slope, magnitude, steepness;
-
-  HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0) {}
-
-  HWY_INLINE void add(const FieldTerm& f) {
-    value = value + f.value;
-    slope = slope + f.slope;
-    magnitude = magnitude + abs(f.value);
-    steepness = steepness + abs(f.slope);
-  }
-  /// Of convolved curves, which are sums themselves.
-  HWY_INLINE void add(const CurvePoint& p) {
-    value = value + p.value;
-    slope = slope + p.slope;
-    magnitude = magnitude + p.value_terms;
-    steepness = steepness + p.slope_terms;
-  }
-};
-
-/// E and E′ of a cubic Hermite interpolant of width h. In the smooth case h⁴M₄/384 and (√3/216)h³M₄; where f is only
-/// C¹, (h²/32)·osc f″ and 0.126 h·osc f″, osc counting the 0 beyond a border. The lesser of both where both hold.
-struct RemainderSums {
-  Octet value, slope;
-
-  HWY_INLINE RemainderSums() : value(0.0), slope(0.0) {}
-
-  /// Of the parts [from, to] of an interval of width h that lie on the quadratics, all of it where `whole`.
-  template <class Kernel>
-  HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Octet& from, const Octet& to,
-                                 const OctetMask& whole, const Octet& h) {
-    const Octet a = from - lane.middle, b = to - lane.middle;
-    const Octet near = max(Octet(0.0), max(a, Octet(0.0) - b));
-    const Octet far = max(abs(a), abs(b));
-    const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
-    const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
-    const OctetMask smooth = whole & (u_far < room) & kernel.is_smooth(lane.v0 + u_near, lane.v0 + u_far);
-    // Where v does not change (inside a box or a half-space) there is no error, whatever the kernel's slopes are there.
-    const OctetMask counts = (u_near < room) & (from <= to) & (lane.kappa > Octet(0.0));
-    add(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h);
+  /// Gathers the fields of a cell's list that reach the stretch; `where` tells the setup the ray or the rays and their
+  /// stretches.
+  template <class... Where>
+  void set_up(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count, const Where&... where) {
+    sums_ = Setup(m_, where...).gather_list(table, items, count);
+    threshold_ = table.threshold;
+    const Number terms = Number(sums_.field_count) + Number(16.0);
+    relative_noise_ = Number(0x1p-52) * (terms + Number(2 * sums_.exponent));
+    threshold_noise_ = Number(0x1p-52) * terms * Number(abs(threshold_));
   }
 
-  /// Of cones or circles on [t0, t1].
-  template <class Kernel, class Shapes>
-  HWY_INLINE void add_shapes(const Kernel& kernel, const Shapes& lanes, const Octet& t0, const Octet& t1, double scale,
-                             double support) {
-    const auto v = lanes.bounds(t0, t1, scale, support);
-    const OctetMask counts = v.least < kernel.support();
-    const OctetMask smooth = v.one_piece & (v.greatest < kernel.support()) & kernel.is_smooth(v.least, v.greatest);
-    add(v.compose(kernel), smooth, counts, lanes.amplitude, t1 - t0);
+  [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
+  /// Fields that reach the stretch of each ray.
+  [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
+  /// No value of F − T on the stretch is greater than this.
+  [[nodiscard]] HWY_INLINE Number upper_bound() const {
+    return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_;
+  }
+  /// Bounds of the rounding in the value and the slope at t. That of a sum of n fields is 2⁻⁵² Σ|fᵢ|(n + 16 + 2v) +
+  /// 2⁻⁵²(n + 16)T, the exponential magnifying the error of its argument v; that of the position is four half units of
+  /// t.
+  [[nodiscard]] HWY_INLINE Number noise(const Number& t, const FieldAt& f) const {
+    return relative_noise_ * f.magnitude + threshold_noise_ + Number(0x1p-51) * abs(t) * f.steepness;
+  }
+  [[nodiscard]] HWY_INLINE Number slope_noise(const FieldAt& f) const { return relative_noise_ * f.steepness; }
+
+  [[nodiscard]] HWY_INLINE FieldAt at(const Number& t) const {
+    ValuesAt values{Octet(t)};
+    visit_lanes(m_, values);
+    const FieldSums& sums = values.sums;
+    return {total(sums.value) - Number(threshold_), total(sums.slope), total(sums.magnitude), total(sums.steepness)};
   }
 
-  /// Of convolved segments or rings on [t0, t1].
-  template <class Window, class Curves>
-  HWY_INLINE void add_curves(const Window& window, const Curves& lanes, const Octet& t0, const Octet& t1) {
-    const CurveRemainder r = curve_remainder(window, lanes.stretch(t0, t1), t1 - t0);
-    const Octet size = abs(lanes.amplitude);
-    value = value + size * r.value;
-    slope = slope + size * r.slope;
+  /// F″ at t (one-sided where a border of a support or of a piece falls on t).
+  [[nodiscard]] Number curvature(const Number& t) const {
+    CurvatureAt curvature{Octet(t)};
+    visit_lanes(m_, curvature);
+    return total(curvature.sum);
   }
+
+  [[nodiscard]] HWY_INLINE Remainder remainder(const Number& t0, const Number& t1) const {
+    RemaindersOn remainders{Octet(t0), Octet(t1)};
+    visit_lanes(m_, remainders);
+    return {total(remainders.sums.value), total(remainders.sums.slope)};
+  }
+
+  // ---- Of one ray ---------------------------------------------------------------------------------------------------
+
+  /// The first t between these two where a component's nearest feature changes: there F may bend as sharply as it
+  /// likes.
+  [[nodiscard]] std::optional<double> border_within(double t0, double t1) const {
+    double first = t1;
+    for (const LaneRun& run : m_.runs) {
+      if (run.form != LaneForm::pieces) continue;
+      for (std::uint32_t i = run.first; i < run.last; ++i) {
+        for (const std::size_t column : {kPieceBegin, kPieceEnd}) {
+          for (const double border : m_.rows[i].along[column]) {
+            if (border > t0 && border < first) first = border;
+          }
+        }
+      }
+    }
+    return first < t1 ? std::optional(first) : std::nullopt;
+  }
+  /// F − T on [t0, t1], from outside (lane_range-inl.h).
+  [[nodiscard]] HWY_NOINLINE FieldRange range(double t0, double t1) const {
+    const SumRange f = total_of(LaneRange(t0, t1));
+    return {f.low - relative_noise_ * f.low_terms - threshold_ - threshold_noise_,
+            f.high + relative_noise_ * f.high_terms - threshold_ + threshold_noise_};
+  }
+  /// F′ likewise (lane_slope-inl.h), and F″ (lane_bend-inl.h), rounding apart.
+  [[nodiscard]] HWY_NOINLINE FieldRange slope_range(double t0, double t1) const {
+    const SumRange f = total_of(LaneSlope(t0, t1));
+    return {f.low - relative_noise_ * f.low_terms, f.high + relative_noise_ * f.high_terms};
+  }
+  [[nodiscard]] HWY_NOINLINE FieldRange bend_range(double t0, double t1) const { return total_of(LaneBend(t0, t1)); }
 
  private:
-  HWY_INLINE void add(const SecondAndFourth& bounds, const OctetMask& smooth, const OctetMask& counts,
-                      const Octet& amplitude, const Octet& h) {
-    const Octet zero(0.0), size = abs(amplitude);
-    const Octet spread = select(smooth, bounds.high - bounds.low, max(bounds.high, zero) - min(bounds.low, zero));
-    const Octet fourth = select(smooth, bounds.fourth, Octet(std::numeric_limits<double>::infinity()));
-    const Octet h2 = h * h;
-    const Octet e = min(h2 * Octet(1.0 / 32) * spread, h2 * h2 * Octet(1.0 / 384) * fourth);
-    const Octet e1 = min(Octet(0.126) * h * spread, Octet(0.00801876) * h2 * h * fourth);  // √3/216
-    value = value + keep(counts, size * e);
-    slope = slope + keep(counts, size * e1);
+  [[nodiscard]] static HWY_INLINE Number total(const Octet& x) { return Setup::total(x); }
+
+  template <class Bounds>
+  [[nodiscard]] HWY_INLINE auto total_of(Bounds bounds) const {
+    visit_lanes(m_, bounds);
+    return bounds.total();
   }
+
+  Memory& m_;
+  double threshold_ = 0;
+  typename Setup::Sums sums_;
+  Number relative_noise_, threshold_noise_;
 };
 
 }  // namespace HWY_NAMESPACE

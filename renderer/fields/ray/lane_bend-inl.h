@@ -13,8 +13,8 @@
 
 #include "renderer/fields/branches.h"
 #include "renderer/fields/convolutions/curve_remainder-inl.h"
+#include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/fields/ray/lane_sums-inl.h"
-#include "renderer/fields/ray/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -22,13 +22,10 @@ namespace HWY_NAMESPACE {
 
 class LaneBend {
  public:
-  LaneBend(const LaneMemory& memory, double t0, double t1) : m_(memory), t0_(t0), t1_(t1), low_(0.0), high_(0.0) {}
+  LaneBend(double t0, double t1) : t0_(t0), t1_(t1), low_(0.0), high_(0.0) {}
 
   /// Of F″.
-  [[nodiscard]] HWY_NOINLINE FieldRange range() {
-    visit_lanes(m_, *this);
-    return {sum(low_), sum(high_)};
-  }
+  [[nodiscard]] HWY_INLINE FieldRange total() const { return {sum(low_), sum(high_)}; }
 
   /// The range of f″ of lanes that are no quadratics, amplitude apart.
   template <class Kernel, class Bounds>
@@ -49,10 +46,9 @@ class LaneBend {
 
   // What visit_lanes (lane_walk-inl.h) finds.
 
-  template <class Kernel>
-  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
-    const QuadraticLanes lane = load_quadratic(m_, i);
-    const OnPiece piece(m_, run, i, lane.middle, t0_, t1_, 0);
+  template <class Kernel, class Borders>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
+    const OnPiece piece(borders, lane.middle, t0_, t1_, 0);
     const Octet near = piece.near(), far = piece.far();
     const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
     const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
@@ -62,8 +58,8 @@ class LaneBend {
   }
 
   template <class Kernel, class Shape>
-  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
-    const auto v = lanes.bounds(t0_, t1_, run.kernel->scale, run.kernel->support);
+  HWY_INLINE void add_shape(const Kernel& kernel, const KernelConstants& constants, const Shape& lanes) {
+    const auto v = lanes.bounds(t0_, t1_, constants.scale, constants.support);
     add(scaled(v.least < kernel.support(), lanes.amplitude, of_shape(kernel, v)));
   }
 
@@ -78,7 +74,6 @@ class LaneBend {
     high_ = high_ + r.high;
   }
 
-  const LaneMemory& m_;
   double t0_, t1_;
   Octet low_, high_;
 };

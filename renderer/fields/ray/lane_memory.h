@@ -1,86 +1,54 @@
-// The memory in which RayLanes lays out the fields of a cell: one a thread, grown to the longest list and reused, so
-// that tracing allocates nothing. Columns of doubles, 64-byte aligned, each `stride` long.
+// The memory in which the fields of a cell are laid out for the inner loops: one a thread, grown to the longest list
+// and reused, so that tracing allocates nothing. A row is an octet: eight fields along one ray, or one field along
+// eight rays (a packet).
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"
-
-#include <hwy/aligned_allocator.h>
+#include "renderer/scene/fields.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 namespace isl::render {
 
-/// A table of doubles by column.
-class LaneTable {
- public:
-  explicit LaneTable(int columns) : columns_(columns) {}
+/// What lies side by side in the lanes of an octet.
+enum class InLanes : std::uint8_t { fields, rays };
 
-  /// Room for `rows` rows; what was there is lost if the table has to grow.
-  void reserve(std::size_t rows) {
-    if (rows <= stride_) return;
-    stride_ = (rows + 63) / 64 * 64;
-    data_ = hwy::AllocateAligned<double>(stride_ * static_cast<std::size_t>(columns_));
-  }
-  [[nodiscard]] double* row(std::uint32_t i) const { return data_.get() + i; }
-  /// Row i, all columns in order.
-  void set_row(std::uint32_t i, std::initializer_list<double> columns) const {
-    double* at = row(i);
-    for (const double x : columns) {
-      *at = x;
-      at += stride_;
-    }
-  }
-  [[nodiscard]] std::size_t stride() const { return stride_; }
+/// As the form of the run's skeleton has them (skeletons/ray_form-inl.h): of a field and a ray, of the field alone.
+template <InLanes kWhat>
+struct alignas(64) LaneRow {
+  static constexpr std::size_t kLanes = 8, kFields = kWhat == InLanes::fields ? kLanes : 1;
+  static constexpr std::size_t kMostAlong = 6, kMostShape = 3;
 
- private:
-  int columns_;
-  std::size_t stride_ = 0;
-  hwy::AlignedFreeUniquePtr<double[]> data_;
+  double along[kMostAlong][kLanes];
+  double shape[kMostShape][kFields];
+  double amplitude[kFields];
 };
 
-/// Rows first … last − 1 of a table, whole octets.
-struct LaneSpan {
-  std::uint32_t first, last;
+/// What a row's columns are: quadratics of points, which hold everywhere, or of pieces, which have borders; the ray
+/// form of a skeleton; the form of a convolved one.
+enum class LaneForm : std::uint8_t { points, pieces, shapes, curves };
 
-  [[nodiscard]] bool is_empty() const { return first == last; }
-};
-
-/// Lanes of one kernel.
+/// Rows first … last − 1, of one kernel and one form.
 struct LaneRun {
   const KernelConstants* kernel;
-  bool has_pieces;  ///< quadratic lanes hold on [begin, end) only
-  LaneSpan quadratics, cones, circles;
-  LaneSpan segments, rings;  ///< convolved
+  LaneForm form;
+  scene::Skeleton skeleton;
+  std::uint32_t first, last;
 };
 
-struct LaneMemory {
-  enum QuadraticColumn { kV0, kKappa, kMiddle, kAmplitude, kBegin, kEnd, kQuadraticColumns };
-  enum ConeColumn { kX0, kDx, kN0, kN2, kNMiddle, kRadius, kSlope, kLength, kConeAmplitude, kConeColumns };
-  enum CircleColumn { kZ0, kDz, kC0, kC2, kCMiddle, kRing, kInverse, kCircleAmplitude, kCircleColumns };
-
-  enum SegmentColumn { kBefore, kBehind, kSegmentDx, kS0, kS2, kSMiddle, kWhole, kSegmentAmplitude, kSegmentColumns };
-  enum RingColumn { kRingZ0, kRingDz, kR0, kR2, kRMiddle, kRadiusOfRing, kRingAmplitude, kRingColumns };
-
-  LaneTable quadratic{kQuadraticColumns};
-  LaneTable cone{kConeColumns};
-  LaneTable circle{kCircleColumns};
-  LaneTable segment{kSegmentColumns};
-  LaneTable ring{kRingColumns};
+template <InLanes kWhat>
+struct FieldMemory {
+  std::vector<LaneRow<kWhat>> rows;  ///< as many as were ever needed; the runs say which are in use
   std::vector<LaneRun> runs;
 
-  /// Room for a cell of `count` components: a triangle makes up to ten lanes, and every run is filled up to an octet; a
-  /// list cannot change group more often than it has entries.
-  void reserve_lanes(std::uint32_t count) {
-    constexpr std::size_t kMostPieces = 10, kMostFill = 8;
-    quadratic.reserve((kMostPieces + kMostFill) * std::size_t{count} + kMostFill);
-    cone.reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
-    for (LaneTable* const table : {&circle, &segment, &ring})
-      table->reserve((1 + kMostFill) * std::size_t{count} + kMostFill);
-    runs.reserve(count);
+  void reserve(std::size_t count) {
+    if (count > rows.size()) rows.resize(2 * count);
   }
 };
+
+using LaneMemory = FieldMemory<InLanes::fields>;
+using PacketMemory = FieldMemory<InLanes::rays>;
 
 }  // namespace isl::render

@@ -12,8 +12,8 @@
 #define ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
 #endif
 
+#include "renderer/fields/kernels/kernels-inl.h"
 #include "renderer/fields/ray/lane_sums-inl.h"
-#include "renderer/fields/ray/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -21,19 +21,15 @@ namespace HWY_NAMESPACE {
 
 class LaneRange {
  public:
-  LaneRange(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
+  LaneRange(double t0, double t1) : on_(t0, t1) {}
 
-  [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
-    visit_lanes(m_, *this);
-    return sums_.total();
-  }
+  [[nodiscard]] HWY_INLINE SumRange total() const { return sums_.total(); }
 
   // What visit_lanes (lane_walk-inl.h) finds.
 
-  template <class Kernel>
-  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
-    const QuadraticLanes lane = load_quadratic(m_, i);
-    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
+  template <class Kernel, class Borders>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
+    const OnPiece piece(borders, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
     const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
@@ -42,8 +38,8 @@ class LaneRange {
   }
 
   template <class Kernel, class Shape>
-  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
-    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
+  HWY_INLINE void add_shape(const Kernel& kernel, const KernelConstants& constants, const Shape& lanes) {
+    const auto v = lanes.bounds(on_.t0, on_.t1, constants.scale, constants.support);
     const OctetMask all = v.least <= v.least;
     add(kernel, lanes.amplitude, v.least, v.greatest, all, all);
   }
@@ -68,7 +64,6 @@ class LaneRange {
     sums_.add({min(one, other), max(one, other)});
   }
 
-  const LaneMemory& m_;
   WidenedInterval on_;
   RangeSums sums_;
 };

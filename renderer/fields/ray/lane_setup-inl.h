@@ -12,143 +12,55 @@
 #define ISL_RENDERER_FIELDS_RAY_LANE_SETUP_INL_H_
 #endif
 
-#include "renderer/fields/component_table.h"
 #include "renderer/fields/convolutions/curve_field.h"
-#include "renderer/fields/kernels/kernels-inl.h"
-#include "renderer/fields/ray/about_axis-inl.h"
-#include "renderer/fields/ray/lane_columns-inl.h"
+#include "renderer/fields/ray/gather-inl.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// What is known of a stretch once its fields are laid out.
-struct LaneSums {
-  std::uint32_t field_count = 0;
-  double peak = 0;      ///< no value of the sum on the stretch is greater, rounding apart
-  double exponent = 0;  ///< the greatest v within any support
-};
-
 class LaneSetup {
  public:
-  explicit LaneSetup(LaneMemory& memory) : m_(memory) {}
+  using Memory = LaneMemory;
+  using Number = double;
+  using Sums = SetupSums<std::uint32_t, double>;
+
+  HWY_INLINE LaneSetup(LaneMemory& memory, const Vec3& origin, const Vec3& direction, double t0, double t1)
+      : m_(memory), origin_(origin), direction_(direction), t0_(t0), t1_(t1) {}
 
   /// `items` ascend, and the seven entries behind them can be read and name components too (Grid::kListTail).
-  [[nodiscard]] HWY_INLINE LaneSums gather_list(const ComponentTable& table, const std::uint32_t* items,
-                                                std::uint32_t count, const Vec3& origin, const Vec3& direction,
-                                                double t0, double t1) {
-    m_.runs.clear();
-    m_.reserve_lanes(count);
-    std::uint32_t next = 0;
-    while (next < count) {
-      const FieldGroup& group = table.group_of(items[next]);
-      std::uint32_t last = next + 1;
-      if (items[count - 1] < group.end) {
-        last = count;
-      } else {
-        while (last < count && items[last] < group.end) ++last;
-      }
-      first_ = {quadratics_, cones_, circles_, segments_, rings_};
-      if (group.kernel.is_convolved) {
-        add_curves(table, group, items + next, last - next, origin, direction, t0, t1);
-      } else {
-        with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-          add_group(kernel, table, group, items + next, last - next, origin, direction, t0, t1);
-        });
-      }
-      close_run(group);
-      next = last;
-    }
+  [[nodiscard]] HWY_INLINE Sums gather_list(const ComponentTable& table, const std::uint32_t* items,
+                                            std::uint32_t count) {
+    // A run ends with a row that is not full, and a list cannot change group more often than it has entries.
+    m_.reserve(kMostPieces * count / kOctet + count + 1);
+    gather_fields(*this, m_, table, items, count);
     return sums_;
   }
+  [[nodiscard]] std::uint32_t rows() const { return rows_; }
 
- private:
-  template <class Kernel>
-  HWY_INLINE void add_group(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group,
-                            const std::uint32_t* items, std::uint32_t count, const Vec3& origin, const Vec3& direction,
-                            double t0, double t1) {
-    sums_.exponent = std::max(sums_.exponent, group.kernel.support);
-    if (group.skeleton == scene::Skeleton::point && !group.is_mapped)
-      return add_points(kernel, table, items, count, origin, direction, t0, t1);
-    add_shapes(table, group, items, count, origin, direction, t0, t1);
-    pad(group.kernel.support);
-    sum_up(kernel, group, t0, t1);
-  }
-
-  void add_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
-                  std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
-    sums_.exponent = std::max(sums_.exponent, group.kernel.support);
-    add_shapes(table, group, items, count, origin, direction, t0, t1);
-    pad_curves();
-    const Octet zero(0.0);
-    Octet peaks(0.0);
-    with_window(group.kernel, [&](const auto& window) HWY_ATTR {
-      for (std::uint32_t i = first_.segments; i < segments_; i += kOctet) {
-        const SegmentLanes lanes = load_segment(m_, i);
-        peaks = peaks + max(lanes.amplitude, zero) * lanes.most(window, t0, t1);
-      }
-      for (std::uint32_t i = first_.rings; i < rings_; i += kOctet) {
-        const RingLanes lanes = load_ring(m_, i);
-        peaks = peaks + max(lanes.amplitude, zero) * lanes.most(window, t0, t1);
-      }
-    });
-    sums_.peak += sum(peaks);
-  }
-
-  void add_shapes(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
-                  std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t item = items[i];
-      if (group.is_mapped) {
-        const scene::Transform& map = table.blob_from_component(group, item);
-        add_shape(table, group, item, map.inverse_point(origin), map.inverse_vector(direction), t0, t1);
-      } else {
-        add_shape(table, group, item, origin, direction, t0, t1);
-      }
-    }
-    sums_.field_count += count;
-  }
-
-  void add_shape(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& origin,
-                 const Vec3& direction, double t0, double t1) {
-    const double amplitude = table.amplitude[item];
-    table.with_skeleton(group, item, [&](const auto& shape) {
-      using Shape = std::decay_t<decltype(shape)>;
-      if constexpr (std::is_same_v<Shape, Segment> || std::is_same_v<Shape, Circle>) {
-        if (group.kernel.is_convolved) return add_curve(shape, group.kernel, amplitude, origin, direction);
-      }
-      if constexpr (std::is_same_v<Shape, Cone>) {
-        add_cone(shape, amplitude, origin, direction);
-      } else if constexpr (std::is_same_v<Shape, Circle>) {
-        add_circle(shape, amplitude, origin, direction);
-      } else {
-        const double scale = ComponentTable::v_scale(group), support = group.kernel.support;
-        shape.along(origin, direction,
-                    [&](const QuadraticPiece& piece) { add_piece(piece, scale, amplitude, support, t0, t1); });
-      }
-    });
-  }
+  /// Of one ray there is one sum over all lanes.
+  [[nodiscard]] static HWY_INLINE double total(const Octet& x) { return sum(x); }
 
   template <class Kernel>
-  HWY_INLINE void add_points(const Kernel& kernel, const ComponentTable& table, const std::uint32_t* items,
-                             std::uint32_t count, const Vec3& origin, const Vec3& direction, double t0, double t1) {
-    const Octet ox(origin.x), oy(origin.y), oz(origin.z), dx(direction.x), dy(direction.y), dz(direction.z);
-    const double dd = direction.length2();
-    const Octet inverse_dd(1 / dd), from(t0), to(t1), zero(0.0);
+  HWY_INLINE void add_points(const Kernel& kernel, const ListedFields& fields) {
+    sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
+    const Octet ox(origin_.x), oy(origin_.y), oz(origin_.z), dx(direction_.x), dy(direction_.y), dz(direction_.z);
+    const double dd = direction_.length2();
+    const Octet inverse_dd(1 / dd), from(t0_), to(t1_), zero(0.0);
     Octet peaks(0.0);
-    for (std::uint32_t i = 0; i < count; i += kOctet) {
-      const std::uint32_t* const index = items + i;
-      const OctetMask listed = first_lanes(std::min<std::uint32_t>(kOctet, count - i));
-      const Octet cx = gather(table.x.data(), index) - ox;
-      const Octet cy = gather(table.y.data(), index) - oy;
-      const Octet cz = gather(table.z.data(), index) - oz;
-      const Octet scale = gather(table.scale.data(), index);
+    for (std::uint32_t i = 0; i < fields.count; i += kOctet) {
+      const std::uint32_t* const index = fields.items + i;
+      const OctetMask listed = first_lanes(std::min<std::uint32_t>(kOctet, fields.count - i));
+      const Octet cx = gather(fields.table.x.data(), index) - ox;
+      const Octet cy = gather(fields.table.y.data(), index) - oy;
+      const Octet cz = gather(fields.table.z.data(), index) - oz;
+      const Octet scale = gather(fields.table.scale.data(), index);
       const Octet middle = (cx * dx + cy * dy + cz * dz) * inverse_dd;
       const Octet px = cx - middle * dx, py = cy - middle * dy, pz = cz - middle * dz;
       const Octet v0 = scale * (px * px + py * py + pz * pz);
@@ -157,133 +69,167 @@ class LaneSetup {
       const Octet v_least = v0 + kappa * near * near;
       const OctetMask reaches = (v_least < kernel.support()) & listed;
       if (none(reaches)) continue;
-      const Octet amplitude = gather(table.amplitude.data(), index);
+      const Octet amplitude = gather(fields.table.amplitude.data(), index);
       peaks = peaks + keep(reaches, max(amplitude, zero) * kernel.value(v_least));
       // Lanes that do not reach the stretch stay where they are: they are beyond their support all along it. (Moving
       // the others together costs more than it saves: lists are short.) Those past the list's end are put out of reach.
-      double* const at = m_.quadratic.row(quadratics_);
-      const std::size_t stride = m_.quadratic.stride();
-      store(select(listed, v0, kernel.support() + kernel.support()), at + LaneMemory::kV0 * stride);
-      store(keep(listed, kappa), at + LaneMemory::kKappa * stride);
-      store(middle, at + LaneMemory::kMiddle * stride);
-      store(amplitude, at + LaneMemory::kAmplitude * stride);
-      quadratics_ += kOctet;
+      LaneRow<InLanes::fields>& row = m_.rows[rows_++];
+      store(select(listed, v0, kernel.support() + kernel.support()), row.along[0]);
+      store(keep(listed, kappa), row.along[1]);
+      store(middle, row.along[2]);
+      store(amplitude, row.amplitude);
       sums_.field_count += static_cast<std::uint32_t>(std::popcount(bits(reaches)));
     }
     sums_.peak += sum(peaks);
   }
 
+  template <class Kernel>
+  HWY_INLINE void add_pieces(const Kernel& kernel, const ListedFields& fields) {
+    const std::uint32_t first = rows_;
+    lay_out_pieces(fields);
+    Octet peaks(0.0);
+    for (std::uint32_t i = first; i < rows_; ++i) {
+      const auto lane = load_lanes<QuadraticLanes>(m_.rows[i]);
+      const HeldPart part = held_part(borders_of(m_.rows[i]), Octet(t0_), Octet(t1_));
+      const Octet near = max(Octet(0.0), max(part.from - lane.middle, lane.middle - part.to));
+      add_peaks(kernel, lane.v0 + lane.kappa * near * near, lane.amplitude, peaks);
+    }
+    sums_.peak += sum(peaks);
+  }
+
+  template <class Shape, class Kernel>
+  HWY_INLINE void add_shapes(const Kernel& kernel, const ListedFields& fields) {
+    using Form = typename RayFormOf<Shape>::type;
+    const std::uint32_t first = rows_;
+    lay_out_shapes<Shape>(fields);
+    const KernelConstants& constants = fields.group.kernel;
+    Octet peaks(0.0);
+    for (std::uint32_t i = first; i < rows_; ++i) {
+      const auto lanes = load_lanes<Form>(m_.rows[i]);
+      add_peaks(kernel, lanes.bounds(t0_, t1_, constants.scale, constants.support).least, lanes.amplitude, peaks);
+    }
+    sums_.peak += sum(peaks);
+  }
+
+  HWY_NOINLINE void add_curves(const ListedFields& fields) {
+    sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
+    with_curve_form(fields.group.skeleton, [&](auto type) HWY_ATTR {
+      using Shape = typename decltype(type)::type;
+      using Form = typename CurveFormOf<Shape>::type;
+      const std::uint32_t first = rows_;
+      for_each_line<Shape>(
+          fields, [&](const Shape& curve, double amplitude, const Vec3& origin, const Vec3& direction) HWY_ATTR {
+            const double unit = per_support(fields.group.kernel, curve);
+            put(Form::along(curve, unit, line(origin, direction)), Form::shape(curve, unit), amplitude);
+          });
+      fill_up<Form>();
+      Octet peaks(0.0);
+      with_window(fields.group.kernel, [&](const auto& window) HWY_ATTR {
+        for (std::uint32_t i = first; i < rows_; ++i) {
+          const auto lanes = load_lanes<Form>(m_.rows[i]);
+          peaks = peaks + max(lanes.amplitude, Octet(0.0)) * lanes.most(window, t0_, t1_);
+        }
+      });
+      sums_.peak += sum(peaks);
+    });
+  }
+
+ private:
   static HWY_INLINE OctetMask first_lanes(std::uint32_t n) {
     alignas(64) static constexpr double kIndex[kOctet] = {0, 1, 2, 3, 4, 5, 6, 7};
     return load(kIndex) < Octet(static_cast<double>(n));
   }
 
+  /// The greatest value that each lane can have on the stretch.
+  template <class Kernel>
+  static HWY_INLINE void add_peaks(const Kernel& kernel, const Octet& v_least, const Octet& amplitude, Octet& peaks) {
+    peaks = peaks + keep(v_least < kernel.support(), max(amplitude, Octet(0.0)) * kernel.value(v_least));
+  }
+
+  /// Calls use(skeleton, amplitude, origin, direction) for each field, with the ray in its own space.
+  template <class Shape, class Use>
+  void for_each_line(const ListedFields& fields, const Use& use) {
+    for (std::uint32_t i = 0; i < fields.count; ++i) {
+      const std::uint32_t item = fields.items[i];
+      const Shape shape = fields.table.shape<Shape>(fields.group, item);
+      const double amplitude = fields.table.amplitude[item];
+      if (fields.group.is_mapped) {
+        const scene::Transform& map = fields.table.blob_from_component(fields.group, item);
+        use(shape, amplitude, map.inverse_point(origin_), map.inverse_vector(direction_));
+      } else {
+        use(shape, amplitude, origin_, direction_);
+      }
+    }
+    sums_.field_count += fields.count;
+  }
+  [[nodiscard]] static Lines<double> line(const Vec3& o, const Vec3& d) { return {{o.x, o.y, o.z}, {d.x, d.y, d.z}}; }
+
+  // Out of line and once for all kernels.
+
+  HWY_NOINLINE void lay_out_pieces(const ListedFields& fields) {
+    const double scale = ComponentTable::v_scale(fields.group), support = fields.group.kernel.support;
+    sums_.exponent = std::max(sums_.exponent, support);
+    with_skeleton_type(fields.group.skeleton, [&](auto type) {
+      using Shape = typename decltype(type)::type;
+      if constexpr (HasPieces<Shape>) {
+        for_each_line<Shape>(
+            fields, [&](const Shape& shape, double amplitude, const Vec3& origin, const Vec3& direction) {
+              shape.along(origin, direction,
+                          [&](const QuadraticPiece& piece) { put_piece(piece, scale, amplitude, support); });
+            });
+      }
+    });
+    while (lane_ != 0) put<5, 0>({2 * support, 0, 0, -kInfinity, kInfinity}, {}, 0);
+  }
   /// A piece of v = scale · q, unless it cannot reach the stretch.
-  void add_piece(const QuadraticPiece& piece, double scale, double amplitude, double support, double t0, double t1) {
+  void put_piece(const QuadraticPiece& piece, double scale, double amplitude, double support) {
     const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
-    const double from = std::max(t0, piece.begin), to = std::min(t1, piece.end);
+    const double from = std::max(t0_, piece.begin), to = std::min(t1_, piece.end);
     if (!(from <= to)) return;
     const double near = std::clamp(piece.middle, from, to) - piece.middle;
     if (!(v0 + kappa * near * near < support)) return;
-    m_.quadratic.set_row(quadratics_++, {v0, kappa, piece.middle, amplitude, piece.begin, piece.end});
+    put<5, 0>({v0, kappa, piece.middle, piece.begin, piece.end}, {}, amplitude);
   }
 
-  [[nodiscard]] static Lines<double> line(const Vec3& o, const Vec3& d) { return {{o.x, o.y, o.z}, {d.x, d.y, d.z}}; }
-
-  void add_cone(const Cone& cone, double amplitude, const Vec3& origin, const Vec3& direction) {
-    const AboutAxis<double> seen = about_axis(cone.a, cone.axis, line(origin, direction));
-    m_.cone.set_row(cones_++,
-                    {seen.x0, seen.dx, seen.n0, seen.n2, seen.middle, cone.radius, cone.slope, cone.length, amplitude});
+  template <class Shape>
+  HWY_NOINLINE void lay_out_shapes(const ListedFields& fields) {
+    using Form = typename RayFormOf<Shape>::type;
+    sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
+    for_each_line<Shape>(
+        fields, [&](const Shape& shape, double amplitude, const Vec3& origin, const Vec3& direction)
+                    HWY_ATTR { put(Form::along(shape, line(origin, direction)), Form::shape(shape), amplitude); });
+    fill_up<Form>();
   }
 
-  void add_circle(const Circle& circle, double amplitude, const Vec3& origin, const Vec3& direction) {
-    const AboutAxis<double> seen = about_axis(circle.centre, circle.axis, line(origin, direction));
-    m_.circle.set_row(circles_++, {seen.x0, seen.dx, seen.n0, seen.n2, seen.middle, circle.ring_radius,
-                                   1 / (circle.radius * circle.radius), amplitude});
+  /// The next lane, of the next row behind the last one.
+  template <std::size_t kAlong, std::size_t kShape>
+  void put(const std::array<double, kAlong>& along, const std::array<double, kShape>& shape, double amplitude) {
+    LaneRow<InLanes::fields>& row = m_.rows[rows_];
+    for (std::size_t i = 0; i < kAlong; ++i) row.along[i][lane_] = along[i];
+    for (std::size_t i = 0; i < kShape; ++i) row.shape[i][lane_] = shape[i];
+    row.amplitude[lane_] = amplitude;
+    if (++lane_ < kOctet) return;
+    lane_ = 0;
+    ++rows_;
   }
-
-  void add_curve(const Segment& segment, const KernelConstants& kernel, double amplitude, const Vec3& origin,
-                 const Vec3& direction) {
-    const double unit = per_support(kernel, segment), unit2 = unit * unit;
-    const Vec3 end = segment.a + segment.axis * segment.length;
-    const AboutAxis<double> from_a = about_axis(segment.a, segment.axis, line(origin, direction));
-    const AboutAxis<double> from_b = about_axis(end, segment.axis, line(origin, direction));
-    // From the nearer end: the farther one's distance would cost digits.
-    const AboutAxis<double>& seen = std::abs(from_a.x0) < std::abs(from_b.x0) ? from_a : from_b;
-    m_.segment.set_row(segments_++, {from_a.x0 * unit, -from_b.x0 * unit, seen.dx * unit, seen.n0 * unit2,
-                                     seen.n2 * unit2, seen.middle, segment.length * unit, amplitude});
-  }
-
-  void add_curve(const Circle& ring, const KernelConstants& kernel, double amplitude, const Vec3& origin,
-                 const Vec3& direction) {
-    const double unit = per_support(kernel, ring), unit2 = unit * unit;
-    const AboutAxis<double> seen = about_axis(ring.centre, ring.axis, line(origin, direction));
-    m_.ring.set_row(rings_++, {seen.x0 * unit, seen.dx * unit, seen.n0 * unit2, seen.n2 * unit2, seen.middle,
-                               ring.ring_radius * unit, amplitude});
-  }
-
-  /// Fills the last octets of convolved curves with lanes beyond their support.
-  void pad_curves() {
-    while ((segments_ - first_.segments) % kOctet != 0)
-      m_.segment.set_row(segments_++, {0.5, 0.5, 1, 4, 0, 0, 1, 0});
-    while ((rings_ - first_.rings) % kOctet != 0) m_.ring.set_row(rings_++, {kFar, 1, 1, 0, 0, 1, 0});
-  }
-
-  /// Fills the last octet of each form with lanes that add nothing.
-  void pad(double support) {
-    while ((quadratics_ - first_.quadratics) % kOctet != 0)
-      m_.quadratic.set_row(quadratics_++, {2 * support, 0, 0, 0, -kInfinity, kInfinity});
-    while ((cones_ - first_.cones) % kOctet != 0) m_.cone.set_row(cones_++, {0, 0, kInfinity, 0, 0, 1, 0, 0, 0});
-    while ((circles_ - first_.circles) % kOctet != 0) m_.circle.set_row(circles_++, {kFar, 0, 1, 0, 0, 1, 1, 0});
-  }
-
-  /// Adds the greatest value that each lane can have on the stretch (add_points does so itself).
-  template <class Kernel>
-  void sum_up(const Kernel& kernel, const FieldGroup& group, double t0, double t1) {
-    const Octet zero(0.0);
-    Octet peaks(0.0);
-    const auto add = [&](const OctetMask& reaches, const Octet& amplitude, const Octet& v_least)
-                         HWY_ATTR { peaks = peaks + keep(reaches, max(amplitude, zero) * kernel.value(v_least)); };
-    for (std::uint32_t i = first_.quadratics; i < quadratics_; i += kOctet) {
-      const QuadraticLanes lane = load_quadratic(m_, i);
-      const Octet from = max(Octet(t0), load_border(m_, i, LaneMemory::kBegin));
-      const Octet to = min(Octet(t1), load_border(m_, i, LaneMemory::kEnd));
-      const Octet near = max(zero, max(from - lane.middle, lane.middle - to));
-      const Octet v_least = lane.v0 + lane.kappa * near * near;
-      add(v_least < kernel.support(), lane.amplitude, v_least);
-    }
-    for (std::uint32_t i = first_.cones; i < cones_; i += kOctet) {
-      const ConeLanes cone = load_cone(m_, i);
-      const Octet v_least = cone.bounds(t0, t1, group.kernel.scale, group.kernel.support).least;
-      add(v_least < kernel.support(), cone.amplitude, v_least);
-    }
-    for (std::uint32_t i = first_.circles; i < circles_; i += kOctet) {
-      const CircleLanes circle = load_circle(m_, i);
-      const Octet v_least = circle.bounds(t0, t1, group.kernel.scale, group.kernel.support).least;
-      add(v_least < kernel.support(), circle.amplitude, v_least);
-    }
-    sums_.peak += sum(peaks);
-  }
-
-  void close_run(const FieldGroup& group) {
-    const LaneSpan quadratics{first_.quadratics, quadratics_}, cones{first_.cones, cones_},
-        circles{first_.circles, circles_}, segments{first_.segments, segments_}, rings{first_.rings, rings_};
-    if (quadratics.is_empty() && cones.is_empty() && circles.is_empty() && segments.is_empty() && rings.is_empty())
-      return;
-    const bool has_pieces = group.skeleton != scene::Skeleton::point || group.is_mapped;
-    m_.runs.push_back({&group.kernel, has_pieces, quadratics, cones, circles, segments, rings});
+  /// Ends the row with lanes that add nothing.
+  template <class Form>
+  void fill_up() {
+    std::array<double, Form::kAlong> along;
+    std::array<double, Form::kShape> shape;
+    std::copy_n(Form::kOutOfReach.begin(), along.size(), along.begin());
+    std::copy_n(Form::kOutOfReach.begin() + along.size(), shape.size(), shape.begin());
+    while (lane_ != 0) put(along, shape, 0);
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  /// Beyond any support, and its square finite.
-  static constexpr double kFar = 1e100;
 
   LaneMemory& m_;
-  LaneSums sums_;
-  std::uint32_t quadratics_ = 0, cones_ = 0, circles_ = 0, segments_ = 0, rings_ = 0;  ///< rows in use
-  struct {
-    std::uint32_t quadratics, cones, circles, segments, rings;
-  } first_{};  ///< of the run in the making
+  const Vec3 &origin_, &direction_;
+  double t0_, t1_;
+  Sums sums_;
+  std::uint32_t rows_ = 0;  ///< in use
+  std::size_t lane_ = 0;    ///< the next one in the row behind them
 };
 
 }  // namespace HWY_NAMESPACE

@@ -15,7 +15,6 @@
 
 #include "renderer/fields/ray/lane_bend-inl.h"
 #include "renderer/fields/ray/lane_sums-inl.h"
-#include "renderer/fields/ray/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -23,20 +22,16 @@ namespace HWY_NAMESPACE {
 
 class LaneSlope {
  public:
-  LaneSlope(const LaneMemory& memory, double t0, double t1) : m_(memory), on_(t0, t1) {}
+  LaneSlope(double t0, double t1) : on_(t0, t1) {}
 
   /// Of F′.
-  [[nodiscard]] HWY_NOINLINE SumRange sum_range() {
-    visit_lanes(m_, *this);
-    return sums_.total();
-  }
+  [[nodiscard]] HWY_INLINE SumRange total() const { return sums_.total(); }
 
   // What visit_lanes (lane_walk-inl.h) finds.
 
-  template <class Kernel>
-  HWY_INLINE void add_quadratics(const Kernel& kernel, const LaneRun& run, std::uint32_t i) {
-    const QuadraticLanes lane = load_quadratic(m_, i);
-    const OnPiece piece(m_, run, i, lane.middle, on_.t0, on_.t1, on_.drift);
+  template <class Kernel, class Borders>
+  HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
+    const OnPiece piece(borders, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
     const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
@@ -49,9 +44,9 @@ class LaneSlope {
   }
 
   template <class Kernel, class Shape>
-  HWY_INLINE void add_shape(const Kernel& kernel, const LaneRun& run, const Shape& lanes) {
-    const LanePoint p = lanes.at(middle(), run.kernel->scale);
-    const auto v = lanes.bounds(on_.t0, on_.t1, run.kernel->scale, run.kernel->support);
+  HWY_INLINE void add_shape(const Kernel& kernel, const KernelConstants& constants, const Shape& lanes) {
+    const LanePoint p = lanes.at(middle(), constants.scale);
+    const auto v = lanes.bounds(on_.t0, on_.t1, constants.scale, constants.support);
     const Octet steepest = v.steepest(kernel);
     const OctetRange by_bend = about(slope_of(kernel, p.v) * p.slope, LaneBend::of_shape(kernel, v));
     sums_.add(scaled(v.least < kernel.support(), lanes.amplitude,
@@ -83,7 +78,6 @@ class LaneSlope {
     return {slope - spread, slope + spread};
   }
 
-  const LaneMemory& m_;
   WidenedInterval on_;
   RangeSums sums_;
 };

@@ -7,11 +7,10 @@
 #define ISL_RENDERER_FIELDS_RAY_LANE_SUMS_INL_H_
 #endif
 
-#include "renderer/fields/ray/lane_columns-inl.h"
+#include "renderer/fields/ray/lane_rows-inl.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -48,35 +47,34 @@ struct OctetRange {
   return {keep(counts, min(one, other)), keep(counts, max(one, other))};
 }
 
-/// The part of an interval that lies on a piece, seen from the piece's middle. Both are known to ± drift: [t0, t1] has been
-/// widened by it, and the piece is here.
+/// The part of an interval that lies on a piece, seen from the piece's middle. Both are known to ± drift: [t0, t1] has
+/// been widened by it, and the piece is here.
 struct OnPiece {
   Octet a, b;       ///< ends
   OctetMask whole;  ///< it is all of the interval
   OctetMask any;    ///< it is not empty
 
-  HWY_INLINE OnPiece(const LaneMemory& memory, const LaneRun& run, std::uint32_t i, const Octet& middle, double t0,
-                     double t1, double drift) {
-    Octet from(t0), to(t1);
-    whole = from <= to;
-    if (run.has_pieces) {
-      const Octet begin = load_border(memory, i, LaneMemory::kBegin), end = load_border(memory, i, LaneMemory::kEnd);
-      whole = (begin <= Octet(t0 + drift)) & (Octet(t1 - drift) <= end);
-      from = max(from, begin - Octet(drift));
-      to = min(to, end + Octet(drift));
-    }
-    any = from <= to;
-    a = from - middle;
-    b = to - middle;
+  HWY_INLINE OnPiece(const Everywhere&, const Octet& middle, double t0, double t1, double /*drift*/)
+      : OnPiece(Octet(t0), Octet(t1), middle) {
+    whole = any;
+  }
+  HWY_INLINE OnPiece(const PieceBorders& piece, const Octet& middle, double t0, double t1, double drift)
+      : OnPiece(max(Octet(t0), piece.begin - Octet(drift)), min(Octet(t1), piece.end + Octet(drift)), middle) {
+    whole = (piece.begin <= Octet(t0 + drift)) & (Octet(t1 - drift) <= piece.end);
   }
   [[nodiscard]] HWY_INLINE Octet near() const { return max(Octet(0.0), max(a, Octet(0.0) - b)); }
   [[nodiscard]] HWY_INLINE Octet far() const { return max(abs(a), abs(b)); }
+
+ private:
+  HWY_INLINE OnPiece(const Octet& from, const Octet& to, const Octet& middle)
+      : a(from - middle), b(to - middle), any(from <= to) {}
 };
 
 /// Of the sum of fields, the threshold not taken off.
 struct SumRange {
   double low, high;
-  double low_terms, high_terms;  ///< sums of the magnitudes of what these were summed from: what rounding is relative to
+  double low_terms,
+      high_terms;  ///< sums of the magnitudes of what these were summed from: what rounding is relative to
 };
 
 class RangeSums {

@@ -1,9 +1,8 @@
-// Visits the fields of a cell along a ray, octet by octet: the one walk over runs, kernels and columns for those that sum
-// bounds of all fields (lane_range-inl.h, lane_slope-inl.h, lane_bend-inl.h). They differ in what they make of an octet
-// and are visitors:
-//   add_quadratics(kernel, run, i)    the octet of column i, where v is a quadratic in t
-//   add_shape(kernel, run, lanes)     cones and circles
-//   add_curve(window, lanes)          convolved segments and rings
+// Visits the fields of a cell octet by octet: the one walk over runs, kernels and rows for all that is summed over
+// fields, along one ray or along eight. What is summed is a visitor:
+//   add_quadratics(kernel, lanes, borders)    v is a quadratic in t, everywhere or between borders
+//   add_shape(kernel, constants, lanes)       a skeleton's ray form
+//   add_curve(window, lanes)                  a convolved curve
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_WALK_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_WALK_INL_H_
@@ -12,40 +11,51 @@
 #endif
 
 #include "renderer/fields/kernels/kernels-inl.h"
-#include "renderer/fields/ray/lane_columns-inl.h"
+#include "renderer/fields/ray/lane_rows-inl.h"
 
-#include <cstdint>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Calls use(window, lanes) for every octet of a run of convolved curves.
-template <class Use>
-HWY_INLINE void for_each_curve(const LaneMemory& memory, const LaneRun& run, const Use& use) {
+/// Out of line: scenes without convolved curves pay nothing for them. The visitor goes in and out by value, so that it
+/// can stay in registers elsewhere.
+template <InLanes kWhat, class Visitor>
+[[nodiscard]] HWY_NOINLINE Visitor visit_curves(const LaneRun& run, const LaneRow<kWhat>* row,
+                                                const LaneRow<kWhat>* end, Visitor visitor) {
   with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
-    for (std::uint32_t i = run.segments.first; i < run.segments.last; i += kOctet) use(window, load_segment(memory, i));
-    for (std::uint32_t i = run.rings.first; i < run.rings.last; i += kOctet) use(window, load_ring(memory, i));
+    with_curve_form(run.skeleton, [&](auto type) HWY_ATTR {
+      using Form = typename CurveFormOf<typename decltype(type)::type>::type;
+      for (; row != end; ++row) visitor.add_curve(window, load_lanes<Form>(*row));
+    });
   });
+  return visitor;
 }
 
-template <class Visitor>
-HWY_INLINE void visit_lanes(const LaneMemory& memory, Visitor& visitor) {
+template <InLanes kWhat, class Visitor>
+HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) {
   for (const LaneRun& run : memory.runs) {
-    if (run.kernel->is_convolved) {
-      for_each_curve(memory, run,
-                     [&](const auto& window, const auto& lanes) HWY_ATTR { visitor.add_curve(window, lanes); });
+    const LaneRow<kWhat>* row = memory.rows.data() + run.first;
+    const LaneRow<kWhat>* const end = memory.rows.data() + run.last;
+    if (run.form == LaneForm::curves) {
+      visitor = visit_curves(run, row, end, visitor);
       continue;
     }
     with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR {
-      for (std::uint32_t i = run.quadratics.first; i < run.quadratics.last; i += kOctet) {
-        visitor.add_quadratics(kernel, run, i);
-      }
-      for (std::uint32_t i = run.cones.first; i < run.cones.last; i += kOctet) {
-        visitor.add_shape(kernel, run, load_cone(memory, i));
-      }
-      for (std::uint32_t i = run.circles.first; i < run.circles.last; i += kOctet) {
-        visitor.add_shape(kernel, run, load_circle(memory, i));
+      switch (run.form) {
+        case LaneForm::points:
+          for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), Everywhere());
+          break;
+        case LaneForm::pieces:
+          for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), borders_of(*row));
+          break;
+        default:
+          with_ray_form(run.skeleton, [&](auto type) HWY_ATTR {
+            using Form = typename RayFormOf<typename decltype(type)::type>::type;
+            for (; row != end; ++row) visitor.add_shape(kernel, *run.kernel, load_lanes<Form>(*row));
+          });
+          break;
       }
     });
   }

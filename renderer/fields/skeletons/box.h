@@ -3,6 +3,8 @@
 //
 // The squared distance is Σ over the axes of (how far the coordinate is beyond the box's slab)², so along a ray it is a
 // quadratic between the six planes of the box, of those axes on which the ray is outside its slab.
+//
+// Record: two corners, each coordinate of a below that of b; radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -33,7 +35,9 @@ struct SolidBox {
   }
 
   /// As POV-Ray's box has them; round its edges those of the nearest point.
-  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const { return box_coordinates(low, high, p); }
+  [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
+    return box_coordinates(low, high, p);
+  }
 
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
@@ -42,6 +46,7 @@ struct SolidBox {
     return {Reach{coordinate, radius}, Reach{coordinate, radius}};
   }
 
+  static constexpr std::size_t kMostPieces = 7;
   template <class Emit>
   void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
     Breaks<6> breaks;

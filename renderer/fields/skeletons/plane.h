@@ -1,8 +1,10 @@
 // The half-space behind a plane: q = (x/r)² with x = n·(p − a) before the plane, 0 behind it. It has no end across n,
 // so it counts wherever the blob is looked at, inside its grid and out of it.
 //
-// Of an affine map M there remains a half-space: with n·M⁻¹p = |M⁻ᵀn| times the distance from the mapped plane, q is the
-// same function of (distance/(r/|M⁻ᵀn|))². So maps are always baked in (component_table.cpp).
+// Of an affine map M there remains a half-space: with n·M⁻¹p = |M⁻ᵀn| times the distance from the mapped plane, q is
+// the same function of (distance/(r/|M⁻ᵀn|))². So maps are always baked in (component_table.cpp).
+//
+// Record: a place a on the plane, its unit normal b, radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -32,6 +34,7 @@ struct HalfSpace {
 
   /// Where its field begins and ends, in its reach before the plane.
   static constexpr std::array<double, 2> kBorders = {0, 1};
+  static constexpr bool kFillsBehind = true;  ///< the field is constant there, not gone
 
   [[nodiscard]] double thickest() const { return radius; }
   /// Without end but against the normal itself.
@@ -43,6 +46,7 @@ struct HalfSpace {
     return {one, one};
   }
 
+  static constexpr std::size_t kMostPieces = 2;
   template <class Emit>
   void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
     const double x = (origin - at).dot(normal), dx = direction.dot(normal);

@@ -1,5 +1,7 @@
 // The point: q = |p − c|²/r². Most components are points, so they lie in columns of the table, eight of which
 // lane_setup-inl.h reads at once.
+//
+// Record: the place a, radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -37,6 +39,7 @@ struct Point {
     return {centre_only, centre_only};
   }
 
+  static constexpr std::size_t kMostPieces = 1;
   template <class Emit>
   void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -1,5 +1,7 @@
 // The segment: q = (squared distance to the stretch from one point to another)/r², r the same all along. Along a ray a
 // quadratic between the planes at the ends, and that of the nearer end's sphere beyond them.
+//
+// Record: the ends a and b, radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -44,6 +46,7 @@ struct Segment {
     return {Reach{at_a, radius}, Reach{at_a + n.dot(axis) * length, radius}};
   }
 
+  static constexpr std::size_t kMostPieces = 3;
   template <class Emit>
   void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
     const Vec3 from_a = origin - a;

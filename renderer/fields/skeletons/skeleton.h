@@ -3,15 +3,20 @@
 // sphere's squared radius. It is a class, in its component's own space, made of a record (and its blob, for what does
 // not fit into one), with
 //
-//   Foot nearest(p)                        the sphere that is nearest in that measure
-//   QRange q_over(box)                     an enclosure of q
-//   std::array<Reach, 2> reach(n)          how far it comes along n: its hull is that of these two spheres, seen along n
-//   double thickest()                      the largest radius
-//   Coordinates coordinates(p, turn)       (u, v): along the skeleton from 0 to 1, and around it; the skeleton was turned
-//                                          by `turn` after it had its coordinates (scene::Blob::turns)
-//   void along(origin, direction, emit)    q along a ray, in quadratic pieces, unless it has lanes of its own
+//   Foot nearest(p)                      the sphere that is nearest in that measure
+//   QRange q_over(box)                   an enclosure of q
+//   std::array<Reach, 2> reach(n)        how far it comes along n: its hull is that of these two spheres, seen along n
+//   double thickest(), thinnest()        the largest radius; the smallest, if it is another
+//   Coordinates coordinates(p, turn)     (u, v): along the skeleton from 0 to 1, and around it; the skeleton was turned
+//                                        by `turn` after it had its coordinates (scene::Blob::turns)
 //
-// and a row in renderer/scene/skeletons.def.
+// a row in renderer/scene/skeletons.def, and one of two ways in which rays see it:
+//
+//   void along(origin, direction, emit)  q along a ray, in no more than kMostPieces quadratic pieces
+//   a ray form (ray_form-inl.h)          for q that is no quadratic: a second part of its file, which is compiled for
+//                                        every SIMD target. With it goes a class OnRay, which tells the published
+//                                        solver where q < c on a ray, below(c), and its least(); without that class the
+//                                        ray is sampled.
 #pragma once
 
 #include "renderer/scene/fields.h"
@@ -45,10 +50,37 @@ struct Reach {
   double radius;
 };
 
+/// A stretch of a ray, empty unless begin < end.
+struct RayInterval {
+  double begin = std::numeric_limits<double>::infinity(), end = -begin;
+
+  void extend(double t) {
+    begin = std::min(begin, t);
+    end = std::max(end, t);
+  }
+  [[nodiscard]] bool is_empty() const { return !(begin < end); }
+};
+
 /// q = q0 + kappa (t − middle)² for t in [begin, end).
 struct QuadraticPiece {
   double q0, kappa, middle, begin, end;
 };
+
+/// Whether the skeleton has quadratic pieces along a ray, and no ray form.
+template <class Shape>
+concept HasPieces = requires {
+  Shape::kMostPieces;
+};
+
+/// The smallest radius.
+template <class Shape>
+[[nodiscard]] double thinnest(const Shape& shape) {
+  if constexpr (requires { shape.thinnest(); }) {
+    return shape.thinnest();
+  } else {
+    return shape.thickest();
+  }
+}
 
 /// q of a sphere along a ray.
 [[nodiscard]] inline QuadraticPiece sphere_piece(const Vec3& centre, double inverse_radius2, const Vec3& origin,
@@ -62,8 +94,8 @@ struct QuadraticPiece {
 
 /// q of what a ray nears with the part `by` of its direction, from an offset `from` at t = 0: |from + by·t|² over the
 /// squared radius.
-[[nodiscard]] inline QuadraticPiece distance_piece(const Vec3& from, const Vec3& by, double inverse_radius2, double begin,
-                                                   double end) {
+[[nodiscard]] inline QuadraticPiece distance_piece(const Vec3& from, const Vec3& by, double inverse_radius2,
+                                                   double begin, double end) {
   const double dd = by.length2();
   const double middle = dd > 0 ? -from.dot(by) / dd : 0;
   return {inverse_radius2 * (from + by * middle).length2(), inverse_radius2 * dd, middle, begin, end};
@@ -109,8 +141,8 @@ struct AxialRange {
     const double half_x = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
     // A corner is as far from the axis as its diagonal is long, less what of it lies along the axis.
     double least_axial2 = half.length2();
-    for (const Vec3& diagonal : {half, Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z),
-                                 Vec3(half.x, half.y, -half.z)}) {
+    for (const Vec3& diagonal :
+         {half, Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z), Vec3(half.x, half.y, -half.z)}) {
       const double axial = diagonal.dot(axis);
       least_axial2 = std::min(least_axial2, axial * axial);
     }
@@ -124,8 +156,8 @@ struct AxialRange {
   double x_low, x_high, rho_low, rho_high;
 };
 
-/// Where a box, which may reach to infinity, lies before and behind a plane: x = n·(p − a) in [low, high]. Components of n that are
-/// zero are left out, since their product with infinity says nothing.
+/// Where a box, which may reach to infinity, lies before and behind a plane: x = n·(p − a) in [low, high]. Components
+/// of n that are zero are left out, since their product with infinity says nothing.
 struct PlaneRange {
   PlaneRange(const Box& box, const Vec3& at, const Vec3& normal) : low(-at.dot(normal)), high(low) {
     for (int i = 0; i < 3; ++i) {

@@ -2,15 +2,10 @@
 #pragma once
 
 #include "base/check.h"
-#include "renderer/fields/skeletons/box.h"
-#include "renderer/fields/skeletons/circle.h"
-#include "renderer/fields/skeletons/cone.h"
-#include "renderer/fields/skeletons/plane.h"
-#include "renderer/fields/skeletons/point.h"
-#include "renderer/fields/skeletons/segment.h"
-#include "renderer/fields/skeletons/sheet.h"
-#include "renderer/fields/skeletons/triangle.h"
+#include "renderer/fields/skeletons/skeleton_files.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -23,7 +18,7 @@ struct ColumnsBehind {
 };
 /// A column of each.
 using SkeletonColumns = ColumnsBehind<void
-#define ISL_SKELETON(word, Type) , std::vector<Type>
+#define ISL_SKELETON(word, Type, record) , std::vector<Type>
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
                                       >::type;
@@ -32,13 +27,48 @@ using SkeletonColumns = ColumnsBehind<void
 template <class Use>
 auto with_skeleton_type(scene::Skeleton skeleton, const Use& use) {
   switch (skeleton) {
-#define ISL_SKELETON(word, Type) \
-  case scene::Skeleton::word:    \
+#define ISL_SKELETON(word, Type, record) \
+  case scene::Skeleton::word:            \
     return use(std::type_identity<Type>());
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
   }
   ISL_CHECK(false, "skeleton {}", static_cast<int>(skeleton));
 }
+
+/// Whether it reaches everywhere, in two directions at least: it has a place and a normal, `at` and `normal`, the
+/// borders of its field and what is behind them.
+template <class Shape>
+concept Endless = requires {
+  Shape::kBorders;
+};
+
+/// The same of a skeleton that has no end.
+template <class Use>
+auto with_endless_type(scene::Skeleton skeleton, const Use& use) {
+  switch (skeleton) {
+#define ISL_SKELETON(word, Type, record)      \
+  case scene::Skeleton::word:                 \
+    if constexpr (Endless<Type>) {            \
+      return use(std::type_identity<Type>()); \
+    }                                         \
+    break;
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+  }
+  ISL_CHECK(false, "skeleton {} has an end", static_cast<int>(skeleton));
+}
+
+/// No ray makes more pieces of any skeleton.
+inline constexpr std::size_t kMostPieces = [] {
+  std::size_t most = 0;
+  const auto count = [&]<class Shape>(std::type_identity<Shape>) {
+    if constexpr (HasPieces<Shape>) most = std::max(most, Shape::kMostPieces);
+  };
+#define ISL_SKELETON(word, Type, record) count(std::type_identity<Type>());
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+  return most;
+}();
 
 }  // namespace isl::render

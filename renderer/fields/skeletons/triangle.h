@@ -3,6 +3,8 @@
 // Space falls into seven regions by what of the triangle is nearest: the face (between the three planes that stand on
 // the edges), an edge (outside its plane, between the two planes across its ends) or a corner. In each the squared
 // distance is that to a plane, a line or a point, quadratic along a ray; the nine planes are where pieces can meet.
+//
+// Record: a, b and the corner that the blob keeps; radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -64,6 +66,7 @@ struct FlatTriangle {
     return {Reach{coordinate, radius}, Reach{coordinate, radius}};
   }
 
+  static constexpr std::size_t kMostPieces = 10;
   template <class Emit>
   void along(const Vec3& origin, const Vec3& direction, const Emit& emit) const {
     Breaks<9> breaks;

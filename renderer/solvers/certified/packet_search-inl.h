@@ -99,7 +99,8 @@ class PacketSearch {
   std::uint32_t solve_together(std::uint32_t index, const Cell& cell, std::uint32_t together) {
     const OctetMask lanes = mask_of(together);
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
-    const OctetMask open = lanes & fields_.may_be_inside();
+    // A bound that is no number knows nothing.
+    const OctetMask open = and_not(fields_.upper_bound() < Octet(0.0), lanes);
     for_each_lane(together, [&](std::size_t lane) { searches_[lane]->set_passed(); });
     if (none(open)) return 0;
     PacketSolver(fields_, counters_).first_roots(open, load(packet_.t0), load(packet_.t1), load(least_), any_, roots_);

@@ -97,7 +97,7 @@ class PacketSolver {
   [[nodiscard]] HWY_INLINE Node node(const Octet& t) {
     const PacketLanes::FieldAt f = fields_.at(t);
     counters_.field_evaluations += static_cast<std::uint64_t>(sum(keep(searched_, fields_.field_count())));
-    return {t, f.value, f.slope, f.noise, f.slope_noise};
+    return {t, f.value, f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
   }
 
   struct Verdicts {
@@ -111,7 +111,7 @@ class PacketSolver {
     const Octet h = b.t - a.t, third = h * Octet(1.0 / 3);
     const OctetMask crossed = b.value > b.noise, at_start = a.value > a.noise;
     const Octet noise = max(a.noise, b.noise), slope_noise = max(a.slope_noise, b.slope_noise);
-    const RemainderSums e = fields_.remainder(a.t, b.t);
+    const PacketLanes::Remainder e = fields_.remainder(a.t, b.t);
     const Octet b1 = a.value + third * a.slope, b2 = b.value - third * b.slope;
     const OctetMask below = max(max(a.value, b1), max(b2, b.value)) + e.value + noise < zero;
     const Octet d0 = b1 - a.value, d1 = b2 - b1, d2 = b.value - b2;

@@ -63,7 +63,7 @@ class PaperFields {
     }
     const double most = table_.amplitude[item] * kernel_profile(group.kernel, 0);
     const double begin = std::min(h.begins, h.ends), end = std::max(h.begins, h.ends);
-    if (group.skeleton == scene::Skeleton::sheet) {
+    if (!h.fills_behind) {
       add_slope(item, begin, end, 0, 0, most);
     } else if (h.dx > 0) {
       add_constant(item, 0, begin, most);
@@ -94,7 +94,7 @@ class PaperFields {
       alignas(64) double v[kOctet], dv[kOctet], value[kOctet], slope[kOctet];
       for (std::uint32_t i = 0; i < kOctet; ++i) {
         if (i < count) {
-          const KernelArgument at = line.at(nodes[i].t);
+          const ArgumentOnLine at = line.at(nodes[i].t);
           v[i] = std::min(at.v, line.group.kernel.support);
           dv[i] = at.slope;
         } else {
@@ -114,10 +114,11 @@ class PaperFields {
   }
 
  private:
-  /// Along a ray, the plane where a half-space or the far side of a sheet begins, and the one where its field ends. dx is
-  /// 0 where they are farther than any scene reaches.
+  /// Along a ray, the plane where a half-space or the far side of a sheet begins, and the one where its field ends. dx
+  /// is 0 where they are farther than any scene reaches.
   struct EndlessLine {
     double dx, begins, ends;
+    bool fills_behind;
   };
 
   [[nodiscard]] static KernelValue kernel_value(const KernelConstants& k, const Octet& v) {
@@ -132,7 +133,7 @@ class PaperFields {
       const double x = (origin_ - shape.at).dot(shape.normal), dx = direction_.dot(shape.normal);
       const double reach = shape.radius * ComponentTable::support_root(group);
       const double begins = (shape.kBorders.front() * reach - x) / dx, ends = (shape.kBorders.back() * reach - x) / dx;
-      return {std::max(std::abs(begins), std::abs(ends)) < 1e150 ? dx : 0, begins, ends};
+      return {std::max(std::abs(begins), std::abs(ends)) < 1e150 ? dx : 0, begins, ends, shape.kFillsBehind};
     });
   }
 

@@ -1,15 +1,13 @@
 // One component as a ray sees it, for the published solver: the kernel's argument v and its slope at any t, in the
-// component's own space. Geometry only: no kernel is evaluated here, except for a convolved curve, which has no
-// argument.
+// component's own space.
 #pragma once
 
-#include "renderer/fields/component_table.h"
-#include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/component_point.h"
 
 namespace isl::render {
 
 /// v and dv/dt along the ray.
-struct KernelArgument {
+struct ArgumentOnLine {
   double v, slope;
 };
 
@@ -28,17 +26,13 @@ struct FieldLine {
     direction = map.inverse_vector(direction);
   }
 
-  [[nodiscard]] KernelArgument at(double t) const {
-    const Vec3 p = origin + direction * t;
-    const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
-    const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
-    return {half_gradient.dot(foot.offset), 2 * half_gradient.dot(direction)};
+  [[nodiscard]] ArgumentOnLine at(double t) const {
+    const KernelArgument here = argument_in_own_space(table, group, item, origin + direction * t);
+    return {here.v, 2 * here.half_gradient.dot(direction)};
   }
   /// The value and gradient of a convolved curve.
   [[nodiscard]] CurveSample sample(double t) const {
-    const Vec3 p = origin + direction * t;
-    return table.with_skeleton(group, item,
-                               [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+    return curve_in_own_space(table, group, item, origin + direction * t);
   }
 };
 

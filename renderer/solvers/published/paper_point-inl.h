@@ -65,13 +65,10 @@ class Equation10 {
   }
 
   void add_curve(const FieldGroup& group, std::size_t i) {
-    const scene::Transform* map = group.is_mapped ? &table_.blob_from_component(group, items_[i]) : nullptr;
-    const Vec3 p = map ? map->inverse_point(point_) : point_;
-    const CurveSample f = table_.with_skeleton(
-        group, items_[i], [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
+    const CurveSample f = curve_at(table_, group, items_[i], point_);
     ++result_.evaluations;
     const double value = values_.empty() ? table_.amplitude[items_[i]] * f.value : values_[i];
-    add(i, value, -(map ? map->normal(f.gradient) : f.gradient));
+    add(i, value, -f.gradient);
   }
 
   void add_octet(const FieldGroup& group, std::size_t begin, std::size_t end) {

@@ -1,0 +1,98 @@
+// What a skeleton that is no quadratic along a ray tells the inner loops: its ray form. It is a struct of octets, in
+// which eight fields along one ray or one field along eight rays lie side by side, whichever its user chose. Its
+// members are, in this order, kAlong octets that depend on field and ray, kShape that depend on the field alone, and
+// `amplitude`. It has
+//
+//   along<N>(shape, lines)          the first of these, for one line (N = double) or for eight (Octet)
+//   shape(shape)                    the second
+//   kOutOfReach                     values of both for lanes that are not in use: no support reaches there
+//   at(t, scale)                    v = scale · q and dv/dt
+//   second(t, scale)                d²v/dt²
+//   bounds(t0, t1, scale, support)  what v does on a stretch, as ShapeBounds has it; what is beyond the support does
+//   not
+//                                   count
+//
+// and RayFormOf<Shape> names it.
+#if defined(ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_
+#undef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_
+#endif
+
+#include "renderer/fields/kernels/kernel_bounds-inl.h"
+#include "renderer/scene/transform.h"
+#include "renderer/simd/octet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+/// v = scale · q and dv/dt.
+struct LanePoint {
+  Octet v, slope;
+};
+
+/// On a stretch of a ray, of a v that is bounded as a whole.
+struct ShapeBounds {
+  JetBounds v;
+  OctetMask one_piece;  ///< v is smooth
+  Octet least, greatest;
+
+  /// What f″ and f⁗ are between, of the field of a kernel.
+  template <class Kernel>
+  [[nodiscard]] HWY_INLINE SecondAndFourth compose(const Kernel& kernel) const {
+    return render::HWY_NAMESPACE::compose(kernel, v);
+  }
+  /// |f′| is no greater.
+  template <class Kernel>
+  [[nodiscard]] HWY_INLINE Octet steepest(const Kernel& kernel) const {
+    return kernel.slopes(v.least).first * v.first;
+  }
+};
+
+/// Beyond any support, and its square finite.
+inline constexpr double kFarAway = 1e100;
+
+/// The lanes of a skeleton that has a ray form; void where it has none.
+template <class Shape>
+struct RayFormOf {
+  using type = void;
+};
+
+/// Lines o + d t, in a component's own space.
+template <class N>
+struct Lines {
+  N o[3], d[3];
+};
+
+/// Seen from an axis: the place along it, x₀ + x′t, and the squared distance from it, n₀ + n₂(t − middle)².
+template <class N>
+struct AboutAxis {
+  N x0, dx, n0, n2, middle;
+};
+
+/// `axis` has unit length and goes through `at`.
+template <class N>
+[[nodiscard]] HWY_INLINE AboutAxis<N> about_axis(const scene::Vec3& at, const scene::Vec3& axis,
+                                                 const Lines<N>& lines) {
+  const N ax(axis.x), ay(axis.y), az(axis.z);
+  N ox = lines.o[0] - N(at.x), oy = lines.o[1] - N(at.y), oz = lines.o[2] - N(at.z);
+  N dx = lines.d[0], dy = lines.d[1], dz = lines.d[2];
+  AboutAxis<N> r;
+  r.x0 = ox * ax + oy * ay + oz * az;
+  r.dx = dx * ax + dy * ay + dz * az;
+  ox = ox - ax * r.x0, oy = oy - ay * r.x0, oz = oz - az * r.x0;
+  dx = dx - ax * r.dx, dy = dy - ay * r.dx, dz = dz - az * r.dx;
+  r.n2 = dx * dx + dy * dy + dz * dz;
+  r.middle = select(r.n2 > N(0.0), N(0.0) - (ox * dx + oy * dy + oz * dz) / r.n2, N(0.0));
+  ox = ox + dx * r.middle, oy = oy + dy * r.middle, oz = oz + dz * r.middle;
+  r.n0 = ox * ox + oy * oy + oz * oz;
+  return r;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
