@@ -44,6 +44,9 @@ const std::vector<Shape>& skeletons() {
       {"triangle_needle", reference::triangle({-0.8, 0.1, 0.2}, {0.7, -0.3, 0.1}, 0.25), {0.7, -0.293, 0.107}},
       {"circle", reference::circle({0, 0, 0}, {0, 1, 0}, 0.9, 0.12)},
       {"circle_tilted", reference::circle({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 1.1, 0.15)},
+      {"disc", reference::disc({0, 0, 0}, {0, 1, 0}, 0.6, 0.2)},
+      {"disc_tilted", reference::disc({0.1, -0.2, 0.3}, {0.36, 0.48, 0.8}, 0.8, 0.1)},
+      {"disc_narrow", reference::disc({-0.1, 0.2, 0}, {0.6, 0, 0.8}, 0.1, 0.3)},
       {"plane", reference::half_space({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)},
       {"sheet", reference::sheet({0.1, 0.2, -0.3}, {0.48, -0.6, 0.64}, 0.3)}};
   return list;
@@ -106,7 +109,8 @@ double longest_stretch(const scene::Transform& transform) {
 double skeleton_reach(const FieldCase& field) {
   const scene::Component& c = field.component;
   switch (c.skeleton) {
-    case scene::Skeleton::circle: return c.a.length() + c.radius_b;
+    case scene::Skeleton::circle:
+    case scene::Skeleton::disc: return c.a.length() + c.radius_b;
     case scene::Skeleton::plane:
     case scene::Skeleton::sheet: return c.a.length() + 1;
     case scene::Skeleton::triangle: return std::max({c.a.length(), c.b.length(), field.third_corner.length()});

@@ -242,7 +242,8 @@ std::string is_smooth_along_rays(const FieldUnderTest& tested, const FieldCase& 
 std::string box_range_holds_every_sample(const FieldUnderTest& tested, const FieldCase& field) {
   RandomSource random(106);
   const ReferenceComponent judge = truth_of(field);
-  for (int i = 0; i < kPoints; ++i) {
+  // Many a box about what is flat has the extremes at two of its corners, where any bound that knows corners is right.
+  for (int i = 0; i < 3 * kPoints; ++i) {
     const Vec3 centre = interesting_point(random, field);
     const Vec3 half = Vec3(random.between(0.1, 1), random.between(0.1, 1), random.between(0.1, 1)) *
                       (field.reach * std::pow(10, random.between(-3, -0.3)));

@@ -122,6 +122,18 @@ std::optional<SurfaceWitness> on_circle(const FieldCase& field, const Draw& draw
   return SurfaceWitness{c.a + radial * c.radius_b, radial * std::cos(turn) + c.b * std::sin(turn), c.radius_a};
 }
 
+/// The face has two normals, the rim a half circle of them between those.
+std::optional<SurfaceWitness> on_disc(const FieldCase& field, const Draw& draw) {
+  const scene::Component& c = field.component;
+  const Vec3 radial = across(c.b, draw.random.direction()), normal = c.b * (2.0 * draw.random.below(2) - 1);
+  if (draw.on_seam) return SurfaceWitness{c.a + radial * c.radius_b, normal, c.radius_a};
+  if (draw.random.below(2) == 0) {
+    return SurfaceWitness{c.a + radial * (c.radius_b * std::sqrt(draw.random.unit())), normal, c.radius_a};
+  }
+  const double turn = draw.random.between(0, 1.57);
+  return SurfaceWitness{c.a + radial * c.radius_b, radial * std::cos(turn) + normal * std::sin(turn), c.radius_a};
+}
+
 std::optional<SurfaceWitness> on_plane(const FieldCase& field, const Draw& draw) {
   const scene::Component& c = field.component;
   const bool is_behind = c.skeleton == scene::Skeleton::sheet && draw.random.below(2) == 0;
@@ -134,6 +146,7 @@ std::optional<SurfaceWitness> witness(const FieldCase& field, const Draw& draw) 
     case scene::Skeleton::box: return on_box(field, draw);
     case scene::Skeleton::triangle: return on_triangle(field, draw);
     case scene::Skeleton::circle: return on_circle(field, draw);
+    case scene::Skeleton::disc: return on_disc(field, draw);
     case scene::Skeleton::plane:
     case scene::Skeleton::sheet: return on_plane(field, draw);
     default: return on_limb(field, draw);

@@ -45,7 +45,7 @@ std::vector<scene::KernelId> convolved_kernels(scene::Database& database, scene:
   return ids;
 }
 
-/// Makes a box, a triangle or a circle of a component whose b is its second end; one box and triangle in four is flat
+/// Makes a box, a triangle, a circle or a disc of a component whose b is its second end; one box and triangle in four is flat
 /// or a needle.
 void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scene::Component& c, scene::Blob& blob) {
   const bool thin = random.below(4) == 0;
@@ -63,6 +63,7 @@ void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scen
   } else {
     c.b = random.direction();
     c.radius_b = scale * random.between(0.1, 0.5);
+    if (c.skeleton == scene::Skeleton::disc) return;
     // The field has a crease on the axis, which the support stays short of.
     const double border = std::sqrt(static_cast<double>(ReferenceKernel(kernel).support().hi));
     c.radius_a = std::min(c.radius_a, 0.95 * c.radius_b / border);
@@ -124,7 +125,7 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
   blob.threshold = random.between(0.3, 1.5);
   for (int i = 0; i < options.components; ++i) {
     scene::Component component;
-    component.skeleton = static_cast<scene::Skeleton>(random.below(6));
+    component.skeleton = static_cast<scene::Skeleton>(random.below(static_cast<int>(scene::Skeleton::plane)));
     component.kernel = static_cast<scene::KernelId>(random.below(static_cast<int>(database.kernels.size())));
     component.a = random.in_ball(options.scale * 0.7);
     component.b = component.a + random.in_ball(options.scale * 0.5);

@@ -20,6 +20,7 @@ SkeletonFormHandle form_of(const scene::Component& component, std::span<const sc
       ISL_CHECK(component.corner < corners.size(), "corner {} of {}", component.corner, corners.size());
       return triangle_form(component, corners[component.corner]);
     case scene::Skeleton::circle: return circle_form(component);
+    case scene::Skeleton::disc: return disc_form(component);
     case scene::Skeleton::plane: return plane_form(component);
     case scene::Skeleton::sheet: return sheet_form(component);
   }

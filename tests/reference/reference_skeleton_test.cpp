@@ -166,6 +166,29 @@ TEST(ReferenceSkeleton, CircleIsTheNearestOfItsPoints) {
   }
 }
 
+TEST(ReferenceSkeleton, DiscIsTheNearestOfItsCircles) {
+  RandomSource random(20);
+  for (const scene::Vec3& axis : {scene::Vec3(0, 1, 0), scene::Vec3(0.36, 0.48, 0.8), random.direction()}) {
+    const scene::Component component = disc({0.1, -0.2, 0.3}, axis, 1.2, 0.3);
+    const Vector<long double> centre = exactly(component.a), up = exactly(axis);
+    const ReferenceSkeleton skeleton(component);
+    for (int i = 0; i < 100; ++i) {
+      const Vector<long double> p = exactly(random.in_ball(3));
+      // In the half-plane of p the circles that the disc is made of are points at 0 … 1.2 from the centre.
+      const Vector<long double> w = p - centre, across = w - up * dot(w, up);
+      const Vector<long double> towards = across * (1 / std::sqrt(squared_length(across)));
+      const auto at_radius = [&](long double radius) { return squared_length(w - towards * radius); };
+      const long double expected = stretchwise_minimum(at_radius, 0, 1.2L) / square(Interval(0.3)).middle();
+      const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
+      // The axis is of unit length to 1e-16 only.
+      ASSERT_CLOSE(here.q.middle(), expected, 1e-14L * (1 + expected));
+      ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi));
+      const Interval eikonal = squared_length(here.gradient) * square(Interval(0.3)) * Interval(0.25L);
+      ASSERT_CLOSE(eikonal.middle(), here.q.middle(), 1e-14L * (1 + here.q.middle()));
+    }
+  }
+}
+
 TEST(ReferenceSkeleton, LinesAcrossACirclesAxisAreEnclosed) {
   const scene::Component component = circle({0, 0, 0}, {0, 1, 0}, 1, 0.5);
   const ReferenceSkeleton skeleton(component);

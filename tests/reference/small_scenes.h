@@ -86,6 +86,14 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return component;
 }
 
+/// `axis` has unit length.
+[[nodiscard]] inline scene::Component disc(const scene::Vec3& centre, const scene::Vec3& axis, double disc_radius,
+                                           double radius, double strength = 1) {
+  scene::Component component = circle(centre, axis, disc_radius, radius, strength);
+  component.skeleton = scene::Skeleton::disc;
+  return component;
+}
+
 /// The half-space behind the plane through `at`; `normal` has unit length.
 [[nodiscard]] inline scene::Component half_space(const scene::Vec3& at, const scene::Vec3& normal, double radius,
                                                  double strength = 1) {
@@ -117,15 +125,14 @@ inline constexpr scene::Kernel kPovRay{scene::KernelShape::quartic, scene::Radiu
   return database;
 }
 
-/// The blob's parts with `change` made to every place; a circle's axis and a plane's normal are none.
+/// The blob's parts with `change` made to every place; an axis and a normal are none.
 template <class Change>
 [[nodiscard]] scene::Database with_places(scene::Database database, const Change& change) {
   scene::Blob& blob = database.blobs.front();
   for (scene::Vec3& corner : blob.corners) change(corner);
   for (scene::Component& component : blob.components) {
     change(component.a);
-    const bool is_direction = component.skeleton == scene::Skeleton::circle || scene::is_endless(component.skeleton);
-    if (!is_direction) change(component.b);
+    if (!has(component.skeleton, scene::kDirectionB)) change(component.b);
   }
   return database;
 }

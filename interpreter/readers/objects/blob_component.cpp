@@ -87,6 +87,15 @@ void read_torus(const Reading& r) {
                           "keep the minor radius below the major one, or write `convolution on`, which has no crease");
 }
 
+/// Centre and normal come first, as in POV-Ray's disc; the normal is normalised.
+void read_disc(const Reading& r) {
+  r.c.skeleton = Skeleton::disc;
+  r.c.a = r.point("the centre of the disc");
+  r.c.b = r.normal("the normal of the disc");
+  r.c.radius_b = r.positive("the radius of the disc");
+  r.c.radius_a = read_positive(r.stream, "a radius about the disc");
+}
+
 void read_triangle(const Reading& r) {
   r.c.skeleton = Skeleton::triangle;
   r.c.a = r.point("a corner of the triangle");
@@ -119,10 +128,10 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {word::kw_sphere, false, false, read_sphere}, {word::kw_cylinder, false, true, read_cylinder},
-    {word::kw_cone, true, false, read_cone},      {word::kw_box, true, false, read_box},
-    {word::kw_torus, true, true, read_torus},     {word::kw_triangle, true, false, read_triangle},
-    {word::kw_plane, true, true, read_plane},
+    {word::kw_sphere, false, false, read_sphere},    {word::kw_cylinder, false, true, read_cylinder},
+    {word::kw_cone, true, false, read_cone},         {word::kw_box, true, false, read_box},
+    {word::kw_torus, true, true, read_torus},        {word::kw_disc, true, false, read_disc},
+    {word::kw_triangle, true, false, read_triangle}, {word::kw_plane, true, true, read_plane},
 };
 
 constexpr auto kWords = [] {

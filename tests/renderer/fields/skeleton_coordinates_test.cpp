@@ -104,6 +104,14 @@ TEST(SkeletonCoordinates, OfACircleAreThoseOfPovraysTorus) {
   expect_coordinates(ring, {2, -0.5, 0}, 0.5, 0.25);
 }
 
+TEST(SkeletonCoordinates, OfADiscRunFromItsCentreToItsRimAndAround) {
+  const Made disc = made(Skeleton::disc, {0, 0, 0}, {0, 1, 0}, 0.5, 2);
+  expect_coordinates(disc, {1, 0.3, 0}, 0.5, 0);
+  expect_coordinates(disc, {0, -0.2, 0.5}, 0.25, 0.25);
+  expect_coordinates(disc, {0, 0.1, -2.3}, 1, 0.75);
+  expect_coordinates(disc, {0, 0.5, 0}, 0, 0);
+}
+
 TEST(SkeletonCoordinates, OfABoxAreThoseOfTheUnfoldedBox) {
   const Made box = made(Skeleton::box, {0, 0, 0}, {4, 3, 4});
   expect_coordinates(box, {-0.5, 1.5, 1}, 1 / 16.0, 0.5);

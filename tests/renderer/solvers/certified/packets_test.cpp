@@ -100,7 +100,7 @@ TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
 
 TEST(Packets, TakeEverySkeleton) {
   std::mt19937_64 bits(5);
-  for (int which = 0; which < 6; ++which) {
+  for (int which = 0; which < static_cast<int>(scene::Skeleton::plane); ++which) {
     for (const bool is_mapped : {false, true}) {
       scene::Database database = flake();
       scene::Blob& blob = database.blobs[0];
@@ -112,12 +112,12 @@ TEST(Packets, TakeEverySkeleton) {
         scene::Component c;
         c.skeleton = static_cast<scene::Skeleton>(which);
         c.a = Vec3(0.5 * std::sin(1.7 * i), 0.5 * std::cos(2.3 * i), 0.08 * i - 0.5);
-        c.b = c.skeleton == scene::Skeleton::circle ? Vec3(0, 0.6, 0.8) : c.a + Vec3(0.3, 0.1 * (i % 5), 0.2);
+        c.b = has(c.skeleton, scene::kDirectionB) ? Vec3(0, 0.6, 0.8) : c.a + Vec3(0.3, 0.1 * (i % 5), 0.2);
         c.radius_a = 0.05;
-        c.radius_b = c.skeleton == scene::Skeleton::circle ? 0.2 : 0.02;
+        c.radius_b = has(c.skeleton, scene::kDirectionB) ? 0.2 : 0.02;
         c.kernel = scene::KernelId{0};
         if (is_mapped) c.transform = scene::TransformId{0};
-        if (c.skeleton == scene::Skeleton::triangle) {
+        if (has(c.skeleton, scene::kCorner)) {
           c.corner = static_cast<std::uint32_t>(blob.corners.size());
           blob.corners.push_back(c.a + Vec3(-0.1, 0.2, 0.3));
         }
