@@ -138,7 +138,9 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     if (is_skeleton ? strength > 0 : strength != 0) prepared.push_back(prepare(database, blob, i));
   }
   set_morton_codes(prepared);
-  const auto group_of = [](const Prepared& p) { return std::tuple(p.is_mapped(), p.component.skeleton, p.component.kernel); };
+  const auto group_of = [](const Prepared& p) {
+    return std::tuple(p.is_mapped(), p.component.skeleton, p.component.kernel);
+  };
   std::sort(prepared.begin(), prepared.end(), [&](const Prepared& p, const Prepared& q) {
     if (group_of(p) != group_of(q)) return group_of(p) < group_of(q);
     if (p.morton != q.morton) return p.morton < q.morton;
@@ -168,7 +170,8 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     group.end = i + 1;
     const bool is_point = c.skeleton == scene::Skeleton::point;
     if (!is_point) {
-      with_skeleton_of(blob, c, [&](const auto& shape) { column<std::decay_t<decltype(shape)>>(table).push_back(shape); });
+      with_skeleton_of(blob, c,
+                       [&](const auto& shape) { column<std::decay_t<decltype(shape)>>(table).push_back(shape); });
     }
     if (p.is_mapped()) table.maps.push_back(database.transforms[scene::index(c.transform)]);
     table.x.push_back(c.a.x);
@@ -183,22 +186,45 @@ ComponentTable compile_components(const scene::Database& database, const scene::
   return table;
 }
 
-FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
-                       const Box& blob_box) {
-  const Box box = group.is_mapped ? image(blob_box, table.blob_from_component(group, component).inverse) : blob_box;
-  if (group.kernel.is_convolved) {
-    const CurveRange range = table.with_skeleton(
-        group, component, [&](const auto& skeleton) { return curve_range(group.kernel, skeleton, box); });
-    const double amplitude = table.amplitude[component];
-    return {std::min(amplitude * range.low, amplitude * range.high),
-            std::max(amplitude * range.low, amplitude * range.high)};
-  }
-  const QRange q = table.with_skeleton(group, component, [&](const auto& skeleton) { return skeleton.q_over(box); });
+namespace {
+
+template <class Shape>
+FieldRange range_of_distance(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
+                             const Box& box) {
+  const QRange q = table.shape<Shape>(group, component).q_over(box);
   const double scale = ComponentTable::v_scale(group);
   if (!(scale * q.low < group.kernel.support)) return {0, 0};
   const double near = table.amplitude[component] * kernel_profile(group.kernel, scale * q.low);
   const double far = table.amplitude[component] * kernel_profile(group.kernel, scale * q.high);
   return {std::min(near, far), std::max(near, far)};
+}
+
+/// Of what is mapped or convolved.
+template <class Shape>
+[[gnu::noinline]] FieldRange other_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
+                                         const Box& blob_box) {
+  const Box box = group.is_mapped ? image(blob_box, table.blob_from_component(group, component).inverse) : blob_box;
+  if (!group.kernel.is_convolved) return range_of_distance<Shape>(table, group, component, box);
+  const CurveRange range = curve_range(group.kernel, table.shape<Shape>(group, component), box);
+  const double amplitude = table.amplitude[component];
+  return {std::min(amplitude * range.low, amplitude * range.high),
+          std::max(amplitude * range.low, amplitude * range.high)};
+}
+
+/// Every component is asked for its range in every cell of a grid, which is the better part of building one. So each
+/// skeleton has a function of its own, into which all is inlined that skeletons share, however many they are.
+template <class Shape>
+[[gnu::noinline, gnu::flatten]] FieldRange range_of(const ComponentTable& table, const FieldGroup& group,
+                                                    std::uint32_t component, const Box& box) {
+  if (group.is_mapped || group.kernel.is_convolved) return other_range<Shape>(table, group, component, box);
+  return range_of_distance<Shape>(table, group, component, box);
+}
+
+}  // namespace
+
+FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component, const Box& box) {
+  return with_skeleton_type(
+      group.skeleton, [&](auto type) { return range_of<typename decltype(type)::type>(table, group, component, box); });
 }
 
 double support_radius(const ComponentTable& table, const FieldGroup& group, std::uint32_t component) {
