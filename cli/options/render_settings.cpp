@@ -45,7 +45,7 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.packets = !settings.solver.single;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
-  settings.tracer.skeleton = picture.unblended;
+  settings.tracer.unblended = picture.unblended;
   settings.tracer.simd = picture.simd;
 
   settings.render.width = size.width;

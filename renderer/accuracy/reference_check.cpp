@@ -169,7 +169,7 @@ void thin(std::vector<std::size_t>& numbers, std::size_t most) {
 
 ReferenceCheck check_reference(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,
                                std::span<const Ray> rays, std::span<const RayMeasure> found, std::size_t sample) {
-  const CompiledScene scene = compile(database, {.skeleton = options.skeleton});
+  const CompiledScene scene = compile(database, {.unblended = options.unblended});
   std::vector<std::size_t> chosen, misses;
   for (std::size_t i = 0; i < rays.size(); ++i) (found[i].is_miss() ? misses : chosen).push_back(i);
   thin(chosen, sample);

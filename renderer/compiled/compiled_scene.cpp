@@ -113,7 +113,7 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   for (std::size_t i = 0; i < database.blobs.size(); ++i) {
     if (!is_used[i]) continue;
     compiled.blobs[i].size = shape_size(database, scene::Object::Kind::blob, static_cast<std::uint32_t>(i));
-    compiled.blobs[i].components = compile_components(database, database.blobs[i], options.skeleton);
+    compiled.blobs[i].components = compile_components(database, database.blobs[i], options.unblended);
     compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells);
   }
   for (Instance& instance : compiled.instances) set_spread(database, compiled, instance);

@@ -63,7 +63,7 @@ struct CompiledScene {
 
 struct CompileOptions {
   CellRule cells = CellRule::ranges;
-  bool skeleton = false;  ///< every blob is drawn unblended
+  bool unblended = false;  ///< every blob is drawn unblended
 };
 
 [[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);

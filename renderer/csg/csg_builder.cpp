@@ -76,7 +76,7 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   tree.bounds = widened(extents_.of(alone));
   tree.holding_at_rest.assign(tree.nodes.size(), 0);
   for (const CsgLeaf& leaf : tree.leaves) {
-    if (leaf.is_inverse && !leaf.is_sheet) ++tree.holding_at_rest[leaf.parent];
+    if (leaf.is_inverse && !leaf.is_open_surface) ++tree.holding_at_rest[leaf.parent];
   }
   for (std::size_t i = tree.nodes.size() - 1; i > 0; --i) {  // children before parents
     if (tree.nodes[i].holds(tree.holding_at_rest[i])) ++tree.holding_at_rest[tree.nodes[i].parent];
@@ -143,7 +143,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.kind = object.kind;
   leaf.is_seen = above.is_seen;
   leaf.is_inverse = above.is_inverse;
-  leaf.is_sheet = object.kind == Object::Kind::solid && is_sheet(database_.solids[object.shape]);
+  leaf.is_open_surface = object.kind == Object::Kind::solid && is_open_surface(database_.solids[object.shape]);
   leaf.is_placed = above.group_from_parent.matrix != scene::Matrix();
   leaf.shape = object.shape;
   leaf.parent = above.parent;

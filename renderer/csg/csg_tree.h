@@ -38,7 +38,7 @@ struct CsgLeaf {
   scene::Object::Kind kind = scene::Object::Kind::solid;  ///< solid or blob
   bool is_seen = true;                                    ///< false for a leaf that clips: its surface is not drawn
   bool is_inverse = false;                                ///< holds outside rather than inside; its normals are flipped
-  bool is_sheet = false;    ///< has no inside: holds nowhere, inverse or not, as in POV-Ray
+  bool is_open_surface = false;  ///< has no inside: holds nowhere, inverse or not, as in POV-Ray
   bool is_placed = false;   ///< false: its space is the group's
   std::uint32_t shape = 0;
   std::uint32_t parent = 0;  ///< index of its node

@@ -80,7 +80,7 @@ class ReachOfBlob {
   }
 
   [[nodiscard]] double sum_beyond(double a) {
-    if (blob_.is_skeleton) {
+    if (blob_.is_unblended) {
       double greatest = 0;
       for (const Profile& profile : profiles_) greatest = std::max(greatest, profile.most_beyond(a));
       return greatest;

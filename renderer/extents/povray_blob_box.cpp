@@ -85,7 +85,7 @@ bool is_povrays(const scene::Database& database, const Component& c) {
 }  // namespace
 
 std::optional<Box3d> povray_box_of_blob(const scene::Database& database, const scene::Blob& blob) {
-  if (!blob.branches.empty() || blob.is_skeleton) return std::nullopt;
+  if (!blob.branches.empty() || blob.is_unblended) return std::nullopt;
   Balls balls;
   for (const Component& c : blob.components) {
     if (!is_povrays(database, c)) return std::nullopt;

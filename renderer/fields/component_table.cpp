@@ -128,14 +128,14 @@ std::size_t ComponentTable::bytes() const {
   return of_rows(x, y, z, scale, amplitude, texture, source, branch, maps) + std::apply(of_rows, shapes);
 }
 
-ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob, bool skeleton) {
-  const bool is_skeleton = skeleton || blob.is_skeleton;
+ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob, bool unblended) {
+  const bool is_unblended = unblended || blob.is_unblended;
   std::vector<Prepared> prepared;
   prepared.reserve(blob.components.size());
   for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
     const double strength = blob.components[i].strength;
     if (is_void(database, blob.components[i])) continue;
-    if (is_skeleton ? strength > 0 : strength != 0) prepared.push_back(prepare(database, blob, i));
+    if (is_unblended ? strength > 0 : strength != 0) prepared.push_back(prepare(database, blob, i));
   }
   set_morton_codes(prepared);
   const auto group_of = [](const Prepared& p) {
@@ -149,8 +149,8 @@ ComponentTable compile_components(const scene::Database& database, const scene::
 
   ComponentTable table;
   table.threshold = blob.threshold;
-  table.is_skeleton = is_skeleton;
-  if (!is_skeleton) table.tree = BranchTree({blob.branches.begin(), blob.branches.end()});
+  table.is_unblended = is_unblended;
+  if (!is_unblended) table.tree = BranchTree({blob.branches.begin(), blob.branches.end()});
   const auto n = static_cast<std::uint32_t>(prepared.size());
   for (auto* column : {&table.x, &table.y, &table.z, &table.scale, &table.amplitude}) column->reserve(n);
   table.texture.reserve(n);

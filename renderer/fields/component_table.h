@@ -36,8 +36,8 @@ struct ComponentTable {
   std::vector<double> amplitude;  ///< strength times the kernel's
   std::vector<scene::TextureId> texture;
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
-  bool is_skeleton = false;           ///< the blob is the greatest of its fields (scene::Blob::is_skeleton)
-  std::vector<std::uint32_t> branch;  ///< empty where the blob is one sum, or a skeleton
+  bool is_unblended = false;          ///< the blob is the greatest of its fields (scene::Blob::is_unblended)
+  std::vector<std::uint32_t> branch;  ///< empty if the blob is one sum, or unblended
   BranchTree tree;
   // What only some have: a row for each component of the skeleton (but points), and for each that is mapped.
   SkeletonColumns shapes;
@@ -84,9 +84,9 @@ struct ComponentTable {
 };
 
 /// `database` resolves kernels and transforms. Components of strength 0 are left out: they add nothing.
-/// `skeleton`: as its skeleton model, whether the blob says so or not.
+/// `unblended`: draws the blob unblended, whether or not it says so.
 [[nodiscard]] ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob,
-                                                bool skeleton = false);
+                                                bool unblended = false);
 
 /// An enclosure of f_component over the box, tight for points; {0, 0} exactly when the support does not reach it. In
 /// blob space.

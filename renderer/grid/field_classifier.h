@@ -32,13 +32,13 @@ class FieldClassifier {
       }
     }
     // If cells are not classified, small cells gain nothing but short lists.
-    if (rule == CellRule::ranges && !table.is_skeleton)
+    if (rule == CellRule::ranges && !table.is_unblended)
       limb_cost_ = std::clamp((kWorthASplit + 1) * std::sqrt(kFewFields / static_cast<double>(table.size())), 1.0, kWorthASplit + 1);
   }
 
   CellKind classify(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
     kept.clear();
-    if (table_.is_skeleton) return classify_greatest(box, items, kept);
+    if (table_.is_unblended) return classify_greatest(box, items, kept);
     double low = 0, high = 0, magnitude = 0;
     std::vector<double> lows(tree_.size()), highs(tree_.size());
     for_each_range(box, items, [&](std::uint32_t item, const FieldRange& range) {
@@ -65,7 +65,7 @@ class FieldClassifier {
 
   /// One list for each selection of branches that may be the greatest; for an unblended blob, one for each component.
   void list(const Box& box, const std::vector<std::uint32_t>& kept, ListSink& lists) const {
-    if (table_.is_skeleton) {
+    if (table_.is_unblended) {
       for (const std::uint32_t item : kept) lists.add({&item, 1});
       return;
     }

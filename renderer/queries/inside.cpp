@@ -17,8 +17,8 @@ using scene::Solid;
 
 namespace {
 
-/// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; sheets have neither, so
-/// that a negation is handed down to the leaves.
+/// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; open surfaces have
+/// neither, so that a negation is handed down to the leaves.
 class Membership {
  public:
   Membership(const Database& database, const std::vector<KernelConstants>& kernels)
@@ -52,7 +52,7 @@ class Membership {
     switch (object.kind) {
       case Object::Kind::solid: {
         const Solid& solid = database_.solids[object.shape];
-        return !is_sheet(solid) && is_inside(database_, solid, point) != is_inverse;
+        return !is_open_surface(solid) && is_inside(database_, solid, point) != is_inverse;
       }
       case Object::Kind::blob:
         return is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
@@ -72,7 +72,7 @@ bool is_inside(const Database& database, const std::vector<KernelConstants>& ker
   const auto field_of = [&](const Component& c) {
     return field_at(database, blob, c, kernels[index(c.kernel)], point);
   };
-  if (blob.is_skeleton) {
+  if (blob.is_unblended) {
     return std::ranges::any_of(blob.components, [&](const Component& c) { return field_of(c) >= blob.threshold; });
   }
   std::vector<double> sums(std::max<std::size_t>(blob.branches.size(), 1));

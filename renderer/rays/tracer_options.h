@@ -62,7 +62,7 @@ struct TracerOptions {
   bool octree = false;        ///< for `lg`: cells are culled by its authors' method instead of the common one
   double pixel_angle = 1e-3;  ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool packets = true;        ///< for the product's solver: rays in packets of eight, not one by one
-  bool skeleton = false;      ///< every blob is drawn unblended (scene::Blob::is_skeleton)
+  bool unblended = false;     ///< every blob is drawn unblended (scene::Blob::is_unblended)
   std::string simd;           ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")
 };
 

@@ -1,5 +1,6 @@
-// The rival solvers' inner loops, compiled and chosen as the product's are (trace_kernel.cpp), which they leave as it
-// is: the world, the grids and the cells' driver are the same code, and only what finds a root in a cell is a rival's.
+// The rival solvers' inner loops, compiled and chosen as the product's are (trace_entry_points.cpp), which they leave
+// as it is: the world, the grids and the cells' driver are the same code, and only what finds a root in a cell is a
+// rival's.
 #include "renderer/trace/rival_module.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -75,6 +76,6 @@ const char* isl_rivals_stamp() { return isl::render::kHeaderStamp; }
 const isl::render::TraceLoops* isl_rivals_loops(const char* target) {
   using namespace isl::render;
   static constexpr VectorTarget<TraceLoops> kTargets[] = {ISL_VECTOR_TARGETS(loops)};
-  return kernel_of<TraceLoops>(kTargets, target);
+  return entry_points_of<TraceLoops>(kTargets, target);
 }
 #endif

@@ -124,7 +124,7 @@ class Writer {
       }
     }
     Json json = {{"threshold", b.threshold}, {"components", std::move(components)}};
-    if (b.is_skeleton) json["skeleton"] = true;
+    if (b.is_unblended) json["skeleton"] = true;
     for (std::size_t i = 1; i < b.branches.size(); ++i) {
       json["branches"].push_back({{"parent", b.branches[i].parent}, {"maximum", b.branches[i].maximum}});
     }

@@ -128,9 +128,9 @@ struct Blob {
   /// Empty where no component was turned. Else one a component: how, by what is baked into it; for its skeleton
   /// coordinates alone, since its field does not know. Only what takes similarities is turned so.
   GrowingArray<Turn> turns = {};
-  /// The skeleton model: the greatest of the fields instead of their sum, so that each component is the solid that it
+  /// Unblended: the greatest of the fields instead of their sum, so that each component is the solid that it
   /// is alone. Branches and what carves are left aside.
-  bool is_skeleton = false;
+  bool is_unblended = false;
 };
 
 }  // namespace isl::scene

@@ -12,18 +12,19 @@
 namespace isl::render {
 
 /// One vector width; `make` returns its entry points.
-template <class Kernel>
+template <class EntryPoints>
 struct VectorTarget {
   std::int64_t bit;
-  const Kernel* (*make)();
+  const EntryPoints* (*make)();
 };
 
 /// The entry points for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …).
 /// Null if the machine or the program lacks it. `targets` come widest first.
-template <class Kernel>
-[[nodiscard]] const Kernel* kernel_of(std::span<const VectorTarget<Kernel>> targets, const std::string& name) {
+template <class EntryPoints>
+[[nodiscard]] const EntryPoints* entry_points_of(std::span<const VectorTarget<EntryPoints>> targets,
+                                                 const std::string& name) {
   const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
-  for (const VectorTarget<Kernel>& target : targets) {
+  for (const VectorTarget<EntryPoints>& target : targets) {
     if ((supported & target.bit) == 0) continue;
     if (name.empty() || name == hwy::TargetName(target.bit)) return target.make();
   }

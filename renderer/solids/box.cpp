@@ -1,7 +1,7 @@
 // box: the points with a ≤ p ≤ b in every coordinate; three slabs, each between two faces. Part 2·axis is the face at
 // a, 2·axis + 1 the one at b.
 //
-// A box without thickness along an axis is the sheet that POV-Ray makes of it: a rectangle, crossed once.
+// A box without thickness along an axis is the open surface that POV-Ray makes of it: a rectangle, crossed once.
 #include "renderer/solids/line_interval.h"
 #include "renderer/solids/solid_type.h"
 
@@ -94,7 +94,7 @@ Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3
 }  // namespace
 
 constinit const SolidType kinds::box{.crossings = box_crossings,
-                                     .is_sheet = is_flat_box,
+                                     .is_open_surface = is_flat_box,
                                      .normal = box_normal,
                                      .bounds = box_bounds,
                                      .support = box_support,

@@ -98,7 +98,7 @@ double polygon_size(const scene::Database& database, const scene::Solid& solid) 
 }  // namespace
 
 constinit const SolidType kinds::polygon{.crossings = polygon_crossings,
-                                         .is_sheet = always_sheet,
+                                         .is_open_surface = always_sheet,
                                          .normal = polygon_normal,
                                          .bounds = polygon_bounds,
                                          .support = polygon_support,

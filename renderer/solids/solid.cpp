@@ -28,7 +28,7 @@ Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& di
   return type_of(solid).boundary(solid, origin, direction, start_part, details);
 }
 
-bool is_sheet(const scene::Solid& solid) noexcept { return type_of(solid).is_sheet(solid); }
+bool is_open_surface(const scene::Solid& solid) noexcept { return type_of(solid).is_open_surface(solid); }
 
 bool is_part_of_plane(const scene::Solid& solid) noexcept { return type_of(solid).is_part_of_plane; }
 

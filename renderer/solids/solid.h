@@ -49,20 +49,20 @@ struct Crossings {
 [[nodiscard]] Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                   std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
-/// For what is made of solids: every change between inside and outside, unseen ones too. Of a sheet (is_sheet), which
-/// has no inside, the crossings as above.
+/// For what is made of solids: every change between inside and outside, unseen ones too. Of an open surface
+/// (is_open_surface), which has no inside, the crossings as above.
 [[nodiscard]] Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                  std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
 /// Whether the solid is a surface without an inside: a triangle, a polygon, a box without thickness.
-[[nodiscard]] bool is_sheet(const scene::Solid& solid) noexcept;
+[[nodiscard]] bool is_open_surface(const scene::Solid& solid) noexcept;
 
 /// Whether the surface is a part of a plane that goes on unseen, as a disc's is: its inside is all that lies behind
 /// that plane, and the plane has a normal beyond the surface too.
 [[nodiscard]] bool is_part_of_plane(const scene::Solid& solid) noexcept;
 
 /// Outward normal of one of the solid's surfaces at a point on it; unit length. At the apex of a cone: its axis. Zero
-/// where a polynomial has none (a singular point). Of sheets, the side that POV-Ray's `trace` names.
+/// where a polynomial has none (a singular point). Of open surfaces, the side that POV-Ray's `trace` names.
 [[nodiscard]] Vec3 normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
                              const SolidDetails& details = kNoDetails) noexcept;
 

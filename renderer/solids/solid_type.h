@@ -24,7 +24,7 @@ struct SolidType {
 
   CrossingsAlong crossings = nullptr;
   CrossingsAlong boundary = crossings;
-  bool (*is_sheet)(const scene::Solid&) noexcept = [](const scene::Solid&) noexcept { return false; };
+  bool (*is_open_surface)(const scene::Solid&) noexcept = [](const scene::Solid&) noexcept { return false; };
   NormalAt normal = nullptr;
   NormalAt shading_normal = normal;
   Box (*bounds)(const scene::Solid&, const SolidDetails& details) noexcept = nullptr;

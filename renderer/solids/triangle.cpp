@@ -68,7 +68,7 @@ double triangle_size(const scene::Database& database, const scene::Solid& solid)
 }
 
 constexpr SolidType kTriangle{.crossings = triangle_crossings,
-                              .is_sheet = always_sheet,
+                              .is_open_surface = always_sheet,
                               .normal = triangle_normal,
                               .bounds = triangle_bounds,
                               .support = triangle_support,

@@ -123,7 +123,7 @@ class CsgSearch {
       is_inside = !is_inside;
       if (found.t[i] < ray_.t_max) memory_.events.push_back(event(i));
     }
-    if (is_inside && !leaf.is_sheet) memory_.state.toggle(index);
+    if (is_inside && !leaf.is_open_surface) memory_.state.toggle(index);
   }
 
   /// The blob's first crossing beyond t, or a miss.
@@ -197,7 +197,7 @@ class CsgSearch {
   [[nodiscard]] CsgHit hit_of(const CsgEvent& event) const {
     const CsgLeaf& leaf = tree_.leaves[event.leaf];
     CsgHit hit{event.t, event.leaf, event.cell, event.part, !memory_.state.leaf_holds(event.leaf)};
-    if (leaf.is_sheet) {
+    if (leaf.is_open_surface) {
       const LocalRay ray = local(leaf);
       const Vec3 point = ray.origin + ray.direction * event.t;
       const bool from_back =
@@ -229,7 +229,7 @@ class CsgSearch {
     for (std::size_t i = 0; i < group.size(); ++i) {
       const CsgEvent& event = group[i];
       if (!is_seen(event)) continue;
-      if (!tree_.leaves[event.leaf].is_sheet) {
+      if (!tree_.leaves[event.leaf].is_open_surface) {
         const auto of_leaf =
             std::count_if(group.begin(), group.end(), [&](const CsgEvent& e) { return e.leaf == event.leaf; });
         if (of_leaf % 2 == 0) continue;  // the ray came in and went out again

@@ -29,7 +29,7 @@ struct CsgHit {
   std::uint32_t leaf = scene::kNone;
   std::uint32_t cell = scene::kNone;  ///< for a blob
   std::uint8_t part = 0;              ///< for a solid
-  bool from_inside = false;           ///< the ray comes out of the whole; for a sheet, out of its back
+  bool from_inside = false;           ///< the ray comes out of the whole; for an open surface, out of its back
 
   [[nodiscard]] bool is_miss() const { return leaf == scene::kNone; }
 };
@@ -40,7 +40,7 @@ struct BlobSearch {
   BlobHit (*first_hit)(void* context, std::uint32_t blob, const BlobRay& ray);
 };
 
-/// A crossing of a leaf between inside and outside, or a meeting with a sheet.
+/// A crossing of a leaf between inside and outside, or a meeting with an open surface.
 struct CsgEvent {
   double t;
   std::uint32_t leaf;

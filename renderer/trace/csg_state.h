@@ -22,7 +22,7 @@ class CsgState {
   [[nodiscard]] bool is_inside(std::uint32_t leaf) const { return is_inside_[leaf] != 0; }
   [[nodiscard]] bool leaf_holds(std::uint32_t leaf) const {
     const CsgLeaf& own = tree_->leaves[leaf];
-    return !own.is_sheet && is_inside(leaf) != own.is_inverse;
+    return !own.is_open_surface && is_inside(leaf) != own.is_inverse;
   }
   [[nodiscard]] bool node_holds(std::uint32_t node) const { return tree_->nodes[node].holds(holding_[node]); }
   [[nodiscard]] bool holds() const { return node_holds(0); }
@@ -31,7 +31,7 @@ class CsgState {
   void toggle(std::uint32_t leaf) {
     is_inside_[leaf] ^= 1;
     const CsgLeaf& own = tree_->leaves[leaf];
-    if (own.is_sheet) return;
+    if (own.is_open_surface) return;
     bool holds_now = leaf_holds(leaf);
     for (std::uint32_t node = own.parent; node != scene::kNone; node = tree_->nodes[node].parent) {
       const bool held = node_holds(node);

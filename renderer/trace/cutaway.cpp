@@ -14,7 +14,7 @@ bool is_below(const CsgTree& tree, const CsgLeaf& leaf, std::uint32_t node) {
 
 /// Counts the crossings of a line from the point. Any direction serves.
 bool holds(const CompiledScene& scene, const CsgLeaf& leaf, const Vec3& point) {
-  if (leaf.kind != scene::Object::Kind::solid || leaf.is_sheet) return false;
+  if (leaf.kind != scene::Object::Kind::solid || leaf.is_open_surface) return false;
   const Vec3 origin = leaf.is_placed ? leaf.group_from_leaf.inverse_point(point) : point;
   const Crossings found = boundary(scene.solids[leaf.shape], origin, Vec3(0.48, 0.6, 0.64), kNoPart, scene.details);
   bool is_inside = found.ends_inside;

@@ -3,14 +3,14 @@
 // need them.
 #pragma once
 
-#include "renderer/trace/trace_kernel.h"
+#include "renderer/trace/trace_entry_points.h"
 
 #include <string>
 
 namespace isl::render {
 
-/// The rivals' loops for the vector target named as trace_kernel() has it; or the reason why there are none (lower case, no
-/// full stop).
+/// The rivals' loops for the vector target named as trace_entry_points() has it; or the reason why there are none
+/// (lower case, no full stop).
 struct RivalLoops {
   const TraceLoops* loops = nullptr;
   std::string error;

@@ -7,7 +7,7 @@
 #include "renderer/trace/cutaway.h"
 #include "renderer/trace/face.h"
 #include "renderer/trace/rival_module.h"
-#include "renderer/trace/trace_kernel.h"
+#include "renderer/trace/trace_entry_points.h"
 
 namespace isl::render {
 namespace {
@@ -27,8 +27,8 @@ BlobPoint& thread_blob_point() {
 struct Tracer::Impl {
   CompiledScene scene;
   SolverSettings settings;
-  const TraceKernel* kernel = nullptr;
-  const TraceLoops* loops = nullptr;  ///< the loops of kernel, or a baseline's
+  const TraceEntryPoints* entry_points = nullptr;
+  const TraceLoops* loops = nullptr;  ///< the loops of entry_points, or a baseline's
 
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there; `other` is
   /// used where the shape has none of its own.
@@ -43,9 +43,9 @@ struct Tracer::Impl {
     const ShareRule rule{&scene.coordinate_textures, other.texture};
     if (is_published(settings.name)) {
       const PaperMemory* const records = settings.paper.reuse ? &thread_memory().paper : nullptr;
-      kernel->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
+      entry_points->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
     } else {
-      kernel->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
+      entry_points->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
     }
     counters.shading_evaluations += blob.evaluations;
     double total = 0;
@@ -89,14 +89,14 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
-  impl_->scene = compile(database, {.cells = cells, .skeleton = options.skeleton});
+  impl_->scene = compile(database, {.cells = cells, .unblended = options.unblended});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
     for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
   }
-  impl_->kernel = trace_kernel(options.simd);
-  ISL_CHECK(impl_->kernel != nullptr, "no vector target '{}'", options.simd);
-  impl_->loops = &impl_->kernel->loops;
+  impl_->entry_points = trace_entry_points(options.simd);
+  ISL_CHECK(impl_->entry_points != nullptr, "no vector target '{}'", options.simd);
+  impl_->loops = &impl_->entry_points->loops;
   if (is_rival(options.solver)) {
     const RivalLoops rivals = rival_loops(options.simd);
     ISL_CHECK(rivals.loops != nullptr, "{}", rivals.error);
@@ -109,7 +109,7 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 
 std::string Tracer::problem_of(SolverName solver) { return is_rival(solver) ? rival_loops("").error : ""; }
 
-bool Tracer::has_simd_target(const std::string& name) { return trace_kernel(name) != nullptr; }
+bool Tracer::has_simd_target(const std::string& name) { return trace_entry_points(name) != nullptr; }
 
 void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
@@ -160,7 +160,7 @@ Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const
                                 if (is_published(self.settings.name)) return Vec3(0);
                                 BlobPoint& found = thread_blob_point();
                                 const ShareRule rule{&self.scene.coordinate_textures, scene::kNoTexture};
-                                self.kernel->blob_point(self.scene.blobs[blob], cell, place, rule, found);
+                                self.entry_points->blob_point(self.scene.blobs[blob], cell, place, rule, found);
                                 return found.gradient;
                               }};
   return face_of(impl_->scene, hit, point, reach, gradient);
@@ -170,6 +170,6 @@ std::size_t Tracer::grid_bytes() const { return impl_->scene.grid_bytes(); }
 
 std::string Tracer::grid_json() const { return render::grid_json(impl_->scene); }
 
-const char* Tracer::simd_target() const { return impl_->kernel->target; }
+const char* Tracer::simd_target() const { return impl_->entry_points->target; }
 
 }  // namespace isl::render

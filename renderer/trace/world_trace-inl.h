@@ -16,7 +16,7 @@
 #include "renderer/rays/blob_ray.h"
 #include "renderer/solids/solid.h"
 #include "renderer/trace/ray_faces.h"
-#include "renderer/trace/trace_kernel.h"
+#include "renderer/trace/trace_entry_points.h"
 
 #include <array>
 #include <cmath>

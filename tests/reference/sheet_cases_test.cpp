@@ -102,7 +102,7 @@ TEST(Sheet, AddsUpWithOthersAndWithWhatHasAnEnd) {
 TEST(Sheet, OfASkeletonIsTheSlabThatItIsAlone) {
   scene::Database skeleton =
       one_blob(over_sheets(cauchy(3)), {sheet({0, 0, 0}, {0, 1, 0}, 0.5), sheet({0, 0.8, 0}, {0, 1, 0}, 0.5)});
-  skeleton.blobs[0].is_skeleton = true;
+  skeleton.blobs[0].is_unblended = true;
   expect_roots(walk(skeleton, {0, 4, 0}, {0, -1, 0}), {2.7, 4.5}, 1e-13);
 }
 

@@ -129,7 +129,7 @@ class BlobReader {
                       "write `skeleton` in the outermost blob");
       }
       stream_.drop();
-      assembly_.blob().is_skeleton = read_optional_truth(stream_);
+      assembly_.blob().is_unblended = read_optional_truth(stream_);
       return true;
     } else if (next.is(ElementKind::value)) {
       return !read_copy();

@@ -22,7 +22,7 @@ class PaperSums {
     const BranchTree& tree = blob_.components.tree;
     const double threshold = blob_.components.threshold;
     m_.sums.clear();
-    if (blob_.components.is_skeleton) {
+    if (blob_.components.is_unblended) {
       for (const std::uint32_t index : m_.active) {
         m_.sums.push_back({-threshold, 0, -threshold, 0});
         m_.sums.back() += m_.piece_on(m_.fields[index], from, to);
@@ -110,7 +110,7 @@ class PaperSums {
 
   /// True if a field is part of a sum.
   [[nodiscard]] bool has(std::size_t sum, std::size_t active) const {
-    if (blob_.components.is_skeleton) return sum == active;
+    if (blob_.components.is_unblended) return sum == active;
     if (blob_.components.tree.size() == 0) return true;
     const std::vector<std::uint32_t>& selection = m_.selections[sum];
     return std::find(selection.begin(), selection.end(), m_.fields[m_.active[active]].branch) != selection.end();

@@ -1,4 +1,5 @@
-// The surfaces that a combination shows, with their textures and normals: sheets, open tubes, clips, unions within.
+// The surfaces that a combination shows, with their textures and normals: open surfaces, open tubes, clips, unions
+// within.
 #include "tests/renderer/csg/csg_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // The inner loops for every vector width. This file is compiled once for each target (Highway's foreach_target includes
 // it again), with everything that ends in -inl.h inlined into it. The widest target that the machine has is chosen at
 // run time.
-#include "renderer/trace/trace_kernel.h"
+#include "renderer/trace/trace_entry_points.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "renderer/trace/trace_kernel.cpp"
+#define HWY_TARGET_INCLUDE "renderer/trace/trace_entry_points.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
@@ -71,8 +71,9 @@ void occlusions(const CompiledScene& scene, const SolverSettings& settings, std:
             [&](const Hit& hit, std::size_t i) { occluded[i] = hit.is_miss() ? 0 : 1; });
 }
 
-const TraceKernel* kernel() {
-  static const TraceKernel instance{hwy::TargetName(HWY_TARGET), {first_hits, occlusions}, blob_point, paper_point};
+const TraceEntryPoints* entry_points() {
+  static const TraceEntryPoints instance{
+      hwy::TargetName(HWY_TARGET), {first_hits, occlusions}, blob_point, paper_point};
   return &instance;
 }
 
@@ -85,9 +86,9 @@ HWY_AFTER_NAMESPACE();
 
 namespace isl::render {
 
-const TraceKernel* trace_kernel(const std::string& name) {
-  static constexpr VectorTarget<TraceKernel> kTargets[] = {ISL_VECTOR_TARGETS(kernel)};
-  return kernel_of<TraceKernel>(kTargets, name);
+const TraceEntryPoints* trace_entry_points(const std::string& name) {
+  static constexpr VectorTarget<TraceEntryPoints> kTargets[] = {ISL_VECTOR_TARGETS(entry_points)};
+  return entry_points_of<TraceEntryPoints>(kTargets, name);
 }
 
 }  // namespace isl::render

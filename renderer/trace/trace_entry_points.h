@@ -1,9 +1,9 @@
-// The inner loops, compiled once for every vector width and chosen at run time. See trace_kernel.cpp.
+// The inner loops, compiled once for every vector width and chosen at run time. See trace_entry_points.cpp.
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"
-#include "renderer/fields/point/blob_point.h"
 #include "renderer/fields/packet/ray_packet.h"
+#include "renderer/fields/point/blob_point.h"
 #include "renderer/fields/ray/lane_memory.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/ray.h"
@@ -29,11 +29,11 @@ struct TraceMemory {
 struct TraceLoops {
   void (*first_hits)(const CompiledScene&, const SolverSettings&, RayKind, std::span<const Ray>, std::span<Hit>,
                      TraceMemory&, TraceCounters&);
-  void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>, TraceMemory&,
-                     TraceCounters&);
+  void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>,
+                     TraceMemory&, TraceCounters&);
 };
 
-struct TraceKernel {
+struct TraceEntryPoints {
   const char* target;
   TraceLoops loops;  ///< for the product's solver and the published one
   void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
@@ -43,6 +43,6 @@ struct TraceKernel {
 
 /// The entry points for the widest vectors that this machine has, or for the target named ("AVX3", "AVX2", "SSE4", …).
 /// Null if the machine or the program lacks it.
-[[nodiscard]] const TraceKernel* trace_kernel(const std::string& target);
+[[nodiscard]] const TraceEntryPoints* trace_entry_points(const std::string& target);
 
 }  // namespace isl::render
