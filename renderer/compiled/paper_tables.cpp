@@ -28,7 +28,7 @@ PaperTables make_paper_tables(const ComponentTable& table, bool iso) {
           kernel_profile(group.kernel, group.kernel.support * i / PaperTables::kSteps);
     }
     if (!iso || scene::is_endless(group.skeleton)) continue;
-    std::map<double, IsoLevel> known;  // of components of a kind there are few strengths
+    std::map<double, IsoLevel> known;  // components of a group have few different strengths
     for (std::uint32_t item = group.begin; item < group.end; ++item) {
       const auto [level, is_new] = known.try_emplace(table.amplitude[item]);
       if (is_new) level->second = iso_level(group.kernel, table.amplitude[item], table.threshold);

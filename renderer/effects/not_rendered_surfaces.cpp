@@ -25,7 +25,7 @@ bool is_patterned(const Database& database, const Pigment& pigment) {
   return !pigment.is_plain() && database.pigments[index(pigment.pattern)].pattern.kind != PatternKind::plain;
 }
 
-/// Where the scene says something; its place may be unknown.
+/// The place of a statement, if there is one. The place may be unknown.
 using Found = std::optional<OriginId>;
 
 /// Finds the first of the pigments that one is made of, itself included, for which `is_such` holds. Each is looked at

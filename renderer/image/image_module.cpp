@@ -10,8 +10,8 @@
 namespace isl::render {
 namespace {
 
-/// PNG and EXR have modules of their own, whose libraries load in a millisecond or two; OpenImageIO, for all others,
-/// brings 261 of them and takes a fifth of a second.
+/// PNG and EXR have modules of their own, whose libraries load in a millisecond or two. All others use OpenImageIO,
+/// which brings 261 libraries and takes a fifth of a second to load.
 const char* module_name(std::string_view format) {
   return format == "png" ? "isl_png.so" : format == "exr" ? "isl_exr.so" : "isl_image.so";
 }

@@ -20,7 +20,7 @@ struct Legend {
   const AovPicture& words;
   bool has_scale = true;
   ColourScale scale;
-  double step = 10;  ///< ratio from one number to the next
+  double step = 10;  ///< ratio of neighbouring numbers
 };
 
 /// Pixels in a dot of the legend's letters, so that they can be read at the size at which the picture is viewed.

@@ -10,7 +10,8 @@
 
 namespace isl::render {
 
-/// In the blob's own space: the field reaches the threshold. `kernels` are those of the database.
+/// `point` is in the blob's own space; it is inside if the field reaches the threshold. `kernels` are those of the
+/// database.
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
                              const scene::Blob& blob, const scene::Vec3& point);
 

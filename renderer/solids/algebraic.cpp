@@ -66,7 +66,8 @@ double quadric_support(const scene::Database& database, const scene::Solid& soli
 
 double unknown_support(const scene::Database&, const scene::Solid&, const Vec3&) { return kFar; }
 
-/// Horner's rule, a polynomial in x whose coefficients are polynomials in y, whose coefficients are polynomials in z.
+/// Evaluates by Horner's rule, as a polynomial in x whose coefficients are polynomials in y, whose coefficients are
+/// polynomials in z.
 bool is_in_algebraic(const scene::Database& database, const scene::Solid& solid, const Vec3& p) {
   const scene::Polynomial& polynomial = database.polynomials[solid.detail];
   const double* coefficient = polynomial.coefficients.data();

@@ -23,7 +23,7 @@ Vec3 normal_of(const CompiledScene& scene, const Shape& shape, const SurfacePiec
     return length > 0 && std::isfinite(length) ? g / length : Vec3(0);
   }
   const scene::Solid& solid = scene.solids[shape.index];
-  // The missing cap of a tube has none that the solid tells; a disc's plane has.
+  // A solid gives no normal for the missing cap of a tube, but a disc gives one for its plane.
   if (piece.part == kUnseen && !is_part_of_plane(solid)) return Vec3(0);
   return normal_at(solid, piece.part, point, scene.details);
 }

@@ -49,7 +49,7 @@ class Tracer {
   /// The reason why this program has no such solver (lower case, no full stop), or "". A rival's module is loaded here.
   [[nodiscard]] static std::string problem_of(SolverName solver);
 
-  /// Whether this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
+  /// True if this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
   [[nodiscard]] static bool has_simd_target(const std::string& name);
 
   [[nodiscard]] std::size_t grid_bytes() const;

@@ -82,7 +82,7 @@ using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 [[nodiscard]] SkeletonFormHandle triangle_form(const scene::Component& component, const scene::Vec3& third_corner);
 [[nodiscard]] SkeletonFormHandle circle_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle disc_form(const scene::Component& component);
-/// Half-space.
+/// The form of a half-space.
 [[nodiscard]] SkeletonFormHandle plane_form(const scene::Component& component);
 [[nodiscard]] SkeletonFormHandle sheet_form(const scene::Component& component);
 

@@ -98,7 +98,7 @@ class Cone::OnRay {
     w_ = cone.radius + cone.slope * x_;
   }
 
-  /// Where q < c.
+  /// The interval where q < c.
   [[nodiscard]] RayInterval below(double c) const {
     RayInterval found;
     for (const double u : {0.0, cone_.length}) {
@@ -110,7 +110,7 @@ class Cone::OnRay {
       found.extend(centre_ + (middle + std::sqrt(half2)));
     }
     const double k = cone_.slope, share = 1 - c * k * k;
-    if (!(share > 0)) return found;  // the thick sphere holds all others
+    if (!(share > 0)) return found;  // the thick sphere contains everything else
     // p₂ t² + 2 p₁ t + p₀ < 0
     const double p2 = share * by_.length2() - c * k * k * dx_ * dx_;
     const double p1 = share * by_.dot(across_) - c * k * dx_ * w_;

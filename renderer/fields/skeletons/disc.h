@@ -74,7 +74,7 @@ class Disc::OnRay {
     lowest_ = 0.5 * (falls + rises);
   }
 
-  /// Where q < c.
+  /// The interval where q < c.
   [[nodiscard]] RayInterval below(double c) const {
     if (!(least() < c)) return {};
     // No point farther than this from the middle is nearer to the disc than √c r.

@@ -162,7 +162,7 @@ TEST(ImageFile, exr_holds_layers_exactly) {
     EXPECT_EQ(file.at(pixel, "normal.Z"), image.layer("normal")->at(pixel, 2));
   }
   EXPECT_EQ(std::vector<double>(file.counts.begin(), file.counts.end()), image.layer("samples")->values);
-  // Numbers of primitives are whole: as 32-bit integers, not as floats.
+  // Numbers of primitives are stored as 32-bit integers, not as floats.
   EXPECT_EQ(file.spec.channelformat(file.spec.channelindex("primitive.id")), OIIO::TypeDesc::UINT32);
   EXPECT_EQ(std::vector<double>(file.ids.begin(), file.ids.end()), image.layer("primitive")->values);
 }
