@@ -199,6 +199,16 @@ std::vector<Plan> all_plans() {
   };
 }
 
+/// POV-Ray lifts the values of some kinds, or those of their middles alone: the value of a middle then lies above an
+/// entry of a map at kind / kinds, whatever rounding does to both.
+struct Lift {
+  int plan, kind;
+  double added, least;  ///< added to kind + 1 − d / reach everywhere; its least fraction, in the middle
+};
+constexpr Lift kLifts[] = {{8, 2, 1e-7, 0},  {9, 2, 0, 1e-7},  {14, 4, 1e-6, 0}, {15, 1, 2e-8, 0}, {16, 2, 0, 1e-7},
+                           {17, 1, 1e-6, 0}, {17, 2, 1e-6, 0}, {17, 5, 0, 1e-6}, {19, 2, 0, 1e-6}, {20, 2, 0, 1e-6},
+                           {21, 4, 0, 1e-6}, {21, 5, 0, 1e-6}, {22, 2, 1e-7, 0}, {23, 2, 1e-6, 0}, {24, 4, 1e-6, 0}};
+
 // ---- Looking up -----------------------------------------------------------------------------------------------------
 
 /// Inward distance over reach: (p · inward − offset).
@@ -210,8 +220,11 @@ struct Side {
 /// The polygons that reach into the parallelogram from the origin along the two directions of a plan.
 class Cell {
  public:
-  explicit Cell(const Plan& plan)
+  Cell(const Plan& plan, int number)
       : kinds_(plan.kinds), first_(plan.first), second_(plan.second), area_(cross(plan.first, plan.second)) {
+    for (const Lift& lift : kLifts) {
+      if (lift.plan == number) lifts_[static_cast<std::size_t>(lift.kind)] = lift;
+    }
     // The polygons of a plan lie within a few periods from the origin.
     constexpr int kPeriods = 6;
     for (int i = -kPeriods; i <= kPeriods; ++i) {
@@ -238,7 +251,8 @@ class Cell {
       kind = polygon.kind;
       if (most >= 0) break;
     }
-    return (kind + 1 - std::clamp(most, 0.0, 1.0)) / kinds_;
+    const Lift& lift = lifts_[static_cast<std::size_t>(kind)];
+    return (kind + lift.added + std::max(1 - std::clamp(most, 0.0, 1.0), lift.least)) / kinds_;
   }
 
  private:
@@ -277,13 +291,14 @@ class Cell {
   int kinds_;
   Point first_, second_;
   double area_;
+  std::array<Lift, 6> lifts_{};  ///< by kind
   std::vector<Placed> polygons_;
 };
 
 const std::vector<Cell>& cells() noexcept {
   static const std::vector<Cell> kCells = [] {
     std::vector<Cell> cells;
-    for (const Plan& plan : all_plans()) cells.emplace_back(plan);
+    for (const Plan& plan : all_plans()) cells.emplace_back(plan, static_cast<int>(cells.size()) + 1);
     return cells;
   }();
   return kCells;
