@@ -4,17 +4,20 @@
 #include "renderer/fields/skeletons/skeletons.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace isl::render {
 
 /// A component without what does not matter to it; without length it is a point.
 [[nodiscard]] inline scene::Component simplified(scene::Component c) {
-  if (has(c.skeleton, scene::kEndB) && c.a == c.b) {
-    if (has(c.skeleton, scene::kRadiusB)) c.radius_a = std::max(c.radius_a, c.radius_b);
+  unsigned parts = scene::kSkeletonRecords[static_cast<std::size_t>(c.skeleton)];
+  if ((parts & scene::kEndB) != 0 && c.a == c.b) {
+    if ((parts & scene::kRadiusB) != 0) c.radius_a = std::max(c.radius_a, c.radius_b);
     c.skeleton = scene::Skeleton::point;
+    parts = 0;
   }
-  if (!has_b(c.skeleton)) c.b = c.a;
-  if (!has(c.skeleton, scene::kRadiusB)) c.radius_b = c.radius_a;
+  if ((parts & (scene::kPointB | scene::kEndB | scene::kDirectionB)) == 0) c.b = c.a;
+  if ((parts & scene::kRadiusB) == 0) c.radius_b = c.radius_a;
   return c;
 }
 
