@@ -90,7 +90,8 @@ class GridBuilder {
     grid_.cell_size = longest * (1 + 0x1p-20) / kBrickSide;
     Vec3 half;
     for (int axis = 0; axis < 3; ++axis) {
-      const int needed = std::clamp(static_cast<int>(std::ceil(size[axis] / grid_.cell_size)), 1, kBrickSide);
+      const double cells = std::ceil(size[axis] / grid_.cell_size);
+      const int needed = cells < kBrickSide ? std::max(static_cast<int>(cells), 1) : kBrickSide;
       grid_.dimensions[axis] = has_endless ? kBrickSide : needed;
       half[axis] = 0.5 * grid_.cell_size * grid_.dimensions[axis];
     }
@@ -112,8 +113,11 @@ class GridBuilder {
       for (int axis = 0; axis < 3; ++axis) {
         const double most = grid_.dimensions[axis] - 1;
         const auto cell = [&](double x) { return std::floor((x - grid_.box.min[axis]) / grid_.cell_size); };
-        first[axis] = static_cast<std::size_t>(std::clamp(cell(box.min[axis]) - 1, 0.0, most));
-        last[axis] = static_cast<std::size_t>(std::clamp(cell(box.max[axis]) + 1, 0.0, most));
+        // Each comparison is false for a number that is none, as coordinates near the end of double precision give it:
+        // the item is in all cells then.
+        const double low = cell(box.min[axis]) - 1, high = cell(box.max[axis]) + 1;
+        first[axis] = low > 0 ? static_cast<std::size_t>(std::min(low, most)) : 0;
+        last[axis] = static_cast<std::size_t>(high < most ? std::max(high, 0.0) : most);
       }
       for (std::size_t k = first[2]; k <= last[2]; ++k) {
         for (std::size_t j = first[1]; j <= last[1]; ++j) {

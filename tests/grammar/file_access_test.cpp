@@ -155,7 +155,7 @@ TEST_F(FileAccessTest, TheFileThatIsMeantIsNamed) {
   EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("there is `inner/a.inc` in"));
   EXPECT_THAT(hint("Inner/A.INC"), HasSubstr("file names distinguish capitals"));
   EXPECT_THAT(hint("maps\\wood.png"), HasSubstr("there is `Maps/Wood.png` in"));
-  EXPECT_THAT(hint("inner\\a.inc"), HasSubstr("separate folders by `/`"));
+  EXPECT_THAT(hint("inner\\a.inc"), HasSubstr("folders are separated by `/`"));
   EXPECT_THAT(hint("C:\\my pictures\\inner\\a.inc"), HasSubstr("separate folders by `/`"));
   EXPECT_THAT(hint("nothing.inc"), HasSubstr("looked for it in"));
   folder_.write("secret/other.inc", "Secret");
