@@ -1,4 +1,4 @@
-// Patterns of tiles: Penrose's three tilings on the floor and two walls, and paved boxes.
+// Patterns of tiles: Penrose's rhombs on the floor, his kites and darts on the wall, and paved slabs.
 //   isl render scenes/features/tilings.isl -s 1000x500
 #version 3.7;
 global_settings { assumed_gamma 1 }
