@@ -20,7 +20,8 @@ BranchTree::BranchTree(std::span<const scene::Branch> branches)
 }
 
 void BranchTree::add_up(std::span<double> values) const {
-  // Children have greater numbers than their parents, and the first of a maximum is met last.
+  // Children have greater numbers than their parents, so this loop visits children first. A maximum has the number of
+  // its first branch, which is the last of its branches to be visited.
   for (std::uint32_t b = size(); b-- > 1;) {
     if (branches_[b].maximum != b) continue;
     double greatest = -std::numeric_limits<double>::infinity();
@@ -44,7 +45,7 @@ BranchTree::Sets BranchTree::selections_of(std::uint32_t branch, std::span<const
                                            std::span<const double> high) const {
   Sets sets = {{branch}};
   for (const std::uint32_t maximum : maxima_of_[branch]) {
-    // Who may be the greatest. Branches without a field are all alike: one stands for them.
+    // The branches that may be the greatest. All branches whose field is zero are equal: kNoBranch stands for them.
     constexpr std::uint32_t kNoBranch = 0;
     std::vector<std::uint32_t> rivals;
     for (const std::uint32_t b : branches_of_[maximum]) {

@@ -1,8 +1,9 @@
-// The tree of sums and maxima that a blob is (scene::Branch), worked out from what its branches' own components add up to.
+// A blob as a tree of sums and maxima (scene::Branch), evaluated from the sums of each branch's own components.
 //
-// Of a maximum of sums only one branch counts at a point, and a sum is smooth where a maximum has edges. So wherever
-// several can be the greatest, the blob is the greatest of its *selections*: for each maximum one branch, or none where
-// a branch without any component near (its field is zero) can be the greatest.
+// At a point, a maximum of sums has the value of a single branch. A sum is smooth, but a maximum has creases where the
+// greatest branch changes. So where several branches can be the greatest, the blob is treated as the maximum of its
+// *selections*. A selection takes one branch for each maximum, or none if a branch without a component nearby (its
+// field is zero) can be the greatest.
 #pragma once
 
 #include "renderer/scene/fields.h"
@@ -23,14 +24,15 @@ class BranchTree {
   BranchTree() = default;
   explicit BranchTree(std::span<const scene::Branch> branches);
 
-  /// 0 where the blob is one sum.
+  /// Number of branches; 0 if the blob is a single sum.
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(branches_.size()); }
 
-  /// values[b]: what the components of branch b add up to; becomes that with its maxima. values[0] is then the blob's.
+  /// On entry values[b] is the sum of the components of branch b; on return it includes the maxima that are terms of
+  /// the branch, so that values[0] is the blob's field.
   void add_up(std::span<double> values) const;
 
-  /// The branches of every selection that may be the greatest, given what the components of each branch can add up to.
-  /// {0, 0} stands for a branch without components.
+  /// The branches of every selection that may be the greatest. sums[b] is the range of the sum of branch b's
+  /// components; {0, 0} stands for a branch without components.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> selections(std::span<const FieldRange> sums) const;
 
  private:
@@ -38,8 +40,8 @@ class BranchTree {
   [[nodiscard]] Sets selections_of(std::uint32_t branch, std::span<const double> low, std::span<const double> high) const;
 
   std::vector<scene::Branch> branches_;
-  std::vector<std::vector<std::uint32_t>> maxima_of_;     ///< by branch: the maxima that its sum has
-  std::vector<std::vector<std::uint32_t>> branches_of_;  ///< by maximum
+  std::vector<std::vector<std::uint32_t>> maxima_of_;     ///< by branch: the maxima that are terms of its sum
+  std::vector<std::vector<std::uint32_t>> branches_of_;  ///< by maximum: its branches
 };
 
 }  // namespace isl::render

@@ -1,6 +1,6 @@
 // One component of a table at a point: the argument of its kernel, or the value of a convolved curve, with the
-// gradient. What shading, the published solver and its normals are made of; no kernel is evaluated here but for a
-// curve, which has no argument.
+// gradient. Shading, the published solver and its normals are built on these. Kernels are not evaluated here, except
+// for convolved curves, which have no argument.
 #pragma once
 
 #include "renderer/fields/component_table.h"
@@ -15,21 +15,21 @@ struct KernelArgument {
   Vec3 half_gradient;
 };
 
-/// In the component's own space.
+/// The argument and its gradient in the component's own space; so is `p`.
 [[nodiscard]] inline KernelArgument argument_in_own_space(const ComponentTable& table, const FieldGroup& group,
                                                           std::uint32_t item, const Vec3& p) {
   const Foot foot = table.with_skeleton(group, item, [&](const auto& skeleton) { return skeleton.nearest(p); });
   const Vec3 half_gradient = foot.offset * (ComponentTable::v_scale(group) * foot.inverse_radius2);
   return {half_gradient.dot(foot.offset), half_gradient};
 }
-/// Of a convolved curve, without its amplitude.
+/// Value and gradient of a convolved curve in the component's own space, without its amplitude.
 [[nodiscard]] inline CurveSample curve_in_own_space(const ComponentTable& table, const FieldGroup& group,
                                                     std::uint32_t item, const Vec3& p) {
   return table.with_skeleton(group, item,
                              [&](const auto& skeleton) { return curve_sample(group.kernel, skeleton, p); });
 }
 
-/// The same in the blob's space.
+/// The same two functions in the blob's space.
 [[nodiscard]] inline KernelArgument argument_at(const ComponentTable& table, const FieldGroup& group,
                                                 std::uint32_t item, const Vec3& point) {
   if (!group.is_mapped) return argument_in_own_space(table, group, item, point);

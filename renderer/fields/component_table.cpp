@@ -13,9 +13,9 @@
 namespace isl::render {
 namespace {
 
-/// The factor by which a map stretches every length, if it does so evenly: rotations, mirrors and uniform scalings keep
-/// spheres spheres and can be baked in. The columns' lengths and angles may miss that by rounding only: 16 units in the
-/// last place cover the products of a dozen transforms.
+/// The factor by which a similarity scales every length; nothing for any other map. Rotations, mirrors and uniform
+/// scalings map spheres to spheres, so they can be baked into a component. The tolerance on the rows' lengths and
+/// angles is for rounding only: 16 units in the last place cover the products of a dozen transforms.
 std::optional<double> similarity_factor(const scene::Matrix& m) {
   const Vec3 rows[3] = {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
   const double square = rows[0].length2();
@@ -27,7 +27,7 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
   return std::sqrt(square);
 }
 
-/// An integral along nothing.
+/// True for a convolved segment of length 0, whose integral is 0.
 bool is_void(const scene::Database& database, const scene::Component& c) {
   const scene::FieldMode mode = database.kernels[scene::index(c.kernel)].mode;
   return mode == scene::FieldMode::convolution && has(c.skeleton, scene::kEndB) && c.a == c.b;
@@ -36,14 +36,14 @@ bool is_void(const scene::Database& database, const scene::Component& c) {
 /// A component in blob space, with the maps that its record takes baked in, before sorting.
 struct Prepared {
   scene::Component component;
-  Vec3 third_corner;  ///< of what has one: its number depends on the order in which a scene names them
+  Vec3 third_corner;  ///< by value: the index in blob.corners depends on the order in the scene
   std::uint32_t source;
   std::uint64_t morton = 0;
 
   [[nodiscard]] bool is_mapped() const { return component.transform != scene::kIdentity; }
 };
 
-/// Geometry apart, what makes two components the same: the last word in the canonical order.
+/// The last key of the canonical order. Two components of one group with equal keys have the same field and texture.
 auto parameters(const Prepared& p) {
   const scene::Component& c = p.component;
   return std::tuple(c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z, c.radius_a, c.radius_b, c.strength, p.third_corner.x,
@@ -98,7 +98,7 @@ void set_morton_codes(std::vector<Prepared>& prepared) {
   }
 }
 
-/// An axis-parallel box around the image of a box.
+/// The axis-aligned box around the image of a box.
 Box image(const Box& box, const scene::Matrix& m) {
   const Vec3 half = box.size() * 0.5;
   const Vec3 centre = scene::Transform::transformed(box.center(), m);
@@ -199,7 +199,7 @@ FieldRange range_of_distance(const ComponentTable& table, const FieldGroup& grou
   return {std::min(near, far), std::max(near, far)};
 }
 
-/// Of what is mapped or convolved.
+/// The range over a box for components that are mapped or convolved.
 template <class Shape>
 [[gnu::noinline]] FieldRange other_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
                                          const Box& blob_box) {
@@ -211,8 +211,9 @@ template <class Shape>
           std::max(amplitude * range.low, amplitude * range.high)};
 }
 
-/// Every component is asked for its range in every cell of a grid, which is the better part of building one. So each
-/// skeleton has a function of its own, into which all is inlined that skeletons share, however many they are.
+/// The range over a box. A grid computes it for many pairs of component and cell, which takes most of the time of
+/// building it. So each skeleton has a function of its own, into which the code that skeletons share is inlined,
+/// however many skeletons there are.
 template <class Shape>
 [[gnu::noinline, gnu::flatten]] FieldRange range_of(const ComponentTable& table, const FieldGroup& group,
                                                     std::uint32_t component, const Box& box) {

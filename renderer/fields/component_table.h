@@ -1,6 +1,7 @@
 // A blob's components made ready for evaluation: sorted into groups of one form and one kernel, in a canonical order
-// (Morton code, then parameters) so that neither the order in which a scene names them nor the number of threads
-// decides a bit of any sum. Everything is in the blob's own space. Made once a blob; read by grid, solvers and shading.
+// (Morton code, then parameters), so that every sum is bit for bit independent of the order in which a scene names the
+// components and of the number of threads. Everything is in the blob's own space. A table is made once for each blob
+// and is read by the grid, the solvers and shading.
 #pragma once
 
 #include "base/check.h"
@@ -16,30 +17,32 @@
 
 namespace isl::render {
 
-/// Components begin … end − 1 share skeleton, kernel, and whether they are mapped: a transform that is no similarity
-/// stays a map of its own, by which rays and points come into the component's space.
+/// Components begin … end − 1, which share skeleton and kernel and are all mapped or all not. A component is mapped if
+/// its transform cannot be baked into its parameters (it is no similarity); rays and points are then transformed into
+/// the component's own space.
 struct FieldGroup {
   bool is_mapped;
   scene::Skeleton skeleton;
   KernelConstants kernel;
   std::uint32_t begin, end;
-  std::uint32_t first_shape;  ///< of the first component, among the shapes of its skeleton
-  std::uint32_t first_map;    ///< likewise, where is_mapped
+  std::uint32_t first_shape;  ///< index of the first component's row among the shapes of its skeleton
+  std::uint32_t first_map;    ///< index of the first component's transform in `maps`, if is_mapped
 };
 
 struct ComponentTable {
   double threshold = 1;
   std::vector<FieldGroup> groups;
-  // One row a component.
-  std::vector<double> x, y, z;    ///< centre of a point; in its own space if mapped
-  std::vector<double> scale;      ///< of a point: v = scale · distance²; of all else: v = scale · q
-  std::vector<double> amplitude;  ///< strength times the kernel's
+  // Columns with one row for each component.
+  std::vector<double> x, y, z;    ///< `a` of the record (the centre of a point); in the component's own space if mapped
+  std::vector<double> scale;      ///< for a point, v = scale · distance²; for any other skeleton, v = scale · q
+  std::vector<double> amplitude;  ///< strength times the kernel's amplitude
   std::vector<scene::TextureId> texture;
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
   bool is_unblended = false;          ///< the blob is the greatest of its fields (scene::Blob::is_unblended)
   std::vector<std::uint32_t> branch;  ///< empty if the blob is one sum, or unblended
   BranchTree tree;
-  // What only some have: a row for each component of the skeleton (but points), and for each that is mapped.
+  // Columns for some components only: `shapes` has a row for each component that is not a point, by skeleton; `maps`
+  // has a row for each mapped component.
   SkeletonColumns shapes;
   std::vector<scene::Transform> maps;
 
@@ -58,23 +61,23 @@ struct ComponentTable {
   [[nodiscard]] const scene::Transform& blob_from_component(const FieldGroup& group, std::uint32_t component) const {
     return maps[component - group.begin + group.first_map];
   }
-  /// v of a component = v_scale · q of its skeleton as with_skeleton() gives it: a point's radius is one of v already,
-  /// for a rounding less.
+  /// v of a component = v_scale · q, with q from the skeleton that with_skeleton() passes. It is 1 for a point, whose
+  /// `scale` contains the kernel's factor already: this saves a rounding.
   [[nodiscard]] static double v_scale(const FieldGroup& group) {
     return group.skeleton == scene::Skeleton::point ? 1 : group.kernel.scale;
   }
-  /// The root of the skeleton's q where the support ends.
+  /// √q at the border of the support.
   [[nodiscard]] static double support_root(const FieldGroup& group) {
     return std::sqrt(group.kernel.support / v_scale(group));
   }
-  /// What `use` makes of the component's skeleton, which has no end.
+  /// Calls `use` with the component's skeleton, which must be Endless, and returns its result.
   template <class Use>
   auto with_endless(const FieldGroup& group, std::uint32_t component, const Use& use) const {
     return with_endless_type(group.skeleton, [&](auto type) {
       return use(shape<typename decltype(type)::type>(group, component));
     });
   }
-  /// What `use` makes of the component's skeleton, in its own space.
+  /// Calls `use` with the component's skeleton, in the component's own space, and returns its result.
   template <class Use>
   auto with_skeleton(const FieldGroup& group, std::uint32_t component, const Use& use) const {
     return with_skeleton_type(group.skeleton, [&](auto type) {
@@ -84,28 +87,28 @@ struct ComponentTable {
 };
 
 /// `database` resolves kernels and transforms. Components of strength 0 are left out: they add nothing.
-/// `unblended`: draws the blob unblended, whether or not it says so.
+/// `unblended`: the blob is drawn unblended, even if its record does not say so.
 [[nodiscard]] ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob,
                                                 bool unblended = false);
 
-/// An enclosure of f_component over the box, tight for points; {0, 0} exactly when the support does not reach it. In
-/// blob space.
+/// An enclosure of the component's field over the box, in the blob's space. It is tight for points; {0, 0} exactly when
+/// the support does not reach the box.
 [[nodiscard]] FieldRange field_range(const ComponentTable& table, const FieldGroup& group, std::uint32_t component,
                                      const Box& box);
 
-/// A box around the component's support.
+/// A box, in the blob's space, that contains the component's support.
 [[nodiscard]] Box support_bounds(const ComponentTable& table, const FieldGroup& group, std::uint32_t component);
 
-/// Radius of the largest sphere of the skeleton times the root of the support's q: how far the field reaches from its
-/// skeleton.
+/// The greatest distance from the skeleton at which the field is not zero, in the component's own space: the radius of
+/// the skeleton's largest sphere times √q at the border of the support.
 [[nodiscard]] double support_radius(const ComponentTable& table, const FieldGroup& group, std::uint32_t component);
 
-/// f of a component at a point of the blob's space, straight from the record (blob: for its corners); `kernel`: its
-/// kernel's constants.
+/// The field of a component at a point of the blob's space, computed from its record. `blob` supplies the corners of
+/// triangles, `kernel` the constants of the component's kernel.
 [[nodiscard]] double field_at(const scene::Database& database, const scene::Blob& blob,
                               const scene::Component& component, const KernelConstants& kernel, const Vec3& point);
 
-/// No |f| of the component is greater where its q is this or more. Falls with q.
+/// Upper bound of the component's |f| at all points whose q is at least this. It falls with q.
 [[nodiscard]] double most_at(const scene::Database& database, const scene::Blob& blob,
                              const scene::Component& component, const KernelConstants& kernel, double q);
 
@@ -113,7 +116,8 @@ struct ComponentTable {
 [[nodiscard]] double peak_of(const scene::Database& database, const scene::Blob& blob,
                              const scene::Component& component, const KernelConstants& kernel);
 
-/// How far the component comes along n, in the blob's space: of skeleton spheres that hold all of them between them.
+/// The extent of the component along n, in the blob's space: two spheres whose convex hull, seen along n, bounds the
+/// skeleton's spheres.
 [[nodiscard]] std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,
                                             const scene::Component& component, const Vec3& n);
 

@@ -27,7 +27,7 @@ FieldRange lipschitz_range(const ComponentTable& table, const FieldGroup& group,
     half *= frobenius_norm(map.inverse);
   }
   const double root_scale = std::sqrt(ComponentTable::v_scale(group));
-  double root_v = 0, change = 0;  // √v in the middle, and how far from it elsewhere
+  double root_v = 0, change = 0;  // √v at the centre, and its greatest change within the box
   table.with_skeleton(group, component, [&](const auto& shape) {
     root_v = root_scale * std::sqrt(shape.nearest(middle).q());
     change = root_scale * half / thinnest(shape);

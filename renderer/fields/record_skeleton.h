@@ -1,4 +1,4 @@
-// The skeleton of a component's record.
+// Makes the skeleton of a component's record.
 #pragma once
 
 #include "renderer/fields/skeletons/skeletons.h"
@@ -8,7 +8,8 @@
 
 namespace isl::render {
 
-/// A component without what does not matter to it; without length it is a point.
+/// The component in normal form: a skeleton between two equal ends becomes a point, and members that the skeleton does
+/// not use (b, radius_b) are copies of a and radius_a.
 [[nodiscard]] inline scene::Component simplified(scene::Component c) {
   unsigned parts = scene::kSkeletonRecords[static_cast<std::size_t>(c.skeleton)];
   if ((parts & scene::kEndB) != 0 && c.a == c.b) {
@@ -21,7 +22,7 @@ namespace isl::render {
   return c;
 }
 
-/// Calls `use` with the skeleton of a record, in its own space.
+/// Calls `use` with the skeleton of a record, in the component's own space, and returns its result.
 template <class Use>
 auto with_skeleton_of(const scene::Blob& blob, const scene::Component& component, const Use& use) {
   const scene::Component c = simplified(component);

@@ -1,5 +1,5 @@
-// Skeleton coordinates: where along a component's skeleton a point lies, and around it. For the few points where a
-// texture asks for them; straight from the records.
+// Skeleton coordinates: the position of a point along a component's skeleton and around it. They are computed from the
+// records, since textures need them at few points.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -9,8 +9,9 @@
 
 namespace isl::render {
 
-/// Of component number `component` at a point of the blob's space. `world` is the same point in the world: POV-Ray's
-/// own components (RadiusMeaning::support) have (x, y) of it, as all shapes that it knows no coordinates of.
+/// The coordinates of a point of the blob's space on component number `component`. `world` is the same point in the
+/// world: POV-Ray's own components (RadiusMeaning::support) have its (x, y) as coordinates, like all shapes for which
+/// POV-Ray defines none.
 [[nodiscard]] Coordinates skeleton_coordinates(const scene::Database& database, const scene::Blob& blob,
                                                std::uint32_t component, const Vec3& point, const Vec3& world);
 

@@ -1,15 +1,15 @@
-// What closed forms of convolutions are made of, for a number or for eight of them: the angle of a point of the upper
-// half-plane, and three functions of an angle that vanish with a power of it. Our own, because libm's last bits differ
-// between machines and pictures must not.
+// Functions for the closed forms of convolutions, on a number or on eight: the angle of a point of the upper
+// half-plane, and three functions of an angle that vanish with a power of it. libm is not used, because its last bits
+// differ between machines and pictures must not.
 //
-//   angle_of(x, y), y ≥ 0:  tan(θ/2) = y/(r + |x|) and tan(θ/2) = tan θ/(1 + √(1 + tan²θ)) bring the angle of (|x|, y)
-//                           to an eighth, whose tangent is at most tan(π/16) < 0.199; the series of atan up to w²³
+//   angle_of(x, y), y ≥ 0:  tan(θ/2) = y/(r + |x|) and tan(θ/2) = tan θ/(1 + √(1 + tan²θ)) reduce the angle of (|x|, y)
+//                           to its eighth, whose tangent is at most tan(π/16) < 0.199; the series of atan up to w²³
 //                           leaves 0.199²⁴/25 < 10⁻¹⁸.
 //   turn_excess(θ)  = θ − sin θ cos θ                      = Σ_{k≥1} (−1)^{k+1} (2θ)^{2k+1}/(2(2k+1)!)   ~ ⅔θ³
 //   sine_excess(θ)  = sin θ − θ cos θ                      = Σ_{k≥1} (−1)^{k+1} 2k θ^{2k+1}/(2k+1)!       ~ ⅓θ³
 //   bell_excess(θ)  = θ(1 + 2cos²θ) − 3 sin θ cos θ        = Σ_{k≥2} (−1)^k (k − 1)(2θ)^{2k+1}/(2k+1)!    ~ (4/15)θ⁵
-// For θ < 1 (½ the first) by their series, to below 10⁻¹⁷ of the first term; beyond, where the differences cancel no more
-// than tenfold, by themselves.
+// For θ < 1 (½ for the first) they are computed from their series, with a remainder below 10⁻¹⁷ of the first term;
+// beyond, from the formulas themselves, where cancellation costs no more than a factor of ten.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_ARC_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_ARC_MATH_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_ARC_MATH_INL_H_
@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-// Beside octet-inl.h's, so that one formula serves a number and an octet.
+// Overloads for numbers of functions of octet-inl.h, so that one formula serves a number and an octet.
 HWY_INLINE double min(double a, double b) { return std::min(a, b); }
 HWY_INLINE double max(double a, double b) { return std::max(a, b); }
 HWY_INLINE double keep(bool condition, double x) { return condition ? x : 0; }
@@ -43,7 +43,7 @@ template <class N, std::size_t Terms>
   return sum;
 }
 
-/// In [0, π], of the point (x, y) with y ≥ 0; 0 of (0, 0).
+/// The angle in [0, π] of the point (x, y), y ≥ 0; 0 for (0, 0).
 template <class N>
 [[nodiscard]] HWY_INLINE N angle_of(const N& x, const N& y) {
   constexpr auto kSeries = [] {
@@ -79,7 +79,7 @@ inline constexpr auto kBell = make<2, 13>(2, [](double k) { return k - 1; });
 
 }  // namespace arc_series
 
-/// θ − sin θ cos θ, given sin θ cos θ too.
+/// θ − sin θ cos θ, from θ and sin θ cos θ.
 template <class N>
 [[nodiscard]] HWY_INLINE N turn_excess(const N& angle, const N& sine_cosine) {
   const N square = angle * angle;

@@ -8,9 +8,9 @@
 // |3 − 48β + 80β²| is at most 3 up to β = ⅛ and 4.2 (at β = 0.3) up to 0.6; from there it rises.
 // √β|3 − 8β| is at most 1/√2 (at β = ⅛) before it rises beyond ⅜.
 //
-// Integrals over a curve fall off with the distance from its nearest point: ∫Y⁻³ds along a line is at most (3π/8)√Y₀/Y₀³,
-// and higher powers' less, Y₀ the least of Y. So no more than 1.1781√Y₀ of a curve's length counts, times how much
-// more slowly than along a line the distance grows.
+// Integrals over a curve fall off with the distance from its nearest point: ∫Y⁻³ds along a line is at most
+// (3π/8)√Y₀/Y₀³, and higher powers' less, Y₀ the least of Y. So the effective length of a curve is at most 1.1781√Y₀,
+// times the factor by which the distance grows more slowly than along a line.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_CAUCHY_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_CAUCHY_WINDOW_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_CAUCHY_WINDOW_INL_H_
@@ -42,7 +42,7 @@ struct CauchyWindow {
 
   [[nodiscard]] HWY_INLINE WindowBounds bounds(const Octet& y_least, const Octet& e2, const Octet& speed2) const {
     const Octet y = Octet(epsilon) + y_least, y2 = y * y, y3 = y * y2, one(1.0);
-    const Octet beta = min(one, e2 / max(speed2 * y, Octet(1e-300)));  // 0 at rest
+    const Octet beta = min(one, e2 / max(speed2 * y, Octet(1e-300)));  // 0 if D = 0
     const Octet low = Octet(4 / (border * border * border)) - Octet(4.0) / y3;
     const Octet third = max(Octet(0.70711), sqrt(beta) * (Octet(8.0) * beta - Octet(3.0)));
     const Octet fourth = max(select(beta < Octet(0.125), Octet(3.0), Octet(4.2)),

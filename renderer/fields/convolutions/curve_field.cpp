@@ -17,7 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// (tests/renderer/fields/convolutions/convolution_integrals_test.cpp).
 constexpr double kRounding = 0x1p-48;
 
-/// What a chord or a ring's view is worth.
+/// The integrals over a chord (Chord) or a ring (RingView).
 template <class View>
 auto integral(const KernelConstants& kernel, const View& view) {
   return one::with_window(kernel, [&](const auto& window) { return one::integrate(window, view); });
@@ -48,7 +48,7 @@ CurveSample curve_sample(const KernelConstants& kernel, const Segment& segment, 
   const double unit = per_support(kernel, segment);
   const Vec3 from_a = p - segment.a, from_b = from_a - segment.axis * segment.length;
   const double x_a = from_a.dot(segment.axis), x_b = from_b.dot(segment.axis);
-  // From the nearer end: the farther one's distance would cost digits.
+  // ρ is computed from the nearer end: the distance of the farther one would cost digits.
   const Vec3 across = std::abs(x_a) < std::abs(x_b) ? from_a - segment.axis * x_a : from_b - segment.axis * x_b;
   const double rho2 = across.length2() * unit * unit;
   const Chord chord = one::chord_of(rho2, x_a * unit, -x_b * unit, 0.5 * segment.length * unit);
@@ -69,8 +69,8 @@ CurveSample curve_sample(const KernelConstants& kernel, const Circle& ring, cons
   return {f.value, (from * f.whole - across * f.radial) * (-2 * unit)};
 }
 
-/// The field grows with the segment on either side of the foot and falls with ρ; and it is no more than its length times the
-/// window at the least distance, no less than that at the greatest.
+/// The field grows with the segment's length on either side of the foot and falls with ρ. It is at most the length
+/// times the window at the least distance, and at least the length times the window at the greatest.
 CurveRange curve_range(const KernelConstants& kernel, const Segment& segment, const Box& box) {
   const double unit = per_support(kernel, segment), length = segment.length * unit;
   AxialRange r(box, segment.a, segment.axis);
@@ -127,7 +127,7 @@ double curve_peak(const KernelConstants& kernel, const Segment& segment) {
   return integral(kernel, one::chord_of(0.0, half, half, half)).value;
 }
 
-/// In the ring's plane, somewhere between its centre and itself.
+/// The greatest value is in the ring's plane, between its centre and the ring; it is found by sampling.
 double curve_peak(const KernelConstants& kernel, const Circle& ring) {
   const double radius = ring.ring_radius * per_support(kernel, ring);
   double most = 0;

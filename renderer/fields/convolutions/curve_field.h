@@ -1,5 +1,5 @@
-// Convolved curves one at a time, without amplitude and strength: at a point, over a box, and at a distance. In the
-// component's own space, where a Circle is a ring. What a ray sees of them is in
+// The fields of single convolved curves, without amplitude and strength: at a point, over a box, and at a distance. All
+// is in the component's own space; a convolved Circle is called a ring. Their fields along a ray are in
 // segment_lanes-inl.h and ring_lanes-inl.h.
 #pragma once
 
@@ -15,7 +15,8 @@ struct CurveSample {
   Vec3 gradient{0};
 };
 
-/// Lowest and highest value over a box, enclosing their rounding; both 0 exactly when the support does not reach it.
+/// An enclosure of the values over a box, rounding included; both are 0 exactly when the support does not reach the
+/// box.
 struct CurveRange {
   double low, high;
 };
@@ -25,7 +26,7 @@ struct CurveRange {
 [[nodiscard]] CurveRange curve_range(const KernelConstants& kernel, const Segment& segment, const Box& box);
 [[nodiscard]] CurveRange curve_range(const KernelConstants& kernel, const Circle& ring, const Box& box);
 
-/// No value is greater where the squared distance to the curve is q radii squared or more; falls with q.
+/// Upper bound of the value where the squared distance to the curve is at least q squared radii. It falls with q.
 [[nodiscard]] double curve_most(const KernelConstants& kernel, const Segment& segment, double q);
 [[nodiscard]] double curve_most(const KernelConstants& kernel, const Circle& ring, double q);
 
@@ -33,13 +34,13 @@ struct CurveRange {
 [[nodiscard]] double curve_peak(const KernelConstants& kernel, const Segment& segment);
 [[nodiscard]] double curve_peak(const KernelConstants& kernel, const Circle& ring);
 
-/// One over the support's radius.
+/// 1 / (radius of the support).
 template <class Curve>
 [[nodiscard]] double per_support(const KernelConstants& kernel, const Curve& curve) {
   return std::sqrt(kernel.scale) / curve.radius;
 }
 
-// No other skeleton is convolved.
+// Other skeletons cannot be convolved; these overloads only make generic code compile.
 template <class Other>
 [[nodiscard]] CurveSample curve_sample(const KernelConstants&, const Other&, const Vec3&) {
   ISL_CHECK(false, "no curve");

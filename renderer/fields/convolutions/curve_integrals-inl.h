@@ -1,6 +1,7 @@
-// What a convolved curve gives at a point: f = ∫ g(|p − s|²) ds over the part of the curve within the support, |p − s| < 1
-// (all lengths in support radii, g a window of quartic_window-inl.h or cauchy_window-inl.h), and the two integrals that
-// make its gradient. One file for each pair of curve and window has their closed forms, templates over a number or eight.
+// The field of a convolved curve at a point: f = ∫ g(|p − s|²) ds over the part of the curve within the support,
+// |p − s| < 1 (all lengths in support radii, g a window of quartic_window-inl.h or cauchy_window-inl.h), and the two
+// integrals that make its gradient. Each pair of curve and window has a file with their closed forms, templates over
+// the type of number (one or eight).
 //
 // Since g and g′ vanish at the support's border, f is twice differentiable, and ∇f = 2∫g′·(p − s) ds.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_INTEGRALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -20,12 +21,12 @@ namespace HWY_NAMESPACE {
 template <class N>
 struct Chord {
   N rho2;                 ///< squared distance of the point from the segment's line
-  N middle, half_length;  ///< along the line, from the point's foot; half_length ≤ 0: no part
+  N middle, half_length;  ///< along the line, from the point's foot; half_length ≤ 0 if there is no such part
 };
 
-/// `before`: how far the point's foot lies beyond the first end, towards the second; `behind`: the rest, likewise from
-/// the second end; half the length of the whole segment. The two distances are measured each from its own end, so that
-/// an end that is far away costs the other no digits.
+/// `before`: the signed distance from the first end to the point's foot, towards the second end; `behind`: that from
+/// the foot to the second end; `half_length`: half the length of the whole segment. Each distance is measured from its
+/// own end, so that the other loses no digits if one end is far away.
 template <class N>
 [[nodiscard]] HWY_INLINE Chord<N> chord_of(const N& rho2, const N& before, const N& behind, const N& half_length) {
   const N reach = sqrt(max(N(1.0) - rho2, N(0.0)));
@@ -34,8 +35,8 @@ template <class N>
   return {rho2, N(0.5) * (from + to), select(is_whole, min(half_length, reach), N(0.5) * (to - from))};
 }
 
-/// ∇f = −2(ρ⃗ · across − axis · along), ρ⃗ from the line to the point. The `_terms` are what the rounding of each is
-/// relative to: the sum of the absolute values that it is made of.
+/// ∇f = −2(ρ⃗ · across − axis · along), ρ⃗ from the line to the point. The `_terms` are the scales of the
+/// rounding errors: the sums of the absolute values of the terms.
 template <class N>
 struct SegmentIntegrals {
   N value, across, along;
@@ -46,8 +47,8 @@ struct SegmentIntegrals {
 template <class N>
 struct RingView {
   N ring_radius;
-  N rho;        ///< of the point, from the axis
-  N distance2;  ///< squared, from the point to the ring: (ρ − R)² + z²
+  N rho;        ///< distance of the point from the axis
+  N distance2;  ///< squared distance from the point to the ring: (ρ − R)² + z²
 };
 
 /// ∇f = −2(p · whole − ρ⃗ · radial), p from the ring's centre, ρ⃗ from its axis.
@@ -57,7 +58,7 @@ struct RingIntegrals {
   N value_terms, whole_terms, radial_terms;
 };
 
-/// The half angle of the ring that lies within the support, as seen from its axis, and what it is made of.
+/// Half the angle, at the ring's centre, of the part of the ring within the support, with its sine and cosine.
 template <class N>
 struct RingArc {
   N angle, sine, cosine;  ///< angle = π, 0 and −1 for a whole ring

@@ -1,6 +1,6 @@
-// What a skeleton that is convolved says of itself to the inner loops: as in skeletons/ray_form-inl.h, its lanes in
-// support radii. Their along() and shape() are told one over that radius, at() gives a CurvePoint, most() and stretch()
-// the bounds.
+// The interface of convolved skeletons to the inner loops: a struct of octets as in skeletons/ray_form-inl.h, with
+// lengths in support radii. Its along() and shape() take 1/(radius of the support); at() returns a CurvePoint; most()
+// and stretch() return the bounds.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_POINT_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_POINT_INL_H_
@@ -14,12 +14,12 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// f and df/dt; value_terms and slope_terms are what the rounding of each is relative to.
+/// f and df/dt; value_terms and slope_terms are the scales of their rounding errors.
 struct CurvePoint {
   Octet value, slope, value_terms, slope_terms;
 };
 
-/// The lanes of a skeleton that can be convolved along itself; void where it cannot.
+/// The lanes of a skeleton that can be convolved; void for any other.
 template <class Shape>
 struct CurveFormOf {
   using type = void;

@@ -1,18 +1,19 @@
-// How far a cubic Hermite interpolant may be from a convolved curve's field along a stretch of a ray of width h.
+// Bounds of the error of a cubic Hermite interpolant of a convolved curve's field, along a stretch of a ray of width h.
 //
-// f = ∫ g ds over the part of the curve within the support. Where the part ends at the support's border (is cut), the end
-// moves: with W = |(p − s)·τ| there (τ the curve's tangent) and e = (p − s)·D it runs along the curve at e/W. The border adds
-// to the second derivative nothing, since g = g′ = 0 there, and with γ = g″(1)
+// f = ∫ g ds over the part of the curve within the support. Where the part ends at the support's border (is cut), the
+// end moves: with W = |(p − s)·τ| there (τ the curve's tangent) and e = (p − s)·D it moves along the curve at the speed
+// e/W. This adds nothing to the second derivative, since g = g′ = 0 there, and with γ = g″(1)
 //   to f‴   −4γe³/W,
 //   to f⁗   −[24γe²D² + 16γe³(τ·D)/W + 8g‴(1)e⁴ + 4γκe⁴/W²]/W,
-// κ = 1 on a straight curve and ρ cos μ/R on a ring (its curvature turns τ). So f‴ jumps where the end of a segment enters
-// the support, f⁗ grows as W⁻³, and neither is bounded where W vanishes: at the border of the whole field. Hence three bounds, of
-// which the least counts (the integrals of Peano's kernel of the interpolant's error, and of its derivative):
-//   smooth (no end of the curve comes or goes):  E = h⁴ max|f⁗|/384,   E′ = (√3/216)h³ max|f⁗|
-//   W > 0:                                       E = h³ osc f‴/192,    E′ = 0.0162 h² osc f‴
-//   always:                                      E = h² osc f″/32,     E′ = 0.126 h osc f″.
-// The second: E ≤ max_t ∫|∂K/∂s|ds · osc f‴/2, K(t, s) the interpolant's Green's function, whose greatest value is h³/192; for E′
-// that of ∂K/∂t, which is h² max t(2 − 3t)³/(54(1 − t)²) < 0.0162 h² (at t = 0.2325).
+// κ = 1 on a straight curve and ρ cos μ/R on a ring (its curvature turns τ). So f‴ jumps where the end of a segment
+// enters the support, f⁗ grows as W⁻³, and neither is bounded where W vanishes: at the border of the whole field. Hence
+// there are three bounds, of which the least is used (the integrals of Peano's kernel of the interpolant's error, and
+// of its derivative):
+//   smooth (no end enters or leaves the support): E = h⁴ max|f⁗|/384,   E′ = (√3/216)h³ max|f⁗|
+//   W > 0:                                        E = h³ osc f‴/192,    E′ = 0.0162 h² osc f‴
+//   always:                                       E = h² osc f″/32,     E′ = 0.126 h osc f″.
+// The second: E ≤ max_t ∫|∂K/∂s|ds · osc f‴/2, K(t, s) the interpolant's Green's function, whose greatest value is
+// h³/192; for E′ that of ∂K/∂t, which is h² max t(2 − 3t)³/(54(1 − t)²) < 0.0162 h² (at t = 0.2325).
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_REMAINDER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_REMAINDER_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_CURVE_REMAINDER_INL_H_
@@ -30,18 +31,18 @@ namespace HWY_NAMESPACE {
 
 /// An end of the part of a curve within the support.
 struct CutBounds {
-  OctetMask may_be;      ///< the support ends here at some t of the stretch
-  OctetMask stays;       ///< at all t or at none
-  Octet width2;          ///< least W²; not above 0 if it may vanish
+  OctetMask may_be;      ///< the support cuts the curve on this side at some t of the stretch
+  OctetMask stays;       ///< it does so at all t of the stretch, or at none
+  Octet width2;          ///< lower bound of W²; 0 or less if W may vanish
   Octet e_low, e_high;   ///< range of e
   Octet bend;            ///< greatest |κ|
 };
 
 /// A curve as a stretch of a ray sees it, lengths in support radii.
 struct CurveStretch {
-  Octet y_least;  ///< least squared distance; the field is zero throughout if not below 1
-  Octet length;   ///< no more of the curve is within the support at any t
-  Octet spread;   ///< the distance grows no more slowly than that of a line stretched by this
+  Octet y_least;  ///< least squared distance; if it is 1 or more the field is zero
+  Octet length;   ///< upper bound of the curve's length within the support at any t
+  Octet spread;   ///< the distance grows at least as fast as that of a line stretched by this
   Octet e2;       ///< greatest ((p − s)·D)² within the support
   Octet speed2;   ///< |D|²
   Octet tangent;  ///< greatest |τ·D|
@@ -52,7 +53,7 @@ struct CurveRemainder {
   Octet value, slope;
 };
 
-/// Of amplitude 1.
+/// Bounds of the interpolant's error for a field of amplitude 1.
 template <class Window>
 [[nodiscard]] HWY_INLINE CurveRemainder curve_remainder(const Window& window, const CurveStretch& c, const Octet& h) {
   const Octet zero(0.0), infinite(std::numeric_limits<double>::infinity());

@@ -31,7 +31,7 @@ struct QuarticWindow {
     return {Octet(-4.0) * speed2 * (Octet(1.0) - y_least), Octet(8.0) * e2, Octet(24.0) * speed2 * sqrt(e2),
             Octet(24.0) * speed2 * speed2};
   }
-  /// The window is as wide as the support.
+  /// The whole length: the window is as wide as the support.
   [[nodiscard]] HWY_INLINE Octet effective_length(const Octet& length, const Octet&, const Octet&) const {
     return length;
   }

@@ -1,6 +1,7 @@
-// A ring convolved with the Cauchy window (McCormack and Sherstyuk 1998, and the window of cauchy_window-inl.h). In support
-// radii, d² the squared distance of the point from the ring of radius R, a = 2Rρ: Y = Y₀ + a(1 − cos φ) with Y₀ = ε + d²;
-// C = Y₀ + a, Δ = C² − a² = Y₀(Y₀ + 2a), and Eₙ = ∫Y⁻ⁿ dφ over the part |φ| < μ within the support, where Y(μ) = B:
+// A ring convolved with the Cauchy window (McCormack and Sherstyuk 1998, and the window of cauchy_window-inl.h). In
+// support radii, d² the squared distance of the point from the ring of radius R, a = 2Rρ: Y = Y₀ + a(1 − cos φ) with
+// Y₀ = ε + d²; C = Y₀ + a, Δ = C² − a² = Y₀(Y₀ + 2a), and Eₙ = ∫Y⁻ⁿ dφ over the part |φ| < μ within the support, where
+// Y(μ) = B:
 //   E₁ = (4/√Δ) atan(√((Y₀ + 2a)/Y₀) tan(μ/2))
 //   E₂ = [2a sin μ/B + C E₁]/Δ                          (whole: 2πC/Δ^{3/2})
 //   E₃ = [2a sin μ/B² + 3C E₂ − E₁]/(2Δ)                (whole: π(2C² + a²)/Δ^{5/2})
@@ -8,7 +9,7 @@
 // (the recurrence of ∫dφ/(C − a cos φ)ⁿ). Then with the integrals of 1 − y of ring_quartic-inl.h
 //   f = R[E₂ − 2μ/B² − 2∫(1 − y)dφ/B³],
 //   for p: R[2E₃ − 4μ/B³],   for ρ⃗: 2R²[2R K − 2 sin μ/(B³ρ)]   (whole: the second term is 0).
-// A whole ring needs no angle at all, and nothing is divided by ρ there.
+// The formulas of a whole ring contain no angle and no division by ρ.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_
@@ -52,7 +53,7 @@ template <class N>
   result.value = r * (e2 - two * border2 * arc.angle - two * border3 * plain);
   result.whole = r * (two * e3 - N(4.0) * border3 * arc.angle);
   result.radial = N(4.0) * r * r * r * k - window_radial;
-  // Y₀ and S are known to a unit in the last place of R, and the part's E₃ and K are differences.
+  // Y₀ and S have an error of one unit in the last place of R, and E₃ and K of a part are differences.
   const N e3_terms = select(is_whole, e3, inverse * (N(3.0) * c * cut2 + cut1)) + e3 * (one + r) / y;
   result.value_terms = r * (e2 + two * border2 * arc.angle + two * border3 * plain) + (one + r) * r * two * e3;
   result.whole_terms = r * (two * e3_terms + N(4.0) * border3 * arc.angle);

@@ -3,9 +3,9 @@
 //
 // With S = 1 − d² and a = 2Rρ (curve_integrals-inl.h) the support cuts the ring at an angle μ, sin²(μ/2) = S/2a, with
 //   W² = ρ² sin²μ = (S/R)(ρ − S/4R),
-// concave in S and rising with ρ, so its least value on a stretch is at a corner of their ranges; half the part within
-// is μ = 2 arcsin √σ ≤ 2√σ(1 + (π/2 − 1)σ), σ = S/2a (arcsin x/x is convex in x²). From its nearest point the squared
-// distance grows by 4Rρ sin²(φ/2) ≥ (4ρ/π²R)(Rφ)².
+// concave in S and rising with ρ, so its least value on a stretch is at a corner of their ranges. Half the angle within
+// the support is μ = 2 arcsin √σ ≤ 2√σ(1 + (π/2 − 1)σ), σ = S/2a (arcsin x/x is convex in x²). From its nearest point
+// the squared distance grows by 4Rρ sin²(φ/2) ≥ (4ρ/π²R)(Rφ)².
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_LANES_INL_H_
@@ -61,8 +61,8 @@ struct RingLanes {
             keep(active, two * size * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms))};
   }
 
-  /// No value on the stretch is greater than this, of amplitude 1: that at the least distance, and the
-  /// least ρ, along which the ring bends away least.
+  /// Upper bound of the value on the stretch, for amplitude 1: the value at the least distance and the least ρ, for
+  /// which the squared distance, d² + 2Rρ(1 − cos φ), grows least along the ring.
   template <class Window>
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     const Ranges r = ranges(t0, t1);

@@ -1,12 +1,12 @@
-// A ring convolved with the quartic window. In support radii, d² the squared distance of the point from the ring of radius
-// R, a = 2Rρ and S = 1 − d²: 1 − y = S − a(1 − cos φ), positive for |φ| < μ, where S = a(1 − cos μ) (μ = π if the whole ring
-// is within the support). With K = ∫(1 − y)cos φ dφ/a, which stays finite on the axis,
+// A ring convolved with the quartic window. In support radii, d² the squared distance of the point from the ring of
+// radius R, a = 2Rρ and S = 1 − d²: 1 − y = S − a(1 − cos φ), positive for |φ| < μ, where S = a(1 − cos μ) (μ = π if
+// the whole ring is within the support). With K = ∫(1 − y)cos φ dφ/a, which stays finite on the axis,
 //   cut at μ:   f = Ra²[μ(1 + 2cos²μ) − 3 sin μ cos μ],  ∫(1 − y)dφ = 2a[sin μ − μ cos μ],  K = μ − sin μ cos μ
 //   whole:      f = 2πR[(S − a)² + a²/2],                ∫(1 − y)dφ = 2π(S − a),            K = π.
 // A large ring has a small μ, whose powers arc_math-inl.h divides out.
 //
 // Gradient: ∇y = 2(p − s), so with the vectors of RingIntegrals −∫g′ = 2R∫(1 − y)dφ for p, and for ρ⃗ 4R³K.
-// Rounding: S is known to a unit in the last place of R.
+// Rounding: the error of S is one unit in the last place of R.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_QUARTIC_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_QUARTIC_INL_H_

@@ -1,14 +1,14 @@
 // A segment convolved with the Cauchy window (McCormack and Sherstyuk 1998, and the window of cauchy_window-inl.h). In
 // support radii, over the part [a, b] of the segment within the support, v along its line, P = ε + ρ², Y(v) = P + v²,
-// δ = (b − a)/2 and m = (a + b)/2; s = P + ab, and θ the angle of the point (s, 2δ√P), under which the part is seen from √P off
-// its line. Y(a)Y(b) = s² + 4δ²P, so sin θ cos θ = 2δs√P/(Y(a)Y(b)), and
+// δ = (b − a)/2 and m = (a + b)/2; s = P + ab, and θ the angle of the point (s, 2δ√P), which the part subtends at a
+// distance √P from its line. Y(a)Y(b) = s² + 4δ²P, so sin θ cos θ = 2δs√P/(Y(a)Y(b)), and
 //   U₂ = ∫Y⁻² dv = 2δ/(YₐY_b) + (θ − sin θ cos θ)/(2P^{3/2})
 //   U₃ = ∫Y⁻³ dv = [3U₂ + b/Y_b² − a/Yₐ²]/(4P),  b/Y_b² − a/Yₐ² = 2δ[P² − 2Pab − ab(a² + ab + b²)]/(YₐY_b)²
 //   V₃ = ∫vY⁻³ dv = δm(Yₐ + Y_b)/(YₐY_b)²
-// where every difference of the two ends has become a multiple of δ: a segment that is short loses no digits. Then
+// where every difference of the two ends has become a multiple of δ, so that short segments lose no digits. Then
 //   f = U₂ − 2δ/B² − 2∫(1 − y)/B³,  −∫g′ = 2U₃ − 4δ/B³,  −∫vg′ = 2V₃ − 4δm/B³,  ∫(1 − y)dv = 2δ[1 − ρ² − m² − δ²/3].
-// U₃ of a part that is seen under a small angle (from near its line, beyond its end) is a small difference of great terms
-// when ε is small; its rounding is told, not avoided: it falls within ε of a line.
+// If ε is small and the part subtends a small angle (seen from near its line, beyond its end), U₃ is a small difference
+// of great terms. Its rounding error is reported in the `_terms`, not avoided.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_

@@ -2,10 +2,10 @@
 // beyond the first end and x_b(t) before the second (x_a + x_b = L), at a squared distance ρ² = n₀ + n₂(t − tₙ)².
 //
 // An end is within the support where |p − end|² = ρ² + x² < 1: a quadratic of t whose greatest value on a stretch is at
-// one of its ends and whose least is there too or, where e = (p − end)·D changes sign, |p − end|² − e²/D². An end that
-// stays without leaves the support's own border in its place, at W = √(1 − ρ²) from the foot; there e = n₂(t − tₙ) ∓ W
-// x′. Where the support cuts both sides throughout, f depends on ρ² alone: as if the segment went along with the point,
-// with D² = n₂ and no motion along it.
+// one of its ends and whose least is there too or, where e = (p − end)·D changes sign, |p − end|² − e²/D². If an end
+// stays outside, the part ends at the support's border instead, at W = √(1 − ρ²) from the foot; there e = n₂(t − tₙ) ∓
+// W x′. Where the support cuts both sides throughout, f depends on ρ² alone, so the motion along the segment can be
+// left out of the bounds: D² = n₂ and x′ = 0.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_LANES_INL_H_
@@ -38,7 +38,7 @@ struct SegmentLanes {
                                                               const Lines<N>& lines) {
     const AboutAxis<N> from_a = about_axis(segment.a, segment.axis, lines);
     const AboutAxis<N> from_b = about_axis(segment.a + segment.axis * segment.length, segment.axis, lines);
-    // From the nearer end: the farther one's distance would cost digits.
+    // ρ is computed from the nearer end: the distance of the farther one would cost digits.
     const auto nearer_a = abs(from_a.x0) < abs(from_b.x0);
     const N unit(per_unit), unit2 = unit * unit;
     return {from_a.x0 * unit,
@@ -68,8 +68,9 @@ struct SegmentLanes {
             keep(active, two * size * (abs(dx) * f.along_terms + abs(rise) * f.across_terms))};
   }
 
-  /// No value on the stretch is greater than this, of amplitude 1: that of the nearest ρ with the segment
-  /// reaching as far to both sides as it does anywhere, and that of all of it at the least distance.
+  /// Upper bound of the value on the stretch, for amplitude 1, the lesser of two: the value at the least ρ for a
+  /// segment that extends to both sides as far as it does at any t; and the length times the window at the least
+  /// distance.
   template <class Window>
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     const Ranges r = ranges(t0, t1);
@@ -90,7 +91,7 @@ struct SegmentLanes {
     const Octet rise0 = n2 * (t0 - middle), rise1 = n2 * (t1 - middle);  // ascending
 
     const Octet speed2 = dx * dx + n2;
-    // Of the two ends: e = n₂τ + x_a x′ and n₂τ − x_b x′.
+    // At the two ends e is n₂τ + x_a x′ and n₂τ − x_b x′.
     const EndRange a = end_range(r.rho2_0 + r.before0 * r.before0, r.rho2_1 + r.before1 * r.before1,
                                  rise0 + r.before0 * dx, rise1 + r.before1 * dx, speed2);
     const EndRange b = end_range(r.rho2_0 + r.behind0 * r.behind0, r.rho2_1 + r.behind1 * r.behind1,
@@ -154,7 +155,7 @@ struct SegmentLanes {
   }
 
   struct EndRange {
-    Octet low, high;  ///< of |p − end|²
+    Octet low, high;  ///< range of |p − end|²
   };
   [[nodiscard]] static HWY_INLINE EndRange end_range(const Octet& y0, const Octet& y1, const Octet& e0, const Octet& e1,
                                                      const Octet& speed2) {

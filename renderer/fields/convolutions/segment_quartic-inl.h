@@ -3,13 +3,13 @@
 //
 //   f = ∫ (A − v²)² dv over the part [a, b] of the segment within the support, |v| < √A.
 //
-// About the middle m of [a, b], half as long as δ, with B = A − m², odd powers of v − m cancel exactly (so a segment that is
-// short loses no digits) and
+// Let m be the middle of [a, b], δ half its length, and B = A − m². Odd powers of v − m cancel exactly, so that short
+// segments lose no digits, and
 //   f = 2δ[B² + (4m² − 2B)δ²/3 + δ⁴/5],  ∫(A − v²) = 2δ[B − δ²/3],  ∫v(A − v²) = 2δm[B − δ²].
 // Cut at both sides m = 0 and δ² = A: f = (16/15)A^{5/2}, which is why an infinite line behaves as the power 5/2.
 //
-// Gradient: ∇(A − v²) = −2(p − s), and nothing at the ends of the support, where the window vanishes.
-// Rounding: A is known to a unit in the last place of 1, so f to ∂f/∂A = 2∫(A − v²) of them.
+// Gradient: ∇(A − v²) = −2(p − s), and the ends of the part add nothing, since the window vanishes there.
+// Rounding: the error of A is one unit in the last place of 1, which ∂f/∂A = 2∫(A − v²) multiplies.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_QUARTIC_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_QUARTIC_INL_H_

@@ -1,5 +1,5 @@
-// What a window says of itself to curve_remainder-inl.h: bounds of the derivatives, along a ray, of the field g(|p − s|²) of a
-// single point s of a curve, while p is within the support of s.
+// The interface of windows to curve_remainder-inl.h: bounds of the derivatives, along a ray, of the field g(|p − s|²)
+// of a single point s of a curve, while p is within the support of s.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOW_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOW_BOUNDS_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOW_BOUNDS_INL_H_

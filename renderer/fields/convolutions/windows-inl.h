@@ -1,4 +1,4 @@
-// From a convolution's constants to its window, and from a skeleton to its lanes.
+// Choose the window of a convolution by its constants, and the lanes of a convolved skeleton by its type.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOWS_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_WINDOWS_INL_H_
@@ -23,7 +23,7 @@ HWY_INLINE auto with_window(const KernelConstants& constants, Use&& use) {
   return use(CauchyWindow(constants));
 }
 
-/// use(std::type_identity<Shape>()) with the class of a skeleton that is convolved.
+/// Calls use(std::type_identity<Shape>()) with the skeleton's class, if it can be convolved.
 template <class Use>
 HWY_INLINE void with_curve_form(scene::Skeleton skeleton, const Use& use) {
   switch (skeleton) {

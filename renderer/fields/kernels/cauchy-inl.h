@@ -2,16 +2,16 @@
 // B = ε + Q and d = Q − v,
 //   φ(v) = 1/A² − 1/B² − 2d/B³ = d²(B + 2A)/(A²B³), v < Q,
 //   φ′ = −2/A³ + 2/B³ = −2d(B² + AB + A²)/(A³B³),   φ″ = 6/A⁴,   φ‴ = −24/A⁵,   φ⁗ = 120/A⁶.
-// Amplitude and sign apart.
+// Amplitude and sign are left out.
 //
 // Along a ray on which v = v₀ + κτ² (point, segment), with u = κτ², p = ε + v₀ and y = u/p:
 //   f″ = κ(4/B³ + (20u − 4p)/(p + u)⁴), whose second term rises to 1.220703125/p³ at y = 0.6 (8/1.6⁴) and falls after,
 //   f⁗ = κ²(72p² − 1008pu + 840u²)/(p + u)⁶, which falls from y = 2 on.
 // Before y = 2, f⁗ is bounded by a falling staircase over y, each step the maximum to its right.
 //
-// Constants: of the Cauchy kernels with φ(1) = 1 and φ′(1) = −h the one that has φ(0) = eʰ, the unwindowed Gaussian's
-// value. With r = B/A at v = 1, φ′/φ = −2(r² + r + 1)/(A(r − 1)(r + 2)) = −h gives r for any ε; φ(0)/φ(1) = eʰ then is
-// one equation for ε.
+// Constants: among the Cauchy kernels with φ(1) = 1 and φ′(1) = −h, the one with φ(0) = eʰ is taken, which is the value
+// of the unwindowed Gaussian. With r = B/A at v = 1, φ′/φ = −2(r² + r + 1)/(A(r − 1)(r + 2)) = −h gives r for any ε;
+// φ(0)/φ(1) = eʰ then is one equation for ε.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_CAUCHY_INL_H_
@@ -44,7 +44,7 @@ struct Cauchy {
     };
     const auto above_least = [&](double log_excess) { return least + std::exp(log_excess); };
     KernelConstants constants;
-    // ε = e^{−h/2} for the hardest, 500, and about 1/h for the softest.
+    // ε is about e^{−h/2} for the hardest kernel, h = 500, and ε − least about 1/h for the softest.
     constants.a = above_least(last_where([&](double x) { return is_too_small(above_least(x)); }, -300, 300));
     constants.support = 1 + width(constants.a);
     constants.amplitude = 1 / Cauchy(constants).value(1.0);
@@ -60,7 +60,7 @@ struct Cauchy {
     return d * d * (N(border) + N(2.0) * a) / (a * a * N(border * border * border));
   }
   [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
-    // At the very centre of the hardest, ε = 10⁻¹⁰⁸, the slope is beyond any number.
+    // At the centre of the hardest kernel, where ε ≈ 10⁻¹⁰⁷, the slope would overflow.
     return {value(v), slope(max(Octet(epsilon) + v, Octet(1e-100)), v)};
   }
   /// φ″(v).

@@ -1,7 +1,9 @@
-// The cubic kernel: φ(v) = (1 − v)³, v < 1, whose curvature vanishes at its border. Amplitude and sign apart.
+// The cubic kernel: φ(v) = (1 − v)³, v < 1, whose curvature vanishes at its border. Amplitude and sign are
+// left out.
 //
-// It is also what a plane has that is convolved with the quartic window (1 − y)², y = the squared distance over the squared
-// support: about the foot of a point the plane's rings of squared radius u have the area π du, and
+// It is also the field of a plane that is convolved with the quartic window (1 − y)², y = the squared distance over the
+// squared support radius: a ring of the plane between squared radii u and u + du about the foot of the point has the
+// area π du, and
 //   ∫ (1 − v − u)² π du over 0 < u < 1 − v  =  (π/3)(1 − v)³.
 //
 // Along a ray on which v = v₀ + κτ²: with u = κτ² and w = 1 − v₀

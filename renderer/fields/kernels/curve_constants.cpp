@@ -8,7 +8,7 @@
 namespace isl::render {
 namespace {
 
-/// An infinite line under the Cauchy window, at y = ρ² in support radii: P = ε + y, w² = 1 − y, B = ε + 1,
+/// An infinite line convolved with the Cauchy window, at y = ρ² in support radii: P = ε + y, w² = 1 − y, B = ε + 1,
 ///   L = w/(PB) + atan(w/√P)/P^{3/2} − 2w/B² − (8/3)w³/B³
 ///   L′ = −w/(PB²) − 3w/(2P²B) − (3/2)atan(w/√P)/P^{5/2} + 4w/B³.
 struct CauchyLine {
@@ -24,8 +24,8 @@ struct CauchyLine {
     return -w / (p * b * b) - 1.5 * w / (p * p * b) - 1.5 * std::atan2(w, std::sqrt(p)) / (p * p * std::sqrt(p)) +
            4 * w / (b * b * b);
   }
-  /// Where −yL′/L = h: it rises from 0 on the line towards the border. Found as ln(y/(1 − y)): a soft line of small ε has
-  /// its surface far within it.
+  /// The y at which −yL′/L = h, the surface; −yL′/L rises from 0 on the line towards the border. Bisection is in
+  /// ln(y/(1 − y)), since the surface of a soft line can lie at a tiny y.
   [[nodiscard]] double surface(double h) const {
     const auto is_within = [&](double u) {
       const double y = place(u);
@@ -46,9 +46,10 @@ KernelConstants quartic(double h) {
   return constants;
 }
 
-/// Of the windows that fulfil both conditions the one whose infinite line has the value eʰ on itself, as the point's kernel has.
-/// The ratio of the values falls from above eʰ to below it (the quartic's) as ε grows. Below ε = 10⁻⁴⁰, a hardness of about 150,
-/// nothing changes but the value within 10⁻²⁰ of the line, and the powers of ε would leave the range of numbers.
+/// Among the windows with the value 1 and the slope −h at the surface, the one whose infinite line has the value eʰ on
+/// itself, as the point's kernel has.
+/// The ratio of the values falls from above eʰ to below it (the quartic's) as ε grows. Below ε = 10⁻⁴⁰, a hardness of
+/// about 150, only the value within 10⁻²⁰ of the line changes, and the powers of ε would leave the range of numbers.
 KernelConstants cauchy(double h) {
   const auto is_too_small = [h](double log_epsilon) {
     const CauchyLine line{std::exp(log_epsilon)};

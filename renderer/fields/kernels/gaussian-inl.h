@@ -1,4 +1,5 @@
-// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S, S = support.
+// The windowed Gaussian (Blinn 1982, less its tangent at the border): φ(v) = e^{a−v} − cut (1 + S − v), v < S,
+// S = support.
 //
 // The window is linear in v, so it changes φ′ by a constant and no higher derivative. Along a ray on which v = v₀ + κτ²
 // (point, segment), with y = κτ² and p = e^{a−v₀}:
@@ -8,8 +9,9 @@
 // the quadratic's logarithmic slope drops below 1); before that it is bounded by a falling staircase over √y, each step
 // the maximum to its right.
 //
-// Constants: v = aq, S = aQ; the tangent (in q) is taken off at the support's border, so that value and slope vanish
-// there: cut = e^{−a(Q−1)} = δ, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), Q = 1 + ln(1/δ)/a, amplitude 1/(1 − δ(1 + ln 1/δ)).
+// Constants: v = aq, S = aQ; the tangent (in q) at the border of the support is subtracted, so that value and slope
+// vanish there: cut = e^{−a(Q−1)} = δ, a = h(1 − δ(1 + ln 1/δ))/(1 − δ), Q = 1 + ln(1/δ)/a, amplitude
+// 1/(1 − δ(1 + ln 1/δ)).
 #if defined(ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_GAUSSIAN_INL_H_
@@ -29,7 +31,8 @@ struct Gaussian {
 
   HWY_INLINE explicit Gaussian(const KernelConstants& k) : a(k.a), support_(k.support), cut(k.cut) {}
 
-  /// Where it is cut off, relative to its value at the surface: a tail below a thousandth of the threshold.
+  /// The Gaussian's value at the border of the support, relative to that at the surface: the tail that is cut off is
+  /// below a thousandth of the threshold.
   static constexpr double kCut = 1e-3;
 
   [[nodiscard]] static KernelConstants constants(double h) {

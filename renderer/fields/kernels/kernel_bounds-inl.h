@@ -1,9 +1,9 @@
-// What every kernel says of itself to the code that evaluates a field and bounds it along a ray. A kernel is a class with
+// The interface of kernels for the code that evaluates a field and bounds it along a ray. A kernel is a class with
 //
 //   static constants(hardness), and a constructor from them
 //   support(), value(v), value_and_slope(v), curvature(v) = φ″
 //   slopes(v_least), on_quadratic(v₀, κ, u_near, u_far)
-//   is_smooth(v_low, v_high)   whether the bounds of f⁗ hold between, which they do not where φ″ jumps
+//   is_smooth(v_low, v_high)   true if the bounds of f⁗ hold for all v between; false if φ″ jumps there
 //
 // and a row in renderer/scene/kernel_shapes.def.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_KERNEL_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -40,7 +40,7 @@ struct SlopeBounds {
 
 /// Bounds of v along an interval of a ray: |v′| ≤ first, second_low ≤ v″ ≤ second_high, |v‴| ≤ third, |v⁗| ≤ fourth.
 struct JetBounds {
-  Octet least;  ///< of v
+  Octet least;  ///< lower bound of v
   Octet first, second_low, second_high, third, fourth;
 };
 

@@ -35,7 +35,7 @@ HWY_INLINE void with_each_kernel(const KernelConstants& constants, Use&& use) {
   }
 }
 
-/// Any kernel, looked up at every call: for the kernels that are not worth an inner loop of their own.
+/// Any kernel, chosen anew at every call: for the kernels that do not get an inner loop of their own.
 class AnyKernel {
  public:
   explicit AnyKernel(const KernelConstants& constants) : constants_(constants) {}
@@ -78,8 +78,8 @@ class AnyKernel {
   const KernelConstants& constants_;
 };
 
-/// The same for inner loops: the two kernels that most scenes use are compiled into them, the others share one version,
-/// which halves the time that the compiler takes and costs them a jump an octet.
+/// Like with_each_kernel(), for inner loops. The two kernels that most scenes use are compiled into the loop; the
+/// others share one version of it, which halves the compile time and costs them one branch for each octet.
 template <class Use>
 HWY_INLINE void with_kernel(const KernelConstants& constants, Use&& use) {
   if (constants.is_sheet) return use(AnyKernel(constants));

@@ -1,5 +1,5 @@
-// The kernel of metaballs (Nishimura et al. 1985), with ρ = √v: φ = 1 − 3v for ρ ≤ 1/3, φ = (3/2)(1 − ρ)² for ρ < 1. C¹
-// where the pieces meet; amplitude and sign apart.
+// The kernel of metaballs (Nishimura et al. 1985), with ρ = √v: φ = 1 − 3v for ρ ≤ 1/3, φ = (3/2)(1 − ρ)² for ρ < 1.
+// The function is C¹ where the pieces meet. Amplitude and sign are left out.
 //
 // Outer piece: φ′ = (3/2)(1 − 1/ρ), φ″ = 3/(4ρ³), φ‴ = −9/(8ρ⁵), φ⁗ = 45/(16ρ⁷), all falling in size.
 // Inner piece: φ′ = −3, φ″ = 0.
@@ -7,7 +7,8 @@
 // Along a ray on which v = v₀ + κτ² (point, segment), φ = (3/2)(1 − 2ρ + v) in the outer piece and ρ″ = κv₀/ρ³:
 //   f″ = 3κ(1 − v₀/ρ³), rising with ρ,
 //   |f⁗| = 3κ²v₀|12ρ² − 15v₀|/ρ⁷ ≤ 9κ²/ρ³, since |12x − 15x²| ≤ 3 for x = v₀/ρ² in [0, 1].
-// In the inner one f″ = −6κ and f⁗ = 0. The paper calls the outer piece a quadratic; off the centre it is none.
+// In the inner one f″ = −6κ and f⁗ = 0. The paper calls the outer piece a quadratic; along a ray past the centre it is
+// not.
 //
 // Constants: v = xq with −xφ′(x)/φ(x) = h and amplitude 1/φ(x). In the outer piece (h ≥ ½) that is ρ/(1 − ρ) = h, in
 // the inner one 3x/(1 − 3x) = h.
@@ -25,7 +26,7 @@ namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct Metaball {
-  static constexpr double kJunction = 1.0 / 9;  ///< in v
+  static constexpr double kJunction = 1.0 / 9;  ///< v where the two pieces meet
 
   HWY_INLINE explicit Metaball(const KernelConstants&) {}
 
@@ -83,7 +84,7 @@ struct Metaball {
   }
 
  private:
-  /// ρ, and no less than where the outer piece begins: there the slopes of both pieces are the same.
+  /// ρ, clamped to where the outer piece begins: there the slopes of both pieces are equal.
   [[nodiscard]] static HWY_INLINE Octet outer_root(const Octet& v) { return sqrt(max(v, Octet(kJunction))); }
   [[nodiscard]] static HWY_INLINE Octet cube(const Octet& x) { return x * x * x; }
 };

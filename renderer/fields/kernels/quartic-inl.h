@@ -1,8 +1,10 @@
-// The quartic kernel (Murakami and Ichihara 1987; POV-Ray's blobs): φ(v) = (1 − v)², v < 1. Amplitude and sign apart.
+// The quartic kernel (Murakami and Ichihara 1987; POV-Ray's blobs): φ(v) = (1 − v)², v < 1. Amplitude and sign
+// are left out.
 //
 // Along a ray on which v = v₀ + κτ² (point, segment): with u = κτ²
 //   f″ = −4κ(1 − v₀ − 3u), monotone in u;   f⁗ = 24κ², a constant.
-// On any other skeleton, from bounds of v and its derivatives: φ′ = −2(1 − v), φ″ = 2, φ‴ = φ⁗ = 0.
+// For any other skeleton, the bounds follow from those of v and its derivatives with φ′ = −2(1 − v), φ″ = 2, and
+// φ‴ = φ⁗ = 0.
 //
 // Constants: v = q/Q with Q = 1 + 2/h and amplitude (1 + h/2)²: the slope at q = 1 is −2 amplitude (1 − 1/Q)/Q = −h.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_QUARTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,20 +1,22 @@
-// A plane convolved with the Cauchy window (cauchy_window-inl.h), here in squared radii: A = ε + v, B = ε + Q, d = Q − v, v = q.
-// About the foot of a point the plane's rings of squared radius u have the area π du, so that the integral is one over v:
+// A plane convolved with the Cauchy window (cauchy_window-inl.h), here in squared radii: A = ε + v, B = ε + Q,
+// d = Q − v, v = q. A ring of the plane between squared radii u and u + du about the foot of the point has the area
+// π du, so the integral is over v alone:
 //   φ(v) = ∫ 1/Y² − 1/B² − 2(B − Y)/B³ dY from A to B = 1/A − 1/B − d/B² − d²/B³ = d³/(AB³), v < Q,
 //   φ′ = −d²(B + 2A)/(A²B³),   φ″ = 2/A³ − 2/B³ = 2d(A² + AB + B²)/(A³B³),   φ‴ = −6/A⁴,   φ⁗ = 24/A⁵.
-// Amplitude and sign apart.
+// Amplitude and sign are left out.
 //
 // Along a ray on which v = v₀ + κτ², with u = κτ², p = ε + v₀ and y = u/p:
-//   f″ = κ(2φ′ + 4uφ″), of which 2φ′ rises and φ″ falls with u: so each is bounded by its ends. On long stretches that is far
-//   too much beside a spike at u = 0; there f″ = κ((6u − 2p)/(p + u)³ + 6/B² − (4p + 12u)/B³) is bounded term by
-//   term, of which the first rises to ½/p² at u = p and falls after. The tighter of both counts.
-//   f⁗ = κ²(s(y)/p³ − 24/B³), s(y) = 24(1 − 10y + 5y²)/(1 + y)⁵, which falls to −10.125 at y = ⅓, rises to 0.375 at y = 3,
-//   and falls towards zero.
+//   f″ = κ(2φ′ + 4uφ″), in which 2φ′ rises and φ″ falls with u: so each term is bounded by its values at the ends. On
+//   long stretches that is far too wide beside a spike at u = 0; for these
+//   f″ = κ((6u − 2p)/(p + u)³ + 6/B² − (4p + 12u)/B³) is bounded term by term; the first term rises to ½/p² at u = p
+//   and falls after. The tighter of the two bounds is used.
+//   f⁗ = κ²(s(y)/p³ − 24/B³), s(y) = 24(1 − 10y + 5y²)/(1 + y)⁵, which falls to −10.125 at y = ⅓, rises to 0.375 at
+//   y = 3, and falls towards zero.
 //
-// Constants: φ′(1)/φ(1) = −3/(Q − 1) − 1/(1 + ε) = −h gives Q for any ε; of these the sheet that has φ(0) = eʰ, as the kernels of
-// points and lines have: one equation for ε. Its left side falls from above h to below it (the quartic's) as ε grows. Below ε =
-// 10⁻⁴⁰, a hardness of about 100, nothing changes but the value within 10⁻²⁰ radii of the plane, and the powers of
-// ε would leave the range of numbers.
+// Constants: φ′(1)/φ(1) = −3/(Q − 1) − 1/(1 + ε) = −h gives Q for any ε; ε follows from one more equation, φ(0) = eʰ,
+// which the kernels of points and lines fulfil as well. ln(φ(0)/φ(1)) falls from above h to below it (the quartic's) as
+// ε grows. Below ε = 10⁻⁴⁰, a hardness of about 100, only the value within 10⁻²⁰ radii of the plane changes, and the
+// powers of ε would leave the range of numbers.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_SHEET_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_SHEET_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_SHEET_CAUCHY_INL_H_
@@ -36,7 +38,7 @@ struct CauchySheet {
       : epsilon(k.a), support_(k.support), border(k.a + k.support) {}
 
   [[nodiscard]] static KernelConstants constants(double h) {
-    const double least = std::max(0.0, 1 / h - 1);  // of ε, where Q is infinite
+    const double least = std::max(0.0, 1 / h - 1);  // the ε at which Q is infinite
     const auto width = [&](double epsilon) { return 3 * (1 + epsilon) / (h * (1 + epsilon) - 1); };  // Q − 1
     const auto is_too_small = [&](double epsilon) {
       return 3 * std::log1p(1 / width(epsilon)) + std::log1p(1 / epsilon) > h;
@@ -86,7 +88,7 @@ struct CauchySheet {
     };
     const Octet near = spike(u_near), far = spike(u_far);
     const Octet top = select((u_near < p) & (u_far > p), Octet(0.5) / (p * p), max(near, far));
-    // The terms of one u cancel towards the border: their rounding, a few units in the last place of the greatest.
+    // The terms cancel towards the border. Their rounding is a few units in the last place of the greatest one.
     const Octet rounding = Octet(0x1p-49) * (max(abs(near), abs(far)) + Octet(6 / (border * border)));
     const Octet low = max(low_by_ends, min(near, far) + window(u_far) - rounding);
     const Octet high = min(high_by_ends, top + window(u_near) + rounding);

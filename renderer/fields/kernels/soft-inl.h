@@ -1,5 +1,5 @@
 // The kernel of soft objects (Wyvill, McPheeters and Wyvill 1986): φ(v) = 1 − 22/9 v + 17/9 v² − 4/9 v³, v < 1, which
-// is (1 − v)²(1 − 4/9 v). Amplitude and sign apart.
+// is (1 − v)²(1 − 4/9 v). Amplitude and sign are left out.
 //
 //   φ′ = −(2/9)(1 − v)(11 − 6v),   φ″ = (34 − 24v)/9,   φ‴ = −24/9;   φ is convex, |φ′| and φ″ fall on [0, 1].
 //
@@ -25,7 +25,7 @@ struct Soft {
   HWY_INLINE explicit Soft(const KernelConstants&) {}
 
   [[nodiscard]] static KernelConstants constants(double h) {
-    // (4h + 12)x² − (13h + 22)x + 9h = 0; its lesser root, in the form that does not cancel.
+    // (4h + 12)x² − (13h + 22)x + 9h = 0; the lesser root, in the form without cancellation.
     const double half = 0.5 * (13 * h + 22);
     const double x = 9 * h / (half + std::sqrt(half * half - 9 * h * (4 * h + 12)));
     KernelConstants constants;

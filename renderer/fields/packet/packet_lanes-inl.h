@@ -1,5 +1,5 @@
-// The fields of one cell along eight rays, a ray in every lane. Neighbouring rays meet the same cells, and then every
-// field is read once for all of them and no lane stays empty, however short the list is.
+// The fields of one cell along eight rays, one ray in each lane. Neighbouring rays meet the same cells; then each field
+// is read once for all of them, and all lanes are used, however short the list is.
 #if defined(ISL_RENDERER_FIELDS_PACKET_PACKET_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_PACKET_PACKET_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_PACKET_PACKET_LANES_INL_H_

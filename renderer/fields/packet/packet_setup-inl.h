@@ -1,5 +1,6 @@
-// The fields of a cell's list laid out for eight rays, a row for each field; what cannot reach the stretch of any of
-// them is dropped. Of pieces the n-th along all the rays make one row, as the rays cut a skeleton in different orders.
+// Lays out the fields of a cell's list for eight rays, one row for each field, and drops fields that cannot reach the
+// stretch of any of the rays. For skeletons with pieces, a row holds the n-th piece along each ray; these may be
+// different pieces of the skeleton, since the rays cut it in different orders.
 #if defined(ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_
 #undef ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_
@@ -29,7 +30,7 @@ class PacketSetup {
   using Number = Octet;
   using Sums = SetupSums<Octet, Octet>;
 
-  /// For the rays in these lanes.
+  /// Sets up for the rays in these lanes only.
   HWY_INLINE PacketSetup(PacketMemory& memory, const RayPacket& rays, const OctetMask& lanes)
       : m_(memory), rays_(rays), lanes_(lanes), t0_(load(rays.t0)), t1_(load(rays.t1)) {}
 
@@ -40,7 +41,7 @@ class PacketSetup {
   }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }
 
-  /// Every lane has its own sum.
+  /// Each lane's own sum: the lanes belong to different rays.
   [[nodiscard]] static HWY_INLINE const Octet& total(const Octet& x) { return x; }
 
   template <class Kernel>
@@ -168,7 +169,7 @@ class PacketSetup {
       adds(kernel, lanes.v0 + lanes.kappa * near * near, amplitude);
     }
   }
-  /// A row of pieces that are beyond their support.
+  /// Fills a row with pieces on which v = `beyond`, a value beyond the support.
   static HWY_INLINE void clear(PacketRow& row, double beyond) {
     const Octet zero(0.0);
     store_along(std::array{Octet(beyond), zero, zero, Octet(-kInfinity), Octet(kInfinity)}, row);
@@ -177,7 +178,8 @@ class PacketSetup {
   // ---- Rows
   // -----------------------------------------------------------------------------------------------------------
 
-  /// Whether the field reaches the stretch of any ray, coming no nearer than `v_least`. Counts it where it does.
+  /// True if the field reaches the stretch of any ray; `v_least` is the least v on each stretch. Adds the field to the
+  /// counts and peaks of the rays that it reaches.
   template <class Kernel>
   HWY_INLINE bool adds(const Kernel& kernel, const Octet& v_least, double amplitude) {
     const OctetMask reaches = (v_least < kernel.support()) & lanes_;
@@ -191,7 +193,7 @@ class PacketSetup {
     sums_.peak = sums_.peak + keep(reaches, Octet(amplitude) * most);
   }
 
-  /// Makes room for rows of a group.
+  /// Reserves memory for the rows of a group.
   void begin(const ListedFields& fields, std::uint32_t rows) {
     sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
     m_.reserve(std::size_t{rows_} + rows);
@@ -200,7 +202,7 @@ class PacketSetup {
   static HWY_INLINE void store_along(const std::array<Octet, kCount>& along, PacketRow& row) {
     for (std::size_t i = 0; i < kCount; ++i) store(along[i], row.along[i]);
   }
-  /// The row behind those in use, filled in.
+  /// Fills in the row after those in use, which the caller may keep by ++rows_.
   template <std::size_t kAlong, std::size_t kShape>
   HWY_INLINE PacketRow& next_row(const std::array<Octet, kAlong>& along, const std::array<double, kShape>& shape,
                                  double amplitude) {
@@ -221,7 +223,7 @@ class PacketSetup {
   OctetMask lanes_;
   Octet t0_, t1_;
   Sums sums_;
-  std::uint32_t rows_ = 0;  ///< in use
+  std::uint32_t rows_ = 0;  ///< number of rows in use
 };
 
 }  // namespace HWY_NAMESPACE

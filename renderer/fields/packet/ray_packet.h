@@ -11,7 +11,7 @@ using scene::Vec3;
 
 inline constexpr std::size_t kPacket = 8;
 
-/// Rays in a blob's space, and the stretch of each that is looked at. Lanes without a ray may hold any numbers.
+/// Rays in a blob's space, each with the stretch [t0, t1] to be searched. Lanes without a ray may hold any numbers.
 struct RayPacket {
   alignas(64) double origin[3][kPacket]{};
   alignas(64) double direction[3][kPacket]{};

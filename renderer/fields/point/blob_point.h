@@ -1,4 +1,4 @@
-// Gradient and texture shares of a blob at a point, as shading needs them.
+// Gradient and texture shares of a blob at a point, for shading.
 #pragma once
 
 #include "renderer/rays/surface_point.h"
@@ -9,18 +9,20 @@
 
 namespace isl::render {
 
-/// Weighted textures and the gradient of a blob at a point: what shading needs.
+/// Weighted textures and the gradient of a blob at a point.
 struct BlobPoint {
-  Vec3 gradient{0};  ///< of F, in the blob's space
-  /// |fᵢ| by texture, not normalised; kNoTexture stands for the blob's own. Of each place the component is set.
+  Vec3 gradient{0};  ///< ∇F, in the blob's space
+  /// Σ|fᵢ| by texture, not normalised; kNoTexture stands for the blob's own texture. In each share's `surface` only the
+  /// component is set.
   std::vector<TextureShare> shares;
-  std::uint64_t evaluations = 0;  ///< of fields, for this point
+  std::uint64_t evaluations = 0;  ///< number of fields evaluated for this point
 };
 
-/// Which components of a blob may share their texture: not those that look it up in places of their own.
+/// Tells whether components with the same texture may be merged into one share: not if the texture depends on each
+/// component's own coordinates.
 struct ShareRule {
   const scene::CoordinateTextures* coordinate_textures;
-  scene::TextureId other;  ///< what kNoTexture stands for
+  scene::TextureId other;  ///< the texture for which kNoTexture stands
 
   [[nodiscard]] bool may_share(scene::TextureId texture) const {
     return !coordinate_textures->has(texture == scene::kNoTexture ? other : texture);

@@ -41,7 +41,7 @@ struct PointSums {
   Octet value, gx, gy, gz;
 };
 
-/// The shares of a point, as they are added up.
+/// Collects the shares of a point.
 class ShareSums {
  public:
   ShareSums(const ShareRule& rule, std::vector<TextureShare>& shares) : rule_(rule), shares_(shares) {}
@@ -65,7 +65,7 @@ class ShareSums {
   std::vector<TextureShare>& shares_;
 };
 
-/// Convolved curves, whose gradient is no function of the nearest point.
+/// Adds convolved curves, whose gradient is not a function of the nearest point.
 inline void add_point_curves(const ComponentTable& table, const FieldGroup& group, const std::uint32_t* items,
                              std::uint32_t count, const Vec3& point, PointSums& sums, ShareSums& shares) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
@@ -115,7 +115,7 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
   }
 }
 
-/// `items` ascend.
+/// The sum of these components' fields at a point, with its gradient and texture shares. `items` ascend.
 inline PointSums point_sums(const ComponentTable& table, std::span<const std::uint32_t> items, const Vec3& point,
                             ShareSums& shares) {
   PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};

@@ -1,7 +1,7 @@
-// The fields of one cell laid out for the inner loops: set up once for a stretch of a ray, then asked for value, slope,
-// curvature and bounds at any t or interval in it. What cannot reach the stretch is dropped at set-up. Eight fields lie
-// side by side along one ray (RayLanes), or eight rays with one field after another (PacketLanes): which of them is the
-// parameter.
+// The fields of one cell in the layout of the inner loops. They are set up once for a stretch of a ray, and then give
+// value, slope, curvature and bounds at any t or interval in it. Set-up drops fields that cannot reach the stretch. The
+// lanes hold eight fields along one ray (RayLanes) or eight rays, for one field after another (PacketLanes), as the
+// template's parameter says.
 #if defined(ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_FIELD_LANES_INL_H_
@@ -22,8 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Setup lays the fields out: LaneSetup or PacketSetup. Its Number is what there is for each ray: a double, or an octet
-/// for eight.
+/// Setup lays the fields out: LaneSetup or PacketSetup. Its Number is the type of a result: a double for one ray, an
+/// octet for eight.
 template <class Setup>
 class FieldLanes {
  public:
@@ -33,18 +33,17 @@ class FieldLanes {
   /// F − T and its derivative along the ray.
   struct FieldAt {
     Number value, slope;
-    Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|: what rounding is relative to
+    Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|: the scales of the rounding errors
   };
-  /// How far a cubic Hermite interpolant of F may be from F over an interval of width h: |F − p| ≤ value, |F′ − p′| ≤
-  /// slope.
+  /// Bounds of the error of F's cubic Hermite interpolant p over an interval: |F − p| ≤ value, |F′ − p′| ≤ slope.
   struct Remainder {
     Number value, slope;
   };
 
   explicit FieldLanes(Memory& memory) : m_(memory) {}
 
-  /// Gathers the fields of a cell's list that reach the stretch; `where` tells the setup the ray or the rays and their
-  /// stretches.
+  /// Gathers the fields of a cell's list that reach the stretch; `where` are the setup's arguments: the ray or rays and
+  /// their stretches.
   template <class... Where>
   void set_up(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count, const Where&... where) {
     sums_ = Setup(m_, where...).gather_list(table, items, count);
@@ -55,15 +54,15 @@ class FieldLanes {
   }
 
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
-  /// Fields that reach the stretch of each ray.
+  /// Number of fields that reach the stretch, for each ray.
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
-  /// No value of F − T on the stretch is greater than this.
+  /// Upper bound of F − T on the stretch.
   [[nodiscard]] HWY_INLINE Number upper_bound() const {
     return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_;
   }
-  /// Bounds of the rounding in the value and the slope at t. That of a sum of n fields is 2⁻⁵² Σ|fᵢ|(n + 16 + 2v) +
-  /// 2⁻⁵²(n + 16)T, the exponential magnifying the error of its argument v; that of the position is four half units of
-  /// t.
+  /// Bounds of the rounding errors of value and slope at t. For a sum of n fields the error is 2⁻⁵² Σ|fᵢ|(n + 16 + 2v)
+  /// + 2⁻⁵²(n + 16)T, where 2v is there because the exponential magnifies the error of its argument v. The error of the
+  /// position is four half units in the last place of t.
   [[nodiscard]] HWY_INLINE Number noise(const Number& t, const FieldAt& f) const {
     return relative_noise_ * f.magnitude + threshold_noise_ + Number(0x1p-51) * abs(t) * f.steepness;
   }
@@ -89,10 +88,10 @@ class FieldLanes {
     return {total(remainders.sums.value), total(remainders.sums.slope)};
   }
 
-  // ---- Of one ray ---------------------------------------------------------------------------------------------------
+  // ---- For one ray only ---------------------------------------------------------------------------------------------
 
-  /// The first t between these two where a component's nearest feature changes: there F may bend as sharply as it
-  /// likes.
+  /// The first t between these two at which a component's nearest feature changes, where F″ may jump; nothing if there
+  /// is none.
   [[nodiscard]] std::optional<double> border_within(double t0, double t1) const {
     double first = t1;
     for (const LaneRun& run : m_.runs) {
@@ -107,13 +106,13 @@ class FieldLanes {
     }
     return first < t1 ? std::optional(first) : std::nullopt;
   }
-  /// F − T on [t0, t1], from outside (lane_range-inl.h).
+  /// An enclosure of F − T on [t0, t1] (lane_range-inl.h).
   [[nodiscard]] HWY_NOINLINE FieldRange range(double t0, double t1) const {
     const SumRange f = total_of(LaneRange(t0, t1));
     return {f.low - relative_noise_ * f.low_terms - threshold_ - threshold_noise_,
             f.high + relative_noise_ * f.high_terms - threshold_ + threshold_noise_};
   }
-  /// F′ likewise (lane_slope-inl.h), and F″ (lane_bend-inl.h), rounding apart.
+  /// Enclosures of F′ (lane_slope-inl.h) and of F″ (lane_bend-inl.h; rounding is not included).
   [[nodiscard]] HWY_NOINLINE FieldRange slope_range(double t0, double t1) const {
     const SumRange f = total_of(LaneSlope(t0, t1));
     return {f.low - relative_noise_ * f.low_terms, f.high + relative_noise_ * f.high_terms};

@@ -1,6 +1,5 @@
-// The fields of a cell's list, group by group, each by the way in which its skeleton is seen along a ray: points,
-// pieces, a ray form, a convolved curve. How they are laid out is the setup's business: LaneSetup for one ray,
-// PacketSetup for eight.
+// Walks a cell's list group by group and passes each group to the setup by its form along a ray: points, pieces, a ray
+// form, or a convolved curve. The setup lays the fields out: LaneSetup for one ray, PacketSetup for eight.
 #if defined(ISL_RENDERER_FIELDS_RAY_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_GATHER_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_GATHER_INL_H_
@@ -20,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Components of one group.
+/// Entries of a list that belong to one group.
 struct ListedFields {
   const ComponentTable& table;
   const FieldGroup& group;
@@ -28,12 +27,12 @@ struct ListedFields {
   std::uint32_t count;
 };
 
-/// Calls for every group of `items`, which ascend, one of the setup's
+/// Calls one of the setup's functions for every group of `items`, which ascend,
 ///   add_points(kernel, fields)
 ///   add_pieces(kernel, fields)
 ///   add_shapes<Shape>(kernel, fields)
-///   add_curves<Shape>(window, fields)
-/// and makes a run of the rows that it adds.
+///   add_curves(fields)
+/// and makes a run of the rows that the call adds.
 template <class Setup, class Memory>
 HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable& table, const std::uint32_t* items,
                               std::uint32_t count) {
@@ -71,12 +70,12 @@ HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable
   }
 }
 
-/// What is known of a stretch, or of eight, once its fields are laid out.
+/// Results of laying out the fields for a stretch of a ray, or for eight.
 template <class Count, class Number>
 struct SetupSums {
-  Count field_count;  ///< that reach the stretch
-  Number peak;        ///< no value of the sum on it is greater, rounding apart
-  double exponent;    ///< the greatest v within any support
+  Count field_count;  ///< number of fields that reach the stretch
+  Number peak;        ///< upper bound of the sum on the stretch, without rounding
+  double exponent;    ///< the greatest v within the support of any field: scales the exponential's error
 
   HWY_INLINE SetupSums() : field_count(0), peak(0.0), exponent(0) {}
 };

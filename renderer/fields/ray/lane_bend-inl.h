@@ -1,9 +1,10 @@
-// Between which values the second derivative F″ of a cell's sum stays along an interval of a ray: the sum of what the
-// fields' kernels and windows bound, each with 0 as well where the interval reaches beyond its support or off its
-// piece. Where f is only C¹ (at borders of pieces and supports, junctions of kernels) F″ jumps between bounded values,
-// both of which are enclosed: so F′ is the integral of something in the range, and F′(t) − F′(s) = (t − s)·[range].
+// An enclosure of the second derivative F″ of a cell's sum along an interval of a ray: the sum of the bounds from the
+// fields' kernels and windows. A field's range also includes 0 if the interval extends beyond the field's support or
+// off its piece. Where f is only C¹ (at borders of pieces and supports, junctions of kernels) F″ jumps between bounded
+// values, both of which are enclosed. So F′ is the integral of a function within the range, and
+// F′(t) − F′(s) = (t − s)·[range].
 //
-// For solvers that bound the change of a slope: Kalra and Barr's G, the inclusions of Aydinlilar and Zanni.
+// It serves solvers that bound the change of a slope: Kalra and Barr's G, and the inclusions of Aydinlilar and Zanni.
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_BEND_INL_H_
@@ -24,16 +25,17 @@ class LaneBend {
  public:
   LaneBend(double t0, double t1) : t0_(t0), t1_(t1), low_(0.0), high_(0.0) {}
 
-  /// Of F″.
+  /// The enclosure of F″.
   [[nodiscard]] HWY_INLINE FieldRange total() const { return {sum(low_), sum(high_)}; }
 
-  /// The range of f″ of lanes that are no quadratics, amplitude apart.
+  /// The range of f″ for a ray form, without the amplitude.
   template <class Kernel, class Bounds>
   [[nodiscard]] static HWY_INLINE OctetRange of_shape(const Kernel& kernel, const Bounds& v) {
     const SecondAndFourth f = v.compose(kernel);
     return with_zero(v.greatest < kernel.support(), {f.low, f.high});
   }
-  /// The same of convolved curves. The integral's ends move, but add nothing to f″ (curve_remainder-inl.h).
+  /// The range of f″ for convolved curves, without the amplitude. The integral's ends move, but add nothing to f″
+  /// (curve_remainder-inl.h).
   template <class Window, class Curve>
   [[nodiscard]] static HWY_INLINE OctetRange of_curve(const Window& window, const Curve& lanes, double t0, double t1) {
     const CurveStretch c = lanes.stretch(t0, t1);
@@ -44,13 +46,13 @@ class LaneBend {
     return {keep(counts, f.low), keep(counts, f.high)};
   }
 
-  // What visit_lanes (lane_walk-inl.h) finds.
+  // The functions of a visitor of visit_lanes (lane_walk-inl.h).
 
   template <class Kernel, class Borders>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
     const OnPiece piece(borders, lane.middle, t0_, t1_, 0);
     const Octet near = piece.near(), far = piece.far();
-    const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
+    const Octet room = kernel.support() - lane.v0;  // κτ² at the border of the support
     const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
     const SecondAndFourth f = kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room));
     add(scaled((u_near < room) & piece.any & (lane.kappa > Octet(0.0)), lane.amplitude,

@@ -1,6 +1,6 @@
-// The memory in which the fields of a cell are laid out for the inner loops: one a thread, grown to the longest list
-// and reused, so that tracing allocates nothing. A row is an octet: eight fields along one ray, or one field along
-// eight rays (a packet).
+// The memory in which the fields of a cell are laid out for the inner loops: one for each thread. It grows to
+// the longest list and is reused, so that tracing does not allocate. A row is an octet: eight fields along one
+// ray, or one field along eight rays (a packet).
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"
@@ -12,10 +12,11 @@
 
 namespace isl::render {
 
-/// What lies side by side in the lanes of an octet.
+/// The contents of an octet's lanes: fields along one ray, or rays for one field.
 enum class InLanes : std::uint8_t { fields, rays };
 
-/// As the form of the run's skeleton has them (skeletons/ray_form-inl.h): of a field and a ray, of the field alone.
+/// The members of a form (skeletons/ray_form-inl.h): `along` depends on field and ray, `shape` and `amplitude` on the
+/// field.
 template <InLanes kWhat>
 struct alignas(64) LaneRow {
   static constexpr std::size_t kLanes = 8, kFields = kWhat == InLanes::fields ? kLanes : 1;
@@ -26,11 +27,11 @@ struct alignas(64) LaneRow {
   double amplitude[kFields];
 };
 
-/// What a row's columns are: quadratics of points, which hold everywhere, or of pieces, which have borders; the ray
-/// form of a skeleton; the form of a convolved one.
+/// The form of a row: quadratics of points, which hold everywhere; quadratics of pieces, which have borders; the ray
+/// form of a skeleton; the form of a convolved curve.
 enum class LaneForm : std::uint8_t { points, pieces, shapes, curves };
 
-/// Rows first … last − 1, of one kernel and one form.
+/// Rows first … last − 1, which share kernel and form.
 struct LaneRun {
   const KernelConstants* kernel;
   LaneForm form;
@@ -40,7 +41,7 @@ struct LaneRun {
 
 template <InLanes kWhat>
 struct FieldMemory {
-  std::vector<LaneRow<kWhat>> rows;  ///< as many as were ever needed; the runs say which are in use
+  std::vector<LaneRow<kWhat>> rows;  ///< as many as were ever needed; `runs` tells which are in use
   std::vector<LaneRun> runs;
 
   void reserve(std::size_t count) {

@@ -1,10 +1,10 @@
-// Between which values the sum of a cell's fields stays on an interval of a ray: every field falls with the distance
-// from its skeleton, so its least and greatest values follow from the greatest and least distances. Coarser than the
-// cubic of solvers/certified/hermite-inl.h where that converges, but true where that knows nothing: about the pole of a
-// hard Cauchy, whose fourth derivative is beyond any bound of use.
+// An enclosure of the sum of a cell's fields on an interval of a ray. Every field falls with the distance from its
+// skeleton, so its least and greatest values follow from the greatest and least distances. The range is wider than that
+// of the cubic of solvers/certified/hermite-inl.h where the cubic converges, but it is also useful where the cubic's
+// error bound is not: near the peak of a hard Cauchy, whose fourth derivative is too great.
 //
-// Rounding of the ray's position is met by widening: a point at t may be computed four half units of t away, along the
-// ray and across it.
+// The interval is widened to account for rounding of the ray's position: a computed point can be four half units in the
+// last place of t away from the true one, along the ray and across it.
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_RANGE_INL_H_
@@ -25,7 +25,7 @@ class LaneRange {
 
   [[nodiscard]] HWY_INLINE SumRange total() const { return sums_.total(); }
 
-  // What visit_lanes (lane_walk-inl.h) finds.
+  // The functions of a visitor of visit_lanes (lane_walk-inl.h).
 
   template <class Kernel, class Borders>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
@@ -50,7 +50,7 @@ class LaneRange {
   }
 
  private:
-  /// v between `least` and `greatest`; with less than the `whole` of the interval on this piece, 0 as well.
+  /// Adds the range for v between `least` and `greatest`. It includes 0 unless the `whole` interval is on this piece.
   template <class Kernel>
   HWY_INLINE void add(const Kernel& kernel, const Octet& amplitude, const Octet& least, const Octet& greatest,
                       const OctetMask& whole, const OctetMask& counts) {

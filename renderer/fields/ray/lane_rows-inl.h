@@ -28,7 +28,7 @@ struct QuadraticLanes {
   Octet amplitude;
 };
 
-/// What is of the field alone, one number for each lane or for all.
+/// Loads a member that depends on the field alone: one number for each lane, or one for all.
 [[nodiscard]] HWY_INLINE Octet of_fields(const double (&x)[kOctet]) { return load(x); }
 [[nodiscard]] HWY_INLINE Octet of_fields(const double (&x)[1]) { return Octet(x[0]); }
 
@@ -43,11 +43,11 @@ template <class Form, InLanes kWhat>
   return load_columns<Form>(row, std::make_index_sequence<Form::kAlong>(), std::make_index_sequence<Form::kShape>());
 }
 
-/// Where the quadratics of points hold.
+/// The domain of the quadratics of points.
 struct Everywhere {
   [[nodiscard]] HWY_INLINE OctetMask holds(const OctetMask& mask, const Octet&) const { return mask; }
 };
-/// Where those of pieces do: on [begin, end).
+/// The domain of the quadratics of pieces, [begin, end).
 struct PieceBorders {
   Octet begin, end;
 
@@ -61,10 +61,10 @@ template <InLanes kWhat>
   return {load(row.along[kPieceBegin]), load(row.along[kPieceEnd])};
 }
 
-/// The part of an interval on which quadratics hold.
+/// The part of an interval inside the domain of a quadratic.
 struct HeldPart {
   Octet from, to;
-  OctetMask whole;  ///< it is all of the interval
+  OctetMask whole;  ///< the part is the whole interval
 };
 [[nodiscard]] HWY_INLINE HeldPart held_part(const Everywhere&, const Octet& t0, const Octet& t1) {
   return {t0, t1, all_lanes()};

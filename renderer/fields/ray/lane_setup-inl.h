@@ -1,10 +1,9 @@
-// The fields of a cell's list, laid out side by side for one stretch of a ray; what cannot reach the stretch is
-// dropped.
+// Lays out the fields of a cell's list side by side for one stretch of a ray, and drops those that cannot reach it.
 //
-// An affine component is met by a transformed ray whose direction is not normalised again, so that t means the same and
-// no bound needs scaling. Squared distances come from perpendicular vectors, never from |oc|² − (oc·D)², which cancels
-// far from the origin. Most cells that a ray meets hold no surface on its way, so this is where most of the time goes:
-// the greatest value that the sum can have comes out of the same pass.
+// For a mapped component the ray is transformed, but its direction is not normalised again, so that t keeps its meaning
+// and no bound needs scaling. Squared distances come from perpendicular vectors, never from |oc|² − (oc·D)², which
+// cancels far from the origin. In most cells a ray meets no surface, so most of the time is spent here; therefore the
+// same pass computes an upper bound of the sum.
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_SETUP_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_SETUP_INL_H_
@@ -34,7 +33,7 @@ class LaneSetup {
   HWY_INLINE LaneSetup(LaneMemory& memory, const Vec3& origin, const Vec3& direction, double t0, double t1)
       : m_(memory), origin_(origin), direction_(direction), t0_(t0), t1_(t1) {}
 
-  /// `items` ascend, and the seven entries behind them can be read and name components too (Grid::kListTail).
+  /// `items` ascend. The seven entries after them must be readable and valid component numbers too (Grid::kListTail).
   [[nodiscard]] HWY_INLINE Sums gather_list(const ComponentTable& table, const std::uint32_t* items,
                                             std::uint32_t count) {
     // A run ends with a row that is not full, and a list cannot change group more often than it has entries.
@@ -44,7 +43,7 @@ class LaneSetup {
   }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }
 
-  /// Of one ray there is one sum over all lanes.
+  /// The sum over all lanes: they belong to one ray.
   [[nodiscard]] static HWY_INLINE double total(const Octet& x) { return sum(x); }
 
   template <class Kernel>
@@ -71,8 +70,9 @@ class LaneSetup {
       if (none(reaches)) continue;
       const Octet amplitude = gather(fields.table.amplitude.data(), index);
       peaks = peaks + keep(reaches, max(amplitude, zero) * kernel.value(v_least));
-      // Lanes that do not reach the stretch stay where they are: they are beyond their support all along it. (Moving
-      // the others together costs more than it saves: lists are short.) Those past the list's end are put out of reach.
+      // Lanes that do not reach the stretch are kept: they add nothing, since v is beyond the support all along it. (To
+      // compact the others costs more than it saves, since lists are short.) Lanes past the list's end are put out of
+      // reach.
       LaneRow<InLanes::fields>& row = m_.rows[rows_++];
       store(select(listed, v0, kernel.support() + kernel.support()), row.along[0]);
       store(keep(listed, kappa), row.along[1]);
@@ -140,13 +140,13 @@ class LaneSetup {
     return load(kIndex) < Octet(static_cast<double>(n));
   }
 
-  /// The greatest value that each lane can have on the stretch.
+  /// Adds each lane's greatest possible value on the stretch, if it is positive.
   template <class Kernel>
   static HWY_INLINE void add_peaks(const Kernel& kernel, const Octet& v_least, const Octet& amplitude, Octet& peaks) {
     peaks = peaks + keep(v_least < kernel.support(), max(amplitude, Octet(0.0)) * kernel.value(v_least));
   }
 
-  /// Calls use(skeleton, amplitude, origin, direction) for each field, with the ray in its own space.
+  /// Calls use(skeleton, amplitude, origin, direction) for each field, with the ray in the component's own space.
   template <class Shape, class Use>
   void for_each_line(const ListedFields& fields, const Use& use) {
     for (std::uint32_t i = 0; i < fields.count; ++i) {
@@ -164,7 +164,7 @@ class LaneSetup {
   }
   [[nodiscard]] static Lines<double> line(const Vec3& o, const Vec3& d) { return {{o.x, o.y, o.z}, {d.x, d.y, d.z}}; }
 
-  // Out of line and once for all kernels.
+  // The functions below are out of line and compiled once for all kernels.
 
   HWY_NOINLINE void lay_out_pieces(const ListedFields& fields) {
     const double scale = ComponentTable::v_scale(fields.group), support = fields.group.kernel.support;
@@ -181,7 +181,7 @@ class LaneSetup {
     });
     while (lane_ != 0) put<5, 0>({2 * support, 0, 0, -kInfinity, kInfinity}, {}, 0);
   }
-  /// A piece of v = scale · q, unless it cannot reach the stretch.
+  /// Adds a piece of v = scale · q, unless it cannot reach the stretch.
   void put_piece(const QuadraticPiece& piece, double scale, double amplitude, double support) {
     const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
     const double from = std::max(t0_, piece.begin), to = std::min(t1_, piece.end);
@@ -201,7 +201,7 @@ class LaneSetup {
     fill_up<Form>();
   }
 
-  /// The next lane, of the next row behind the last one.
+  /// Fills the next lane, and begins a new row after the last lane of one.
   template <std::size_t kAlong, std::size_t kShape>
   void put(const std::array<double, kAlong>& along, const std::array<double, kShape>& shape, double amplitude) {
     LaneRow<InLanes::fields>& row = m_.rows[rows_];
@@ -212,7 +212,7 @@ class LaneSetup {
     lane_ = 0;
     ++rows_;
   }
-  /// Ends the row with lanes that add nothing.
+  /// Fills the rest of the row with lanes that add nothing.
   template <class Form>
   void fill_up() {
     std::array<double, Form::kAlong> along;
@@ -228,8 +228,8 @@ class LaneSetup {
   const Vec3 &origin_, &direction_;
   double t0_, t1_;
   Sums sums_;
-  std::uint32_t rows_ = 0;  ///< in use
-  std::size_t lane_ = 0;    ///< the next one in the row behind them
+  std::uint32_t rows_ = 0;  ///< number of full rows
+  std::size_t lane_ = 0;    ///< the next lane to fill in the row after them
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,11 +1,12 @@
-// Between which values the derivative F′ of a cell's sum stays along an interval of a ray. Its greatest size is the
-// directional Lipschitz bound of the interval; where it has one sign, F has no more than one root.
+// An enclosure of the derivative F′ of a cell's sum along an interval of a ray. Its greatest absolute value is the
+// interval's directional Lipschitz bound; if F′ has one sign, F has at most one root in the interval.
 //
-// Quadratics in interval arithmetic: f′ = φ′(v)·v′ with v′ = 2κτ exact between its ends, and φ′ between its values at
-// the least and the greatest v, all kernels being convex (kernel_bounds-inl.h). Cones, circles and convolved curves by
-// the mean value, f′(m) ± h/2 · max|f″|, m the middle, and the first two no steeper than max|φ′| max|v′|.
+// Quadratics are bounded by interval arithmetic: f′ = φ′(v)·v′, where the range of v′ = 2κτ is exact, and φ′ lies
+// between its values at the least and the greatest v, since all kernels are convex (kernel_bounds-inl.h). Ray forms and
+// convolved curves are bounded by the mean value theorem, f′(m) ± h/2 · max|f″|, m the midpoint; ray forms also by
+// max|φ′| max|v′|.
 //
-// Rounding of the ray's position is met as in lane_range-inl.h.
+// Rounding of the ray's position is treated as in lane_range-inl.h.
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_SLOPE_INL_H_
@@ -24,10 +25,10 @@ class LaneSlope {
  public:
   LaneSlope(double t0, double t1) : on_(t0, t1) {}
 
-  /// Of F′.
+  /// The enclosure of F′.
   [[nodiscard]] HWY_INLINE SumRange total() const { return sums_.total(); }
 
-  // What visit_lanes (lane_walk-inl.h) finds.
+  // The functions of a visitor of visit_lanes (lane_walk-inl.h).
 
   template <class Kernel, class Borders>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
@@ -64,7 +65,7 @@ class LaneSlope {
   }
 
  private:
-  /// φ′ ≤ 0, and 0 beyond the support.
+  /// φ′(v) ≤ 0; it is 0 beyond the support.
   template <class Kernel>
   [[nodiscard]] static HWY_INLINE Octet slope_of(const Kernel& kernel, const Octet& v) {
     return keep(v < kernel.support(), kernel.value_and_slope(v).slope);
@@ -72,7 +73,7 @@ class LaneSlope {
 
   [[nodiscard]] HWY_INLINE Octet middle() const { return Octet(on_.t0 + 0.5 * (on_.t1 - on_.t0)); }
 
-  /// What f′ can be within half the interval's width of where it is this.
+  /// The range of f′ on the interval, from its value at the midpoint and the range of f″.
   [[nodiscard]] HWY_INLINE OctetRange about(const Octet& slope, const OctetRange& bend) const {
     const Octet spread = Octet(0.5 * (on_.t1 - on_.t0)) * max(abs(bend.low), abs(bend.high));
     return {slope - spread, slope + spread};

@@ -1,5 +1,5 @@
-// What the bounds of a cell's sum along an interval of a ray are added up from: ranges of eight fields, the part of the
-// interval on a piece of a field, and sums of ranges (lane_range-inl.h, lane_slope-inl.h, lane_bend-inl.h).
+// The parts of bounds of a cell's sum along an interval of a ray: ranges of eight fields, the part of the interval on a
+// piece of a field, and sums of ranges (lane_range-inl.h, lane_slope-inl.h, lane_bend-inl.h).
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_SUMS_INL_H_
 #undef ISL_RENDERER_FIELDS_RAY_LANE_SUMS_INL_H_
@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// An interval of a ray, widened by as much as a computed point may be off along it: four half units of t.
+/// An interval of a ray, widened by the rounding error of a point's position along it: four half units in the last
+/// place of t.
 struct WidenedInterval {
   double drift, t0, t1;
 
@@ -29,7 +30,8 @@ struct OctetRange {
   Octet low, high;
 };
 
-/// Where kernels overflow (a hardness of hundreds, inside) products of bounds say nothing: anything, then.
+/// The range, or (−∞, ∞) if it is not valid: near the skeleton of very hard kernels the bounds overflow and their
+/// products are NaN.
 [[nodiscard]] HWY_INLINE OctetRange sound(const OctetRange& r) {
   const Octet infinite(std::numeric_limits<double>::infinity());
   const OctetMask is_range = r.low <= r.high;
@@ -47,12 +49,12 @@ struct OctetRange {
   return {keep(counts, min(one, other)), keep(counts, max(one, other))};
 }
 
-/// The part of an interval that lies on a piece, seen from the piece's middle. Both are known to ± drift: [t0, t1] has
-/// been widened by it, and the piece is here.
+/// The part of an interval that lies on a piece, as t − middle. Both the interval and the piece are uncertain
+/// by ± drift: [t0, t1] has been widened by it already, and the piece is widened here.
 struct OnPiece {
   Octet a, b;       ///< ends
-  OctetMask whole;  ///< it is all of the interval
-  OctetMask any;    ///< it is not empty
+  OctetMask whole;  ///< the part is the whole interval
+  OctetMask any;    ///< the part is not empty
 
   HWY_INLINE OnPiece(const Everywhere&, const Octet& middle, double t0, double t1, double /*drift*/)
       : OnPiece(Octet(t0), Octet(t1), middle) {
@@ -70,11 +72,11 @@ struct OnPiece {
       : a(from - middle), b(to - middle), any(from <= to) {}
 };
 
-/// Of the sum of fields, the threshold not taken off.
+/// The range of a sum of fields; the threshold is not subtracted.
 struct SumRange {
   double low, high;
   double low_terms,
-      high_terms;  ///< sums of the magnitudes of what these were summed from: what rounding is relative to
+      high_terms;  ///< sums of the absolute values of their terms: the scales of the rounding errors
 };
 
 class RangeSums {

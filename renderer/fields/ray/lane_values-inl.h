@@ -22,7 +22,7 @@ struct FieldTerm {
   Octet value, slope;
 };
 
-/// Of quadratics at t.
+/// f and f′ of quadratics at t.
 template <class Kernel, class Borders>
 [[nodiscard]] HWY_INLINE FieldTerm field_at(const Kernel& kernel, const QuadraticLanes& lane, const Octet& t,
                                             const Borders& borders) {
@@ -35,7 +35,7 @@ template <class Kernel, class Borders>
           keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau)))};
 }
 
-/// Of a ray form.
+/// f and f′ of a ray form at t.
 template <class Kernel, class Shapes>
 [[nodiscard]] HWY_INLINE FieldTerm field_at(const Kernel& kernel, const Shapes& lanes, const Octet& t, double scale) {
   const LanePoint p = lanes.at(t, scale);
@@ -44,7 +44,7 @@ template <class Kernel, class Shapes>
   return {keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope))};
 }
 
-/// Σf, Σf′ and what their rounding is relative to, Σ|f| and Σ|f′|.
+/// Σf and Σf′, and the scales of their rounding errors, Σ|f| and Σ|f′|.
 struct FieldSums {
   Octet value, slope, magnitude, steepness;
 
@@ -56,7 +56,7 @@ struct FieldSums {
     magnitude = magnitude + abs(f.value);
     steepness = steepness + abs(f.slope);
   }
-  /// Of convolved curves, which are sums themselves.
+  /// Adds convolved curves, whose values are sums themselves and have their own scales of rounding errors.
   HWY_INLINE void add(const CurvePoint& p) {
     value = value + p.value;
     slope = slope + p.slope;
@@ -65,29 +65,30 @@ struct FieldSums {
   }
 };
 
-/// E and E′ of a cubic Hermite interpolant of width h. In the smooth case h⁴M₄/384 and (√3/216)h³M₄; where f is only
-/// C¹, (h²/32)·osc f″ and 0.126 h·osc f″, osc counting the 0 beyond a border. The lesser of both where both hold.
+/// Sums of the error bounds E and E′ of cubic Hermite interpolants of width h. Where f is smooth they are h⁴M₄/384 and
+/// (√3/216)h³M₄, M₄ = max|f⁗|; where f is only C¹ they are (h²/32)·osc f″ and 0.126 h·osc f″, where osc includes the 0
+/// beyond a border. If both hold, the lesser is used.
 struct RemainderSums {
   Octet value, slope;
 
   HWY_INLINE RemainderSums() : value(0.0), slope(0.0) {}
 
-  /// Of the part of an interval of width h on which the quadratics hold.
+  /// Adds quadratics; `part` is the part of an interval of width h on which they hold.
   template <class Kernel>
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const HeldPart& part,
                                  const Octet& h) {
     const Octet a = part.from - lane.middle, b = part.to - lane.middle;
     const Octet near = max(Octet(0.0), max(a, Octet(0.0) - b));
     const Octet far = max(abs(a), abs(b));
-    const Octet room = kernel.support() - lane.v0;  // κτ² where the support ends
+    const Octet room = kernel.support() - lane.v0;  // κτ² at the border of the support
     const Octet u_near = lane.kappa * near * near, u_far = lane.kappa * far * far;
     const OctetMask smooth = part.whole & (u_far < room) & kernel.is_smooth(lane.v0 + u_near, lane.v0 + u_far);
-    // Where v does not change (inside a box or a half-space) there is no error, whatever the kernel's slopes are there.
+    // If v is constant (inside a box or a half-space) the error is 0, whatever the kernel's slopes are there.
     const OctetMask counts = (u_near < room) & (part.from <= part.to) & (lane.kappa > Octet(0.0));
     add(kernel.on_quadratic(lane.v0, lane.kappa, u_near, min(u_far, room)), smooth, counts, lane.amplitude, h);
   }
 
-  /// Of a ray form on [t0, t1].
+  /// Adds a ray form on [t0, t1].
   template <class Kernel, class Shapes>
   HWY_INLINE void add_shapes(const Kernel& kernel, const Shapes& lanes, const Octet& t0, const Octet& t1, double scale,
                              double support) {
@@ -97,7 +98,7 @@ struct RemainderSums {
     add(v.compose(kernel), smooth, counts, lanes.amplitude, t1 - t0);
   }
 
-  /// Of convolved segments or rings on [t0, t1].
+  /// Adds convolved segments or rings on [t0, t1].
   template <class Window, class Curves>
   HWY_INLINE void add_curves(const Window& window, const Curves& lanes, const Octet& t0, const Octet& t1) {
     const CurveRemainder r = curve_remainder(window, lanes.stretch(t0, t1), t1 - t0);
@@ -120,8 +121,7 @@ struct RemainderSums {
   }
 };
 
-// ---- Visitors of visit_lanes
-// ------------------------------------------------------------------------------------------------
+// ---- Visitors of visit_lanes ----------------------------------------------------------------------------------------
 
 /// Values and slopes at t.
 struct ValuesAt {
@@ -186,8 +186,9 @@ struct CurvatureAt {
     const Octet second = kernel.curvature(p.v) * p.slope * p.slope + kernel.value_and_slope(p.v).slope * v2;
     sum = sum + keep(active, lanes.amplitude * second);
   }
-  /// Convolved fields are twice differentiable, so the slopes at t ± η tell: with η = 2⁻¹⁷ of the support, where the
-  /// rounding of the slopes (2⁻⁵²/η) and the next derivative's share (η²) are both below 2⁻³⁴ of it.
+  /// Convolved fields are twice differentiable, so F″ is the difference quotient of the slopes at t ± η. With η = 2⁻¹⁷
+  /// support radii, the errors from the slopes' rounding (2⁻⁵²/η) and from higher derivatives (η²) are both about 2⁻³⁴
+  /// of F″.
   template <class Window, class Curves>
   HWY_INLINE void add_curve(const Window& window, const Curves& lanes) {
     const Octet step = Octet(0x1p-17) / lanes.speed();

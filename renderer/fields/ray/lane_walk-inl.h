@@ -1,5 +1,5 @@
-// Visits the fields of a cell octet by octet: the one walk over runs, kernels and rows for all that is summed over
-// fields, along one ray or along eight. What is summed is a visitor:
+// Visits the fields of a cell octet by octet. All sums over fields, along one ray or along eight, use this walk over
+// runs, kernels and rows. A visitor computes the sum; its functions are
 //   add_quadratics(kernel, lanes, borders)    v is a quadratic in t, everywhere or between borders
 //   add_shape(kernel, constants, lanes)       a skeleton's ray form
 //   add_curve(window, lanes)                  a convolved curve
@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Out of line: scenes without convolved curves pay nothing for them. The visitor goes in and out by value, so that it
-/// can stay in registers elsewhere.
+/// Visits the rows of convolved curves. It is out of line, so that scenes without such curves do not pay for it. The
+/// visitor is passed and returned by value, so that the caller can keep it in registers.
 template <InLanes kWhat, class Visitor>
 [[nodiscard]] HWY_NOINLINE Visitor visit_curves(const LaneRun& run, const LaneRow<kWhat>* row,
                                                 const LaneRow<kWhat>* end, Visitor visitor) {

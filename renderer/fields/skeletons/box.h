@@ -1,8 +1,8 @@
 // A box with rounded edges: q = (squared distance to the box between two corners)/r². Inside the box q = 0, and the
 // field has its greatest value throughout.
 //
-// The squared distance is Σ over the axes of (how far the coordinate is beyond the box's slab)², so along a ray it is a
-// quadratic between the six planes of the box, of those axes on which the ray is outside its slab.
+// The squared distance is Σ over the axes of (distance of the coordinate from the box's slab)². So between a ray's
+// crossings of the box's six planes it is a quadratic, the sum over the axes on which the ray is outside the slab.
 //
 // Record: two corners, each coordinate of a below that of b; radius_a.
 #pragma once
@@ -34,7 +34,7 @@ struct SolidBox {
     return {range.low / (radius * radius), range.high / (radius * radius)};
   }
 
-  /// As POV-Ray's box has them; round its edges those of the nearest point.
+  /// The coordinates of POV-Ray's box; around the rounded edges, those of the nearest point.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
     return box_coordinates(low, high, p);
   }
@@ -56,7 +56,8 @@ struct SolidBox {
     }
     const double inverse_radius2 = 1 / (radius * radius);
     breaks.for_each([&](double begin, double end, double inside) {
-      // From the nearest point of the box to the origin, and the direction, on the axes that count here.
+      // The offset of the ray's origin from the box's nearest point, and the ray's direction; both are 0 on the axes in
+      // whose slab this piece lies.
       Vec3 from_box(0), by(0);
       for (int i = 0; i < 3; ++i) {
         const double x = origin[i] + inside * direction[i];

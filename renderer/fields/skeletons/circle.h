@@ -1,6 +1,6 @@
 // The circle (a torus): q = ((ρ − R)² + z²)/r², with z along the axis from the circle's centre and ρ from the axis. On
 // the axis the distance has a crease, so the support must not reach it (the interpreter sees to that): R > r √Q. Along
-// a ray q is no polynomial, and it has a ray form of its own.
+// a ray q is not a polynomial, so the circle has a ray form.
 //
 // Record: the centre a, the unit axis b, R = radius_b, r = radius_a.
 #ifndef ISL_RENDERER_FIELDS_SKELETONS_CIRCLE_H_
@@ -31,7 +31,7 @@ struct Circle {
     return q_range_by_distance(nearest(box.center()).q(), radius, box);
   }
 
-  /// As POV-Ray's torus has them, which lies across y.
+  /// The coordinates of POV-Ray's torus, whose axis is y.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
     const Vec3 from_centre = p - centre;
     const AcrossAxis across(axis);
@@ -55,8 +55,8 @@ struct Circle {
 
 #endif  // ISL_RENDERER_FIELDS_SKELETONS_CIRCLE_H_
 
-// Eight circles along a ray, or one along eight. With z = z₀ + z′t and n = ρ² = n₀ + n₂τ², τ = t − tₙ, w = qr² = (ρ −
-// R)² + z²:
+// The ray form: eight circles along one ray, or one circle along eight rays. With z = z₀ + z′t and n = ρ² = n₀ + n₂τ²,
+// τ = t − tₙ, w = qr² = (ρ − R)² + z²:
 //
 //   w′ = 2zz′ + 2n₂τ(1 − R/ρ),  w″ = 2(z′² + n₂) − 2Rρ″,  w‴ = −2Rρ‴,  w⁗ = −2Rρ⁗
 //   ρ″ = n₀n₂/ρ³,  ρ‴ = −3n₀n₂²τ/ρ⁵,  ρ⁗ = n₀n₂²(12ρ² − 15n₀)/ρ⁷
@@ -114,7 +114,7 @@ struct CircleLanes {
     result.one_piece = zero < Octet(1.0);
     result.least = result.v.least = factor * (gap * gap + z_near * z_near);
     result.greatest = factor * (spread * spread + z_far * z_far);
-    // Beyond the support nothing counts, neither its greater distances nor a smaller ρ.
+    // Points beyond the support are irrelevant, so greater distances and smaller ρ are cut off.
     const Octet reach2 = Octet(support) / factor;
     const Octet w_most = min(result.greatest / factor, reach2);
     const Octet rho = max(rho_low, ring_radius - sqrt(reach2));

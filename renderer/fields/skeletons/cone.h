@@ -1,5 +1,5 @@
-// The round cone. In the half-plane through its axis, x along it from end a and ρ from it, a sphere of radius r(u) = r₀
-// + ku stands at every u in [0, L]; the field's argument is the nearest of them,
+// The round cone. In the half-plane through its axis, x along it from end a and ρ from it, there is a sphere of
+// radius r(u) = r₀ + ku at every u in [0, L]; the field's argument is that of the nearest sphere,
 //
 //   q(x, ρ) = min over u of ((x − u)² + ρ²) / r(u)².
 //
@@ -7,8 +7,8 @@
 // quadratic in s with its minimum at s* = w/(w² + k²ρ²). Hence u* = x + kρ²/w and q = ρ²/(w² + k²ρ²) where that lies in
 // [0, L]; elsewhere the nearer end in s (for w ≤ 0, beyond the apex, the thick end). q is C¹ across the borders, since
 // u only stops at an end. The sets q ≤ c are convex (hulls of two spheres), so q is quasi-convex, with its least value
-// on any line parallel to the axis at the point nearest to the thick end. Along a ray q is no polynomial, and it has a
-// ray form of its own.
+// on any line parallel to the axis at the point nearest to the thick end. Along a ray q is not a polynomial, so the
+// cone has a ray form.
 //
 // Record: the ends a and b, radius_a at a and radius_b at b.
 #ifndef ISL_RENDERER_FIELDS_SKELETONS_CONE_H_
@@ -24,7 +24,7 @@ struct Cone {
     slope = (c.radius_b - c.radius_a) / length;
   }
 
-  Vec3 a;         ///< where u = 0
+  Vec3 a;         ///< the end at u = 0
   Vec3 axis;      ///< unit
   double length;  ///< L > 0
   double radius;  ///< r₀ ≥ 0
@@ -54,7 +54,7 @@ struct Cone {
     return {from_a - axis * u, 1 / (r * r)};
   }
 
-  /// Through the rectangle in (x, ρ) that holds the box.
+  /// Computed from the rectangle in (x, ρ) that contains the box.
   [[nodiscard]] QRange q_over(const Box& box) const {
     const AxialRange range(box, a, axis);
     const double nearest_x = std::clamp(thick_end(), range.x_low, range.x_high);
@@ -62,7 +62,8 @@ struct Cone {
     return {q(nearest_x, rho2_low), std::max(q(range.x_low, rho2_high), q(range.x_high, rho2_high))};
   }
 
-  /// From a to b, that of the nearest sphere; around from AcrossAxis' x.
+  /// First coordinate: position of the nearest sphere, 0 at a and 1 at b. Second: share of a turn around the axis, from
+  /// AcrossAxis' x.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn& turn) const {
     const Vec3 from_a = p - a;
     const double x = from_a.dot(axis);
@@ -80,10 +81,10 @@ struct Cone {
   class OnRay;
 };
 
-/// Its sets q ≤ c are hulls of two spheres: the ray's ends in one lie on one of the spheres, or on the cone between
-/// them, where
+/// A set q ≤ c is the convex hull of two spheres. The ends of a ray's interval in it lie on one of the spheres, or on
+/// the cone between them, where
 ///   ρ² / (w² + k²ρ²) = c   ⇔   (1 − ck²) ρ² = c w²,
-/// and there the least q is where (ρ²)′ w = 2 (w)′ ρ², which along a ray is linear in t.
+/// and on the cone, q is least at (ρ²)′ w = 2 w′ ρ², an equation that is linear in t along a ray.
 class Cone::OnRay {
  public:
   OnRay(const Cone& cone, const Vec3& origin, const Vec3& direction) : cone_(cone) {
@@ -151,15 +152,16 @@ class Cone::OnRay {
 
 #endif  // ISL_RENDERER_FIELDS_SKELETONS_CONE_H_
 
-// Eight round cones along a ray, or one along eight. With w = r₀ + kx, N = ρ² and M = w² + k²N, all polynomials of t:
+// The ray form: eight round cones along one ray, or one cone along eight rays. With w = r₀ + kx, N = ρ² and
+// M = w² + k²N, all polynomials of t:
 //
 //   u* = x + kN/w in [0, L]:  q = N/M, so that  q′ = (N′ − qM′)/M,  q″ = (N″ − 2q′M′ − qM″)/M,
 //                             q‴ = −3(q″M′ + q′M″)/M,  q⁗ = −(4q‴M′ + 6q″M″)/M        (differentiate qM = N)
-//   else at an end:           q = ((x − u)² + N)/r(u)², a quadratic.
+//   otherwise an end:          q = ((x − u)² + N)/r(u)², a quadratic.
 //
-// Values take the nearest sphere u directly: q = ((x − u)² + N)/r², and since u is either at the minimum or fixed,
-// q′ = (2(x − u)x′ + N′)/r² (the envelope theorem). Bounds hold for each of the three pieces that an interval can
-// touch; where it certainly touches one only, f is smooth there.
+// Values take the nearest sphere u directly: q = ((x − u)² + N)/r², and since u either minimises q or is fixed,
+// q′ = (2(x − u)x′ + N′)/r² (the envelope theorem). There are bounds for each of the three pieces (two ends and
+// the body) that an interval can touch. If it certainly touches only one of them, f is smooth on the interval.
 #ifdef ISL_RAY_FORMS  // renderer/fields/skeletons/ray_forms-inl.h
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -169,7 +171,7 @@ struct ConeBounds {
   JetBounds at_a, at_b, body;
   OctetMask may_a, may_b, may_body;
   OctetMask one_piece;
-  Octet least, greatest;  ///< of v
+  Octet least, greatest;  ///< range of v
 
   /// The union over the pieces that the interval may touch.
   template <class Kernel>
@@ -182,7 +184,7 @@ struct ConeBounds {
             max(select(may_a, a.high, lowest), max(select(may_b, b.high, lowest), select(may_body, c.high, lowest))),
             max(keep(may_a, a.fourth), max(keep(may_b, b.fourth), keep(may_body, c.fourth)))};
   }
-  /// |f′| on the interval is no greater.
+  /// Upper bound of |f′| on the interval.
   template <class Kernel>
   [[nodiscard]] HWY_INLINE Octet steepest(const Kernel& kernel) const {
     const auto of = [&](const JetBounds& v) HWY_ATTR { return kernel.slopes(v.least).first * v.first; };
@@ -222,7 +224,7 @@ struct ConeLanes {
     return {factor * (e * e + n), factor * (Octet(2.0) * (e * dx + n2 * tau))};
   }
 
-  /// v″, of the piece that t lies on.
+  /// v″ on the piece that contains t.
   [[nodiscard]] HWY_INLINE Octet second(const Octet& t, double scale) const {
     const Octet x = x0 + dx * t, tau = t - middle;
     const Octet n = n0 + n2 * tau * tau, w = radius + k * x;
@@ -246,7 +248,7 @@ struct ConeLanes {
     const Octet wa = radius + k * xa, wb = radius + k * xb;
     const Octet w_low = min(wa, wb), w_high = max(wa, wb);
 
-    // Where u* = (xw + kN)/w stands against 0 and L, from the corners of the ranges.
+    // Compares u* = (xw + kN)/w with 0 and L, by the corners of the ranges of x and w.
     const OctetMask ahead = w_low > zero, behind = w_high <= zero, widens = k > zero;
     const Octet kn_low = min(k * n_low, k * n_high), kn_high = max(k * n_low, k * n_high);
     const auto product = [&](const Octet& shift, Octet& low, Octet& high) HWY_ATTR {
@@ -295,8 +297,8 @@ struct ConeLanes {
     const Octet q_low = n_low / max(w_high * w_high + kk * n_low, Octet(kLeast));
     const Octet q_high = n_high / max(w_from * w_from + kk * n_high, Octet(kLeast));
     const Octet inverse = Octet(1.0) / m_low;
-    // Also |q′| = 2√q |(p − c)·D|/(|p − c| r) ≤ 2√q |D|/r, and the nearest sphere is no thinner than r(x) nor than the
-    // thin end; beyond the support nothing counts.
+    // Also |q′| = 2√q |(p − c)·D|/(|p − c| r) ≤ 2√q |D|/r, and the radius r of the nearest sphere is not below
+    // r(x) nor that of the thin end; q beyond the support is irrelevant.
     const Octet r_low = max(w_from, min(radius, radius + k * length));
     const Octet q_counts = min(q_high, Octet(support / scale));
     const Octet steepest = two * sqrt(q_counts * speed2) / max(r_low, Octet(kLeast));
@@ -312,8 +314,9 @@ struct ConeLanes {
     result.least =
         min(select(result.may_a, result.at_a.least, highest),
             min(select(result.may_b, result.at_b.least, highest), select(result.may_body, result.body.least, highest)));
-    // Along the ray q ≤ its value at any one sphere: at that nearest to the middle of the interval, which is all but it
-    // where the interval is short, or at either end's, unless its radius vanishes.
+    // q is at most its value for any single sphere. The bound takes the least of three: the sphere that is nearest to
+    // the interval's midpoint, which is almost tight on short intervals, and those at the two ends, unless their radius
+    // is 0.
     const auto farthest = [&](const Octet& u) HWY_ATTR {
       const Octet r = radius + k * u, e = max(abs(x_low - u), abs(x_high - u));
       return Octet(scale) * (e * e + n_high) / max(r * r, Octet(kLeast));
@@ -325,8 +328,8 @@ struct ConeLanes {
   }
 
  private:
-  /// Keeps the products of bounds finite where the cone's apex comes into the interval (M = 0): far beyond any use, so
-  /// that the interval is divided there.
+  /// Limits that keep products of bounds finite if the interval contains the cone's apex (M = 0). Bounds of that size
+  /// are of no use, so the interval is subdivided there.
   static constexpr double kLeast = 1e-100, kMost = 1e60;
   static HWY_INLINE JetBounds capped(const JetBounds& v) {
     const Octet most(kMost);

@@ -1,8 +1,8 @@
 // The disc (a round plate with a rounded rim): q = (z² + g²)/r² with g = max(ρ − R, 0), z along the axis from the
-// disc's centre and ρ from the axis. Over the disc q is the distance to its plane, beyond the rim that to a circle; it
-// is C¹ across the rim's cylinder ρ = R, where g and so ∇g² = 2g∇g vanish. A disc is convex, and so is the squared
-// distance to it; on the axis there is no crease, since g = 0 about it. Along a ray q is no polynomial beyond the rim,
-// and it has a ray form of its own.
+// disc's centre and ρ from the axis. Over the disc q measures the distance from its plane, beyond the rim that from a
+// circle. It is C¹ across the rim's cylinder ρ = R, where g and so ∇g² = 2g∇g vanish. A disc is convex, and so is the
+// squared distance to it; on the axis there is no crease, since g = 0 about it. Along a ray q is not a polynomial
+// beyond the rim, so the disc has a ray form.
 //
 // Record: the centre a, the unit axis b, R = radius_b, r = radius_a.
 #ifndef ISL_RENDERER_FIELDS_SKELETONS_DISC_H_
@@ -29,7 +29,7 @@ struct Disc {
     return {axis * z + across * share_beyond, 1 / (radius * radius)};
   }
 
-  /// Through the rectangle in (z, ρ) that holds the box.
+  /// Computed from the rectangle in (z, ρ) that contains the box.
   [[nodiscard]] QRange q_over(const Box& box) const {
     const AxialRange range(box, centre, axis);
     const double z_near = std::max({range.x_low, -range.x_high, 0.0}), z_far = std::max(-range.x_low, range.x_high);
@@ -39,7 +39,8 @@ struct Disc {
     return {inverse_radius2 * (z_near * z_near + g_near * g_near), inverse_radius2 * (z_far * z_far + g_far * g_far)};
   }
 
-  /// Of the nearest point: from the centre to the rim, and around from AcrossAxis' x.
+  /// Coordinates of the nearest point. First: 0 at the centre, 1 at the rim. Second: share of a turn around the axis,
+  /// from AcrossAxis' x.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
     const Vec3 from_centre = p - centre;
     const double rho = (from_centre - axis * from_centre.dot(axis)).length();
@@ -55,16 +56,16 @@ struct Disc {
   class OnRay;
 };
 
-/// q is convex along a ray: halving finds its lowest place by the sign of q′, and from there the ends of q < c. A place
-/// is known to 2⁻⁶⁰ of the stretch in which the ray can come near, less than rounding moves it.
+/// q is convex along a ray. Bisection by the sign of q′ finds its minimum; two more, from there outwards, find the ends
+/// of the interval q < c. The error of a position is 2⁻⁶⁰ of the stretch that is searched, less than its rounding.
 class Disc::OnRay {
  public:
   OnRay(const Disc& disc, const Vec3& origin, const Vec3& direction)
       : disc_(disc), origin_(origin), direction_(direction) {
     const double dd = direction.length2();
     middle_ = (disc.centre - origin).dot(direction) / dd;
-    // Beyond this stretch a point is farther from the centre's plane across the ray than any point of the disc, and q
-    // rises.
+    // Beyond this stretch a point is farther than any point of the disc from the plane through the centre that is
+    // perpendicular to the ray, so q rises outwards.
     const double half = disc.disc_radius / std::sqrt(dd);
     double falls = middle_ - half, rises = middle_ + half;
     for (int i = 0; i < kHalvings; ++i) {
@@ -77,7 +78,7 @@ class Disc::OnRay {
   /// The interval where q < c.
   [[nodiscard]] RayInterval below(double c) const {
     if (!(least() < c)) return {};
-    // No point farther than this from the middle is nearer to the disc than √c r.
+    // Points farther than this from the middle have q ≥ c: their distance from the disc is at least √c r.
     const double half = (disc_.disc_radius + std::sqrt(c) * disc_.radius) / direction_.length();
     return {border(c, middle_ - half), border(c, middle_ + half)};
   }
@@ -107,7 +108,8 @@ class Disc::OnRay {
 
 #endif  // ISL_RENDERER_FIELDS_SKELETONS_DISC_H_
 
-// Eight discs along a ray, or one along eight. With z = z₀ + z′t, ρ² = n₀ + n₂τ², τ = t − tₙ, w = qr² = z² + g²:
+// The ray form: eight discs along one ray, or one disc along eight rays. With z = z₀ + z′t, ρ² = n₀ + n₂τ², τ = t − tₙ,
+// w = qr² = z² + g²:
 //
 //   over the disc (ρ ≤ R)   w′ = 2zz′,                  w″ = 2z′²
 //   beyond its rim          w′ = 2zz′ + 2n₂τ(1 − R/ρ),  w″ = 2(z′² + n₂) − 2Rρ″,  w‴ = −2Rρ‴,  w⁗ = −2Rρ⁗
@@ -142,11 +144,11 @@ struct DiscLanes {
     const Octet z = z0 + dz * t, tau = t - middle, n2_tau = n2 * tau;
     const Octet rho = sqrt(n0 + n2_tau * tau), g = beyond_rim(rho);
     const Octet factor = Octet(scale) * inverse_radius2;
-    // g/ρ where g > 0; on the axis, where ρ may be 0, 0/R.
+    // g/ρ where g > 0; elsewhere 0/R, since ρ can be 0 on the axis.
     return {factor * (z * z + g * g), factor * Octet(2.0) * (z * dz + n2_tau * (g / max(rho, disc_radius)))};
   }
 
-  /// v″, of the side of the rim that t lies on.
+  /// v″ on the side of the rim on which t lies.
   [[nodiscard]] HWY_INLINE Octet second(const Octet& t, double scale) const {
     const Octet tau = t - middle, rho = sqrt(n0 + n2 * tau * tau);
     const Octet across = keep(rho > disc_radius, n2 - rim_bend(rho));
@@ -168,11 +170,11 @@ struct DiscLanes {
     result.one_piece = over_disc | beyond;
     result.least = result.v.least = factor * (z_near * z_near + g_near * g_near);
     result.greatest = factor * (z_far * z_far + g_far * g_far);
-    // Beyond the support greater distances count for nothing.
+    // Distances beyond the support are irrelevant, so greater ones are cut off.
     const Octet dz2 = dz * dz, root_n2 = sqrt(n2);
     const Octet w_most = min(result.greatest, Octet(support)) / factor;
     result.v.first = factor * two * min(z_far * abs(dz) + g_far * root_n2, sqrt(w_most * (dz2 + n2)));
-    // Of the part beyond the rim, where there is one.
+    // The least ρ on the part of the stretch beyond the rim, if there is such a part.
     const Octet rho = max(rho_low, disc_radius), rho3 = rho * rho * rho;
     const auto beyond_only = [&](const Octet& x) HWY_ATTR { return select(over_disc, zero, x); };
     result.v.second_low = factor * two * (dz2 + keep(beyond, max(zero, n2 - rim_bend(rho))));

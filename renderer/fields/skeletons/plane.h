@@ -1,8 +1,9 @@
-// The half-space behind a plane: q = (x/r)² with x = n·(p − a) before the plane, 0 behind it. It has no end across n,
-// so it counts wherever the blob is looked at, inside its grid and out of it.
+// The half-space behind a plane: q = (x/r)² with x = n·(p − a) before the plane, 0 behind it. It is unbounded
+// across n, so its field is evaluated everywhere, inside the blob's grid and outside.
 //
-// Of an affine map M there remains a half-space: with n·M⁻¹p = |M⁻ᵀn| times the distance from the mapped plane, q is
-// the same function of (distance/(r/|M⁻ᵀn|))². So maps are always baked in (component_table.cpp).
+// An affine map M takes the half-space to a half-space: n·M⁻¹p is |M⁻ᵀn| times the distance from the mapped plane, so q
+// is (distance/(r/|M⁻ᵀn|))², that of a half-space with the radius r/|M⁻ᵀn|. So maps are always baked in
+// (component_table.cpp).
 //
 // Record: a place a on the plane, its unit normal b, radius_a.
 #pragma once
@@ -32,12 +33,13 @@ struct HalfSpace {
     return plane_coordinates(normal, p);
   }
 
-  /// Where its field begins and ends, in its reach before the plane.
+  /// The x at which the field changes its form, in units of the field's reach before the plane: up to the first it is
+  /// constant, from the last on it is 0.
   static constexpr std::array<double, 2> kBorders = {0, 1};
-  static constexpr bool kFillsBehind = true;  ///< the field is constant there, not gone
+  static constexpr bool kFillsBehind = true;  ///< the field behind the first border is constant, not 0
 
   [[nodiscard]] double thickest() const { return radius; }
-  /// Without end but against the normal itself.
+  /// Infinite, except along the normal itself.
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double along = n.dot(normal);
@@ -55,7 +57,8 @@ struct HalfSpace {
     breaks.add(x, dx, 0);
     breaks.for_each([&](double begin, double end, double inside) {
       if (x + inside * dx <= 0) return emit(QuadraticPiece{0, 0, 0, begin, end});
-      // From where the ray meets the plane, to the bit: the hardest kernels are 10¹⁰⁰ times less a rounding beside it.
+      // The quadratic is centred on the ray's crossing of the plane, so that q is exactly 0 there: the hardest kernels
+      // are 10¹⁰⁰ times smaller one rounding away.
       if (dx != 0) return emit(QuadraticPiece{0, inverse_radius2 * dx * dx, (0 - x) / dx, begin, end});
       emit(QuadraticPiece{inverse_radius2 * x * x, 0, 0, begin, end});
     });

@@ -1,7 +1,7 @@
-// The point: q = |p − c|²/r². Most components are points, so they lie in columns of the table, eight of which
-// lane_setup-inl.h reads at once.
+// The point: q = |p − c|²/r². Most components are points, so they are stored in columns of the table, from which
+// lane_setup-inl.h reads eight components at once.
 //
-// Record: the place a, radius_a.
+// Record: the position a, radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"

@@ -1,18 +1,16 @@
-// What a skeleton that is no quadratic along a ray tells the inner loops: its ray form. It is a struct of octets, in
-// which eight fields along one ray or one field along eight rays lie side by side, whichever its user chose. Its
-// members are, in this order, kAlong octets that depend on field and ray, kShape that depend on the field alone, and
-// `amplitude`. It has
+// The ray form: the interface to the inner loops of a skeleton whose q is not a quadratic along a ray. It is a struct
+// of octets, whose lanes are eight fields along one ray or one field along eight rays; its user chooses. Its members
+// are, in this order, kAlong octets that depend on field and ray, kShape octets that depend on the field alone, and
+// `amplitude`. Its functions are
 //
-//   along<N>(shape, lines)          the first of these, for one line (N = double) or for eight (Octet)
-//   shape(shape)                    the second
-//   kOutOfReach                     values of both for lanes that are not in use: no support reaches there
+//   along<N>(shape, lines)          the kAlong members, for one line (N = double) or for eight (Octet)
+//   shape(shape)                    the kShape members
+//   kOutOfReach                     values of all these for unused lanes: no support reaches the ray
 //   at(t, scale)                    v = scale · q and dv/dt
 //   second(t, scale)                d²v/dt²
-//   bounds(t0, t1, scale, support)  what v does on a stretch, as ShapeBounds has it; what is beyond the support does
-//   not
-//                                   count
+//   bounds(t0, t1, scale, support)  ShapeBounds of v on a stretch, which need not hold beyond the support
 //
-// and RayFormOf<Shape> names it.
+// and RayFormOf<Shape> is specialised for it.
 #if defined(ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_
 #undef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORM_INL_H_
@@ -33,28 +31,28 @@ struct LanePoint {
   Octet v, slope;
 };
 
-/// On a stretch of a ray, of a v that is bounded as a whole.
+/// Bounds of v on a stretch of a ray, for skeletons that do not treat pieces of v separately.
 struct ShapeBounds {
   JetBounds v;
-  OctetMask one_piece;  ///< v is smooth
+  OctetMask one_piece;  ///< v is certainly smooth on the stretch
   Octet least, greatest;
 
-  /// What f″ and f⁗ are between, of the field of a kernel.
+  /// Bounds of f″ and f⁗ for the field f of this kernel.
   template <class Kernel>
   [[nodiscard]] HWY_INLINE SecondAndFourth compose(const Kernel& kernel) const {
     return render::HWY_NAMESPACE::compose(kernel, v);
   }
-  /// |f′| is no greater.
+  /// Upper bound of |f′|.
   template <class Kernel>
   [[nodiscard]] HWY_INLINE Octet steepest(const Kernel& kernel) const {
     return kernel.slopes(v.least).first * v.first;
   }
 };
 
-/// Beyond any support, and its square finite.
+/// A distance beyond any support whose square is finite.
 inline constexpr double kFarAway = 1e100;
 
-/// The lanes of a skeleton that has a ray form; void where it has none.
+/// The ray form of a skeleton; void if it has none.
 template <class Shape>
 struct RayFormOf {
   using type = void;
@@ -66,13 +64,14 @@ struct Lines {
   N o[3], d[3];
 };
 
-/// Seen from an axis: the place along it, x₀ + x′t, and the squared distance from it, n₀ + n₂(t − middle)².
+/// A line relative to an axis: the position along the axis is x₀ + x′t, the squared distance from it
+/// n₀ + n₂(t − middle)².
 template <class N>
 struct AboutAxis {
   N x0, dx, n0, n2, middle;
 };
 
-/// `axis` has unit length and goes through `at`.
+/// The lines relative to the axis through `at`; `axis` has unit length.
 template <class N>
 [[nodiscard]] HWY_INLINE AboutAxis<N> about_axis(const scene::Vec3& at, const scene::Vec3& axis,
                                                  const Lines<N>& lines) {

@@ -1,5 +1,5 @@
-// The ray forms of all skeletons that have one, for the SIMD target that is being compiled: the second parts of their
-// files.
+// The ray forms of all skeletons that have one, compiled for the current SIMD target. They are the second parts of the
+// skeletons' files.
 #if defined(ISL_RENDERER_FIELDS_SKELETONS_RAY_FORMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORMS_INL_H_
 #undef ISL_RENDERER_FIELDS_SKELETONS_RAY_FORMS_INL_H_
@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 template <class Shape>
 inline constexpr bool kHasRayForm = !std::is_void_v<typename RayFormOf<Shape>::type>;
 
-/// use(std::type_identity<Shape>()) with the skeleton's class, if it has a ray form.
+/// Calls use(std::type_identity<Shape>()) with the skeleton's class, if it has a ray form.
 template <class Use>
 HWY_INLINE void with_ray_form(scene::Skeleton skeleton, const Use& use) {
   switch (skeleton) {

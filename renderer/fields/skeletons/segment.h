@@ -1,5 +1,5 @@
-// The segment: q = (squared distance to the stretch from one point to another)/r², r the same all along. Along a ray a
-// quadratic between the planes at the ends, and that of the nearer end's sphere beyond them.
+// The segment: q = (squared distance to the stretch from one point to another)/r², r the same all along. Along a
+// ray, q is one quadratic between the planes at the ends, and the quadratic of the nearer end's sphere beyond them.
 //
 // Record: the ends a and b, radius_a.
 #pragma once
@@ -23,7 +23,7 @@ struct Segment {
     return {from_a - axis * std::clamp(from_a.dot(axis), 0.0, length), 1 / (radius * radius)};
   }
 
-  /// Through the rectangle in (x, ρ), along the axis and from it, that holds the box.
+  /// Computed from the rectangle in (x, ρ), position along the axis and distance from it, that contains the box.
   [[nodiscard]] QRange q_over(const Box& box) const {
     const AxialRange range(box, a, axis);
     const double beyond_low = std::max({range.x_low - length, -range.x_high, 0.0});
@@ -33,7 +33,8 @@ struct Segment {
             inverse_radius2 * (beyond_high * beyond_high + range.rho_high * range.rho_high)};
   }
 
-  /// From a to b, constant on the caps; around from AcrossAxis' x.
+  /// First coordinate: position along the axis, 0 at a and 1 at b, constant on the caps. Second: share of a turn around
+  /// the axis, from AcrossAxis' x.
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn& turn) const {
     const Vec3 from_a = p - a;
     const AcrossAxis across(turn.back(axis));

@@ -1,8 +1,8 @@
-// The plane as a sheet without thickness: q = (x/r)² with x = n·(p − a), on both sides. What a convolved plane is a
-// function of (convolutions/sheet_*). It has no end across n, so it counts wherever the blob is looked at, inside its
-// grid and out of it.
+// The plane as a sheet without thickness: q = (x/r)² with x = n·(p − a), on both sides. The field of a convolved plane
+// is a function of this q (kernels/sheet_cauchy-inl.h, cubic-inl.h). The sheet is unbounded across n, so its field is
+// evaluated everywhere, inside the blob's grid and outside.
 //
-// Affine maps leave a sheet, and are baked in, for the reason that plane.h gives.
+// An affine map takes a sheet to a sheet, and is baked in, as plane.h derives.
 //
 // Record: a place a on the plane, its unit normal b, radius_a.
 #pragma once
@@ -30,13 +30,13 @@ struct Sheet {
     return plane_coordinates(normal, p);
   }
 
-  /// Where its field begins, is greatest and ends, in its reach before the plane. The middle matters to the hardest,
-  /// which have a spike there.
+  /// The x at which the field begins, is greatest and ends, in units of the field's reach. The middle is needed for the
+  /// hardest kernels, which have a spike there.
   static constexpr std::array<double, 3> kBorders = {-1, 0, 1};
-  static constexpr bool kFillsBehind = false;  ///< behind the last border its field is gone
+  static constexpr bool kFillsBehind = false;  ///< the field is 0 on both sides beyond the borders
 
   [[nodiscard]] double thickest() const { return radius; }
-  /// Without end but along the normal itself.
+  /// Infinite, except along the normal itself and against it.
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const bool is_normal = (n - normal * n.dot(normal)).length2() == 0;
@@ -50,8 +50,8 @@ struct Sheet {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double x = (origin - at).dot(normal), dx = direction.dot(normal);
     const double inverse_radius2 = 1 / (radius * radius);
-    // From where the ray meets the plane, to the bit, as of a half-space; unless that is farther than any scene
-    // reaches.
+    // The quadratic is centred on the ray's crossing of the plane, as in plane.h, unless that is farther away than any
+    // scene reaches.
     const double middle = (0 - x) / dx;
     if (std::abs(middle) < 1e150)
       return emit(QuadraticPiece{0, inverse_radius2 * dx * dx, middle, -kInfinity, kInfinity});

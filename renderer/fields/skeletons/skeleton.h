@@ -1,22 +1,22 @@
-// What every skeleton says of itself. A skeleton is a set of spheres (points or discs of one radius, or of a radius
-// that changes along it); the field's argument q at a point is the least squared distance to a centre over that
-// sphere's squared radius. It is a class, in its component's own space, made of a record (and its blob, for what does
-// not fit into one), with
+// The interface of skeletons. A skeleton is a set of spheres, all of one radius or of a radius that changes along the
+// skeleton; the field's argument q at a point is the least quotient of the squared distance to a centre and that
+// sphere's squared radius. A skeleton is a class, in its component's own space, which is constructed from a record (and
+// its blob, for data that does not fit into the record), with
 //
-//   Foot nearest(p)                      the sphere that is nearest in that measure
+//   Foot nearest(p)                      the sphere with the least quotient
 //   QRange q_over(box)                   an enclosure of q
-//   std::array<Reach, 2> reach(n)        how far it comes along n: its hull is that of these two spheres, seen along n
-//   double thickest(), thinnest()        the largest radius; the smallest, if it is another
+//   std::array<Reach, 2> reach(n)        its extent along n: two spheres whose convex hull has the same extent
+//   double thickest(), thinnest()        the largest radius; the smallest, if that is different
 //   Coordinates coordinates(p, turn)     (u, v): along the skeleton from 0 to 1, and around it; the skeleton was turned
 //                                        by `turn` after it had its coordinates (scene::Blob::turns)
 //
-// a row in renderer/scene/skeletons.def, and one of two ways in which rays see it:
+// a row in renderer/scene/skeletons.def, and one of two ways to evaluate q along a ray:
 //
 //   void along(origin, direction, emit)  q along a ray, in no more than kMostPieces quadratic pieces
-//   a ray form (ray_form-inl.h)          for q that is no quadratic: a second part of its file, which is compiled for
-//                                        every SIMD target. With it goes a class OnRay, which tells the published
-//                                        solver where q < c on a ray, below(c), and its least(); without that class the
-//                                        ray is sampled.
+//   a ray form (ray_form-inl.h)          for q that is not a quadratic: a second part of its file, compiled for every
+//                                        SIMD target. A class OnRay may accompany it, which gives the published
+//                                        solver the interval of a ray where q < c, below(c), and the least q, least();
+//                                        without that class the solver samples the ray.
 #pragma once
 
 #include "renderer/scene/fields.h"
@@ -36,7 +36,7 @@ using Box = Imath::Box3d;
 
 struct Foot {
   Vec3 offset;             ///< from the sphere's centre to the point
-  double inverse_radius2;  ///< of the sphere
+  double inverse_radius2;  ///< 1/r² of the sphere
 
   [[nodiscard]] double q() const { return offset.length2() * inverse_radius2; }
 };
@@ -46,7 +46,7 @@ struct QRange {
 };
 
 struct Reach {
-  double coordinate;  ///< of a centre, along n
+  double coordinate;  ///< position of a centre along n
   double radius;
 };
 
@@ -66,7 +66,7 @@ struct QuadraticPiece {
   double q0, kappa, middle, begin, end;
 };
 
-/// Whether the skeleton has quadratic pieces along a ray, and no ray form.
+/// A skeleton that has quadratic pieces along a ray, and no ray form.
 template <class Shape>
 concept HasPieces = requires {
   Shape::kMostPieces;
@@ -92,8 +92,8 @@ template <class Shape>
   return {inverse_radius2 * (oc - direction * middle).length2(), inverse_radius2 * dd, middle, begin, end};
 }
 
-/// q of what a ray nears with the part `by` of its direction, from an offset `from` at t = 0: |from + by·t|² over the
-/// squared radius.
+/// q = |from + by·t|² over the squared radius: `from` is the offset from the nearest feature at t = 0, and `by` the
+/// part of the ray's direction that changes it.
 [[nodiscard]] inline QuadraticPiece distance_piece(const Vec3& from, const Vec3& by, double inverse_radius2,
                                                    double begin, double end) {
   const double dd = by.length2();
@@ -101,19 +101,20 @@ template <class Shape>
   return {inverse_radius2 * (from + by * middle).length2(), inverse_radius2 * dd, middle, begin, end};
 }
 
-/// The t at which a ray's pieces meet, in order; each piece is then known by any t within.
+/// The t at which a ray's pieces meet. They are sorted, and each piece is identified by some t inside it.
 template <std::size_t N>
 class Breaks {
  public:
-  /// Where the coordinate from + t·by meets `at`; not where that is farther than any scene reaches, or never.
+  /// Adds the t at which the coordinate from + t·by equals `at`, unless there is none or it is farther than any scene
+  /// reaches.
   void add(double from, double by, double at) {
     const double t = (at - from) / by;
     if (std::abs(t) < 1e150) t_[count_++] = t;
   }
-  /// Calls piece(begin, end, inside) for every stretch, `inside` a t within it.
+  /// Calls piece(begin, end, inside) for every stretch; `inside` is a t within it.
   template <class Piece>
   void for_each(const Piece& piece) {
-    // A handful, by insertion: GCC 12 believes that std::sort takes such a short array for a longer one, and warns.
+    // Insertion sort of a few values: for std::sort on so short an array, GCC 12 gives a false warning of an overrun.
     for (std::size_t i = 1; i < count_; ++i) {
       for (std::size_t j = i; j > 0 && t_[j] < t_[j - 1]; --j) std::swap(t_[j], t_[j - 1]);
     }
@@ -133,13 +134,14 @@ class Breaks {
   std::size_t count_ = 0;
 };
 
-/// Where a box lies along and about an axis (unit) through a point: x in [x_low, x_high], ρ in [rho_low, rho_high].
+/// A box relative to an axis (of unit length, through `at`): position x along it in [x_low, x_high], distance ρ from it
+/// in [rho_low, rho_high].
 struct AxialRange {
   AxialRange(const Box& box, const Vec3& at, const Vec3& axis) {
     const Vec3 half = box.size() * 0.5, centre = box.center() - at;
     const double x = centre.dot(axis), rho = (centre - axis * x).length();
     const double half_x = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
-    // A corner is as far from the axis as its diagonal is long, less what of it lies along the axis.
+    // A corner's distance from the axis through the centre: its half diagonal without the component along the axis.
     double least_axial2 = half.length2();
     for (const Vec3& diagonal :
          {half, Vec3(-half.x, half.y, half.z), Vec3(half.x, -half.y, half.z), Vec3(half.x, half.y, -half.z)}) {
@@ -156,8 +158,8 @@ struct AxialRange {
   double x_low, x_high, rho_low, rho_high;
 };
 
-/// Where a box, which may reach to infinity, lies before and behind a plane: x = n·(p − a) in [low, high]. Components
-/// of n that are zero are left out, since their product with infinity says nothing.
+/// A box relative to a plane: x = n·(p − a) in [low, high]. The box may be infinite, so components of n that are zero
+/// are skipped: their product with infinity would be NaN.
 struct PlaneRange {
   PlaneRange(const Box& box, const Vec3& at, const Vec3& normal) : low(-at.dot(normal)), high(low) {
     for (int i = 0; i < 3; ++i) {
@@ -170,14 +172,14 @@ struct PlaneRange {
   double low, high;
 };
 
-/// Lengths along a plane, from its point nearest to the origin; of `plane { y, d }` (x, z).
+/// Lengths along a plane, from its point nearest to the origin; for `plane { y, d }` they are (x, z).
 [[nodiscard]] inline Coordinates plane_coordinates(const Vec3& normal, const Vec3& p) {
   const AcrossAxis across(normal);
   return {p.dot(across.x), p.dot(across.z)};
 }
 
-/// From the value of q at a box's centre: its root over one radius changes by no more than the distance over that
-/// radius.
+/// A range of q over a box from its value at the centre, for skeletons of one radius: √q changes by no more than the
+/// distance over the radius.
 [[nodiscard]] inline QRange q_range_by_distance(double q_at_centre, double radius, const Box& box) {
   const double root = std::sqrt(q_at_centre), change = 0.5 * box.size().length() / radius;
   const double low = std::max(root - change, 0.0), high = root + change;

@@ -16,14 +16,14 @@ template <class None, class... Columns>
 struct ColumnsBehind {
   using type = std::tuple<Columns...>;
 };
-/// A column of each.
+/// A tuple with one column for each skeleton.
 using SkeletonColumns = ColumnsBehind<void
 #define ISL_SKELETON(word, Type, record) , std::vector<Type>
 #include "renderer/scene/skeletons.def"
 #undef ISL_SKELETON
                                       >::type;
 
-/// use(std::type_identity<Type>()) with the skeleton's class.
+/// Calls use(std::type_identity<Type>()) with the skeleton's class and returns the result.
 template <class Use>
 auto with_skeleton_type(scene::Skeleton skeleton, const Use& use) {
   switch (skeleton) {
@@ -36,14 +36,14 @@ auto with_skeleton_type(scene::Skeleton skeleton, const Use& use) {
   ISL_CHECK(false, "skeleton {}", static_cast<int>(skeleton));
 }
 
-/// Whether it reaches everywhere, in two directions at least: it has a place and a normal, `at` and `normal`, the
-/// borders of its field and what is behind them.
+/// A skeleton that is unbounded in at least two directions. Its members are a point and a normal, `at` and `normal`,
+/// the borders of its field, kBorders, and kFillsBehind: whether the field behind the first one is constant or 0.
 template <class Shape>
 concept Endless = requires {
   Shape::kBorders;
 };
 
-/// The same of a skeleton that has no end.
+/// Like with_skeleton_type(), for an Endless skeleton only.
 template <class Use>
 auto with_endless_type(scene::Skeleton skeleton, const Use& use) {
   switch (skeleton) {
@@ -59,7 +59,7 @@ auto with_endless_type(scene::Skeleton skeleton, const Use& use) {
   ISL_CHECK(false, "skeleton {} has an end", static_cast<int>(skeleton));
 }
 
-/// No ray makes more pieces of any skeleton.
+/// The greatest number of pieces into which a ray can divide any skeleton.
 inline constexpr std::size_t kMostPieces = [] {
   std::size_t most = 0;
   const auto count = [&]<class Shape>(std::type_identity<Shape>) {

@@ -1,10 +1,10 @@
 // A triangle with thickness: q = (squared distance to the triangle)/r².
 //
-// Space falls into seven regions by what of the triangle is nearest: the face (between the three planes that stand on
-// the edges), an edge (outside its plane, between the two planes across its ends) or a corner. In each the squared
-// distance is that to a plane, a line or a point, quadratic along a ray; the nine planes are where pieces can meet.
+// Space is divided into seven regions by the triangle's nearest feature: the face (between the three planes that stand
+// on the edges), an edge (outside its plane, between the two planes across its ends) or a corner. In each the squared
+// distance is that to a plane, a line or a point, quadratic along a ray. Pieces meet only on the nine planes.
 //
-// Record: a, b and the corner that the blob keeps; radius_a.
+// Record: the corners a and b, and the index of the third in scene::Blob::corners; radius_a.
 #pragma once
 
 #include "renderer/fields/skeletons/skeleton.h"
@@ -51,7 +51,7 @@ struct FlatTriangle {
     return q_range_by_distance(nearest(box.center()).q(), radius, box);
   }
 
-  /// Of the nearest point A + u (B − A) + v (C − A).
+  /// The barycentric coordinates (u, v) of the nearest point A + u (B − A) + v (C − A).
   [[nodiscard]] Coordinates coordinates(const Vec3& p, const scene::Turn&) const {
     const Vec3 foot = p - nearest(p).offset - corner[0];
     const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0];
