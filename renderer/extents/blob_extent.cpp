@@ -1,7 +1,7 @@
-// The box of a blob. Along a direction n, the sum of what every component can reach anywhere in the half-space n·p ≥ a
-// bounds the field there from above, and falls as a grows. Where it meets the threshold no surface lies beyond: found
-// by bisection for the six directions of the axes. A component alone gives the bracket: its support ends outside, its
-// own surface inside.
+// The box of a blob. Along a direction n, the sum of every component's greatest value in the half-space n·p ≥ a bounds
+// the field there from above, and falls as a grows. No surface lies beyond the a at which the sum falls below the
+// threshold; this a is found by bisection for the six directions of the axes. The bracket comes from single components:
+// the ends of their supports outside, their own surfaces inside.
 #include "renderer/extents/blob_extent.h"
 
 #include "renderer/fields/component_table.h"
@@ -23,7 +23,7 @@ using scene::Vec3;
 
 namespace {
 
-/// A component seen along one direction: its two ends' coordinates, and what one radius measures there.
+/// A component's extent along one direction: the coordinates of its two ends, and the length of one radius at each.
 struct Profile {
   const Database* database = nullptr;
   const scene::Blob* blob = nullptr;
@@ -33,8 +33,8 @@ struct Profile {
   std::array<double, 2> end{};
   std::array<double, 2> radius{};
 
-  /// The most that the component reaches in the half-space beyond `a`. Between the ends coordinate and radius are
-  /// linear, so their quotient is monotone and an end has its least value.
+  /// Upper bound of the component's field in the half-space beyond `a`. Coordinate and radius are linear between the
+  /// ends, so (a − coordinate)/radius is monotone and is least at an end.
   [[nodiscard]] double most_beyond(double a) const {
     double root_q = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i) {
@@ -53,11 +53,12 @@ class ReachOfBlob {
  public:
   ReachOfBlob(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob)
       : database_(database), kernels_(kernels), blob_(blob), tree_({blob.branches.begin(), blob.branches.end()}) {
-    profiles_.reserve(blob.components.size());  // once for all directions: touching new memory took most of the time
+    profiles_.reserve(blob.components.size());  // once for all directions: allocating for each took most of the time
     sums_.resize(std::max(tree_.size(), 1U));
   }
 
-  /// The least a beyond which along n the blob has no surface, or nothing when it has none at all.
+  /// A coordinate along n beyond which the blob has no surface, as small as this method finds; nothing if the blob has
+  /// no surface at all.
   std::optional<double> along(const Vec3& n) {
     profiles_.clear();
     for (std::uint32_t i = 0; i < blob_.components.size(); ++i) {
@@ -93,7 +94,7 @@ class ReachOfBlob {
 
   std::optional<double> end_of_surface() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double low = kInfinity;    // the sum over half-spaces from here on reaches the threshold
+    double low = kInfinity;    // the bound for the half-space from here on reaches the threshold
     double high = -kInfinity;  // no support reaches here
     for (const Profile& profile : profiles_) {
       low = std::min({low, profile.end[0], profile.end[1]});
@@ -101,12 +102,12 @@ class ReachOfBlob {
     }
     if (high == kInfinity) return high;
     if (!(sum_beyond(low) >= blob_.threshold)) return std::nullopt;
-    for (const Profile& profile : profiles_) {  // components that have a surface alone bring `low` up at once
+    for (const Profile& profile : profiles_) {  // a component that has a surface alone raises `low` at once
       const double own = std::max(profile.end[0], profile.end[1]);
       if (own > low && profile.most_beyond(own) >= blob_.threshold) low = own;
     }
     std::erase_if(profiles_, [low](const Profile& profile) { return profile.support_end() <= low; });
-    constexpr int kSteps = 24;  // 2⁻²⁴ of a radius: beyond what a printed box shows
+    constexpr int kSteps = 24;  // 2⁻²⁴ of the bracket, less than a printed box shows
     for (int step = 0; step < kSteps; ++step) {
       const double middle = low + (high - low) / 2;
       (sum_beyond(middle) >= blob_.threshold ? low : high) = middle;
@@ -119,7 +120,7 @@ class ReachOfBlob {
   const scene::Blob& blob_;
   BranchTree tree_;
   std::vector<Profile> profiles_;
-  std::vector<double> sums_;  ///< by branch
+  std::vector<double> sums_;  ///< upper bounds, by branch
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 
 namespace isl::render {
 
-/// In the blob's own space; holds its whole surface, empty when it has none. `kernels` are those of the database.
+/// A box that contains the blob's whole surface, in the blob's own space; empty if it has none. `kernels` are the
+/// constants of the database's kernels, by index.
 [[nodiscard]] Imath::Box3d box_of_blob(const scene::Database& database, const std::vector<KernelConstants>& kernels,
                                        const scene::Blob& blob);
 

@@ -28,7 +28,7 @@ Box common(const Box& a, const Box& b) {
   return result;
 }
 
-/// A box that holds the mapped box. A side that is infinite makes those infinite that it has a part in.
+/// A box that contains the image of the box. An infinite side makes every side infinite on which it has an influence.
 Box mapped(const Box& box, const scene::Transform& transform) {
   if (box.isEmpty()) return {};
   Box result;
@@ -36,7 +36,7 @@ Box mapped(const Box& box, const scene::Transform& transform) {
     result.min[i] = result.max[i] = transform.matrix[3][i];
     for (int j = 0; j < 3; ++j) {
       const double factor = transform.matrix[j][i];
-      if (factor == 0) continue;  // times an infinite side it would be no number
+      if (factor == 0) continue;  // 0 times an infinite side would be NaN
       result.min[i] += std::min(factor * box.min[j], factor * box.max[j]);
       result.max[i] += std::max(factor * box.min[j], factor * box.max[j]);
     }
@@ -57,7 +57,7 @@ Box Extents::of(const Object& object) { return boxes_of(object).surface; }
 
 Extents::Boxes Extents::boxes_of(const Object& object) {
   Boxes boxes;
-  if (object.kind == Object::Kind::solid) {  // tight in the space outside, which a mapped box would not be
+  if (object.kind == Object::Kind::solid) {  // tight in the parent's space; the image of a tight box would not be
     const scene::Solid& solid = database_.solids[object.shape];
     boxes.surface = boxes.inside = box_of(database_, solid, object.parent_from_object);
     if (is_part_of_plane(solid)) boxes.inside = kEverything;  // the half-space behind it
@@ -72,7 +72,7 @@ Extents::Boxes Extents::boxes_of(const Object& object) {
     boxes.surface = common(boxes.surface, clip);
     boxes.inside = common(boxes.inside, clip);
   }
-  // What the scene promises of an object counts where nothing else is known.
+  // The scene's `bounded_by` is used only if the surface's own box is not finite.
   if (object.bound != scene::kNoGroup && !is_finite(boxes.surface)) {
     const Box bound = mapped(boxes_of_group(index(object.bound)).inside, object.parent_from_object);
     boxes.surface = common(boxes.surface, bound);
@@ -107,7 +107,7 @@ Extents::Boxes Extents::boxes_of_group(std::uint32_t group_index) {
   bool is_first = true;
   for (const Object& child : group.children) {
     const Boxes own = boxes_of(child);
-    // The surface of any combination is made of the children's.
+    // The surface of any combination consists of parts of the children's surfaces.
     boxes.surface.extendBy(own.surface);
     if (is_union) {
       boxes.inside.extendBy(own.inside);

@@ -1,4 +1,4 @@
-// Where an object's surface is: the box of anything that the language can place, drawn or not.
+// Bounding boxes of the surfaces of objects, for everything that the language can place, drawn or not.
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"
@@ -14,26 +14,26 @@ namespace isl::render {
 
 [[nodiscard]] bool is_finite(const Imath::Box3d& box);
 
-/// What counts as the box of a blob whose components are all POV-Ray's own: the one about its surface, or POV-Ray's about their
-/// supports, which its scenes build on.
+/// Choice of the box for a blob whose components are all POV-Ray's own: the box around its surface, or the one that
+/// POV-Ray computes from the supports, on whose numbers POV-Ray's scenes rely.
 enum class BlobBox : std::uint8_t { surface, povray };
 
-/// Boxes of shared shapes and groups are computed once. The database may grow while this lives; what it holds already
-/// must stay as it is.
+/// Computes boxes of objects; those of shared shapes and groups are computed once. The database may grow during this
+/// object's life, but what it holds already must not change.
 class Extents {
  public:
   explicit Extents(const scene::Database& database, BlobBox blob_box = BlobBox::surface)
       : database_(database), blob_box_(blob_box) {}
 
-  /// In the space that the object is placed into. Empty where the object has no surface; sides are infinite where it
-  /// has no end, or where none is known. Never smaller than the surface; tight for solids, not quite for what is turned
-  /// after it was put together, nor for intersections.
+  /// The box of the object's surface in the space that the object is placed into, never smaller than the surface. It is
+  /// empty if the object has no surface; a side is infinite if the object is unbounded there, or no bound is known. It
+  /// is tight for solids, but not for groups that are rotated as a whole, nor for intersections.
   [[nodiscard]] Imath::Box3d of(const scene::Object& object);
 
  private:
   struct Boxes {
     Imath::Box3d surface;
-    Imath::Box3d inside;  ///< of all that is inside: of an inverse sphere everything
+    Imath::Box3d inside;  ///< box of all points inside; infinite for an inverse sphere
   };
 
   [[nodiscard]] Boxes boxes_of(const scene::Object& object);

@@ -1,12 +1,13 @@
-// POV-Ray bounds a blob by the balls about its components' supports, whatever the threshold is: larger than the surface, and scenes
-// build on the numbers. By probing POV-Ray 3.7 (tests/cli/program/object_functions_test.cpp has its answers):
+// POV-Ray bounds a blob by balls around its components' supports, whatever the threshold is. The box is larger than the
+// surface, and scenes rely on its numbers. The rules below were found by probing POV-Ray 3.7; its answers are in
+// tests/cli/program/object_functions_test.cpp.
 //
-// A sphere is its own ball. A cylinder has three: one about each cap's end, and one about the middle part. A cylinder stands
-// along z from where it is turned by the shortest way. What is turned so, or distorted by a transform, has for its ball's radius
-// the greatest half side of the box about the mapped box about the ball; a sphere that is only moved, turned or scaled evenly
-// stays the sphere it is. Negative components count for nothing.
-// (POV-Ray's cylinder that is turned by a modifier of its own keeps how its axes stood before; here its ends are all that is
-// known, and its box can be larger or smaller than POV-Ray's.)
+// A sphere is its own ball. A cylinder has three balls: one around each end, and one around the part between. POV-Ray
+// defines a cylinder along z and rotates it to its axis the shortest way. If a ball is rotated so, or transformed by a
+// map that is no similarity, its radius becomes the greatest half side of the box around the image of its bounding
+// cube; a sphere that is moved, rotated or scaled uniformly remains that sphere. Components of negative strength are
+// ignored. (If a modifier rotates a cylinder in POV-Ray, the former orientation of its local axes matters. Only the
+// cylinder's ends are known here, so its box can be larger or smaller than POV-Ray's.)
 #include "renderer/extents/povray_blob_box.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ using scene::Component;
 using scene::Matrix;
 using scene::Vec3;
 
-/// Half a side of the box about the image of the cube [−1, 1]³, along each axis.
+/// Half sides of the box around the image of the cube [−1, 1]³, along each axis.
 Vec3 half_sides(const Matrix& m) {
   Vec3 result(0);
   for (int i = 0; i < 3; ++i) {
@@ -32,12 +33,12 @@ Vec3 half_sides(const Matrix& m) {
 
 double largest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// The factor of a map that moves, turns and scales evenly; nothing for any other.
+/// The scale factor of a similarity; nothing for any other map.
 std::optional<double> even_scale(const Matrix& m) {
   std::array<Vec3, 3> rows;
   for (int i = 0; i < 3; ++i) rows[static_cast<std::size_t>(i)] = {m[i][0], m[i][1], m[i][2]};
   const double scale2 = rows[0].length2();
-  // A product of rotations is even to some units in the last place.
+  // The tolerance is for rounding in products of rotations.
   const double slack = 0x1p-40 * scale2;
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::abs(rows[i].length2() - scale2) > slack) return std::nullopt;
@@ -49,7 +50,7 @@ std::optional<double> even_scale(const Matrix& m) {
 /// The rotation that takes z to the unit vector `axis` the shortest way.
 Matrix from_z(const Vec3& axis) {
   const Vec3 z(0, 0, 1), about = z.cross(axis);
-  if (about.length2() == 0) return {};  // along z or against it: the box of a turned cube is the cube
+  if (about.length2() == 0) return {};  // along ±z: the rotated cube is its own box
   Matrix rotation;
   return rotation.setAxisAngle(about.normalized(), std::atan2(about.length(), axis.z));
 }
