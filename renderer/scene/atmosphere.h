@@ -1,4 +1,4 @@
-// What is seen where nothing stands, and what lies between: sky, fog, rainbow.
+// The sky, which rays that hit nothing see, and the fog and rainbows in front of what is seen.
 #pragma once
 
 #include "base/source_span.h"
@@ -26,11 +26,11 @@ struct Fog {
   enum class Kind : std::uint8_t { constant, ground };
   Kind kind = Kind::constant;
   Colour colour{};
-  double distance = 0;  ///< at which 1/e of what is behind is left; 0: no fog
+  double distance = 0;  ///< at which the fog lets 1/e of the light through; 0: no fog
   Turbulence turbulence;
   double turbulence_depth = 0.5;
   double offset = 0;    ///< ground: below this height the fog is constant
-  double altitude = 0;  ///< ground: how fast it thins out above
+  double altitude = 0;  ///< ground: scale height of the thinning above `offset`
   Vec3 up{0, 1, 0};     ///< of unit length
   SaidAt<FogItem> said_at{};
   OriginId origin{};

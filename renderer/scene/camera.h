@@ -1,4 +1,4 @@
-// From where the picture is taken, and how.
+// The camera: its place, its projection and its lens.
 #pragma once
 
 #include "base/source_span.h"
@@ -23,15 +23,15 @@ enum class CameraKind : std::uint8_t {
   spherical,
 };
 
-/// A lens that shows only what lies at one distance sharply.
+/// Depth of field: a lens in whose picture only one distance is sharp.
 struct FocalBlur {
   double aperture = 0;                   ///< diameter of the lens; above 0
-  double focal_distance = 0;             ///< from the location along the direction, to the plane that is sharp
+  double focal_distance = 0;             ///< from the location along the direction to the plane in focus
   int min_samples = 0, max_samples = 0;  ///< rays a pixel
-  double confidence = 0.9;               ///< that a pixel's value is right …
-  double variance = 1.0 / 128;           ///< … to this; in ]0, 1[ and [0, 1]
+  double confidence = 0.9;               ///< probability that the error of a pixel's value …
+  double variance = 1.0 / 128;           ///< … is within this variance; ranges: ]0, 1[ and [0, 1]
   std::optional<Pigment>
-      bokeh{};  ///< over the lens, x and y from 0 to 1: how bright it shines there; none: evenly, round
+      bokeh{};  ///< brightness over the lens, x and y from 0 to 1; nullopt: a uniform disc
 };
 
 /// Items whose places are kept.
@@ -47,11 +47,11 @@ struct Camera {
   Vec3 right{4.0 / 3.0, 0, 0};
   Vec3 up{0, 1, 0};
   CameraKind kind = CameraKind::perspective;
-  int cylinder_type = 0;  ///< of a cylinder: 1 to 4, upright or lying, from a point or from a line
+  int cylinder_type = 0;  ///< kind `cylinder`: 1 to 4, axis upright or lying, rays from a point or a line
   double angle = 0;  ///< radians across the picture; 0 where the kind has none (perspective, orthographic, omnimax)
   double vertical_angle = 0;  ///< of a spherical camera, radians
   std::optional<FocalBlur> blur{};
-  NormalId normal = kNoNormal;  ///< bends rays as bumps at the image's point (u, v) would
+  NormalId normal = kNoNormal;  ///< perturbs the rays by its bumps at the image point (u, v)
   SaidAt<CameraItem> said_at{};
   OriginId origin{};
 };

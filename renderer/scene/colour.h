@@ -1,4 +1,4 @@
-// Colours as the language has them.
+// Colours of the language.
 #pragma once
 
 namespace isl::scene {

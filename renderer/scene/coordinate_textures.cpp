@@ -9,8 +9,8 @@
 namespace isl::scene {
 namespace {
 
-/// A record asks if it says `uv_mapping` or refers to one that asks. Each is looked at once; it never refers to itself,
-/// however far round, since it is made after what it names.
+/// A record uses surface coordinates if it has `uv_mapping` or refers to a record that uses them. Each record is
+/// visited once. References have no cycles, since a record is made after those that it refers to.
 class Walk {
  public:
   explicit Walk(const Database& database)
@@ -59,7 +59,7 @@ class Walk {
   bool asks(TextureMapId id) { return id != kNoTextureMap && edge_asks(database_.texture_maps[index(id)]); }
   bool asks(PigmentMapId id) { return id != kNoPigmentMap && edge_asks(database_.pigment_maps[index(id)]); }
   bool asks(NormalMapId id) { return id != kNoNormalMap && edge_asks(database_.normal_maps[index(id)]); }
-  /// Finishes, transforms, images, functions and the objects of patterns know nothing of the surface.
+  /// Finishes, transforms, images, functions and the objects of patterns do not use surface coordinates.
   template <class Id>
   bool asks(Id /*id*/) {
     return false;

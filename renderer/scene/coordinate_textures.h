@@ -1,4 +1,4 @@
-// Which textures ask where on the surface a point is (`uv_mapping`), rather than where in space.
+// Finds the textures that use surface coordinates (`uv_mapping`) and not only the point in space.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -12,13 +12,13 @@ class CoordinateTextures {
   CoordinateTextures() = default;
   explicit CoordinateTextures(const Database& database);
 
-  /// Whether the texture, a layer of it or anything that it is chosen or made from has `uv_mapping`. kNoTexture: the
+  /// True if the texture, a layer of it or any record that it refers to has `uv_mapping`. kNoTexture stands for the
   /// scene's default texture.
   [[nodiscard]] bool has(TextureId id) const { return any_ && (id == kNoTexture ? asks_.back() : asks_[index(id)]); }
 
  private:
   bool any_ = false;
-  std::vector<bool> asks_;  ///< one a texture, then the default; empty unless any_
+  std::vector<bool> asks_;  ///< one per texture, then the default's; empty unless any_
 };
 
 }  // namespace isl::scene

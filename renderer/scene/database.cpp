@@ -1,4 +1,5 @@
-// Making, copying and destroying a database: a hundred instances of templates, compiled here for all.
+// Constructors, assignments and destructor of the database. They instantiate some hundred templates, which are compiled
+// only here.
 #include "renderer/scene/database.h"
 
 namespace isl::scene {

@@ -1,6 +1,6 @@
-// The primitive database: what the evaluator makes of a scene and the renderer compiles. Flat columns of plain records
-// that refer to one another by number; nothing here knows text. Lengths are scene units, angles radians, colours linear
-// light.
+// The primitive database: the evaluator builds it from a scene, and the renderer compiles it. It has flat columns of
+// plain records that refer to one another by index, independent of the language. Lengths are in scene units, angles
+// in radians, colours in linear light.
 #pragma once
 
 #include "renderer/scene/atmosphere.h"
@@ -21,7 +21,7 @@
 
 namespace isl::scene {
 
-/// Everything a scene says. Immutable once evaluated.
+/// The content of a scene. Immutable once the scene is evaluated.
 struct Database {
   std::vector<Kernel> kernels;
   std::vector<Transform> transforms;
@@ -41,10 +41,10 @@ struct Database {
 #define ISL_SOLID_DETAIL(word, Type, column) std::vector<Type> column;
 #include "renderer/scene/solids.def"
   std::vector<Group> groups;
-  std::vector<Object> objects;  ///< what stands in the world
-  std::vector<Object> pattern_objects;  ///< whose insides `object` patterns ask for; nothing of the world
+  std::vector<Object> objects;  ///< the objects of the world
+  std::vector<Object> pattern_objects;  ///< objects of `object` patterns; not in the world
   std::vector<Light> lights;
-  std::vector<FunctionPointer> functions;  ///< those that other records refer to
+  std::vector<FunctionPointer> functions;  ///< the functions that other records refer to
   std::optional<SkySphere> sky_sphere;
   std::vector<Fog> fogs;
   std::vector<Rainbow> rainbows;
@@ -52,7 +52,7 @@ struct Database {
   Texture default_texture;
   Settings settings;
 
-  // As the compiler would make them, but once (database.cpp) and not in each of the files that hold a database.
+  // Defaulted in database.cpp, so that they are compiled once and not in each file that holds a database.
   Database();
   Database(const Database&);
   Database(Database&&) noexcept;
@@ -63,7 +63,7 @@ struct Database {
   [[nodiscard]] const Texture& texture(TextureId id) const {
     return id == kNoTexture ? default_texture : textures[index(id)];
   }
-  /// Of a pigment that is the same everywhere.
+  /// The colour of a uniform pigment.
   [[nodiscard]] const Colour& colour(const Pigment& pigment) const {
     return pigment.is_plain() ? pigment.colour : pigments[index(pigment.pattern)].colour;
   }

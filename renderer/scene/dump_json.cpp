@@ -180,7 +180,7 @@ class Writer {
   const DescribeOrigin& describe_origin_;
 };
 
-/// Nesting is a few levels (a group names its children by number), so recursion is safe.
+/// Recursion is safe: the nesting is a few levels deep, since a group refers to its children's shapes by number.
 void print(const Json& json, std::size_t indent, std::string& text) {
   constexpr std::size_t kLineWidth = 160;
   const std::string flat = json.dump(-1, ' ', false, Json::error_handler_t::replace);

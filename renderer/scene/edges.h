@@ -1,5 +1,5 @@
-// The references between the database's records, each kind of record once: the pruner follows and renumbers along them, and so
-// does everything that asks what a scene holds. A new member that refers to something is one line here.
+// The references between the database's records, listed once per kind of record. The pruner follows and renumbers them,
+// and every search of what a scene holds uses them. A new member that refers to a record is one line here.
 //
 // for_each_edge(record, visit) calls visit(id) for every reference that the record holds itself, in the order of its members,
 // whether or not it refers to anything. Ids are lvalues: in a record that is not const they may be changed. Functions are shared
@@ -22,7 +22,7 @@ concept Either = std::same_as<std::remove_const_t<Given>, Record>;
 
 namespace detail {
 
-/// Visits a plain number as the id that it stands for.
+/// Visits an index as the id that it stands for.
 template <class Id, class Index, class Visit>
 void visit_as(Index& number, Visit& visit) {
   Id id{number};
@@ -99,7 +99,7 @@ void for_each_edge(Record& image, Visit&& visit) {
   visit(image.function);
 }
 
-// ---- Shapes and what stands where -----------------------------------------------------------------------------------
+// ---- Shapes, objects and lights -------------------------------------------------------------------------------------
 
 template <Either<Component> Record, class Visit>
 void for_each_edge(Record& component, Visit&& visit) {
@@ -169,7 +169,7 @@ void for_each_edge(Record& camera, Visit&& visit) {
   if (camera.blur && camera.blur->bokeh) for_each_edge(*camera.blur->bokeh, visit);
 }
 
-/// The records that no other one refers to: what stands in the world, and what surrounds it.
+/// Visits the records that the world consists of, to which no other record refers: objects, lights, camera, sky …
 template <Either<Database> Scene, class Visit>
 void for_each_root(Scene& database, Visit&& visit) {
   if (database.camera) visit(*database.camera);
@@ -182,14 +182,14 @@ void for_each_root(Scene& database, Visit&& visit) {
 
 // ---- Columns --------------------------------------------------------------------------------------------------------
 
-/// A column, and the type of the ids that name its records.
+/// A column and the type of its records' ids.
 template <class Id_, class Record>
 struct ColumnOf {
   using Id = Id_;
   std::vector<Record> Database::*records;
 };
 
-/// Every column whose records others refer to.
+/// The columns whose records other records refer to.
 inline constexpr auto kColumns = std::tuple{
     ColumnOf<KernelId, Kernel>{&Database::kernels},
     ColumnOf<TransformId, Transform>{&Database::transforms},
@@ -218,7 +218,7 @@ void for_each_column(Visit&& visit) {
   std::apply([&](const auto&... columns) { (visit(columns), ...); }, kColumns);
 }
 
-/// The position in kColumns of the column that ids of a type name.
+/// The position in kColumns of the column with this type of ids.
 template <class Id, std::size_t i = 0>
 constexpr std::size_t column_of() {
   if constexpr (std::is_same_v<typename std::tuple_element_t<i, decltype(kColumns)>::Id, Id>) {
@@ -228,7 +228,7 @@ constexpr std::size_t column_of() {
   }
 }
 
-/// Whether records of the kind refer to others.
+/// True for records that refer to others.
 template <class Record>
 concept HasEdges = requires(Record& record) { for_each_edge(record, [](auto& /*id*/) {}); };
 

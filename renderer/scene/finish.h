@@ -1,4 +1,4 @@
-// How a surface answers light.
+// Finishes: how a surface reflects and emits light.
 #pragma once
 
 #include "renderer/scene/colour.h"
@@ -12,7 +12,7 @@ namespace isl::scene {
 struct Reflection {
   Colour minimum{}, maximum{};
   double falloff = 1;
-  double exponent = 1;  ///< of what is reflected
+  double exponent = 1;  ///< exponent of the reflected brightness
   double metallic = 0;
 };
 
@@ -39,30 +39,30 @@ struct Finish {
   Colour ambient{0.1, 0.1, 0.1};
   Colour emission{};
   double diffuse = 0.6;
-  double diffuse_back = 0;  ///< of light from behind
+  double diffuse_back = 0;  ///< `diffuse` of light from behind
   double brilliance = 1;
   double phong = 0;
   double phong_size = 40;
   double specular = 0;
   double roughness = 0.05;
-  double metallic = 0;  ///< how far highlights take the pigment's colour
+  double metallic = 0;  ///< share of the pigment's colour in highlights
   Reflection reflection{};
   double irid = 0;
   double irid_thickness = 0;
   double irid_turbulence = 0;
   double crand = 0;
-  double old_ior = 0;  ///< POV-Ray 3.0's place for it: goes to the interior of an object that has none; 0: not said
+  double old_ior = 0;  ///< `ior` of POV-Ray 3.0, for the interior of an object without one; 0: not set
   double old_caustics = 0;
-  // A whole word of flags, so that there is no padding.
-  bool diffuse_albedo = false;  ///< the number is the total reflected, not the peak
+  // The flags fill eight bytes, so that there is no padding.
+  bool diffuse_albedo = false;  ///< `diffuse` is the total reflected light, not the peak
   bool phong_albedo = false;
   bool specular_albedo = false;
-  bool fresnel = false;  ///< reflection by the interior's ior
+  bool fresnel = false;  ///< reflection by Fresnel's formula with the interior's ior
   bool conserve_energy = false;
   bool use_alpha = false;  ///< highlights and reflections are as transparent as the pigment
   bool unused[2] = {};
   SaidAt<FinishItem> said_at{};
-  OriginId named_at{};  ///< where the scene names the declared finish that it is, if it is one
+  OriginId named_at{};  ///< place of the identifier, if the finish is a declared one
 };
 
 static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * sizeof(double) + 8 * sizeof(bool) +
@@ -75,7 +75,7 @@ static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * s
   return finish;
 }
 
-/// Whether it mirrors anything at any angle.
+/// True if the finish reflects at any angle.
 [[nodiscard]] inline bool reflects(const Finish& finish) {
   const auto shines = [](const Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; };
   return shines(finish.reflection.minimum) || shines(finish.reflection.maximum);

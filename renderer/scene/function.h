@@ -1,9 +1,9 @@
-// What `function { … }` says: a small program over doubles, or one of the bodies that need none. Plain data, made once
-// by the interpreter (interpreter/functions/) and evaluated by renderer/values/function_machine.h; knows neither text
-// nor names.
+// The content of `function { … }`: a small program over doubles, or one of the bodies that need no program. It is plain
+// data that the interpreter compiles once (interpreter/functions/) and renderer/values/function_machine.h evaluates; it
+// holds neither text nor names.
 //
-// Functions call one another by pointer and not by number: most are made by libraries or by macros, used for a moment
-// and gone, and the database keeps only those that its records refer to.
+// Functions call one another by pointer and not by number: most are made by libraries or macros, used for a moment and
+// gone, and the database keeps only those that its records refer to.
 #pragma once
 
 #include "renderer/scene/spline.h"
@@ -21,7 +21,7 @@ namespace isl::scene {
 struct Function;
 using FunctionPointer = std::shared_ptr<const Function>;
 
-/// What one instruction does, with its registers `to`, `a`, `b` of the frame.
+/// The operation of an instruction on the registers `to`, `a`, `b` of the frame.
 enum class Opcode : std::uint8_t {
   copy,  ///< to = a
   add,
@@ -33,9 +33,9 @@ enum class Opcode : std::uint8_t {
   equal,
   less_equal,
   greater_equal,
-  not_equal,  ///< 1 or 0, without slack
+  not_equal,  ///< to = 1 or 0; exact comparison
   logical_and,
-  logical_or,  ///< 1 or 0; any number but 0 is true
+  logical_or,  ///< to = 1 or 0; any number but 0 is true
   minimum,
   maximum,
   power,
@@ -74,14 +74,15 @@ enum class Opcode : std::uint8_t {
   repeat,  ///< a += 1, go to instruction `to`
 };
 
-/// Registers from kConstants on are numbers of constants.
+/// Register numbers from kConstants on are indices of constants.
 struct Instruction {
   static constexpr std::uint16_t kConstants = 0x8000;
   Opcode operation{};
   std::uint16_t to = 0, a = 0, b = 0;
 };
 
-/// Runs from the first instruction to the last; the result is then in register 0. The arguments begin the frame.
+/// Runs from the first instruction to the last and leaves the result in register 0. The frame begins with the
+/// arguments.
 struct Program {
   std::vector<Instruction> code;
   std::vector<double> constants;
@@ -116,16 +117,16 @@ struct PatternFunction {
 struct Function {
   std::variant<Program, InternalFunction, TransformFunction, SplineFunction, PatternFunction, PigmentFunction> body;
   std::uint16_t parameter_count = 3;
-  /// 1 for numbers, else the terms of the vector; results begin the frame.
+  /// 1 for a number, otherwise the number of terms of the vector. The results are at the start of the frame.
   std::uint16_t result_count = 1;
-  /// Doubles that an evaluation takes, calls included; at most kMaxFrame.
+  /// Number of doubles that an evaluation needs, calls included; at most kMaxFrame.
   std::uint32_t frame_size = 0;
-  /// How many functions call one another at most, this one included; at most kMaxDepth.
+  /// Greatest depth of calls, this function included; at most kMaxDepth.
   std::uint32_t depth = 1;
-  /// How many patterns and pigments stand in one another at most, in what it is or calls; at most kMaxDepth.
+  /// Greatest depth of nested patterns and pigments in the function and those that it calls; at most kMaxDepth.
   std::uint32_t pattern_depth = 0;
-  /// Names what it is, or calls, whose formula is not known here: such a function can be declared, but not evaluated.
-  /// Empty for nothing; never owned.
+  /// Names the built-in or pattern in the function, or in one that it calls, that `isl` cannot evaluate: such a
+  /// function can be declared, but not evaluated. Empty if there is none. Refers to static text.
   std::string_view missing;
 
   static constexpr std::uint32_t kMaxFrame = 4096;

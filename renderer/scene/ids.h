@@ -1,4 +1,4 @@
-// Numbers of records in the primitive database. Each is an index into one column of scene::Database.
+// Ids of records in the primitive database: each is an index into one column of scene::Database.
 #pragma once
 
 #include <cstdint>

@@ -11,11 +11,11 @@
 
 namespace isl::scene {
 
-/// The word before the file's name; `unnamed` where there is none: the extension says it.
+/// The word before the file's name; `unnamed` if there is none and the file's extension gives the type.
 enum class ImageType : std::uint8_t { unnamed, exr, gif, hdr, iff, jpeg, pgm, png, pot, ppm, sys, tga, tiff, function };
 
-/// What of a pixel is used. `automatic`: the palette's index where there is a palette and the map is one of bumps or
-/// materials, else the colour.
+/// The part of a pixel that is used. `automatic`: the index if the image has a palette and is a bump_map or
+/// material_map, otherwise the colour.
 enum class ImageChannel : std::uint8_t { automatic, index, colour, alpha };
 
 /// Transparency of one colour of the palette.
@@ -26,15 +26,15 @@ struct PaletteTransparency {
 
 struct Image {
   ImageType type = ImageType::unnamed;
-  std::string file;                   ///< as written; where to look for it is the business of whoever opens it
+  std::string file;                   ///< as written; the renderer searches for it when it opens it
   FunctionId function = kNoFunction;  ///< type function: sampled over the unit square, width × height
   int width = 0, height = 0;
   int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
   int interpolate = 0;  ///< POV-Ray's: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance
   bool once = false;
   ImageChannel channel = ImageChannel::automatic;
-  std::optional<double> gamma;  ///< of the file; none: what the file says
-  bool gamma_srgb = false;      ///< the file has the sRGB curve
+  std::optional<double> gamma;  ///< of the file; nullopt: as the file states
+  bool gamma_srgb = false;      ///< the file uses the sRGB transfer curve
   std::optional<bool> premultiplied;
   std::optional<double> filter_all, transmit_all;
   std::vector<PaletteTransparency> filters, transmits;

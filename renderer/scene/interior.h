@@ -1,11 +1,11 @@
-// What fills an object that one can look into.
+// Interiors: the medium inside a transparent object.
 #pragma once
 
 #include "renderer/scene/colour.h"
 
 namespace isl::scene {
 
-/// POV-Ray's defaults. Comparable byte by byte.
+/// The defaults are POV-Ray's. Records can be compared byte by byte.
 struct Interior {
   double ior = 1;
   double caustics = 0;

@@ -36,7 +36,7 @@ class Writer {
 
   Json write() {
     Json json = Json::array();
-    // Writing one finds those that it calls.
+    // Writing a function appends those that it calls to the list.
     for (std::size_t i = 0; i < functions_.size(); ++i) {
       const FunctionPointer function = functions_[i];
       json.push_back(std::visit(*this, function->body));

@@ -9,7 +9,7 @@
 
 namespace isl::scene {
 
-/// The functions in order, then those that they call and that are not among them; `calls` are numbers in this list.
+/// The functions in order, followed by the others that they call; `calls` has indices into this list.
 [[nodiscard]] nlohmann::ordered_json functions_json(const std::vector<FunctionPointer>& functions);
 
 }  // namespace isl::scene

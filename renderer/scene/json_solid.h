@@ -7,7 +7,7 @@
 
 namespace isl::scene {
 
-/// With what Solid::detail refers to in place: the number alone says nothing to a reader.
+/// The solid, with the content of the record that Solid::detail refers to in place of the number.
 [[nodiscard]] nlohmann::ordered_json solid_json(const Database& database, const Solid& solid);
 
 }  // namespace isl::scene

@@ -6,7 +6,7 @@
 namespace isl::scene {
 namespace {
 
-/// What differs from the default.
+/// Adds the member if it differs from its default.
 template <class Record, class Value>
 void add(Json& json, const char* key, const Record& record, Value Record::*value) {
   static const Record kDefault{};

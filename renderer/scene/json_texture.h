@@ -1,4 +1,4 @@
-// Textures, what they are made of, and interiors in the dump of the database. Internal to renderer/scene.
+// Textures with their parts, and interiors, in the dump of the database. Internal to renderer/scene.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -7,7 +7,7 @@
 
 namespace isl::scene {
 
-/// With its finish, which has no number in the dump.
+/// The texture and its finish, which is not in a list of its own in the dump.
 [[nodiscard]] nlohmann::ordered_json texture_json(const Texture& texture, const Finish& finish);
 [[nodiscard]] nlohmann::ordered_json pigment_json(const PatternedPigment& pigment);
 [[nodiscard]] nlohmann::ordered_json pigment_map_json(const PigmentMap& map);

@@ -1,4 +1,4 @@
-// How the dumps of the database write plain values. Internal to renderer/scene.
+// Plain values in the dump of the database. Internal to renderer/scene.
 #pragma once
 
 #include "renderer/scene/colour.h"
@@ -20,7 +20,7 @@ template <std::size_t count, class Enum>
 
 [[nodiscard]] inline Json vector(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-/// Red, green, blue, then filter and transmit where there is any.
+/// Red, green, blue; then filter and transmit, unless both are 0.
 [[nodiscard]] inline Json colour(const Colour& c) {
   Json json = Json::array({c.red, c.green, c.blue});
   if (c.filter != 0 || c.transmit != 0) {

@@ -9,7 +9,7 @@
 namespace isl::scene {
 
 [[nodiscard]] nlohmann::ordered_json camera_json(const Camera& camera);
-/// Without its origin.
+/// The light without its origin.
 [[nodiscard]] nlohmann::ordered_json light_json(const Light& light);
 
 }  // namespace isl::scene

@@ -1,4 +1,4 @@
-// Bumps: what disturbs the surface's normal.
+// Bumps: perturbations of the surface's normal.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -8,7 +8,7 @@
 
 namespace isl::scene {
 
-/// A pattern as the height of bumps. Of the maps at most one is given.
+/// A pattern as the height of bumps. At most one of the maps is set.
 struct Normal {
   Pattern pattern{};
   double bump_size = 0.5;
@@ -18,7 +18,7 @@ struct Normal {
   NormalMapId map = kNoNormalMap;  ///< other normals, chosen by the pattern
 };
 
-/// Height and slope of the bumps where the pattern has this value, joined by cubics.
+/// Height and slope of the bumps where the pattern has this value. Cubics interpolate between entries.
 struct SlopeEntry {
   double value = 0;
   double height = 0;

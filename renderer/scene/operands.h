@@ -1,5 +1,5 @@
-// The operands of a kind that declares them itself: a record of the kind's own type, and the list of its fields. The
-// database holds such a record without knowing its type; by the list the interpreter reads it and a dump prints it.
+// The operands of a pattern kind: a record of the kind's own type, and the list of its fields. The database holds the
+// record without knowing its type; the interpreter reads it and a dump prints it with the list.
 //
 //   struct Ring { Vec3 middle{0}; double radius = 1; };
 //   constexpr OperandField kRing[] = {modifier<&Ring::middle>("middle"), modifier<&Ring::radius>("radius")};
@@ -22,7 +22,7 @@ namespace isl::scene {
 
 class OperandReader;
 
-/// A field's value. A list of numbers is one that is only dumped.
+/// A field's value. Fields with a list of numbers are dumped, but not read.
 using OperandValue = std::variant<double, int, bool, Vec3, std::string, std::vector<std::variant<double, int>>>;
 
 namespace detail {
@@ -51,14 +51,14 @@ template <class Record>
 
 /// One field of a record.
 struct OperandField {
-  /// Reads the field, and whatever depends on it.
+  /// Reads the field and the operands that depend on it.
   using Read = void (*)(OperandReader& reader, std::any& record) noexcept;
 
   std::string_view key;  ///< in a dump
   std::string_view
-      word;  ///< of the language, which gives the field a value; empty where what follows the kind's own word does
+      word;  ///< the word that sets the field; empty if its value follows the kind's own word
   OperandValue (*get)(const std::any& record);
-  void (*set)(std::any& record, const OperandValue& value) = nullptr;  ///< null for what is only dumped
+  void (*set)(std::any& record, const OperandValue& value) = nullptr;  ///< null if the field is only dumped
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   Read read = nullptr;                                  ///< null: a value of the field's type
   bool (*is_dumped)(const std::any& record) = nullptr;  ///< null: always
@@ -88,7 +88,7 @@ struct OperandField {
     };
     return field;
   }
-  /// Only where the record's `member` is not 0.
+  /// Dumps the field only if the record's `member` is not 0.
   template <auto member>
   [[nodiscard]] constexpr OperandField dumped_with() const {
     OperandField field = *this;
@@ -99,7 +99,7 @@ struct OperandField {
   }
 };
 
-/// A field that follows the kind's own word.
+/// A field whose value follows the kind's own word.
 template <auto member>
 [[nodiscard]] constexpr OperandField operand(std::string_view key) {
   using Record = typename detail::RecordOf<decltype(member)>::type;
@@ -111,7 +111,7 @@ template <auto member>
                     const OperandValue& value) { detail::record_in<Record>(record).*member = std::get<Type>(value); }};
 }
 
-/// A field with a word of its own, by which a dump names it too.
+/// A field with a word of its own, which is its key in a dump too.
 template <auto member>
 [[nodiscard]] constexpr OperandField modifier(std::string_view word) {
   OperandField field = operand<member>(word);
@@ -119,7 +119,7 @@ template <auto member>
   return field;
 }
 
-/// A line of the dump beside the fields: `value(const Record&)`.
+/// An entry of the dump that is computed from the record: `value(const Record&)`.
 template <class Record, auto value>
 [[nodiscard]] constexpr OperandField dumped(std::string_view key) {
   return {.key = key, .word = {}, .get = [](const std::any& record) {
@@ -131,7 +131,7 @@ struct Operands {
   std::any record;
   std::span<const OperandField> fields;
 
-  /// Gives the field with that key a value of the field's own type.
+  /// Sets the field with that key; `value` has the field's own type.
   void set(std::string_view key, const OperandValue& value) {
     for (const OperandField& field : fields) {
       if (field.key == key) field.set(record, value);

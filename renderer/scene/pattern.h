@@ -1,6 +1,5 @@
-// Patterns: functions of the point (and for some of the surface) with values from 0 to 1, by which pigments, normals
-// and textures choose from their maps. A record says which and with what operands; renderer/patterns
-// evaluates it.
+// Patterns: functions of the point (some also of the surface) with values from 0 to 1, by which pigments, normals and
+// textures choose from their maps. A record holds the kind and its operands; renderer/patterns evaluates it.
 #pragma once
 
 #include "base/source_span.h"
@@ -16,8 +15,8 @@
 
 namespace isl::scene {
 
-/// POV-Ray's patterns, by its names; a descriptor of each is in renderer/patterns/kinds/. `plain` is no pattern: the
-/// same everywhere.
+/// POV-Ray's patterns, with its names. Their descriptors are in renderer/patterns/kinds/. `plain` stands for a uniform
+/// value.
 enum class PatternKind : std::uint8_t {
   plain,
 #define ISL_PATTERN(name, frequency) name,
@@ -38,20 +37,19 @@ inline constexpr double kDefaultFrequencies[] = {
 
 inline constexpr std::size_t kPatternKindCount = std::size(detail::kDefaultFrequencies);
 
-/// The frequency of a pattern that does not say.
+/// The frequency of a pattern for which the scene sets none.
 [[nodiscard]] constexpr double default_frequency(PatternKind kind) {
   return detail::kDefaultFrequencies[static_cast<std::size_t>(kind)];
 }
 
-/// The wave form by which the value v of a pattern goes up and down: as fmod(v · frequency + phase, 1) through the
-/// wave.
+/// The waveform that shapes a pattern's value v: the result is wave(fmod(v · frequency + phase, 1)).
 enum class Wave : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
 
 // Operands that refer to another record of the database.
 struct FunctionOperands {
   FunctionId function = kNoFunction;
 };
-/// The first item of the map outside the object, the second inside. An index into Database::pattern_objects.
+/// The `object` pattern has item 0 of its list outside the object and item 1 inside.
 struct ObjectOperands {
   std::uint32_t object = kNone;
 };
@@ -59,20 +57,20 @@ struct PigmentOperands {
   PigmentId pigment{};
 };
 
-/// By kind; std::monostate where a pattern has none. Operands: those that the kind's descriptor declares.
+/// std::monostate if the kind has no operands. Operands: those that the kind's descriptor declares.
 using PatternOperands =
     std::variant<std::monostate, Operands, FunctionOperands, ImageId, ObjectOperands, PigmentOperands>;
 
 struct Pattern {
   PatternKind kind = PatternKind::plain;
   Wave wave = Wave::ramp;
-  bool uv_mapping = false;           ///< the point is (u, v, 0) of the surface; objects' transforms do not move it
+  bool uv_mapping = false;           ///< the point is (u, v, 0) of the surface; transforms of objects do not move it
   std::uint8_t noise_generator = 0;  ///< 0: the scene's
   double exponent = 1;               ///< of Wave::poly
   double frequency = 1;
   double phase = 0;
-  Turbulence turbulence;    ///< applied last of all, in the pattern's own space, wherever it was written
-  std::vector<Warp> warps;  ///< in the order of writing: the point meets the last one first
+  Turbulence turbulence;    ///< applied after all warps, in the pattern's own space, wherever the scene has it
+  std::vector<Warp> warps;  ///< in the order of the scene; the last one is applied to the point first
   PatternOperands operands;
   OriginId said_at{};
 };

@@ -10,23 +10,23 @@
 
 namespace isl::scene {
 
-/// What a texture, a map and a list hold: a colour that is the same everywhere lies inline, all else is a number.
-/// Comparable byte by byte but for its place.
+/// The pigment in a texture, a map or a list: a uniform colour is stored inline, any other pigment is an id. Comparable
+/// byte by byte except for its place.
 struct Pigment {
   Colour colour{};                   ///< POV-Ray's default pigment is black
-  PigmentId pattern = kPlainColour;  ///< else the colour says nothing
-  OriginId said_at{};                ///< of a colour
+  PigmentId pattern = kPlainColour;  ///< for any other value the colour is unused
+  OriginId said_at{};                ///< place of a uniform colour
 
   [[nodiscard]] bool is_plain() const { return pattern == kPlainColour; }
 };
 
 static_assert(sizeof(Pigment) == sizeof(Colour) + 2 * sizeof(std::uint32_t), "no padding");
 
-/// A pigment that varies, or that has more to say than its colour.
+/// A pigment with a pattern, or with more data than a colour.
 struct PatternedPigment {
   Pattern pattern{};
   Colour colour{};  ///< of PatternKind::plain
-  /// What the pattern chooses from; a colour_map is one of plain pigments. kNoPigmentMap: black to white.
+  /// The map from which the pattern chooses; a colour_map has plain pigments. kNoPigmentMap: black to white.
   PigmentMapId map = kNoPigmentMap;
   std::optional<Colour> quick_colour{};  ///< for previews
 };
@@ -36,7 +36,7 @@ struct PigmentEntry {
   Pigment pigment{};
 };
 
-/// In ascending order of value, averages excepted. Between two entries colours blend linearly.
+/// Entries in ascending order of value, except for averages. Colours between two entries are interpolated linearly.
 using PigmentMap = std::vector<PigmentEntry>;
 
 }  // namespace isl::scene

@@ -1,5 +1,6 @@
-// What the language asks about objects while a scene is evaluated: `trace`, `inside`, `min_extent`, `max_extent`. The
-// renderer answers (renderer/queries/), the interpreter asks, and cli makes them known to one another.
+// The interface for the language's functions of objects, which are called while a scene is evaluated: `trace`,
+// `inside`, `min_extent`, `max_extent`. The renderer implements it (renderer/queries/), the interpreter calls it, and
+// cli connects the two.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -10,25 +11,26 @@
 
 namespace isl::scene {
 
-/// Where a ray meets an object first.
+/// The first hit of a ray with an object.
 struct TracedPoint {
   Vec3 position;
-  Vec3 normal;  ///< towards where the ray came from or away from it: outward, unit length
+  Vec3 normal;  ///< outward, unit length; it may point away from the ray's origin
 };
 
-/// Objects lie in the space that they are placed into. Between questions the database may grow; what it holds already
-/// stays as it is, so that a shape is made ready once.
+/// Points are in the space that the object is placed into. The database may grow between calls, but its records do not
+/// change, so that each shape is prepared once.
 class Queries {
  public:
   virtual ~Queries() = default;
 
-  /// The first surface along the ray beyond its origin, whatever the object's flags; none for a miss and for a
+  /// The first surface along the ray beyond its origin; flags of the object have no effect. Nullopt for a miss or a
   /// direction of length zero.
   [[nodiscard]] virtual std::optional<TracedPoint> trace(const Database& database, const Object& object,
                                                          const Vec3& origin, const Vec3& direction) = 0;
-  /// A point on the surface counts as inside. Flat pieces have no inside.
+  /// A point on the surface counts as inside. Open surfaces have no inside.
   [[nodiscard]] virtual bool inside(const Database& database, const Object& object, const Vec3& point) = 0;
-  /// Holds the surface; empty where there is none, with infinite sides where it has no end or none is known.
+  /// A box that contains the surface: empty if there is no surface, with infinite sides if it is infinite or no bound
+  /// is known.
   [[nodiscard]] virtual Imath::Box3d extent(const Database& database, const Object& object) = 0;
 };
 

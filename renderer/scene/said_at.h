@@ -1,5 +1,5 @@
-// Where a scene says an item of a record: what a message points at that is about the item. Places say nothing of what a record is, so
-// records that differ in them alone are equal.
+// The places of a record's items in the scene, for messages about an item. Places are no part of a record's value:
+// records that differ only in them are equal.
 #pragma once
 
 #include "base/source_span.h"
@@ -9,7 +9,7 @@
 
 namespace isl::scene {
 
-/// By item; unknown for those that the scene does not say. The last enumerator of Item is `count`.
+/// One place per item; unknown for items that the scene does not have. The last enumerator of Item is `count`.
 template <class Item>
 class SaidAt {
  public:

@@ -1,4 +1,4 @@
-// What holds for a scene as a whole.
+// Global settings of a scene.
 #pragma once
 
 #include "base/source_span.h"
@@ -11,8 +11,8 @@ namespace isl::scene {
 
 struct Settings {
   double language_version = 3.7;
-  /// None: no gamma handling at all (a scene of before 3.7 that does not set it): pixel values go to the file as they
-  /// are.
+  /// Nullopt: no gamma handling, pixel values are written unchanged. This is so in scenes older than version 3.7 that
+  /// do not set it.
   std::optional<double> assumed_gamma;
   /// srgb: assumed_gamma 'srgb', a transfer curve rather than a power.
   bool assumed_gamma_srgb = false;
@@ -21,11 +21,11 @@ struct Settings {
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;
   Colour irid_wavelength{0.25, 0.18, 0.14};  ///< of red, green and blue light, for thin films
-  int number_of_waves = 10;                  ///< sources of the patterns `waves` and `ripples`
-  int noise_generator = 2;                   ///< 1 to 3: which of POV-Ray's noises patterns use
+  int number_of_waves = 10;                  ///< number of wave centres of the patterns `waves` and `ripples`
+  int noise_generator = 2;                   ///< number of POV-Ray's noise function that patterns use, 1 to 3
   double mm_per_unit = 10;
-  std::string solver;     ///< "" where the scene does not say
-  std::string tolerance;  ///< as written: "0.05px" or "1e-4"; "" where the scene does not say
+  std::string solver;     ///< "" if the scene does not set it
+  std::string tolerance;  ///< as written: "0.05px" or "1e-4"; "" if the scene does not set it
   OriginId solver_origin{}, tolerance_origin{};
 };
 

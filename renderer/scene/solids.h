@@ -1,5 +1,5 @@
-// Plain solids, each in the space in which the scene describes it. What does not fit into one record lies in a column
-// of its own kind, which Solid::detail indexes. solids.def lists the solids and the columns.
+// Solids, each in the space in which the scene describes it. Data that does not fit into one record is in a column of
+// the kind's own, which Solid::detail indexes. solids.def lists the solids and the columns.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -19,20 +19,20 @@ enum class SolidKind : std::uint8_t {
 #include "renderer/scene/solids.def"
 };
 
-/// Which column Solid::detail indexes.
+/// The column that Solid::detail indexes.
 enum class SolidDetail : std::uint8_t {
   none,
 #define ISL_SOLID_DETAIL(word, Type, column) word,
 #include "renderer/scene/solids.def"
 };
 
-/// What all solids of a kind have in common, as far as interpreter and dumps ask for it.
+/// The properties of a kind of solid that the interpreter and dumps use.
 struct SolidTraits {
   std::string_view word = {};
-  /// What a dump calls the record's members; "" where the kind does not use them.
+  /// The names of the record's members in a dump; "" if the kind does not use them.
   std::string_view a = "", b = "", radius_a = "", radius_b = "";
   SolidDetail detail = SolidDetail::none;
-  bool takes_sturm = false;  ///< POV-Ray solves polynomials for it, so that `sturm` may stand in its block
+  bool takes_sturm = false;  ///< `sturm` is allowed in its block, since POV-Ray solves polynomials for it
 };
 
 inline constexpr SolidTraits kSolidTraits[] = {
@@ -57,7 +57,7 @@ struct Solid {
 };
 
 // ---- Details --------------------------------------------------------------------------------------------------------
-// describe(kind, say) calls say(name, value) for everything that a dump tells.
+// describe(kind, say) calls say(name, value) for every value that a dump prints.
 
 /// The set where the polynomial is ≤ 0. Terms in POV-Ray's order of `poly`: powers of x falling, within them powers of
 /// y, within them powers of z; x², xy, xz, x, y², yz, y, z², z, 1 for order 2.
@@ -76,10 +76,10 @@ struct Polynomial {
   }
 };
 
-/// Never degenerate.
+/// A triangle; never degenerate.
 struct Triangle {
   std::array<Vec3, 3> corners;
-  std::array<Vec3, 3> normals;  ///< of a smooth_triangle, unit length; else all the same, across the triangle
+  std::array<Vec3, 3> normals;  ///< of a smooth_triangle, unit length; otherwise all are the triangle's own normal
 
   template <class Say>
   void describe(SolidKind kind, const Say& say) const {
@@ -88,7 +88,7 @@ struct Triangle {
   }
 };
 
-/// A flat area between closed contours; where contours overlap, what an even number of them holds is a hole.
+/// A flat area bounded by closed contours. Points inside an even number of contours are outside (even-odd rule).
 struct Polygon {
   std::vector<Vec3> points;  ///< contour after contour, each ending with its first point; all in one plane
 

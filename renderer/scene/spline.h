@@ -1,4 +1,4 @@
-// Curves through points: what `spline { … }` says. Plain data; renderer/values/spline.h evaluates it.
+// Splines: the content of `spline { … }`. Plain data; renderer/values/spline.h evaluates it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ enum class SplineKind : std::uint8_t { linear, quadratic, cubic, natural };
 struct SplinePoint {
   double parameter = 0;
   std::array<double, 5> value{};    ///< unused terms are zero
-  std::array<double, 5> bending{};  ///< second derivative of the natural spline here
+  std::array<double, 5> bending{};  ///< second derivative of a natural spline at the point
 };
 
 /// Points in ascending order of their parameters, no two of which are equal; at least one.

@@ -1,9 +1,9 @@
-// What surfaces look like: the record that objects and components refer to.
+// Textures: the appearance of surfaces. Objects and components refer to these records.
 //
-// A texture lives in the space of the object that names it, before that object's transform: so what is moved after it
-// was given takes it along and no record changes. A texture given after a transform is moved back by it when it is
-// read. The texture of a blob's component lives in the blob's space. A plain colour is the same everywhere, and none of
-// this concerns it.
+// A texture is in the space of the object that refers to it, before that object's transform: a transform after the
+// texture moves it with the object, and no record changes. A texture after a transform is transformed by the inverse
+// when it is read. The texture of a blob's component is in the blob's space. None of this applies to plain colours,
+// which are uniform.
 #pragma once
 
 #include "renderer/scene/finish.h"
@@ -16,18 +16,18 @@
 
 namespace isl::scene {
 
-/// Either a pigment with a normal and a finish, or (`pattern`) a choice of other textures. Equal ones share a record:
-/// comparable byte by byte once its places are taken away (without_places).
+/// Either a pigment with a normal and a finish, or (`pattern`) a choice of other textures. Equal textures share a
+/// record: they are compared byte by byte without their places (without_places).
 struct Texture {
   Pigment pigment{};
   NormalId normal = kNoNormal;
   FinishId finish = kDefaultFinish;              ///< kDefaultFinish: Finish{}
-  TexturePatternId pattern = kNoTexturePattern;  ///< else pigment, normal and finish say nothing
+  TexturePatternId pattern = kNoTexturePattern;  ///< if set, pigment, normal and finish are unused
   TextureId below = kNoTexture;                  ///< the layer under this one
   std::uint32_t uv_mapping = 0;                  ///< 1: pigment and normal are evaluated at (u, v, 0) of the surface
-  OriginId named_at{};           ///< where the scene names the declared texture that it is, if it is one
+  OriginId named_at{};           ///< place of the identifier, if the texture is a declared one
 
-  /// The same at every point of a surface, but for what the light does.
+  /// True if the texture is the same at every point of a surface.
   [[nodiscard]] bool is_plain() const {
     return pigment.is_plain() && normal == kNoNormal && pattern == kNoTexturePattern && below == kNoTexture;
   }
@@ -42,12 +42,12 @@ static_assert(sizeof(Texture) == sizeof(Pigment) + 6 * sizeof(std::uint32_t), "n
 }
 
 struct TextureEntry {
-  double value = 0;  ///< as PigmentEntry's; of a material_map the index
+  double value = 0;  ///< as PigmentEntry's; for a material_map the index
   TextureId texture = kNoTexture;
 };
 using TextureMap = std::vector<TextureEntry>;
 
-/// A texture that is chosen from others by a pattern.
+/// A pattern and the map from which it chooses a texture.
 struct TexturePattern {
   Pattern pattern{};
   TextureMapId map = kNoTextureMap;

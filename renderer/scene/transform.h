@@ -13,13 +13,13 @@ using Matrix = Imath::M44d;
 /// A map and its inverse. Named destination_from_source where it is used.
 struct Transform {
   Matrix matrix;   ///< identity by default
-  Matrix inverse;  ///< kept beside, so that nobody inverts twice
+  Matrix inverse;  ///< stored, so that no code computes it again
 
   [[nodiscard]] Vec3 point(const Vec3& p) const { return transformed(p, matrix); }
   [[nodiscard]] Vec3 vector(const Vec3& v) const { return rotated(v, matrix); }
   [[nodiscard]] Vec3 inverse_point(const Vec3& p) const { return transformed(p, inverse); }
   [[nodiscard]] Vec3 inverse_vector(const Vec3& v) const { return rotated(v, inverse); }
-  /// A gradient (or normal, not normalised) of the source as one of the destination: by the inverse transpose.
+  /// Transforms a gradient or normal from source to destination by the inverse transpose; the result is not normalised.
   [[nodiscard]] Vec3 normal(const Vec3& n) const {
     return {inverse[0][0] * n.x + inverse[0][1] * n.y + inverse[0][2] * n.z,
             inverse[1][0] * n.x + inverse[1][1] * n.y + inverse[1][2] * n.z,
@@ -28,7 +28,7 @@ struct Transform {
   [[nodiscard]] Transform inverted() const { return {inverse, matrix}; }
   friend bool operator==(const Transform&, const Transform&) = default;
 
-  /// p·M for an affine M: no division by w, and no rounding of it.
+  /// p·M for an affine M: without the division by w and its rounding.
   [[nodiscard]] static Vec3 transformed(const Vec3& p, const Matrix& m) { return rotated(p, m) + Vec3(m[3][0], m[3][1], m[3][2]); }
   [[nodiscard]] static Vec3 rotated(const Vec3& v, const Matrix& m) {
     return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0], v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],

@@ -1,5 +1,6 @@
-// How a map turns what it moves: what is left to know of a similarity once it is baked into a component's centre, ends
-// and radius. A sphere turned about its centre is the same sphere, but its north pole lies elsewhere.
+// The orthogonal part (rotation or reflection) of a similarity. It is kept when the similarity is baked into a
+// component's points and radii: a sphere rotated about its centre is the same sphere, but its north pole, which surface
+// coordinates depend on, is elsewhere.
 #pragma once
 
 #include "base/growing_array.h"
@@ -11,12 +12,12 @@
 
 namespace isl::scene {
 
-/// An orthogonal map, mirrors included. Row vectors, as in Transform.
+/// An orthogonal map, reflections included. Row vectors, as in Transform.
 struct Turn {
   Imath::M33d matrix;  ///< identity by default
 
   [[nodiscard]] bool is_none() const { return matrix == Imath::M33d(); }
-  /// A direction after the turn as the one before it.
+  /// Applies the inverse to a direction.
   [[nodiscard]] Vec3 back(const Vec3& v) const {
     return {v.x * matrix[0][0] + v.y * matrix[0][1] + v.z * matrix[0][2],
             v.x * matrix[1][0] + v.y * matrix[1][1] + v.z * matrix[1][2],
@@ -25,7 +26,7 @@ struct Turn {
   friend bool operator==(const Turn&, const Turn&) = default;
 };
 
-/// Of a similarity; translations and scalings by one positive factor give Turn() exactly.
+/// The orthogonal part of a similarity; translations and uniform scalings by a positive factor give exactly Turn().
 [[nodiscard]] inline Turn turn_of(const Matrix& similarity) {
   const Matrix& m = similarity;
   const double factor = std::sqrt(m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[0][2] * m[0][2]);

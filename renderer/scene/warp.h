@@ -1,5 +1,5 @@
-// Transforms and POV-Ray's warps, which move the point at which a pattern is evaluated. Read by renderer/patterns; knows
-// no pattern.
+// Transforms and POV-Ray's warps, which move the point at which a pattern is evaluated. renderer/patterns applies them;
+// they do not depend on the pattern.
 #pragma once
 
 #include "renderer/scene/ids.h"
@@ -10,7 +10,8 @@
 
 namespace isl::scene {
 
-/// The point is pushed about by a sum of `octaves` noises, each `lambda` times finer and `omega` times weaker.
+/// The point is displaced by a sum of `octaves` noises, each `lambda` times finer than the one before, with `omega`
+/// times its amplitude.
 struct Turbulence {
   Vec3 amount{0};
   int octaves = 6;
@@ -21,12 +22,12 @@ struct Turbulence {
 /// A slice of the pattern, repeated along one axis.
 struct RepeatWarp {
   int axis = 0;      ///< 0, 1, 2: x, y, z
-  double width = 1;  ///< of the slice; negative where the direction was
+  double width = 1;  ///< of the slice; negative if the given direction was
   Vec3 offset{0};    ///< added for each repetition
   Vec3 flip{0};      ///< 1 where every other repetition is mirrored
 };
 
-/// Points within the radius are pulled to the centre, or pushed from it.
+/// Points within the radius are pulled towards the centre, or pushed away from it.
 struct BlackHoleWarp {
   Vec3 centre{0};
   double radius = 1;
@@ -34,9 +35,9 @@ struct BlackHoleWarp {
   double falloff = 2;
   bool inverse = false;
   bool repeats = false;
-  Vec3 repeat{0};  ///< size of the block that repeats; 0 along an axis: it does not
+  Vec3 repeat{0};  ///< size of the repeated block; 0: no repetition along that axis
   bool is_turbulent = false;
-  Vec3 turbulence{0};  ///< of the centres of the repetitions
+  Vec3 turbulence{0};  ///< random offset of the repetitions' centres
 };
 
 /// The plane of x and y wrapped around a shape.
@@ -49,7 +50,8 @@ struct MappingWarp {
   double distance = 0;      ///< plane: along the normal
 };
 
-/// TransformId: pattern_from_… of what is moved, as `scale 2` says it; the point takes its inverse.
+/// TransformId: the transform of the pattern, as the scene gives it (`scale 2`); the point is transformed by its
+/// inverse.
 using Warp = std::variant<TransformId, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
 
 }  // namespace isl::scene
