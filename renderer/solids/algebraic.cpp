@@ -1,5 +1,5 @@
-// quadric, cubic, quartic, poly: the sets where a polynomial is ≤ 0 (polynomial.cpp has their crossings), and how far
-// they reach.
+// quadric, cubic, quartic, poly: the sets where a polynomial is ≤ 0 (polynomial.cpp has their crossings), with their
+// bounds.
 //
 // An ellipsoid is {p: pᵀAp + b·p + c ≤ 0} with A positive definite: its centre is m = −A⁻¹b/2, and with k = mᵀAm − c it
 // is (p − m)ᵀA(p − m) ≤ k, which reaches d·m + √(k dᵀA⁻¹d).
@@ -50,7 +50,7 @@ Box algebraic_bounds(const scene::Solid& solid, const SolidDetails& details) noe
   for (int i = 0; i < 3; ++i) {
     Vec3 axis(0);
     axis[i] = 1;
-    // The formula's own rounding: some 30 operations whose terms are of the size of the result and the centre.
+    // The margin covers the rounding of some 30 operations, whose terms are of the size of the result and the centre.
     const double high = ellipsoid_reach(polynomial.coefficients, axis),
                  low = -ellipsoid_reach(polynomial.coefficients, -axis);
     const double margin = 0x1p-46 * (std::abs(high) + std::abs(low));

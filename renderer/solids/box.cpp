@@ -10,8 +10,9 @@ namespace {
 
 std::uint8_t face(int axis, int end) { return static_cast<std::uint8_t>(2 * axis + end); }
 
-/// Each face's plane is met from that face, so that a far one costs a near one no digits; from a start on one, the
-/// other is the thickness away. `is_on_another`: the start lies on another face, so certainly within this slab.
+/// The interval between two faces. Each plane's root is computed relative to its own face, so that a far face costs a
+/// near one no digits; from a start on one face, the other is the thickness away. A start on a face of another axis is
+/// certainly within this slab.
 LineInterval face_slab(const scene::Solid& solid, int axis, const Vec3& origin, const Vec3& direction,
                        std::uint8_t start_part) {
   const double rise = direction[axis];

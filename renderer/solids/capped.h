@@ -1,5 +1,5 @@
-// What cylinders and cones have in common: discs across an axis from a to b, whose radius runs linearly from radius_a
-// to radius_b, and flat ends unless they are open.
+// The common part of cylinders and cones: the cross-sections along the axis from a to b are discs whose radius changes
+// linearly from radius_a to radius_b, and the ends are flat unless the solid is open.
 #pragma once
 
 #include "renderer/solids/solid_type.h"
@@ -10,7 +10,7 @@ namespace isl::render {
 inline constexpr std::uint8_t kCapA = 1;
 inline constexpr std::uint8_t kCapB = 2;
 
-/// Those of the closed solid, of which those with the missing caps of an open one are unseen.
+/// The crossings of the closed solid; those with the missing caps of an open one have the part kUnseen.
 [[nodiscard]] inline Crossings capped_boundary(SolidType::CrossingsAlong crossings, const scene::Solid& solid,
                                                const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                                                const SolidDetails& details) noexcept {

@@ -50,7 +50,7 @@ LineInterval towards_wider(const Side& side, double t, bool known) {
 LineInterval from_surface(const Side& side) {
   if (side.a > 0) return LineInterval::between({0, kSide, true}, {-2 * side.b / side.a, kSide, false});
   if (side.a < 0) return towards_wider(side, 0, true);
-  // Parallel to a generator: inside where B t < 0. With B = 0 the line is one of the surface's own.
+  // The line is parallel to a generator and inside where B t < 0. With B = 0 it is a generator itself.
   if (side.b == 0) return LineInterval::none();
   const LineEnd start{0, kSide, true};
   return side.b < 0 ? LineInterval::from(start) : LineInterval::up_to(start);

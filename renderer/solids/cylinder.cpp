@@ -1,7 +1,8 @@
 // cylinder: points within radius_a of the axis a b, between the planes through a and b across it.
 //
-// Across the axis the problem is a circle's (quadratic.h) for the shares of origin and direction across it; along the
-// axis it is a slab. A ray along the axis has no share across: then it is within the circle everywhere or nowhere.
+// Perpendicular to the axis, the components of origin and direction meet a circle (quadratic.h); along the axis, the
+// line meets a slab. A ray along the axis has no perpendicular component: it is within the circle everywhere or
+// nowhere.
 #include "renderer/solids/line_interval.h"
 #include "renderer/solids/quadratic.h"
 

@@ -5,7 +5,7 @@
 namespace isl::render {
 namespace {
 
-/// `with_unseen`: beyond the rim too.
+/// `with_unseen`: crossings of the plane beyond the rim are included, with the part kUnseen.
 template <bool with_unseen>
 Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                          const SolidDetails&) noexcept {
@@ -23,7 +23,7 @@ Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Ve
 
 Vec3 disc_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails&) noexcept { return solid.b; }
 
-/// As far as a disc reaches across a unit vector u: r·√(1 − uᵢ²) along coordinate i.
+/// A disc of radius r with the unit normal u extends r·√(1 − uᵢ²) along coordinate i.
 Box disc_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
   const Vec3 square = solid.b * solid.b;
   const Vec3 reach =

@@ -1,6 +1,6 @@
-// The part of a line inside a convex set, as one interval of t whose ends know the surface that they lie on. The solids
-// here are intersections of such sets (a cylinder: an infinite cylinder and a slab), so a closed one always gives no
-// crossing or an entering and a leaving one: parity holds whatever is rounded.
+// The part of a line inside a convex set: one interval of t, with the surface at each end. The solids that use it are
+// intersections of such sets (a cylinder: an infinite cylinder and a slab), so a closed one always has either no
+// crossing or one entering and one leaving crossing: parity holds for every rounding.
 #pragma once
 
 #include "renderer/solids/capped.h"
@@ -12,7 +12,7 @@ namespace isl::render {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One end of an interval. `known`: it is the root at t = 0 that the ray starts on.
+/// One end of an interval. `known`: the end is the root at t = 0, on the surface where the ray starts.
 struct LineEnd {
   double t = 0;
   std::uint8_t part = kNoPart;
@@ -31,15 +31,15 @@ struct LineInterval {
   static LineInterval from(LineEnd a) { return {a, {kInfinity}}; }
   static LineInterval up_to(LineEnd b) { return {{-kInfinity}, b}; }
 
-  /// Makes t = 0 belong to the closed interval: said of a set that a start on another surface of the same solid is
-  /// certainly in, though its rounded position may lie an ulp outside.
+  /// Extends the closed interval to t = 0. For a set that certainly contains the start on another surface of the same
+  /// solid, though its rounded position may be an ulp outside.
   void hold_origin() {
     low.t = std::min(low.t, 0.0);
     high.t = std::max(high.t, 0.0);
   }
 };
 
-/// Where both hold. Of equal ends the first set's is kept.
+/// The intersection of two intervals. Where both have equal ends, the end of the first is kept.
 [[nodiscard]] inline LineInterval intersection(const LineInterval& first, const LineInterval& second) {
   return {second.low.t > first.low.t ? second.low : first.low, second.high.t < first.high.t ? second.high : first.high};
 }
@@ -55,7 +55,7 @@ struct LineInterval {
   return result;
 }
 
-/// Of a tube without caps: the ends of the side that lie within the slab.
+/// The crossings of a tube without caps: the ends of the side's interval that lie within the slab.
 [[nodiscard]] inline Crossings open_crossings(const LineInterval& side, const LineInterval& slab) {
   Crossings result;
   if (side.empty() || slab.empty()) return result;
@@ -78,19 +78,19 @@ struct Axis {
     valid = length > 0;
     if (valid) along = span / length;
   }
-  /// The share of v across the axis.
+  /// The component of v perpendicular to the axis.
   [[nodiscard]] Vec3 across(const Vec3& v) const { return v - along * v.dot(along); }
 };
 
-/// Between the planes of the two ends. Each end's plane is met from that end (o − a, o − b), so that a far end costs a
-/// near one no digits. A line within an end's plane is outside; one between the planes, along them, is inside
-/// everywhere.
+/// The interval between the planes of the two ends. Each plane's root is computed relative to its own end (o − a, o −
+/// b), so that a far end costs a near one no digits. A line within an end's plane is outside; one parallel to the
+/// planes and between them is inside everywhere.
 [[nodiscard]] inline LineInterval slab_interval(const scene::Solid& solid, const Axis& axis, const Vec3& origin,
                                                 const Vec3& direction, std::uint8_t start_part) {
   const double rise = direction.dot(axis.along);
   double below_a = (solid.a - origin).dot(axis.along);
   double below_b = (solid.b - origin).dot(axis.along);
-  // The start is known to lie on an end: the distance to the other is the length, not a difference.
+  // The start is known to lie on an end: the distance to the other end is then the length, without a subtraction.
   if (start_part == kCapA) below_a = 0, below_b = axis.length;
   if (start_part == kCapB) below_a = -axis.length, below_b = 0;
   LineInterval slab;

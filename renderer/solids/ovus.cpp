@@ -98,7 +98,7 @@ struct ArcLine {
 struct Stretch {
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 
-  /// Where origin + t·direction is between two bounds.
+  /// Restricts the stretch to the t where origin + t·direction is between two bounds.
   void cut(double origin, double direction, double low, double high) {
     if (direction == 0) {
       if (!(origin >= low && origin <= high)) to = from;
@@ -125,7 +125,7 @@ Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, co
   const bool comes_from_outside = stretch.from > 0 && !starts_on_surface;
   const double base = comes_from_outside ? stretch.from : 0;
   if (!(base < stretch.to)) return result;
-  // From the box on, so that a far origin costs the coordinates no digits.
+  // The search starts at the box, so that a far origin costs the coordinates no digits.
   const Vec3 begin = origin + direction * base;
   const double length = stretch.to - base;
   double low = length, high = length;  // where the line passes the joints; beyond the stretch where it does not
@@ -183,7 +183,7 @@ bool is_in_ovus(const scene::Database&, const scene::Solid& solid, const Vec3& p
 
 double ovus_size(const scene::Database&, const scene::Solid& solid) { return Egg(solid).highest(); }
 
-/// As in POV-Ray, those of a sphere half way up to the top radius.
+/// As in POV-Ray, the coordinates are those of a sphere whose centre is at half the top radius.
 Coordinates ovus_coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
   return sphere_coordinates(point - Vec3(0, 0.5 * solid.radius_b, 0));
 }

@@ -24,7 +24,7 @@ Vec3 plane_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const So
 Box plane_bounds(const scene::Solid&, const SolidDetails&) noexcept { return {Vec3(-kFar), Vec3(kFar)}; }
 
 double plane_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
-  // What rotations leave of parallelism after rounding.
+  // Tolerance for directions that are parallel up to the rounding of rotations.
   constexpr double kParallel = 1e-12;
   const double along = direction.dot(solid.a);
   const bool is_along = along > 0 && reach_across(direction, solid.a) <= kParallel * along;

@@ -8,8 +8,8 @@
 namespace isl::render {
 namespace {
 
-/// Across the plane: of the widest of the triangles between the first point and an edge, to the side of the first of
-/// them.
+/// A normal of the polygon's plane: that of the largest of the triangles between the first point and an edge, oriented
+/// like that of the first triangle.
 Vec3 across(const std::vector<Vec3>& points) {
   Vec3 widest(0), first(0);
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -68,7 +68,7 @@ Crossings polygon_crossings(const scene::Solid& solid, const Vec3& origin, const
     const PlanePoint& a = polygon.starts[i];
     const PlanePoint& b = polygon.ends[i];
     if ((a.v <= v) == (b.v <= v)) continue;
-    // Which side of the edge: from its lower end, so that both directions of an edge say the same.
+    // The side of the edge is computed from its lower end, so that both directions of an edge give the same answer.
     const PlanePoint& low = a.v <= b.v ? a : b;
     const PlanePoint& high = a.v <= b.v ? b : a;
     if ((high.u - low.u) * (v - low.v) > (u - low.u) * (high.v - low.v)) is_in = !is_in;

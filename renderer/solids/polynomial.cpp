@@ -16,7 +16,7 @@
 // of basis, no shift, nothing cancels that the polynomial itself does not cancel. Horner's rule with absolute values
 // bounds the rounding (polynomial_roots.h, which finds the sign changes).
 //
-// Where a cube is known to hold all that is inside (polynomial_bound.h), the stretch within it is the only piece.
+// If a cube that contains the inside is known (polynomial_bound.h), the line's part within it is the only piece.
 //
 // A ray that starts on the surface begins the first piece at its own origin, where the coefficient is 0: divided out.
 #include "renderer/solids/polynomial.h"
@@ -43,7 +43,7 @@ struct Piece {
   LinearForm x, y, z, w;
 };
 
-/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ, or zero, of any degree: most coefficients of what people write are.
+/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ, or zero, of any degree (degree −1): most coefficients of usual polynomials are zero.
 struct Scaled {
   int degree = -1;
   std::array<double, kMostDegree + 1> c;
@@ -127,7 +127,7 @@ double magnitude(const PreparedPolynomial& polynomial, const Piece& piece) {
   return value(polynomial, piece.x.largest(), piece.y.largest(), piece.z.largest(), piece.w.largest(), true);
 }
 
-/// One polynomial along one line, from t = 0 on.
+/// Follows one polynomial along one line, from t = 0 on.
 class PolynomialLine {
  public:
   PolynomialLine(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
@@ -163,7 +163,7 @@ class PolynomialLine {
  private:
   [[nodiscard]] Vec3 point(double t) const { return origin_ + direction_ * t; }
 
-  /// The one piece that there is of something bounded.
+  /// Follows the only piece of a bounded solid.
   void follow_through_cube() {
     double from = 0, to = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
@@ -215,7 +215,7 @@ class PolynomialLine {
 }  // namespace
 
 PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
-  // By total order: the place of a coefficient tells its powers.
+  // The largest coefficients by total order; the position of a coefficient gives its powers.
   const int n = polynomial.order;
   std::array<double, kMostDegree + 1> largest{};
   std::size_t place = 0;
@@ -234,7 +234,8 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= i; ++j) {
       for (int k = 0; k <= j; ++k, ++place) {
-        // What is left has the same nesting: i, j and k all fall by the orders that are gone.
+        // The remaining coefficients have the same nesting: i, j and k all fall by the number of orders that are
+        // removed.
         if (k >= n - result.order) result.coefficients.push_back(polynomial.coefficients[place]);
       }
     }

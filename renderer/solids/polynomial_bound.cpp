@@ -42,7 +42,7 @@ Interval product(const Interval& a, const Interval& b) {
   return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
 }
 
-/// The least that Fₙ can be on a box.
+/// A lower bound of Fₙ on a box.
 double least_of_form(const PreparedPolynomial& polynomial, const std::array<Interval, 3>& box) {
   const int n = polynomial.order;
   std::array<std::array<Interval, kMostDegree + 1>, 3> powers;
@@ -67,12 +67,12 @@ double least_of_form(const PreparedPolynomial& polynomial, const std::array<Inte
   return low - 0x1p-46 * largest;
 }
 
-/// Where Fₙ is not positive nothing more has to be looked at.
+/// One corner of the box: if Fₙ is not positive there, no bound exists and the search ends.
 std::array<Interval, 3> corner_of(const std::array<Interval, 3>& box) {
   return {Interval{box[0].low, box[0].low}, Interval{box[1].low, box[1].low}, Interval{box[2].low, box[2].low}};
 }
 
-/// The least of Fₙ over the cube's surface, from below; not positive where it cannot be told to be.
+/// A lower bound of Fₙ over the cube's surface; not positive if positivity cannot be shown.
 double least_on_cube(const PreparedPolynomial& polynomial) {
   double least = kNone;
   for (std::size_t face = 0; face < 3; ++face) {

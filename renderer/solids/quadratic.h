@@ -1,4 +1,5 @@
-// Where a line meets the points at a given distance from the origin: in space a sphere, across an axis a cylinder.
+// The intersection of a line with a sphere about the origin, and, for components perpendicular to an axis, with a
+// cylinder.
 //
 // |o + t d|² = r² is  dd t² + 2 b t + c = 0  with dd = d·d, b = o·d, c = |o|² − r². The textbook discriminant b² − dd c
 // subtracts numbers of the size of (|o| |d|)² and loses everything when the origin is far. Instead, with the foot of
@@ -14,9 +15,9 @@
 
 namespace isl::render {
 
-/// Inside of |offset + t·direction| < radius. Tangency and a zero direction give nothing, except that a zero direction
-/// inside is inside everywhere (a line along a cylinder's axis). `on_surface`: t = 0 is a root, exactly; the other one
-/// is −2b/dd.
+/// The interval with |offset + t·direction| < radius. It is empty for tangency and for a zero direction, except that a
+/// zero direction inside is inside everywhere (a line along a cylinder's axis). `on_surface`: t = 0 is exactly a root;
+/// the other root is −2b/dd.
 [[nodiscard]] inline LineInterval within_radius(const Vec3& offset, const Vec3& direction, double radius,
                                                 bool on_surface) {
   const double dd = direction.dot(direction);

@@ -1,4 +1,4 @@
-// Calls what the kinds say of themselves (solid_type.h), by a table in the order of the kinds.
+// Calls the functions of the kinds (solid_type.h) by a table in the order of SolidKind.
 #include "renderer/solids/solid.h"
 
 #include "renderer/solids/solid_type.h"

@@ -1,5 +1,5 @@
-// Exact plain solids: where a line crosses each, its normal, its bounds and extent, its inside. One file a kind
-// (solid_type.h says what is in it); this is their common face.
+// The interface to all solids: crossings with a line, normals, bounds and extent, inside. Each kind has one file
+// (solid_type.h documents its content).
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -16,20 +16,20 @@ namespace isl::render {
 using scene::Vec3;
 using Box = Imath::Box3d;
 
-/// A start that is on no surface.
+/// The part of a start that is on no surface.
 inline constexpr std::uint8_t kNoPart = 0xFF;
-/// Where a line passes between the inside and the outside of a solid without meeting a surface: the missing caps of an
-/// open tube, the plane of a disc beyond its rim. Only boundary() tells of it.
+/// The part of a crossing between inside and outside without a surface: at the missing caps of an open tube, or in the
+/// plane of a disc beyond its rim. Only boundary() reports such crossings.
 inline constexpr std::uint8_t kUnseen = 0xFE;
 
-/// The crossings of a line with a solid's surface, t ascending. All with t > 0 are there; those behind the origin may
-/// be left out. Tangency is no crossing.
+/// The crossings of a line with a solid's surface, t ascending. All crossings with t > 0 are included; those behind the
+/// origin may be left out. A tangency is no crossing.
 struct Crossings {
-  /// A polynomial of order 35 has no more roots; POV-Ray's `poly` goes so far.
+  /// POV-Ray's `poly` allows polynomials up to order 35, which have at most 35 roots.
   static constexpr int kMost = 36;
 
   int count = 0;
-  bool ends_inside = false;     ///< whether the line is inside beyond the last crossing; false for whatever is bounded
+  bool ends_inside = false;     ///< the line is inside beyond the last crossing; false for bounded solids
   std::array<double, kMost> t;  ///< the first `count` are set; the rest is not touched, since most solids have two
   std::array<std::uint8_t, kMost> part;
 
@@ -49,55 +49,55 @@ struct Crossings {
 [[nodiscard]] Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                   std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
-/// For what is made of solids: every change between inside and outside, unseen ones too. Of an open surface
-/// (is_open_surface), which has no inside, the crossings as above.
+/// For set operations on solids: every change between inside and outside, with kUnseen ones. For an open surface
+/// (is_open_surface), which has no inside, the result is that of crossings().
 [[nodiscard]] Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                  std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
-/// Whether the solid is a surface without an inside: a triangle, a polygon, a box without thickness.
+/// True if the solid is a surface without an inside: a triangle, a polygon, a box without thickness.
 [[nodiscard]] bool is_open_surface(const scene::Solid& solid) noexcept;
 
-/// Whether the surface is a part of a plane that goes on unseen, as a disc's is: its inside is all that lies behind
-/// that plane, and the plane has a normal beyond the surface too.
+/// True if the surface is part of a plane that continues as an unseen boundary, like a disc's: the inside is the
+/// half-space behind the plane, which has a normal beyond the surface too.
 [[nodiscard]] bool is_part_of_plane(const scene::Solid& solid) noexcept;
 
-/// Outward normal of one of the solid's surfaces at a point on it; unit length. At the apex of a cone: its axis. Zero
-/// where a polynomial has none (a singular point). Of open surfaces, the side that POV-Ray's `trace` names.
+/// Outward normal of one of the solid's surfaces at a point on it; unit length. At the apex of a cone it is the axis;
+/// at a singular point of a polynomial it is zero. For open surfaces it points to the side of POV-Ray's `trace`.
 [[nodiscard]] Vec3 normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
                              const SolidDetails& details = kNoDetails) noexcept;
 
-/// The normal to shade with: of a smooth_triangle interpolated between its corners, of all else normal_at().
+/// The normal for shading: interpolated between the corners of a smooth_triangle, and normal_at() for all other solids.
 [[nodiscard]] Vec3 shading_normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
                                      const SolidDetails& details = kNoDetails) noexcept;
 
-/// (u, v) at a point on the surface, in the solid's space and in the world. POV-Ray has coordinates of a few solids; of
-/// every other one they are (x, y) in the world.
+/// (u, v) at a point on the surface, in the solid's space and in the world. POV-Ray defines coordinates for a few
+/// solids; for every other one they are (x, y) in the world.
 [[nodiscard]] Coordinates solid_coordinates(const scene::Solid& solid, const Vec3& point, const Vec3& world) noexcept;
 
-/// Of the surface. Tight, rounding aside; infinite for planes; of polynomials
-/// tight for ellipsoids, a cube for others that are found to end, and infinite else.
+/// The bounding box of the surface. It is tight up to rounding; infinite for planes. For polynomials it is tight for
+/// ellipsoids, a cube for others that are found to be bounded, and otherwise infinite.
 [[nodiscard]] Box bounds(const scene::Solid& solid, const SolidDetails& details = kNoDetails) noexcept;
 
-/// How well the terms of a polynomial determine its surface: the sum of the absolute terms at a point of the surface
-/// over the length of the gradient. A rounding of the terms by a share moves the surface by this share of that length.
-/// Zero where the gradient is, and for all other solids, whose numbers determine it to their rounding.
+/// The sum of a polynomial's absolute terms at a point of the surface, divided by the length of the gradient: the
+/// condition of the surface. A relative error ε of the terms moves the surface by ε times this length. Zero where the
+/// gradient is zero, and for all other solids, whose numbers determine the surface up to their rounding.
 [[nodiscard]] double terms_over_gradient(const scene::Solid& solid, const Vec3& point,
                                          const SolidDetails& details = kNoDetails) noexcept;
 
 // ---- For questions about the scene, from the database alone ---------------------------------------------------------
 
-/// How far the solid reaches in a direction, the support function of convex geometry: the greatest direction · p over
-/// the solid, in its own space; infinite where it has no end that way, and where none is known (cubic, quartic, poly).
-/// Exact for all others, rounding aside. `direction` may have any length but zero.
+/// The support function of convex geometry: the greatest direction · p over the solid, in its own space. It is infinite
+/// if the solid is unbounded in that direction, or no bound is known (cubic, quartic, poly); for all others it is exact
+/// up to rounding. `direction` may have any length but zero.
 [[nodiscard]] double support(const scene::Database& database, const scene::Solid& solid, const Vec3& direction);
 
-/// The box of the solid after a map, tight where `support` is exact; its sides may be infinite.
+/// The bounding box of the transformed solid, tight if `support` is exact; its sides may be infinite.
 [[nodiscard]] Box box_of(const scene::Database& database, const scene::Solid& solid,
                          const scene::Transform& world_from_solid);
 
-/// Whether a point lies inside, in the solid's own space. Of the surface itself, as in POV-Ray: it is outside a sphere,
-/// cylinder, cone or disc and inside everything else. Triangles and polygons have no inside; that of a disc is the
-/// half-space behind it.
+/// True if a point in the solid's own space is inside. As in POV-Ray, points on the surface are outside for a sphere,
+/// cylinder, cone or disc, and inside for all other solids. Triangles and polygons have no inside; that of a disc is
+/// the half-space behind it.
 [[nodiscard]] bool is_inside(const scene::Database& database, const scene::Solid& solid, const Vec3& point);
 
 /// The largest coordinate among the numbers that describe the solid, in its own space.

@@ -1,5 +1,5 @@
-// What solids need that does not fit into one record, made ready for rays: the columns that scene::Solid::detail
-// indexes.
+// The details of solids, prepared for rays: data that does not fit into one record, in the columns that
+// scene::Solid::detail indexes.
 #pragma once
 
 #include "renderer/scene/solids.h"
@@ -19,15 +19,15 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// A polynomial without the orders that are all zero, and its own measure of length.
+/// A polynomial of its true order (leading orders with only zero coefficients are removed), with its length scale.
 struct PreparedPolynomial {
   int order = 0;
   std::vector<double> coefficients;  ///< in the order of scene::Polynomial
-  /// The largest radius at which the terms of a lower order can weigh as much as those of the highest:
-  /// max (A_k/A_n)^(1/(n−k)), with A_k the largest coefficient of order k, to the nearest power of two. Scales as the
-  /// shape does; 0 for a cone.
+  /// The largest radius at which the terms of a lower order can be as large as those of the highest: max
+  /// (A_k/A_n)^(1/(n−k)), with A_k the largest coefficient of order k, to the nearest power of two. Scales as the shape
+  /// does; 0 for a cone.
   double reach = 0;
-  /// Half the side of a cube about the origin that holds whatever is inside; may be infinite.
+  /// Half the side of a cube about the origin that contains the inside; may be infinite.
   double cube = std::numeric_limits<double>::infinity();
 };
 
@@ -35,19 +35,19 @@ struct PlanePoint {
   double u, v;
 };
 
-/// A polygon seen along the axis that its normal is nearest to. Coordinates are the points' own, so that neighbours
-/// that share an edge have the same one.
+/// A polygon projected along the axis nearest to its normal. The coordinates are those of the points, unchanged, so
+/// that neighbours with a common edge have the same edge here.
 struct PreparedPolygon {
   Vec3 normal{0};  ///< unit length
   Vec3 anchor{0};  ///< a point of the plane
   Imath::Box3d box;
   int axis_u = 0, axis_v = 1;
-  std::vector<PlanePoint> starts, ends;  ///< of every edge
+  std::vector<PlanePoint> starts, ends;  ///< one of each per edge
 };
 
 [[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);
 [[nodiscard]] PreparedPolygon prepare(const scene::Polygon& polygon);
-/// Any other detail is ready as it is.
+/// Any other detail is used unchanged.
 template <class Detail>
 [[nodiscard]] const Detail& prepare(const Detail& detail) {
   return detail;
@@ -59,7 +59,7 @@ struct SolidDetails {
 #include "renderer/scene/solids.def"
 };
 
-/// For solids that need none.
+/// For solids without details.
 inline const SolidDetails kNoDetails;
 
 [[nodiscard]] SolidDetails prepare_details(const scene::Database& database);

@@ -1,5 +1,5 @@
-// What each kind of solid says of itself: one record of functions, defined in the file of the kind. solid.cpp calls
-// them by Solid::kind; everyone else includes solid.h, which has their contracts.
+// The functions of a kind of solid, in one record that the file of the kind defines. solid.cpp calls them by
+// Solid::kind; all other code includes solid.h, which documents their contracts.
 #pragma once
 
 #include "renderer/solids/solid.h"
@@ -14,8 +14,8 @@ namespace isl::render {
 /// The surface of a solid that has only one, and the side of a cylinder or cone.
 inline constexpr std::uint8_t kSide = 0;
 
-/// Members without a default are required. Functions get what solid.h says; `details` and `database` are those that the
-/// solid is part of, for what Solid::detail indexes.
+/// Members without a default are required. The parameters are those of the functions in solid.h; `details` and
+/// `database` are those of the scene with the solid, for the column that Solid::detail indexes.
 struct SolidType {
   using CrossingsAlong = Crossings (*)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
                                        std::uint8_t start_part, const SolidDetails& details) noexcept;
@@ -47,24 +47,24 @@ namespace kinds {
 #include "renderer/scene/solids.def"
 }  // namespace kinds
 
-/// For sheets.
+/// For kinds that are always open surfaces.
 [[nodiscard]] inline bool always_sheet(const scene::Solid&) noexcept { return true; }
 [[nodiscard]] inline bool never_inside(const scene::Database&, const scene::Solid&, const Vec3&) { return false; }
 
-/// The largest coordinate.
+/// The largest absolute coordinate.
 [[nodiscard]] inline double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// A power of two that makes the size about one, so that squares of coordinates neither overflow nor vanish while no
-/// digit changes. It is finite and above zero for every size that is not zero.
+/// The power of two that scales `size` to about one: squares of coordinates then neither overflow nor underflow, and no
+/// digit changes. It is finite and positive for every size but zero.
 [[nodiscard]] inline double unit_of(double size) { return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000)); }
 
-/// How far along `direction` a disc of radius one reaches across the unit vector `axis`: the part of `direction` across
-/// it.
+/// The support function of the unit disc perpendicular to the unit vector `axis`: the length of the component of
+/// `direction` perpendicular to it.
 [[nodiscard]] inline double reach_across(const Vec3& direction, const Vec3& axis) {
   return (direction - axis * direction.dot(axis)).length();
 }
 
-/// How far along `direction` the farthest of the points is.
+/// The greatest direction · p over the points.
 [[nodiscard]] inline double farthest(std::span<const Vec3> points, const Vec3& direction) {
   double result = -std::numeric_limits<double>::infinity();
   for (const Vec3& point : points) result = std::max(result, direction.dot(point));

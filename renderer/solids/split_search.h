@@ -1,5 +1,5 @@
 // Sign changes of a function of one variable that is a difference h = u − v of two functions, each convex or concave on
-// the interval: for surfaces that are no polynomials. What is reported is certain as in polynomial_roots.h.
+// the interval: for surfaces that are not algebraic. Reported crossings are certain in the sense of polynomial_roots.h.
 //
 // A convex function lies above its tangents and below its chords, and its slope grows; so from values and slopes at the
 // ends of an interval follow bounds of u and v, hence of h, and h′ ∈ [min u′ − max v′, max u′ − min v′] with the
@@ -30,12 +30,12 @@ struct SplitNode {
 
 class SplitSearch {
  public:
-  /// `sign`: that of h before the first interval, where it is known.
+  /// `sign` is the sign of h before the first interval, or 0 if it is not known.
   explicit SplitSearch(int sign) : sign_(sign) {}
   [[nodiscard]] int sign() const { return sign_; }
 
   /// `node(t)` is a SplitNode; `u_bends` and `v_bends` are +1 for convex, −1 for concave. crossed(t) is called for
-  /// every change of the certain sign in [a, b]. With `a_is_root` the root at `a` is known and not told.
+  /// every change of the certain sign in [a, b]. With `a_is_root`, the root at `a` is known and not reported.
   template <class Node, class Crossed>
   void follow(const Node& node, double a, double b, int u_bends, int v_bends, bool a_is_root, Crossed&& crossed) {
     const double shortest = 0x1p-50 * (b - a);
@@ -88,8 +88,8 @@ class SplitSearch {
             std::max(a.slope_u, b.slope_u) - std::min(a.slope_v, b.slope_v)};
   }
 
-  /// The least value on [0, w] of what lies above both lines a + s t and b − r (w − t); a line without a slope says
-  /// nothing.
+  /// A lower bound on [0, w] of a function above both lines a + s t and b − r (w − t); a line with an infinite slope is
+  /// ignored.
   [[nodiscard]] static double least(double a, double s, double b, double r, double w) {
     const bool has_left = std::isfinite(s), has_right = std::isfinite(r);
     if (!has_left && !has_right) return -HUGE_VAL;

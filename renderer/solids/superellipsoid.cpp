@@ -23,10 +23,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// x^y for a slope: 0, 1 or infinite where the base is 0.
+/// 0^exponent, for a slope: 0, 1 or infinite.
 double slope_at_zero(double exponent) { return exponent > 0 ? 0 : (exponent < 0 ? kInfinity : 1); }
 
-/// ∂r/∂m and ∂r/∂k times the coordinates' own slopes; an infinite slope of what does not move counts for nothing.
+/// ∂r/∂m or ∂r/∂k times the coordinate's slope; 0 if the coordinate is constant, even where the derivative is infinite.
 double times(double slope, double step) { return step == 0 ? 0 : slope * step; }
 
 struct Ring {
@@ -48,7 +48,7 @@ class OctantLine {
   OctantLine(const scene::Solid& solid, const Vec3& origin, const Vec3& direction)
       : p_(2 / solid.radius_a), q_(2 / solid.radius_b), origin_(origin), direction_(direction) {}
 
-  /// Whether coordinates fall or grow here: their signs at a point within the octant.
+  /// Sets the octant by the signs of the coordinates at a point within it.
   void enter_octant_of(const Vec3& point) {
     for (int i = 0; i < 3; ++i) mirror_[i] = point[i] < 0 ? -1 : 1;
   }
@@ -97,7 +97,7 @@ class OctantLine {
   [[nodiscard]] int v_bends() const { return q_ >= 1 ? -1 : 1; }
 
  private:
-  /// Absolute values; what rounding takes beyond the octant's sides is taken back.
+  /// The absolute values of the coordinates; those that rounding makes negative are set to 0.
   [[nodiscard]] Vec3 coordinates(double t) const {
     Vec3 point = (origin_ + direction_ * t) * mirror_;
     for (int i = 0; i < 3; ++i) point[i] = std::max(point[i], 0.0);
@@ -126,7 +126,7 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
   const bool comes_from_outside = enter > 0 && !starts_on_surface;
   const double base = comes_from_outside ? enter : 0;
   if (!(base < leave)) return result;
-  // From the cube on, so that a far origin costs the coordinates no digits.
+  // The search starts at the cube, so that a far origin costs the coordinates no digits.
   const Vec3 begin = origin + direction * base;
   const double length = leave - base;
   double cuts[5] = {0};
@@ -152,7 +152,7 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
   return result;
 }
 
-/// ∇F, or where a component of it is infinite, that one alone.
+/// The direction of ∇F; if a component is infinite, the direction of that component alone.
 Vec3 superellipsoid_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
   const double p = 2 / solid.radius_a, q = 2 / solid.radius_b;
   const Vec3 size(std::abs(point.x), std::abs(point.y), std::abs(point.z));

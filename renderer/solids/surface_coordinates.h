@@ -1,6 +1,6 @@
 // (u, v) of a sphere, a torus and a box, as POV-Ray 3.7 has them (tests/cli/program/povray_pictures_test.cpp compares);
-// solids and the skeletons of the same names share them. And what the skeletons that POV-Ray does not have are made of:
-// an angle about an axis. All in the shape's own space.
+// solids and the skeletons of the same names share them. The skeletons that POV-Ray does not have use the angle about
+// an axis (AcrossAxis). All are in the shape's own space.
 #pragma once
 
 #include "renderer/scene/transform.h"
@@ -16,25 +16,26 @@ using scene::Vec3;
 struct Coordinates {
   double u = 0, v = 0;
 
-  /// Where patterns are looked up.
+  /// The point at which patterns are evaluated.
   [[nodiscard]] Vec3 point() const { return {u, v, 0}; }
 };
 
-/// The angle from x towards z about y, as a share of the full circle: from 0 to 1. On the axis 0.
+/// The angle from x towards z about y, as a share of the full circle, from 0 to 1. It is 0 on the axis.
 [[nodiscard]] inline double share_of_turn(double x, double z) {
   if (x == 0 && z == 0) return 0;  // whatever the signs of the zeros
   const double share = std::atan2(z, x) / (2 * std::numbers::pi);
   return share < 0 ? share + 1 : share;
 }
 
-/// As on a globe: u goes round the y axis from the x axis towards the z axis, v from the south pole to the north pole.
+/// Coordinates as on a globe: u goes round the y axis from the x axis towards the z axis, v from the south pole to the
+/// north pole.
 [[nodiscard]] inline Coordinates sphere_coordinates(const Vec3& from_centre) {
   const double across = std::sqrt(from_centre.x * from_centre.x + from_centre.z * from_centre.z);
   return {share_of_turn(from_centre.x, from_centre.z), 0.5 + std::atan2(from_centre.y, across) / std::numbers::pi};
 }
 
-/// About the y axis: u goes round the circle, from the −x axis and the other way round than a sphere's; v round the
-/// tube, from its inside over the bottom.
+/// The torus is about the y axis. u goes round the circle, starting at the −x axis, in the opposite sense to a
+/// sphere's; v goes round the tube, from its inside over the bottom.
 [[nodiscard]] inline Coordinates torus_coordinates(const Vec3& from_centre, double ring_radius) {
   constexpr double kFull = 2 * std::numbers::pi;
   const double across = std::sqrt(from_centre.x * from_centre.x + from_centre.z * from_centre.z) - ring_radius;
@@ -42,8 +43,8 @@ struct Coordinates {
 }
 
 /// The box unfolded into a cross, four faces wide and three high: in the middle row, from the left, the faces at low x,
-/// high z, high x and low z; the one at high y above that at high z, the one at low y below. Between faces the one
-/// whose plane the point is farthest beyond.
+/// high z, high x and low z; the one at high y above that at high z, the one at low y below. A point is on the face
+/// whose plane it is farthest beyond.
 [[nodiscard]] inline Coordinates box_coordinates(const Vec3& low, const Vec3& high, const Vec3& p) {
   int axis = 0;
   bool is_high = false;
@@ -60,8 +61,8 @@ struct Coordinates {
   return {is_high ? (1 + share.x) / 4 : 1 - share.x / 4, middle_row};
 }
 
-/// Directions across an axis from which angles about it are told: the images of x and z under the shortest turn that
-/// takes y to the axis (about x where the axis is −y).
+/// The directions perpendicular to an axis from which angles about it are measured: the images of x and z under the
+/// smallest rotation that takes y to the axis (about x if the axis is −y).
 struct AcrossAxis {
   Vec3 x, z;
 
@@ -78,7 +79,7 @@ struct AcrossAxis {
     z = {-xz, -axis.z, 1 - zz};
   }
 
-  /// Of the part of `p` across the axis.
+  /// The angle of `p` about the axis, as a share of the full circle.
   [[nodiscard]] double share_of_turn(const Vec3& p) const { return render::share_of_turn(p.dot(x), p.dot(z)); }
 
  private:

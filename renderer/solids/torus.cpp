@@ -110,7 +110,7 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
   const int sign = stretch.comes_from_outside ? 1 : 0;
   int last = 0;
   if (solid.radius_b > solid.radius_a) {
-    // Squares that overflow would leave slopes that are no numbers, of which the search never gets rid.
+    // The solid is scaled, because squares that overflow would make slopes NaN for the rest of the search.
     const double unit = unit_of(solid.radius_b);
     scene::Solid small = solid;
     small.radius_a *= unit;
@@ -143,7 +143,7 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
 
 Vec3 torus_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
   const double rho = from_axis(point);
-  // On the axis, which only a spindle's surface meets, every direction of its cone is as good: along the axis.
+  // Only a spindle's surface meets the axis. Its normals there form a cone, and the axis is taken instead.
   if (rho == 0) return {0, point.y < 0 ? -1.0 : 1.0, 0};
   const double along = 1 - solid.radius_a / rho;
   const Vec3 across(point.x * along, point.y, point.z * along);

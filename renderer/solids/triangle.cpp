@@ -12,7 +12,7 @@
 namespace isl::render {
 namespace {
 
-/// Across the corners, of any length; the side that POV-Ray calls outside.
+/// A normal of any length, to the side that is outside in POV-Ray.
 Vec3 across(const scene::Triangle& triangle) {
   return (triangle.corners[0] - triangle.corners[1]).cross(triangle.corners[2] - triangle.corners[1]);
 }
@@ -29,7 +29,7 @@ Crossings triangle_crossings(const scene::Solid& solid, const Vec3& origin, cons
   const Vec3 normal = across(triangle);
   const double rise = normal.dot(direction);
   if (rise == 0) return result;
-  // From the nearest corner, so that large triangles keep the digits of near ones.
+  // The distance is computed from the nearest corner, so that far corners of large triangles cost no digits.
   const double da = a.length2(), db = b.length2(), dc = c.length2();
   const Vec3& nearest = da <= db && da <= dc ? a : (db <= dc ? b : c);
   result.add(normal.dot(nearest) / rise, kSide);
