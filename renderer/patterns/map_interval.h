@@ -1,4 +1,4 @@
-// Choosing from a map by a value: of colours, pigments, textures.
+// Lookup of a value in a map of colours, pigments or textures.
 #pragma once
 
 #include "renderer/values/single_precision.h"
@@ -8,15 +8,15 @@
 
 namespace isl::render {
 
-/// The two entries around a value, and how far it is from the first to the second.
+/// The two entries around a value, and its relative position between them.
 template <class Entry>
 struct MapInterval {
   const Entry* first;
-  const Entry* second;  ///< may be the same
+  const Entry* second;  ///< may be equal to `first`
   double fraction;
 };
 
-/// In a map that is not empty, with its values in single precision as POV-Ray's are; NaN takes its last entry.
+/// The map is not empty. Its values are compared in single precision, as in POV-Ray; NaN gives the last entry.
 template <class Entry>
 [[nodiscard]] MapInterval<Entry> find_in(const std::vector<Entry>& map, double value) noexcept {
   if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};

@@ -14,13 +14,14 @@ using scene::Vec3;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// z becomes the orientation. Measured at many orientations: linear in its terms, a rotation on the axes only.
+/// Maps z to the orientation, as measured in POV-Ray at many orientations: the map is linear in the orientation's
+/// terms, and a rotation only for the axes.
 Vec3 oriented(const Vec3& p, const Vec3& orientation) {
   const Vec3 n = orientation.normalized();
   return {(n.y + n.z) * p.x + n.x * p.z, (n.x + n.z) * p.y - n.y * p.z, n.y * p.y - n.x * p.x + n.z * p.z};
 }
 
-/// From x towards z as a part of a turn, in [0, 1].
+/// The angle from x towards z as a share of the full circle, in [0, 1].
 double turn_about_y(const Vec3& p, double radius) {
   if (p.z == 0) return p.x > 0 ? 0 : 0.5;
   const double angle = std::acos(p.x / radius);
@@ -58,7 +59,7 @@ Vec3 around_torus(const MappingWarp& warp, const Vec3& p) {
           stretched(around_tube, distance, warp.distance_exponent), distance};
 }
 
-/// A net of six squares: four in a row along x, one above and one below the second.
+/// The cube unfolded into six squares: four in a row along x, one above and one below the second.
 Vec3 around_cube(const Vec3& p) {
   const Vec3 size(std::abs(p.x), std::abs(p.y), std::abs(p.z));
   const double distance = std::max({size.x, size.y, size.z});

@@ -1,6 +1,6 @@
-// Warps that wrap the plane of x and y around a cylinder, sphere, torus, plane or cube: one turn, or one side, is as
-// long as 1, and z is the distance from the middle. What POV-Ray makes of orientations off the axes is no rotation;
-// ours is the same.
+// Warps that wrap the plane of x and y around a cylinder, sphere, torus, plane or cube: one full turn, or one side, has
+// length 1, and z is the distance from the middle. For orientations off the axes POV-Ray's map is not a rotation; this
+// one is the same.
 #pragma once
 
 #include "renderer/scene/warp.h"

@@ -1,7 +1,7 @@
-// The values of patterns and the colours of pigments at points. The language asks through functions
-// (renderer/values/pattern_source.h); textures ask here. What each kind of pattern
-// computes stands in kinds/. Knows no text, no rays and of the surface only its
-// coordinates (values::Environment): what depends on more of it (slope, aoi) is 0, as in POV-Ray's functions.
+// The values of patterns and the colours of pigments at points. Functions of the language use them through
+// renderer/values/pattern_source.h, textures directly. The formulas of the kinds are in kinds/. Of a surface only the
+// coordinates are available (values::Environment): kinds that need more of it (slope, aoi) are 0, as in POV-Ray's
+// functions.
 #pragma once
 
 #include "renderer/patterns/kinds/pattern_kind.h"
@@ -11,18 +11,18 @@
 
 namespace isl::render {
 
-/// A pattern's value at a point, and that point in the pattern's own space, where what it chooses is looked up.
+/// A pattern's value at a point, and that point in the pattern's own space, where the chosen entry is evaluated.
 struct PatternPlace {
   scene::Vec3 point;
   double value;
 };
 
-/// The patterns of one database, which may grow between calls. Immutable; threads share one, each with its own
-/// environment. Patterns in patterns recurse: whoever makes them bounds their depth (scene::Function::pattern_depth).
+/// Evaluates the patterns of one database, which may grow between calls. Immutable: threads share one object, each with
+/// its own environment. Nested patterns recurse; scene::Function::pattern_depth bounds the depth.
 class Patterns final : public values::PatternSource {
  public:
-  /// `surroundings` may be null where no `object` pattern is. `number_of_waves`: at most kMaxWaves count; the scene's
-  /// for pictures, while functions called by the scene itself always take POV-Ray's default.
+  /// `surroundings` may be null if there is no `object` pattern. `number_of_waves` is the scene's for pictures, and
+  /// POV-Ray's default for functions that the scene itself calls; it is limited to kMaxWaves.
   explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr,
                     int number_of_waves = scene::Settings{}.number_of_waves)
       : world_{database, *this, surroundings, number_of_waves} {}
@@ -30,18 +30,19 @@ class Patterns final : public values::PatternSource {
       : world_{other.world_.database, *this, other.world_.surroundings, other.world_.number_of_waves} {}
   Patterns& operator=(const Patterns&) = delete;
 
-  /// `point` in the space that the pattern is placed into. After warps, turbulence, frequency and wave: from 0 to 1 and
-  /// rarely a little beyond; the item's number from 0 on for patterns that choose from a list. NaN in, anything out.
+  /// The value after warps, turbulence, frequency and waveform. `point` is in the space that the pattern is placed
+  /// into. The value is from 0 to 1, rarely a little beyond; for patterns that choose from a list it is the item's
+  /// index. For NaN the result is unspecified.
   [[nodiscard]] double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
                                      values::Environment& environment) const noexcept override;
   [[nodiscard]] PatternPlace look_up(const scene::Pattern& pattern, const scene::Vec3& point,
                                      values::Environment& environment) const noexcept;
-  /// In single precision, as POV-Ray's colours are.
+  /// The colour in single precision, as in POV-Ray.
   [[nodiscard]] scene::Colour pigment_colour(const scene::Pigment& pigment, const scene::Vec3& point,
                                              values::Environment& environment) const noexcept override;
 
  private:
-  /// At a point of the pattern's own space, before frequency and wave.
+  /// The value at a point of the pattern's own space, before frequency and waveform.
   [[nodiscard]] double raw_value(const scene::Pattern& pattern, const scene::Vec3& p,
                                  values::Environment& environment) const noexcept;
   /// The weighted mean of all entries.

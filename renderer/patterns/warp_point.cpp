@@ -15,9 +15,9 @@ namespace {
 using scene::Vec3;
 using values::to_single;
 
-/// Beyond this POV-Ray clips coordinates.
+/// POV-Ray clips coordinates to this limit.
 constexpr double kCoordinateLimit = 1e17;
-/// Sizes of blocks below this do not repeat.
+/// Along an axis with a smaller block there is no repetition.
 constexpr double kLeastRepeat = 0.001;
 
 Vec3 apply(const scene::Turbulence& t, const Vec3& p) {
@@ -44,7 +44,7 @@ Vec3 centre_near(const scene::BlackHoleWarp& warp, const Vec3& p) {
   Vec3 centre = warp.centre, block(0);
   for (int i = 0; i < 3; ++i) {
     if (warp.repeat[i] < kLeastRepeat) continue;
-    // The hole lies inside its block, which grows with it.
+    // The block is enlarged to contain the whole black hole.
     const double room = 2 * warp.radius + (warp.is_turbulent ? warp.turbulence[i] : 0);
     const double size = std::max(warp.repeat[i], room);
     block[i] = std::floor(p[i] / size);

@@ -1,16 +1,16 @@
-// The point at which a pattern is evaluated, taken through transforms, warps and turbulence. Knows no pattern.
+// Maps the point at which a pattern is evaluated through transforms, warps and turbulence, for every kind of pattern.
 #pragma once
 
 #include "renderer/scene/database.h"
 
 namespace isl::render {
 
-/// The pattern's `turbulence` moves the point too, or it does not; some patterns use it in ways of their own.
+/// `yes` if the pattern's `turbulence` moves the point too; some patterns use it in their formula instead.
 enum class PointTurbulence { yes, no };
 
-/// The point of the pattern's own space for one of the space it is placed into: through the warps, the last one first,
-/// and then through its turbulence. Degenerate warps (a torus without radius, the middle of a cube) give NaN as POV-Ray
-/// does.
+/// Maps a point of the space that the pattern is placed into to the pattern's own space: through the warps, the last
+/// one first, and then through its turbulence. Degenerate warps (a torus of radius 0, the middle of a cube) give NaN,
+/// as in POV-Ray.
 [[nodiscard]] scene::Vec3 warped(const scene::Database& database, const scene::Pattern& pattern, scene::Vec3 point,
                                  PointTurbulence turbulence) noexcept;
 

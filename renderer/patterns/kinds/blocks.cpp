@@ -1,4 +1,4 @@
-// Patterns that choose from a list: the number of the item, from 0 on.
+// Patterns that choose from a list; their value is the item's index, from 0 on.
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using scene::OperandField;
 
-/// POV-Ray moves points by so much, so that a plane through the lattice lies on one side.
+/// POV-Ray's offset of points, so that a plane through the lattice lies on one side.
 constexpr double kSmall = 1e-10;
 
 double fraction(double v) { return v - std::floor(v); }
@@ -21,7 +21,7 @@ double positive_remainder(double whole, double divisor) {
 }
 bool is_odd(double whole) { return std::fmod(whole, 2) != 0; }
 
-/// Unit cubes, 0 and 1 in turn.
+/// Unit cubes with alternating values 0 and 1.
 double checker_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const double sum = std::floor(p.x + kSmall) + std::floor(p.y + kSmall) + std::floor(p.z + kSmall);
@@ -49,7 +49,7 @@ double brick_at(const PatternPoint& at) noexcept {
   return 1;
 }
 
-/// By the axis to which the point is nearest: x, y, z, −x, −y, −z.
+/// The index of the half-axis nearest to the point, in the order x, y, z, −x, −y, −z.
 double cubic_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const double along[] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
@@ -98,7 +98,7 @@ double triangular_at(const PatternPoint& at) noexcept {
   return kOnTip[parity][static_cast<std::size_t>(positive_remainder(tip, 3))];
 }
 
-/// Three and six colours: lists take the first ones.
+/// Default lists; a list with fewer items takes the first ones.
 constexpr PatternColour kBricks[] = {{0, 0.5, 0.5, 0.5}, {1, 0.6, 0.15, 0.15}};
 constexpr PatternColour kTiles[] = {{0, 0, 0, 1}, {1, 0, 1, 0}, {2, 1, 0, 0}};
 constexpr PatternColour kPolygons[] = {{0, 1, 0, 0}, {1, 0, 1, 0}, {2, 0, 0, 1},

@@ -11,10 +11,10 @@
 namespace isl::render {
 namespace {
 
-/// A point so close below a cube counts as in it.
+/// A point closer than this below a cube counts as in it.
 constexpr double kSmall = 1e-10;
 
-/// The feature point.
+/// The cube's feature point.
 Vec3 point_in(const Cube& cube) noexcept {
   const double* const random = random_numbers(cube);
   return {cube.x + random[0], cube.y + random[1], cube.z + random[2]};
@@ -43,7 +43,7 @@ class Metric {
   double offset_;
 };
 
-/// The nearest three of the feature points that it is shown.
+/// The nearest three of the feature points that were added.
 struct Nearest {
   static constexpr double kFar = std::numeric_limits<double>::max();
   double distances[3] = {kFar, kFar, kFar};  ///< as the metric compares them
@@ -62,7 +62,7 @@ struct Nearest {
 constexpr int kReach = 2;
 constexpr int kCubes = 2 * kReach + 1;
 constexpr int kFarthest = 4;  ///< sum of the steps along the axes
-/// From the middle outwards, so that what is too far is known early.
+/// The steps go from the middle outwards, so that cubes that are too far are skipped early.
 constexpr int kSteps[kCubes] = {0, -1, 1, -2, 2};
 
 Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {

@@ -32,7 +32,7 @@ constinit const PatternInfo pattern_kinds::image_map{.block = PatternBlock::imag
                                                      .choice = PatternChoice::own,
                                                      .lack = PatternLack::file};
 constinit const PatternInfo pattern_kinds::image_pattern{.block = PatternBlock::image, .lack = PatternLack::file};
-/// Stands in place of a texture, and is read there.
+/// A material_map replaces a texture and is read by the reader of textures.
 constinit const PatternInfo pattern_kinds::material_map{.block = PatternBlock::of_host,
                                                         .hosts = {.pigment = false, .normal = false, .function = false},
                                                         .choice = PatternChoice::own,

@@ -77,7 +77,7 @@ struct Magnet2Step {
   [[nodiscard]] static bool has_ended(Complex z) { return Magnet1Step::has_ended(z); }
 };
 
-/// The colouring of what the orbit came to; `iterations` after which it ended.
+/// The value of a point outside the set, whose orbit ended at z after `iterations` steps.
 double exterior(const Fractal& o, double iterations, Complex z) {
   const double factor = o.exterior_factor;
   switch (o.exterior_type) {

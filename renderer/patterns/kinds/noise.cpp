@@ -1,5 +1,5 @@
 // Patterns made of noise: clouds and stones. Formulas by Perlin ("An Image Synthesizer", SIGGRAPH 1985: marble,
-// wrinkles) and Skinner; constants as POV-Ray's program answers.
+// wrinkles) and Skinner; the constants were measured in POV-Ray.
 #include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/patterns/kinds/turbulence.h"
 #include "renderer/patterns/kinds/waveform.h"
@@ -67,7 +67,7 @@ double marble_at(const PatternPoint& at) noexcept {
   return at.point.x + turbulence.amount.x * turbulence_at(at.point, turbulence, at.noise_generator());
 }
 
-/// The distance from the z axis, its point pushed about by sines of the turbulence.
+/// The distance from the z axis of the point, displaced by sines of the turbulence.
 double wood_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const scene::Turbulence& turbulence = at.pattern.turbulence;

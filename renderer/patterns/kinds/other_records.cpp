@@ -1,4 +1,4 @@
-// Patterns that are other things of the scene: a function, the brightness of a pigment.
+// Patterns with the values of other records of the scene: a function, the brightness of a pigment.
 #include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/patterns/kinds/pigment_colour.h"
 

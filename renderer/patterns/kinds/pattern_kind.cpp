@@ -7,7 +7,7 @@ namespace {
 
 constexpr PatternInfo kPlain;
 
-/// In the order of PatternKind.
+/// The descriptors in the order of PatternKind.
 constexpr const PatternInfo* kInfos[] = {
     &kPlain,
 #define ISL_PATTERN(name, frequency) &pattern_kinds::name,

@@ -1,7 +1,7 @@
-// The descriptor of a kind of pattern: the words that begin it, its operands, what it chooses from, where it may stand,
-// and its value at a point. The interpreter reads patterns by this, a dump prints them by it, and the renderer
-// evaluates them and tells what it cannot draw. Each kind is one constant of this type in a file of this folder, under
-// the name of its row in renderer/scene/patterns.def. Knows no text and no rays.
+// The descriptor of a kind of pattern: the words that begin it, its operands, the kind of map, the blocks that allow
+// it, and its value at a point. The interpreter reads patterns by it, dumps print them by it, and the renderer
+// evaluates them by it and reports those that it cannot draw. Each kind is one constant of this type in a file of this
+// folder, with the name of its row in renderer/scene/patterns.def.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -20,7 +20,7 @@ namespace isl::render {
 
 using scene::Vec3;
 
-/// Answers questions of patterns that the database alone does not answer.
+/// Tests that patterns need and the database alone cannot answer.
 class PatternSurroundings {
  public:
   virtual ~PatternSurroundings() = default;
@@ -31,9 +31,9 @@ class PatternSurroundings {
 /// The part of an evaluation that is the same for all patterns of a database.
 struct PatternWorld {
   const scene::Database& database;
-  const values::PatternSource& patterns;    ///< answers for patterns and pigments in patterns
-  const PatternSurroundings* surroundings;  ///< may be null where no pattern is of an object
-  int number_of_waves;                      ///< at most kMaxWaves count
+  const values::PatternSource& patterns;    ///< evaluates patterns and pigments within patterns
+  const PatternSurroundings* surroundings;  ///< may be null if there is no `object` pattern
+  int number_of_waves;                      ///< limited to kMaxWaves
 };
 
 /// A pattern and the point at which it is evaluated, in the pattern's own space: after warps and turbulence.
@@ -49,14 +49,14 @@ struct PatternPoint {
     ISL_DCHECK(operands, "a pattern without its operands");
     return *std::any_cast<Record>(&operands->record);
   }
-  /// The pattern's own, or the scene's.
+  /// The pattern's own noise generator, or the scene's if it sets none.
   [[nodiscard]] values::NoiseGenerator noise_generator() const noexcept {
     return pattern.noise_generator == 0 ? environment.noise_generator()
                                         : values::noise_generator_of(pattern.noise_generator);
   }
 };
 
-/// One colour of the map that pigments of a pattern have where the scene gives none.
+/// One colour of a pattern's default map, for pigments without a map.
 struct PatternColour {
   double value;
   double red, green, blue;
@@ -67,40 +67,40 @@ struct PatternHosts {
   bool pigment = true, normal = true, texture = true, function = true;
 };
 
-/// The things that a pattern chooses from. `own` is for patterns that choose nothing and bring their own colours or
-/// textures, as pictures do.
+/// The collection that a pattern chooses from. `own` is for patterns with colours or textures of their own, such as
+/// images.
 enum class PatternChoice : std::uint8_t { map, list, mean_of_map, own };
 
-/// The content of the block, for patterns that are a block. `of_host` is an image whose block is read by the host of
-/// the pattern, which has items there too. `function` is a value of the language and has no word.
+/// The content of a pattern's block, if it has one. `of_host` is an image whose block the host of the pattern reads,
+/// because the block has the host's items too. `function` is a value of the language and has no word.
 enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object, pigment, function };
 
-/// The reason why a pattern is not evaluated: it asks for more of a surface than a point, or for a file that is not
-/// opened.
+/// The reason why a pattern is not evaluated: it needs more of a surface than a point, or a file that is not opened.
 enum class PatternLack : std::uint8_t { nothing, surface, file };
 
 struct PatternInfo {
-  std::span<const std::string_view> words = {};  ///< that begin it; none: its name
+  std::span<const std::string_view> words = {};  ///< words that begin the pattern; empty: its name
   PatternBlock block = PatternBlock::none;
   PatternHosts hosts = {};
   std::string_view instead = {};  ///< the word for other hosts
-  bool makes_bumps = false;       ///< stands in normals more often than in pigments, for hints
+  bool makes_bumps = false;       ///< used in normals more often than in pigments; for hints
   PatternChoice choice = PatternChoice::map;
   int list_length = 0;
   scene::Wave wave = scene::Wave::ramp;
-  std::span<const PatternColour> colours = kBlackToWhite;  ///< a list's are all that it can have
-  /// Tells whether a pattern with these operands has the `colours`; they go from black to white if it does not.
+  std::span<const PatternColour> colours = kBlackToWhite;  ///< the default map; a list has no more items than these
+  /// True if a pattern with these operands has `colours` as its default map; otherwise the map goes from black to
+  /// white.
   bool (*has_colours)(const std::any& record) = nullptr;
-  bool uses_turbulence_itself = false;  ///< so that it moves no points
+  bool uses_turbulence_itself = false;  ///< its formula uses the turbulence, which then moves no points
 
   scene::Operands (*operands)() = nullptr;  ///< with their defaults
-  /// Reads what follows one of `words`, which is given.
+  /// Reads the operands that follow `word`, one of `words`.
   void (*read)(scene::OperandReader& reader, std::any& record, std::string_view word) noexcept = nullptr;
-  /// Looks for operands that do not go together, once all are read.
+  /// Reports operands that contradict one another, after all are read.
   void (*check)(scene::OperandReader& reader, const std::any& record) noexcept = nullptr;
 
   PatternLack lack = PatternLack::nothing;
-  /// From 0 to about 1, or the item's number; null for what has no value: 0 is taken.
+  /// The value, from 0 to about 1, or the item's index. Null for kinds without a value, which give 0.
   double (*value)(const PatternPoint& at) noexcept = nullptr;
 
   [[nodiscard]] constexpr bool takes_map() const {
@@ -108,7 +108,7 @@ struct PatternInfo {
   }
 };
 
-/// The descriptor of a kind. `plain`, which is no pattern, has the defaults of all others.
+/// The descriptor of a kind. `plain`, a uniform value, has the default of every member.
 [[nodiscard]] const PatternInfo& info_of(scene::PatternKind kind) noexcept;
 
 namespace pattern_kinds {
@@ -135,7 +135,7 @@ void check_operands(scene::OperandReader& reader, const std::any& record) noexce
   function(reader, *std::any_cast<Record>(&record));
 }
 
-/// The value modulo 1 above 1: POV-Ray does this to values without a bound before they meet frequency and phase.
+/// Reduces values above 1 modulo 1, as POV-Ray does with unbounded values before it applies frequency and phase.
 [[nodiscard]] double below_1(double value) noexcept;
 
 }  // namespace isl::render

@@ -1,5 +1,5 @@
-// Polyforms that pave the plane of x and z: 1 on the borders of each, falling to 0 at the middle of a row of cells.
-// Which edges are borders stands in polyforms.def.
+// Tilings of the plane of x and z by polyforms: the value is 1 on their borders and falls to 0 at the middle of a row
+// of cells. polyforms.def lists the edges that are borders.
 //
 // Every cell, a regular polygon of side 1, is parted into kites, one for each corner: between the corner, the middle of
 // the cell, and the middles of the two edges that meet there. The value in a kite follows from whether these edges, and
@@ -102,16 +102,16 @@ CornerPoint about_other_edge(const CornerPoint& p) noexcept {
   return {0.5 * p.along + kHeight * p.away, kHeight * p.along - 0.5 * p.away};
 }
 
-/// A corner of 120 degrees between two borders; `p` about the nearer one. The chamfer goes from the middle of one
-/// border to that of the other, the arc is the circle that touches both there.
+/// The value near a corner of 120 degrees between two borders; `p` is in the frame of the nearer one. The chamfer joins
+/// the middles of the two borders; the arc is part of the circle that touches both there.
 double turned(int form, const CornerPoint& p) noexcept {
   if (form == 1) return std::clamp(2 - 4 * (0.5 * p.along + kHeight * p.away), 0.0, 1.0);
   if (form == 2) return std::clamp(1 - (kHeight - std::hypot(p.along - 0.5, p.away - kHeight)) / kReach, 0.0, 1.0);
   return fading(p.away, kReach);
 }
 
-/// A sector of 60 degrees around a hollow corner, none of its two edges a border. Along both edges the value falls to 0
-/// at 1/3, where the borders beside them would bring it.
+/// The value in a sector of 60 degrees at a hollow corner, neither of whose edges is a border. Along both edges the
+/// value falls to 0 at 1/3, where the borders beside them reach too.
 double hollow(int interior, const CornerPoint& p) noexcept {
   constexpr double kHollowReach = 1.0 / 3;
   const double along_other = about_other_edge(p).along;
@@ -122,7 +122,7 @@ double hollow(int interior, const CornerPoint& p) noexcept {
 
 // ---- Triangles ------------------------------------------------------------------------------------------------------
 
-/// The six edges that meet at a corner of the lattice, from that along x on, each 60 degrees further.
+/// The six edges that meet at a corner of the lattice, in steps of 60 degrees from the one along x.
 std::array<bool, 6> edges_around(const PolyformBorders& borders, double i, double j) noexcept {
   return {borders(i, j, 0),     borders(i, j, 2),     borders(i - 1, j, 1),
           borders(i - 1, j, 0), borders(i, j - 1, 2), borders(i, j - 1, 1)};
@@ -130,7 +130,7 @@ std::array<bool, 6> edges_around(const PolyformBorders& borders, double i, doubl
 
 double end_of_triangle(int exterior, const CornerPoint& p) noexcept {
   const double sharp = fading(std::min(p.away, about_other_edge(p).away), kReach);
-  // From the middle of the triangle.
+  // The point relative to the middle of the triangle.
   const double x = 0.5 - p.along, z = kReach - p.away;
   if (exterior == 1) return std::min(std::max(sharp, (kHeight * x + 0.5 * z) / kReach), 1.0);
   if (exterior == 2) return std::min(std::hypot(x, z) / kReach, 1.0);
@@ -140,7 +140,7 @@ double end_of_triangle(int exterior, const CornerPoint& p) noexcept {
 double triangles(const Pavement& o, const Vec3& p) noexcept {
   // Rhombs of two triangles: columns along x, rows 60 degrees from there.
   const double v = p.z / kHeight, u = p.x - v / 2, i = std::floor(u), j = std::floor(v), x = u - i, z = v - j;
-  // The corner that is nearest, and in which of the sectors around it the triangle lies.
+  // The nearest corner, and the sector around it in which the triangle lies.
   struct Corner {
     double column, row;
     std::size_t sector;
@@ -194,7 +194,7 @@ Hexagon hexagon_at(const Vec3& p) noexcept {
     const Vec3 middle = middle_of(column, row);
     return (p.x - middle.x) * (p.x - middle.x) + (p.z - middle.z) * (p.z - middle.z);
   };
-  // The nearest is the first guess or beside it.
+  // The nearest hexagon is the first guess or a neighbour of it.
   Hexagon nearest{i, j};
   double least = distance(i, j);
   for (const auto& [di, dj] : kNeighbours) {

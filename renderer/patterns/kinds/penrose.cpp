@@ -1,8 +1,7 @@
 // Tiles are halves that are mirrored at one of their sides: triangles of the golden ratio (Robinson). Each half parts
-// into smaller halves of the same two forms, φ times smaller. A half that lies with a corner in the origin has again
-// such a half in that corner, so that halves as large as one likes can be put there, and what they part into agrees on
-// what they have in common. To find the tile at a point, start with a half that is large enough, and follow the part
-// that holds the point.
+// into smaller halves of the same two forms, φ times smaller. A half with a corner in the origin contains again such a
+// half in that corner. So arbitrarily large halves can be put there, and their parts agree where they overlap. To find
+// the tile at a point, start with a half that is large enough, and follow the part that contains the point.
 //
 // By the symmetry of five mirrors points are first brought into the wedge of 36 degrees above the x axis. A half is
 // turned over in each two steps; after four it lies as before, which is why their number is given modulo four.
@@ -34,7 +33,7 @@ struct Half {
 
 Point toward(const Point& from, const Point& to) noexcept { return from + (to - from) / kGolden; }
 
-/// p lies on the side of the line through `from` and `to` on which `other` is.
+/// True if p is on the same side of the line through `from` and `to` as `other`.
 bool is_beside(const Point& p, const Point& from, const Point& to, const Point& other) noexcept {
   const Point along = to - from;
   return cross(along, p - from) * cross(along, other - from) >= 0;

@@ -3,20 +3,20 @@
 // origin.
 //
 // Values are (kind + 1 − min(k d, 1)) / kinds, where d is the distance from the tile's border: kind / kinds in the
-// middle of a tile, (kind + 1) / kinds at its border. POV-Ray 3.7 gave them; its k was found to be 4.46 for kites
-// and 11.1 / (1 + √5) for both others.
+// middle of a tile, (kind + 1) / kinds at its border. They were measured in POV-Ray 3.7, whose k is 4.46 for kites and
+// 11.1 / (1 + √5) for both others.
 #pragma once
 
 #include "renderer/scene/transform.h"
 
 namespace isl::render {
 
-// Sides of 1 (of kites and darts the long ones), in the plane of x and z.
-/// Pentagons by how they lie (0, 1, 2), then stars, boats and rhombs.
+// Tiles are in the plane of x and z and have sides of length 1 (kites and darts: long sides).
+/// Kinds: pentagons by their orientation (0, 1, 2), then stars, boats and rhombs.
 [[nodiscard]] double penrose_pentagons(const scene::Vec3& p) noexcept;
-/// Kites, then darts.
+/// Kinds: kites, then darts.
 [[nodiscard]] double penrose_kites(const scene::Vec3& p) noexcept;
-/// Wide rhombs, then narrow ones.
+/// Kinds: wide rhombs, then narrow ones.
 [[nodiscard]] double penrose_rhombs(const scene::Vec3& p) noexcept;
 
 }  // namespace isl::render

@@ -1,6 +1,6 @@
-// The plans are named by their numbers in POV-Ray 3.7, which gave their values: how far borders reach is the radius of
-// the circle in the smallest polygon, and the kinds are numbered as the values tell. Sides are 1 but where a plan says
-// something else.
+// The plans have their numbers in POV-Ray 3.7, where their values were measured: the reach of borders is the radius of
+// the circle in the smallest polygon, and the values give the numbering of the kinds. Sides have length 1 unless a plan
+// states another length.
 #include "renderer/patterns/kinds/periodic_polygons.h"
 
 #include <ImathVec.h>
@@ -24,7 +24,7 @@ constexpr double kInTriangle = kSqrt3 / 6;         ///< radius of the circle in 
 constexpr double kHalfOctagon = (1 + kSqrt2) / 2;  ///< and in an octagon
 constexpr double kHalfDodecagon = 1 + kSqrt3 / 2;  ///< and in a dodecagon
 
-/// Corners counter-clockwise.
+/// A convex polygon with its corners counter-clockwise.
 struct Polygon {
   int kind;
   std::vector<Point> corners;
@@ -237,7 +237,7 @@ class Cell {
   [[nodiscard]] double value(const Point& point) const noexcept {
     const double u = std::floor(cross(point, second_) / area_), v = std::floor(cross(first_, point) / area_);
     const Point p = point - first_ * u - second_ * v;
-    // On a border rounding may put a point into none of the polygons: it belongs to the nearest.
+    // Rounding can put a point on a border outside all polygons; it then belongs to the nearest one.
     double most = -std::numeric_limits<double>::infinity();
     int kind = 0;
     for (const Placed& polygon : polygons_) {
@@ -276,7 +276,8 @@ class Cell {
     if (!is_outside(polygon, offset)) polygons_.push_back(std::move(placed));
   }
 
-  /// The whole polygon lies beyond one of the parallelogram's sides. A polygon that is kept in vain only costs time.
+  /// True if the whole polygon lies beyond one of the parallelogram's sides. The test may keep a polygon outside, which
+  /// only costs time.
   [[nodiscard]] bool is_outside(const Polygon& polygon, const Point& offset) const noexcept {
     const auto all = [&](auto is_beyond) {
       return std::ranges::all_of(polygon.corners, [&](const Point& corner) {

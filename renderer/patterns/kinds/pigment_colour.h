@@ -1,14 +1,14 @@
-// Blending colours in single precision, where POV-Ray's are.
+// Blending of colours in single precision, as in POV-Ray.
 #pragma once
 
 #include "renderer/scene/colour.h"
 
 namespace isl::render {
 
-/// Every term rounded to a float.
+/// Rounds every term to a float.
 [[nodiscard]] scene::Colour in_single(const scene::Colour& colour) noexcept;
 [[nodiscard]] scene::Colour blend(const scene::Colour& first, const scene::Colour& second, double fraction) noexcept;
-/// Every step of the sum rounded.
+/// A weighted mean whose sum is rounded to single precision at each step.
 class WeightedMean {
  public:
   void add(const scene::Colour& colour, double weight) noexcept;
@@ -20,7 +20,7 @@ class WeightedMean {
   double total_ = 0;
 };
 
-/// POV-Ray's weights of the eye.
+/// Brightness with POV-Ray's weights of red, green and blue.
 [[nodiscard]] double gray(const scene::Colour& colour) noexcept;
 
 }  // namespace isl::render

@@ -1,13 +1,11 @@
-// Polyforms that pave the plane: which edges of a lattice of regular polygons of side 1 part two of them. The lattices,
-// columns being the first axis and rows the second:
+// Tilings of the plane by polyforms: the edges of a lattice of regular polygons of side 1 that separate two polyforms.
+// The lattices, whose columns are the first axis and rows the second:
 //
 //   4 sides: columns along x, rows along z; a cell owns its right edge and its upper one, as bits 0 and 1;
 //   3 sides: a cell is a rhomb of two triangles, columns along x, rows 60 degrees from there; it owns its lower edge,
-//   the one that its
-//            triangles share, and its left one;
+//            the one that its triangles share, and its left one;
 //   6 sides: the middles of columns are 1.5 apart along x, each half a hexagon higher than the one before, rows along
-//   z; a cell owns
-//            the edges whose normals are at 30, 90 and 150 degrees from x.
+//            z; a cell owns the edges whose normals are at 30, 90 and 150 degrees from x.
 #pragma once
 
 #include <string_view>
@@ -25,10 +23,11 @@ struct Polyform {
 
 class PolyformBorders {
  public:
-  /// `number` is from 1 to polyform_count(sides, tiles), which is not 0.
+  /// `number` is from 1 to polyform_count(sides, tiles); that count must not be 0.
   PolyformBorders(int sides, int tiles, int number) noexcept;
 
-  /// The cell's edge of that bit is a border. Cells of NaN or beyond the whole numbers have none.
+  /// True if the cell's edge with that bit is a border. Cells that are NaN or outside the integers' range have no
+  /// borders.
   [[nodiscard]] bool operator()(double column, double row, int bit) const noexcept;
 
  private:

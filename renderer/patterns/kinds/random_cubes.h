@@ -1,5 +1,5 @@
-// Random numbers that belong to the unit cubes of space: what cellular patterns and uncertain black holes draw from.
-// They come from std::mt19937 with its default seed, found by the hash of noise.
+// Random numbers of the unit cubes of space, for cellular patterns and turbulent black holes. They come from
+// std::mt19937 with its default seed, indexed by the hash of noise.
 #pragma once
 
 #include "renderer/scene/transform.h"
@@ -12,7 +12,7 @@ struct Cube {
   int x = 0, y = 0, z = 0;
 };
 
-/// The cube so many steps away. Beyond the whole numbers they begin again.
+/// The cube at the given offset. Coordinates beyond the integers' range wrap around.
 [[nodiscard]] inline Cube neighbour(const Cube& cube, int dx, int dy, int dz) noexcept {
   const auto add = [](int a, int b) {
     return static_cast<int>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
@@ -23,7 +23,7 @@ struct Cube {
 /// The cube around p.
 [[nodiscard]] Cube cube_of(const scene::Vec3& p) noexcept;
 
-/// The cube's numbers in [0, 1): the first is its own, the others it shares with others.
+/// The cube's random numbers in [0, 1): the first is its own, the others overlap with those of other cubes.
 [[nodiscard]] const double* random_numbers(const Cube& cube) noexcept;
 
 }  // namespace isl::render

@@ -18,7 +18,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 double fading(double distance) { return 1 - std::min(distance, 1.0); }
 
-/// About the z axis from −y towards x, in [0, 2π).
+/// The angle about the z axis from −y towards x, in [0, 2π).
 double angle_about_z(const Vec3& p) {
   const double angle = std::atan2(p.x, -p.y);
   return angle < 0 ? angle + kTurn : angle;
@@ -28,7 +28,7 @@ double radius_about_z(const Vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y); 
 
 double onion_at(const PatternPoint& at) noexcept { return below_1(std::sqrt(at.point.dot(at.point))); }
 double spherical_at(const PatternPoint& at) noexcept { return fading(std::sqrt(at.point.dot(at.point))); }
-/// About the y axis.
+/// Falls with the distance from the y axis.
 double cylindrical_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   return fading(std::sqrt(p.x * p.x + p.z * p.z));
@@ -37,10 +37,10 @@ double boxed_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   return fading(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
 }
-/// From the plane y = 0.
+/// Falls with the distance from the plane y = 0.
 double planar_at(const PatternPoint& at) noexcept { return fading(std::abs(at.point.y)); }
 
-/// The angle about the y axis as a part of the turn, 1/4 on the axis itself.
+/// The angle about the y axis as a share of the full circle; 1/4 on the axis itself.
 double radial_at(const PatternPoint& at) noexcept {
   constexpr double kAxisRadius = 0.001;
   const Vec3& p = at.point;
@@ -73,7 +73,7 @@ struct Quilted {
 constexpr OperandField kQuilted[] = {scene::modifier<&Quilted::control0>("control0"),
                                      scene::modifier<&Quilted::control1>("control1")};
 
-/// In every unit cube, swelling from its middle by a Bézier curve of the distance with the two controls.
+/// In every unit cube, the value rises from the middle by a Bézier curve of the distance with the two controls.
 double quilted_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const Quilted& operands = at.operands<Quilted>();

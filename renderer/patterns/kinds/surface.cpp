@@ -1,5 +1,5 @@
-// Patterns that ask for more of a surface than a point. None is evaluated yet, but for `average`, which needs no value:
-// whoever chooses from its map takes all of it. Functions see the others as 0, as in POV-Ray.
+// Patterns that need more of a surface than a point. They are not evaluated yet, except `average`, which needs no
+// value: all entries of its map are used. In functions the others are 0, as in POV-Ray.
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 namespace isl::render {
@@ -8,7 +8,8 @@ namespace {
 constexpr PatternHosts kSurfaces{.function = false};
 constexpr PatternHosts kNormals{.pigment = false, .texture = false, .function = false};
 
-/// Exactly one of both is above 0: facets of that size in space, or of the normal. The word that comes last decides.
+/// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
+/// decides.
 struct Facets {
   double coords = 0;
   double size = 0;
@@ -24,7 +25,7 @@ constexpr scene::OperandField kFacets[] = {
 /// The angle between the normal and `direction` (or the direction to the point `reference`), from low to high as 0 to
 /// 1; and with an altitude a weighted mean with the height along it, the weights being the vectors' lengths.
 struct Slope {
-  bool is_reference = false, is_direction = true;  ///< which of both is given
+  bool is_reference = false, is_direction = true;  ///< which of the two is given
   Vec3 direction{0}, reference{0};
   double low_slope = 0, high_slope = 1;
   bool has_altitude = false;

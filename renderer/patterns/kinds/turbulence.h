@@ -1,5 +1,5 @@
-// The turbulence that patterns take into their formulas, and that warps push points by. Formulas by Perlin ("An Image
-// Synthesizer", SIGGRAPH 1985); constants as POV-Ray's program answers.
+// The turbulence in the formulas of patterns and in the warp `turbulence`. Formulas by Perlin ("An Image Synthesizer",
+// SIGGRAPH 1985); the constants were measured in POV-Ray.
 #pragma once
 
 #include "renderer/scene/pattern.h"
@@ -8,7 +8,7 @@
 
 namespace isl::render {
 
-/// The noises 2 and 3 stretched to the contrast of the first.
+/// The noise; generators 2 and 3 are stretched to the contrast of the first.
 [[nodiscard]] double stretched_noise(const scene::Vec3& p, values::NoiseGenerator generator) noexcept;
 
 /// Σ omegaⁱ · noise(lambdaⁱ · p) with the noises 2 and 3 stretched.

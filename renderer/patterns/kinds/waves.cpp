@@ -13,7 +13,7 @@
 namespace isl::render {
 namespace {
 
-/// The most that a scene can ask for; at least 1.
+/// The greatest number of waves of a scene; at least 1.
 constexpr int kMaxWaves = 100000;
 
 struct WaveSource {
@@ -22,8 +22,8 @@ struct WaveSource {
 };
 using WaveSources = std::vector<WaveSource>;
 
-/// Directions of vector noise along x; frequencies from the generator behind the language's rand(), from POV-Ray's
-/// seed.
+/// The directions are vector noise at points along x; the frequencies come from the generator of the language's rand(),
+/// with POV-Ray's seed.
 WaveSources make_sources(int count) {
   WaveSources sources(static_cast<std::size_t>(count));
   auto state = static_cast<std::uint32_t>(-560851967);
@@ -36,7 +36,7 @@ WaveSources make_sources(int count) {
   return sources;
 }
 
-/// The first `count` sources, made once; few scenes want more than a handful.
+/// The first `count` sources. They are computed once; few scenes use more than kUsual.
 std::span<const WaveSource> wave_sources(int count) noexcept {
   constexpr int kUsual = 100;
   static const WaveSources kFew = make_sources(kUsual);
