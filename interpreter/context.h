@@ -155,7 +155,7 @@ class Context {
   void look_at_turns(SourceSpan span);
   [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
   void check_stop(SourceSpan span);
-  /// Whether this was told before of the same place; from now on it was.
+  /// Records the message at its place; true if the same message was recorded there before.
   [[nodiscard]] bool is_said(Severity severity, SourceSpan span, const std::string& message);
   [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);

@@ -1,6 +1,7 @@
-// Two passes over the tiles: one centre sample in every pixel (or all of them, for a fixed number), then the rest of
-// the samples in the pixels that differ from a neighbour. Each tile is one task; what a task does depends on nothing
-// but its tile and the first pass, so neither threads nor their order show.
+// Rendering makes two passes over the tiles. The first takes one centre sample in every pixel (all samples, if their
+// number is fixed); the second takes the remaining samples in the pixels that differ from a neighbour. Each tile is one
+// task, whose result depends only on its tile and the first pass: the picture does not depend on the number of threads
+// or their order.
 #include "renderer/render.h"
 
 #include "base/check.h"
@@ -16,8 +17,8 @@
 namespace isl::render {
 namespace {
 
-/// Share of the progress bar that the first of two passes gets: a guess, since how much the second has to do is not
-/// known before.
+/// Share of the progress bar for the first of two passes. It is a guess, because the amount of work in the second is
+/// not known beforehand.
 constexpr double kFirstPassShare = 0.4;
 
 PixelRect clipped(const PixelRect& rect, const RenderOptions& options) {
@@ -27,7 +28,7 @@ PixelRect clipped(const PixelRect& rect, const RenderOptions& options) {
   return result;
 }
 
-/// What the adaptive rule looks at for the pixels of `window`: one pixel more on each side.
+/// The pixels that the adaptive rule compares for `window`: the window and one pixel more on each side.
 PixelRect with_neighbours(const PixelRect& window, const RenderOptions& options) {
   if (window.empty()) return window;
   return clipped({window.x0 - 1, window.y0 - 1, window.x1 + 1, window.y1 + 1}, options);
@@ -63,7 +64,7 @@ class Rendering {
                 [&](const Pixel& pixel) { return displayed.is_rough(pixel.x, pixel.y, options_.aa); });
   }
 
-  /// Says so, unless it was stopped.
+  /// Reports that rendering is finished, unless it was stopped.
   void finish() {
     if (!skipped_) progress_.finish();
   }
@@ -89,7 +90,8 @@ class Rendering {
     return skipped_;
   }
 
-  /// Samples `first` to `last` (of the pattern) of every pixel of `rect` that `wanted` names.
+  /// Traces the samples from `first` up to, not including, `last` of the sampling pattern for every pixel of `rect` for
+  /// which `wanted` is true.
   template <class Wanted>
   void trace_tiles(const PixelRect& rect, std::size_t first, std::size_t last, const Wanted& wanted) {
     const std::vector<PixelRect> tiles = tiles_of(rect, options_.tile_order);

@@ -139,7 +139,7 @@ Value make_value(Context& context, const grammar::Function& node) {
   return {ValueKind::function, make_shared_value<FunctionValue>(std::move(function), bytes, context.memory)};
 }
 
-/// None if its formula is not known, which is reported.
+/// kNoFunction, after an error, if the function's formula is not known.
 scene::FunctionId function_id(Context& context, const FunctionValue& value, SourceSpan span) {
   if (!value.function->missing.empty()) {
     context.unsupported(span, value.function->missing);

@@ -7,7 +7,7 @@
 
 namespace isl::render {
 
-/// Whether any of them is measured (accuracy/measured_aovs.h).
+/// True if any of the layers is measured (accuracy/measured_aovs.h).
 [[nodiscard]] bool any_measured(const Aovs& aovs);
 
 /// Adds those layers of `image` that `aovs` asks for and that are measured, over its window.

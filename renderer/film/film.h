@@ -31,7 +31,7 @@ class Film {
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
 
   [[nodiscard]] const PixelRect& rect() const { return rect_; }
-  /// Whether set_surface() has something to do.
+  /// True if the film has layers that set_surface() fills.
   [[nodiscard]] bool keeps_surfaces() const { return !surfaces_.empty(); }
 
   /// The part `window` (within rect()) as a picture of a whole of the given size.

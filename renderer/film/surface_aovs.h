@@ -10,7 +10,7 @@
 
 namespace isl::render {
 
-/// What the centre sample of a pixel saw.
+/// The surface that the centre sample of a pixel hit.
 struct SeenSurface {
   const Hit* hit = nullptr;             ///< never null
   const SurfacePoint* point = nullptr;  ///< null for a miss

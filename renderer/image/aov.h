@@ -1,5 +1,5 @@
-// What a picture can tell of its pixels beside their colour: arbitrary output variables, each described by one record. What fills
-// them stands where it is known: renderer/film/surface_aovs.cpp for the surfaces seen, renderer/accuracy/measured_aovs.cpp for costs
+// Arbitrary output variables (AOVs): the values of a pixel besides its colour, each described by one record.
+// renderer/film/surface_aovs.cpp fills those of the surfaces seen, renderer/accuracy/measured_aovs.cpp those of costs
 // and errors. Files, false colours and the command line follow from the records.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Whether a point lies inside an object: by the definition of each shape, not by rays, so it holds for everything that
-// the language can place. Solids have theirs in solids/solid.h.
+// Tests whether a point lies inside an object. The tests use the definition of each shape and trace no rays, so they
+// hold for every object of the language. The tests of solids are in solids/solid.h.
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"

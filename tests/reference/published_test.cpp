@@ -171,7 +171,7 @@ TEST(PublishedSolver, ReuseLeavesTrueNormalsAsTheyAre) {
   RandomSource random(79);
   std::size_t compared = 0;
   for (const int components : {3, 9, 30, 100}) {
-    // Of a maximum, the hit's own sum alone has the normal.
+    // In a blob with maxima, the normal at a hit is that of the branch which is the greatest there.
     RandomBlobOptions options{.components = components};
     options.half_space = random.below(2) == 0;
     const scene::Database database = random_blob(random, options);

@@ -7,7 +7,7 @@
 
 namespace isl::interpreter {
 
-/// Whether each entry must begin with its value: only the weights of a mean may be missing, and are 1 then.
+/// An entry's value can be left out only where it is a weight of a mean; the weight is then 1.
 enum class EntryValue { needed, optional };
 [[nodiscard]] inline EntryValue entry_value(scene::PatternKind kind) {
   return render::info_of(kind).choice == render::PatternChoice::mean_of_map ? EntryValue::optional : EntryValue::needed;
@@ -21,7 +21,7 @@ enum class EntryValue { needed, optional };
 [[nodiscard]] scene::TextureMapId read_texture_map(Context& context, const Element& block, EntryValue value);
 
 // Each reads the items that follow a block pattern's word, at most `count`; POV-Ray's defaults replace missing ones.
-// None for normals without an item.
+// A list of normals without an item gives kNoNormalMap.
 [[nodiscard]] scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind kind, int count);
 [[nodiscard]] scene::NormalMapId read_normal_list(ElementStream& stream, int count);
 [[nodiscard]] scene::TextureMapId read_texture_list(ElementStream& stream, int count);

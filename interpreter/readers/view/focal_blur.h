@@ -17,8 +17,8 @@ class FocalBlurReader {
   /// Reads one item if the next element is one.
   [[nodiscard]] bool read(ElementStream& stream);
 
-  /// None if the lens is a point or no samples are asked for, which in POV-Ray means that everything is sharp. `camera`
-  /// has its location and direction before its transforms: these do not change the distance that is sharp.
+  /// Nullopt if the aperture is 0 or the scene sets no samples: in POV-Ray everything is then sharp. `camera` has its
+  /// location and direction before its transforms, which do not change the focal distance.
   [[nodiscard]] std::optional<scene::FocalBlur> result(ElementStream& stream, const scene::Camera& camera) const;
 
  private:

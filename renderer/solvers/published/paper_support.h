@@ -1,6 +1,7 @@
-// Where a component's field exceeds a level on a ray, and how close the ray comes to the skeleton, for the published
-// solver. A skeleton that has quadratic pieces along a ray tells it by them; others tell it themselves, by a class
-// OnRay, or are sampled. But for a circle the sets v ≤ c are convex, so that there is one interval.
+// The interval of a ray in which a component's field exceeds a given value, and the ray's smallest distance from the
+// skeleton, for the published solver. Skeletons that are quadratic in pieces along a ray give both from the pieces; the
+// others have a class OnRay of their own, or are sampled. The sets v ≤ c of all skeletons but the circle are convex, so
+// that there is one interval.
 #pragma once
 
 #include "renderer/solvers/published/paper_line.h"

@@ -1,4 +1,4 @@
-// What cannot be a pattern of points.
+// These patterns are not functions of a point alone.
 #declare A = function { pattern { slope y } }
 #declare B = function { pattern { average } }
 #declare C = function { pattern { rgb 1 } }

@@ -1,4 +1,4 @@
-// What is left of a declaration after its mistake is no second one; what follows it is.
+// The rest of a declaration after its mistake gives no second error; a mistake in the next statement does.
 #declare A = dictionary { 1 };
 #declare B = Nowhere { 1 } [ 2 ];
 #declare D = 1 + "a"

@@ -1,4 +1,4 @@
-// What is baked into a component keeps its turn for its coordinates; what is not turned has none.
+// A component with a similarity baked in keeps its rotation for its coordinates; one that is not rotated has none.
 global_settings { assumed_gamma 1 }
 #declare Checks = pigment { uv_mapping checker rgb 0, rgb 1 scale 0.1 };
 #declare Lines = texture { uv_mapping pigment { gradient x } };

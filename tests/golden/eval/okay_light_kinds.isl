@@ -8,7 +8,7 @@ light_source { 0, rgb 1 area_light x, 2*y, 3, 4 circular orient area_illuminatio
 light_source { 0, rgb 1 area_light x, y, 3, 3 orient area_illumination }
 light_source { 0, rgb 1 orient jitter }
 light_source { 0, rgb 1 fade_distance 10 fade_power 2 media_interaction off media_attenuation on }
-// What a light looks like stands where the light is, wherever it moves.
+// The looks_like object stands at the light's location and moves with the light.
 light_source { 9*x, rgb 1 looks_like { sphere { 0, 1 pigment { rgb x } } } translate y }
 light_source { 9*x, rgb 1 translate y looks_like { sphere { 0, 2 } } translate y }
 light_source { 0, rgb 1 projected_through { box { -1, 1 translate z } } translate 5*y }

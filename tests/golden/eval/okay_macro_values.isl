@@ -1,4 +1,4 @@
-// What a macro's body leaves is its value: numbers, several arguments, half a vector.
+// The elements that a macro's body yields are its value: numbers, several arguments, part of a vector.
 #version 3.7;
 #macro Triple() 1, 2, 3 #end
 #macro Sum(A, B) (A + B) #end

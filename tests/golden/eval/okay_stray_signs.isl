@@ -1,2 +1,2 @@
-// What POV-Ray passes over: a `#` before a word, a colour among modifiers.
+// POV-Ray ignores a `#` before a word and a colour among modifiers.
 #union { sphere { 0, 1 rgb <1, 0, 0> } #sphere { x, 1 color red 0.5 translate y } }

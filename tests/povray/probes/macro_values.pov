@@ -1,4 +1,4 @@
-// What macros leave behind: numbers, parts of expressions, arguments, objects.
+// The values of macros: numbers, parts of expressions, arguments, objects.
 #version 3.7;
 #macro Say(Name, X) #debug concat(Name, " ", str(X, 0, 6), "\n") #end
 #macro Five() 5 #end

@@ -1,4 +1,4 @@
-// What a macro changes in its caller.
+// Macros change variables of their caller through their parameters.
 #version 3.7;
 #macro Say(Name, X) #debug concat(Name, " ", str(X, 0, 6), "\n") #end
 #macro Add(P, N) #declare P = P + N; #end

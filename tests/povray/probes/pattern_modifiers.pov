@@ -1,4 +1,4 @@
-// What moves a pattern's point and shapes its value: transforms, turbulence, warps, waves, frequency and phase.
+// Modifiers that move a pattern's point or shape its value: transforms, turbulence, warps, waves, frequency, phase.
 #version 3.7;
 #macro Say(Name, F)
   #debug concat(Name, "\n")

@@ -1,4 +1,4 @@
-// Where a semicolon may stand, and directives within expressions.
+// The places where a semicolon can stand, and directives within expressions.
 #version 3.7;
 #macro Say(Name, V) #debug concat(Name, " ", str(V, 0, 6), "\n") #end
 #declare A = 1;;

@@ -1,4 +1,4 @@
-// What `version` reads where no file states one, and what `#version` makes of its number.
+// The value of `version` where no file states one, and the values that `#version` sets.
 #macro Say(Name) #debug concat(Name, " ", str(version, 0, 6), "\n") #end
 Say("not stated")
 #macro Old() #version 3.1; #end

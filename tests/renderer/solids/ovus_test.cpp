@@ -166,7 +166,7 @@ TEST(Ovus, without_a_top_radius_is_the_sphere_at_its_bottom) {
 }
 
 TEST(Ovus, has_the_coordinates_of_a_sphere_half_way_up_to_its_top_radius) {
-  // What POV-Ray's pigments show there.
+  // The values were read off POV-Ray's pigments at this point.
   const Coordinates found = solid_coordinates(ovus(1, 0.6), {-0.475, 0.925, -0.623162}, {9, 9, 9});
   EXPECT_NEAR(found.u, 0.6464, 1e-4);
   EXPECT_NEAR(found.v, 0.7143, 1e-4);
