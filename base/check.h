@@ -20,10 +20,10 @@ namespace isl {
 }  // namespace isl
 
 /// ISL_CHECK(condition) or ISL_CHECK(condition, "format {}", values…): checked in every build.
-#define ISL_CHECK(condition, ...)                                                              \
-  do {                                                                                         \
-    if (!(condition)) [[unlikely]]                                                             \
-      ::isl::check_failed(__FILE__, __LINE__, #condition, ::fmt::format("" __VA_ARGS__));      \
+#define ISL_CHECK(condition, ...)                                                         \
+  do {                                                                                    \
+    if (!(condition)) [[unlikely]]                                                        \
+      ::isl::check_failed(__FILE__, __LINE__, #condition, ::fmt::format("" __VA_ARGS__)); \
   } while (false)
 
 /// The same check, compiled only without NDEBUG; for inner loops.

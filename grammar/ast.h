@@ -19,12 +19,46 @@ namespace isl::grammar {
 
 enum class NodeKind : std::uint8_t {
   // Expressions.
-  number, string, constant, name, index, call, function_call, dot, vector, unary, binary, conditional,
+  number,
+  string,
+  constant,
+  name,
+  index,
+  call,
+  function_call,
+  dot,
+  vector,
+  unary,
+  binary,
+  conditional,
   // Other elements.
-  word, block, entry, array, function, comma, semicolon,
+  word,
+  block,
+  entry,
+  array,
+  function,
+  comma,
+  semicolon,
   // Directives.
-  declare, declare_deprecated, undef, if_, ifdef, if_block, while_, for_, switch_, break_, macro, include, version, default_, message,
-  fopen, fclose, read, write,
+  declare,
+  declare_deprecated,
+  undef,
+  if_,
+  ifdef,
+  if_block,
+  while_,
+  for_,
+  switch_,
+  break_,
+  macro,
+  include,
+  version,
+  default_,
+  message,
+  fopen,
+  fclose,
+  read,
+  write,
   // A mistake in the text.
   error,
 };
@@ -38,67 +72,129 @@ using Items = std::span<const Node* const>;
 
 // ---- Expressions ----------------------------------------------------------------------------------------------------
 
-struct Number : Node { double value; };
+struct Number : Node {
+  double value;
+};
 
 /// `text` has its escapes resolved; `raw` is the text between the quotes (file names do not interpret escapes).
-struct String : Node { std::string_view text; std::string_view raw; };
+struct String : Node {
+  std::string_view text;
+  std::string_view raw;
+};
 
 /// A reserved word with a value: `x y z u v t pi clock on off yes no true false version tau …`.
-struct Constant : Node { Symbol word; };
+struct Constant : Node {
+  Symbol word;
+};
 
 /// An identifier: variable, macro (only as a callee), or one of our contextual words.
-struct Name : Node { Symbol name; };
+struct Name : Node {
+  Symbol name;
+};
 
 /// `base[index]`; base is a Name or an Index.
-struct Index : Node { const Node* base; const Node* subscript; };
+struct Index : Node {
+  const Node* base;
+  const Node* subscript;
+};
 
 /// One actual argument: the items between commas; a lone Name or Index goes by reference. `(Q)` arrives as a Unary plus
 /// of Q, so that it goes by value.
 using Argument = Items;
 
 /// `callee(a, b)`: a macro, a user function or a spline. The callee is a Name or an Index.
-struct Call : Node { const Node* callee; std::span<const Argument> arguments; };
+struct Call : Node {
+  const Node* callee;
+  std::span<const Argument> arguments;
+};
 
 /// `sin(a)`: a built-in function, reserved.
-struct FunctionCall : Node { Symbol function; std::span<const Argument> arguments; };
+struct FunctionCall : Node {
+  Symbol function;
+  std::span<const Argument> arguments;
+};
 
 /// `base.item`: x y z u v t red green blue filter transmit gray (and an element name of a later dictionary).
-struct Dot : Node { const Node* base; Symbol item; };
+struct Dot : Node {
+  const Node* base;
+  Symbol item;
+};
 
 /// `<a, b, …>`, one to five coordinates.
-struct Vector : Node { std::span<const Node* const> coordinates; };
+struct Vector : Node {
+  std::span<const Node* const> coordinates;
+};
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not };
 /// `negative` is the value of a minus directly before a number literal (-1); null otherwise.
-struct Unary : Node { UnaryOp op; const Node* operand; const double* negative; };
+struct Unary : Node {
+  UnaryOp op;
+  const Node* operand;
+  const double* negative;
+};
 
 enum class BinaryOp : std::uint8_t {
-  add, subtract, multiply, divide, less, greater, equal, less_equal, greater_equal, not_equal, logical_and, logical_or,
+  add,
+  subtract,
+  multiply,
+  divide,
+  less,
+  greater,
+  equal,
+  less_equal,
+  greater_equal,
+  not_equal,
+  logical_and,
+  logical_or,
 };
-struct Binary : Node { BinaryOp op; const Node* left; const Node* right; SourceSpan op_span; };
+struct Binary : Node {
+  BinaryOp op;
+  const Node* left;
+  const Node* right;
+  SourceSpan op_span;
+};
 
 /// `condition ? yes : no`; both arms are evaluated, as in POV-Ray.
-struct Conditional : Node { const Node* condition; const Node* yes; const Node* no; };
+struct Conditional : Node {
+  const Node* condition;
+  const Node* yes;
+  const Node* no;
+};
 
 // ---- Other elements -------------------------------------------------------------------------------------------------
 
 /// A reserved word that stands alone: `no_shadow`, `rgb`, `translate`, `sphere` without its brace …
-struct Word : Node { Symbol word; };
+struct Word : Node {
+  Symbol word;
+};
 
 /// `word { items }`; with word == kNoSymbol a bare `{ items }`. The word may be an identifier (contextual words).
-struct Block : Node { Symbol word; SourceSpan word_span; Items items; };
+struct Block : Node {
+  Symbol word;
+  SourceSpan word_span;
+  Items items;
+};
 
 /// `[ items ]`, an entry of a map.
-struct Entry : Node { Items items; };
+struct Entry : Node {
+  Items items;
+};
 
 /// `after` is the item before it in its list; null if it is the first.
-struct Semicolon : Node { const Node* after; };
+struct Semicolon : Node {
+  const Node* after;
+};
 
 /// `array[2][3] { items }`.
-struct Array : Node { std::span<const Node* const> dimensions; bool initialised; Items items; };
+struct Array : Node {
+  std::span<const Node* const> dimensions;
+  bool initialised;
+  Items items;
+};
 
 /// `function(a, b) { body }`. The body is one expression (precedence of its own, resolved by the parser) or one Block
-/// (`pattern {}`, `pigment {}`, `transform {}`, `spline {}`, `internal(n)`); `function w, h { pattern }` keeps w and h in `size`.
+/// (`pattern {}`, `pigment {}`, `transform {}`, `spline {}`, `internal(n)`); `function w, h { pattern }` keeps w and h
+/// in `size`.
 struct Function : Node {
   bool has_parameters;
   std::span<const Symbol> parameters;
@@ -109,22 +205,41 @@ struct Function : Node {
 // ---- Directives -----------------------------------------------------------------------------------------------------
 
 /// `once "remark"`; without a remark it is empty.
-struct Deprecation { bool once; std::string_view remark; };
+struct Deprecation {
+  bool once;
+  std::string_view remark;
+};
 
 /// `#declare target = value` / `#local`. `value` is one expression, block, array, function or directive; a run of
 /// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions.
 /// A semicolon after it is an item of its own in the enclosing list.
 /// `#declare deprecated once "remark" target = value` is a node of its own kind and of this type.
-struct Declare : Node { bool local; Deprecation deprecation; const Node* target; Items value; };
+struct Declare : Node {
+  bool local;
+  Deprecation deprecation;
+  const Node* target;
+  Items value;
+};
 
 /// `#undef target`.
-struct Undef : Node { const Node* target; };
+struct Undef : Node {
+  const Node* target;
+};
 
 /// `#if (condition) then #else otherwise #end`; `#elseif` is a nested If in `otherwise`.
-struct If : Node { const Node* condition; Items then; Items otherwise; };
+struct If : Node {
+  const Node* condition;
+  Items then;
+  Items otherwise;
+};
 
 /// `#ifdef (target)`, with `negated` for `#ifndef`.
-struct Ifdef : Node { bool negated; const Node* target; Items then; Items otherwise; };
+struct Ifdef : Node {
+  bool negated;
+  const Node* target;
+  Items then;
+  Items otherwise;
+};
 
 /// `#if (c) prelude… merge { #else prelude… union { #end items }`: the one unbalanced idiom that libraries use.
 /// Executes one prelude, then yields a block named by the word of the branch taken, over `items`.
@@ -137,39 +252,87 @@ struct IfBlock : Node {
   Items items;
 };
 
-struct While : Node { const Node* condition; Items body; };
+struct While : Node {
+  const Node* condition;
+  Items body;
+};
 
 /// `#for (variable, start, end, step)`; step may be null (1).
-struct For : Node { Symbol variable; const Node* start; const Node* end; const Node* step; Items body; };
+struct For : Node {
+  Symbol variable;
+  const Node* start;
+  const Node* end;
+  const Node* step;
+  Items body;
+};
 
 /// A `#case (low)` (high is null) or a `#range (low, high)`. Cases fall through, as in C.
-struct SwitchCase { SourceSpan span; const Node* low; const Node* high; Items body; };
-struct Switch : Node { const Node* subject; std::span<const SwitchCase> cases; bool has_default; Items otherwise; };
+struct SwitchCase {
+  SourceSpan span;
+  const Node* low;
+  const Node* high;
+  Items body;
+};
+struct Switch : Node {
+  const Node* subject;
+  std::span<const SwitchCase> cases;
+  bool has_default;
+  Items otherwise;
+};
 
 struct Break : Node {};
 
-struct Macro : Node { Symbol name; SourceSpan name_span; std::span<const Symbol> parameters; Items body; };
+struct Macro : Node {
+  Symbol name;
+  SourceSpan name_span;
+  std::span<const Symbol> parameters;
+  Items body;
+};
 
-struct Include : Node { const Node* path; };
+struct Include : Node {
+  const Node* path;
+};
 
-struct Version : Node { const Node* value; };
+struct Version : Node {
+  const Node* value;
+};
 
 /// `#default { texture {} … }`.
-struct Default : Node { Items items; };
+struct Default : Node {
+  Items items;
+};
 
 enum class MessageKind : std::uint8_t { debug, warning, error };
-struct Message : Node { MessageKind level; const Node* text; };
+struct Message : Node {
+  MessageKind level;
+  const Node* text;
+};
 
 /// `#fopen handle path read|write|append`.
-struct Fopen : Node { Symbol handle; const Node* path; Symbol mode; };
-struct Fclose : Node { Symbol handle; };
-struct Read : Node { Symbol handle; std::span<const Argument> targets; };
-struct Write : Node { Symbol handle; std::span<const Argument> values; };
+struct Fopen : Node {
+  Symbol handle;
+  const Node* path;
+  Symbol mode;
+};
+struct Fclose : Node {
+  Symbol handle;
+};
+struct Read : Node {
+  Symbol handle;
+  std::span<const Argument> targets;
+};
+struct Write : Node {
+  Symbol handle;
+  std::span<const Argument> values;
+};
 
 /// A mistake in the text: an error or a warning that is reported when execution reaches it. `complaint` is null if it
 /// is reported elsewhere. With `gives_up`, the node replaces text that could not be parsed, and its statement ends
 /// there; otherwise the node stands before the item that it is about.
-struct Error : Node { const Complaint* complaint; bool gives_up; };
+struct Error : Node {
+  const Complaint* complaint;
+  bool gives_up;
+};
 
 /// A checked downcast; the caller must have looked at the kind.
 template <class T>

@@ -109,7 +109,8 @@ class ParseState {
   [[nodiscard]] bool wants_syntax_error();
   void syntax_error(Parser::symbol_kind_type found, SourceSpan span,
                     std::span<const Parser::symbol_kind_type> expected);
-  /// The parser has met a mistake that the token stream reported; null if that is reported elsewhere, or needs no message.
+  /// The parser has met a mistake that the token stream reported; null if that is reported elsewhere, or needs no
+  /// message.
   void known_error(const Complaint* complaint) { found_ = complaint; }
   /// Reports a mistake that the parser itself cannot recover from.
   void failure(SourceSpan span, const std::string& message) {

@@ -16,7 +16,16 @@ enum class Symbol : std::uint32_t {};
 inline constexpr Symbol kNoSymbol{0xFFFFFFFFu};
 
 /// The grammar's treatment of a reserved word. `identifier` is every name that is not reserved.
-enum class WordClass : std::uint8_t { identifier, keyword, colour, texture, function, constant, array, function_literal };
+enum class WordClass : std::uint8_t {
+  identifier,
+  keyword,
+  colour,
+  texture,
+  function,
+  constant,
+  array,
+  function_literal
+};
 
 namespace word {
 enum Index : std::uint32_t {
@@ -51,6 +60,8 @@ class SymbolTable {
   std::unordered_map<std::string_view, Symbol> symbols_;
 };
 
-[[nodiscard]] constexpr bool is_reserved(Symbol symbol) { return static_cast<std::uint32_t>(symbol) < word::kReservedCount; }
+[[nodiscard]] constexpr bool is_reserved(Symbol symbol) {
+  return static_cast<std::uint32_t>(symbol) < word::kReservedCount;
+}
 
 }  // namespace isl::grammar

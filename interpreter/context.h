@@ -161,7 +161,7 @@ class Context {
   OriginTable::Chain make_chain(std::uint32_t call, OriginTable::Chain outer);
 
   DiagnosticSink& sink_;
-  std::set<const grammar::Complaint*> told_;  ///< complaints of the texts
+  std::set<const grammar::Complaint*> told_;                                        ///< complaints of the texts
   std::set<std::tuple<Severity, std::uint32_t, std::uint32_t, std::string>> said_;  ///< already reported
   std::size_t repeated_errors_ = 0;  ///< errors that were found again at their place, and not told again
   std::size_t depth_ = 0;

@@ -42,8 +42,8 @@ class Rendering {
         film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         sampler_(database, tracer, plan,
-                 CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
-                            options.height),
+                 CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
+                            options.width, options.height),
                  options.alpha, film_),
         progress_(options.progress) {}
 

@@ -23,9 +23,9 @@ struct RenderOptions {
   /// The greatest difference of neighbouring pixels, in any channel of display code (0 to 1), above which both get all
   /// samples.
   double aa = 0.1;
-  int quality = 9;     ///< PlanOptions::quality
+  int quality = 9;                   ///< PlanOptions::quality
   std::vector<std::string> without;  ///< PlanOptions::without
-  bool alpha = false;  ///< the background is transparent
+  bool alpha = false;                ///< the background is transparent
   std::optional<PixelRect>
       crop;  ///< the rectangle to render, clipped to the picture; its pixels are the same as in the whole picture
   Aovs aovs;

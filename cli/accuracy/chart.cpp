@@ -13,8 +13,8 @@ namespace {
 // All lengths are in SVG units. The right margin has room for the methods' names.
 constexpr double kWidth = 640, kHeight = 440, kLeft = 64, kRight = 104, kTop = 14, kBottom = 46;
 
-constexpr std::array kFamilyColours{"#d5622c", "#2563c4", "#16181d", "#2a8c55", "#9440b0",
-                                    "#b58a00", "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e", "#5b8f1d"};
+constexpr std::array kFamilyColours{"#d5622c", "#2563c4", "#16181d", "#2a8c55", "#9440b0", "#b58a00",
+                                    "#0f8c9c", "#c02860", "#6b6f78", "#7a4a1e", "#5b8f1d"};
 
 /// A logarithmic axis: maps an interval of values to an interval of places.
 struct Axis {

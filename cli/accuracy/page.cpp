@@ -34,9 +34,9 @@ std::string table_rows(const AccuracyReport& report) {
     rows += fmt::format(
         "<tr data-rung=\"{}\"><td>{}{}{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td><td>{}</td>{}</tr>\n",
-        i, html_text(report.rungs[i].setting.name()), report.rungs[i].setting.is_default() ? " (default)" : "", front[i] ? " ◯" : "",
-        m.relative_time, m.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
-        length_text(s.worst_pixels), s.beyond_pixel, s.missed, s.false_surfaces, s.holes,
+        i, html_text(report.rungs[i].setting.name()), report.rungs[i].setting.is_default() ? " (default)" : "",
+        front[i] ? " ◯" : "", m.relative_time, m.evaluations_per_ray, length_text(s.median_pixels),
+        length_text(s.p99_pixels), length_text(s.worst_pixels), s.beyond_pixel, s.missed, s.false_surfaces, s.holes,
         m.shadows ? fmt::format("<td>{}</td><td>{}</td>", m.shadows->leaks, m.shadows->false_shadows) : "");
   }
   return rows;

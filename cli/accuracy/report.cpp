@@ -93,7 +93,8 @@ std::string advice(const AccuracyReport& report) {
   const std::size_t best = representative(report, quickest(report, good));
   const double worst = worst_of(report, best);
   return fmt::format("For this view, {}{} is the cheapest setting whose worst error is under a tenth of a pixel ({}).",
-                     report.rungs[best].setting.options(), report.rungs[best].setting.is_default() ? " (the default)" : "",
+                     report.rungs[best].setting.options(),
+                     report.rungs[best].setting.is_default() ? " (the default)" : "",
                      worst == 0 ? "none was found" : fmt::format("it is at most {} px", length_text(worst)));
 }
 
@@ -118,11 +119,12 @@ std::string table_text(const AccuracyReport& report) {
   for (std::size_t i = 0; i < report.rungs.size(); ++i) {
     const render::Measured& measured = report.comparison.settings[i];
     const render::ErrorSummary& s = measured.summary;
-    text += fmt::format(
-        "{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n", report.rungs[i].setting.name(),
-        measured.relative_time, measured.evaluations_per_ray, length_text(s.median_pixels), length_text(s.p99_pixels),
-        length_text(s.worst_pixels), count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
-        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "", report.rungs[i].setting.is_default() ? " default" : "");
+    text += fmt::format("{:<18} {:>6.2f} {:>10.2f} {:>9} {:>9} {:>9} {:>7} {:>7} {:>7} {:>6}{}{}{}\n",
+                        report.rungs[i].setting.name(), measured.relative_time, measured.evaluations_per_ray,
+                        length_text(s.median_pixels), length_text(s.p99_pixels), length_text(s.worst_pixels),
+                        count_text(s.beyond_pixel), count_text(s.missed), count_text(s.false_surfaces),
+                        count_text(s.holes), shadow_text(measured), front[i] ? " *" : "",
+                        report.rungs[i].setting.is_default() ? " default" : "");
   }
   text += fmt::format(
       "{}x{} camera rays; time relative to the default, median of rounds; * no setting is both quicker and more "
@@ -147,11 +149,12 @@ std::string table_csv(const AccuracyReport& report) {
     const render::Measured& m = report.comparison.settings[i];
     const render::ErrorSummary& s = m.summary;
     const render::ShadowSummary shadows = m.shadows.value_or(render::ShadowSummary{});
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].setting.name(),
-                        report.rungs[i].setting.options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
-                        m.evaluations_per_ray, m.solver_steps_per_ray, m.uncertified_steps, s.median_pixels,
-                        s.p99_pixels, s.worst_pixels, s.worst_units, s.beyond_pixel, s.missed, s.false_surfaces,
-                        s.holes, shadows.rays, shadows.leaks, shadows.false_shadows, front[i] ? 1 : 0);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.rungs[i].setting.name(),
+                    report.rungs[i].setting.options(), m.relative_time, m.time_spread, m.processor_seconds, m.rounds,
+                    m.evaluations_per_ray, m.solver_steps_per_ray, m.uncertified_steps, s.median_pixels, s.p99_pixels,
+                    s.worst_pixels, s.worst_units, s.beyond_pixel, s.missed, s.false_surfaces, s.holes, shadows.rays,
+                    shadows.leaks, shadows.false_shadows, front[i] ? 1 : 0);
   }
   return text;
 }

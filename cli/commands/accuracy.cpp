@@ -1,8 +1,8 @@
 // `isl accuracy`: traces the scene's camera rays with one setting after the other, and reports cost and errors of each.
-#include "cli/commands/commands.h"
 #include "cli/accuracy/page.h"
 #include "cli/accuracy/pictures.h"
 #include "cli/accuracy/report.h"
+#include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/interrupt.h"
 #include "cli/output/output_files.h"

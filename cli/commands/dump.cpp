@@ -1,9 +1,9 @@
 // `isl dump`: one stage of the data flow as text. The text is stable, so that golden tests can rely on it.
+#include "grammar/dump.h"
 #include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
-#include "grammar/dump.h"
 #include "renderer/scene/dump_json.h"
 #include "renderer/trace/tracer.h"
 

@@ -1,10 +1,10 @@
 // `isl plan`: the effects that a scene calls for, the statements that call for each, and the effects that are left out,
 // with the reason. Reads and evaluates the scene; traces nothing.
+#include "renderer/effects/plan.h"
 #include "cli/commands/commands.h"
 #include "cli/output/printable_text.h"
 #include "cli/session/report.h"
 #include "cli/session/session.h"
-#include "renderer/effects/plan.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -77,7 +77,8 @@ void print_text(const Session& session, const Plan& plan) {
   print_rows("called for, and not rendered yet", rows(plan.refused));
   // Effects that are neither called for nor available are not listed.
   std::vector<PlannedEffect> left_out = plan.left_out;
-  std::erase_if(left_out, [](const PlannedEffect& planned) { return !planned.effect->is_rendered && planned.requests.empty(); });
+  std::erase_if(left_out,
+                [](const PlannedEffect& planned) { return !planned.effect->is_rendered && planned.requests.empty(); });
   print_rows("left out", rows(left_out));
 }
 
@@ -107,7 +108,8 @@ nlohmann::ordered_json as_json(const Session& session, const std::vector<Planned
 ExitCode run(const PlanCommand& command) {
   Session session(command.scene);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
-  const Plan plan = render::plan_of(session.scene().database, {.quality = command.quality, .without = command.scene.without});
+  const Plan plan =
+      render::plan_of(session.scene().database, {.quality = command.quality, .without = command.scene.without});
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)},
                     {"called_for", as_json(session, plan.called_for)},

@@ -152,9 +152,9 @@ Parsed<std::vector<std::string_view>> parse_names(std::string_view text, std::st
     const auto found = std::ranges::find(known, name);
     if (found == known.end()) {
       const auto similar = grammar::closest(name, known);
-      return Parsed<std::vector<std::string_view>>::error(
-          fmt::format("unknown {} `{}`; {}", kind, name,
-                      similar ? fmt::format("did you mean `{}`?", *similar) : fmt::format("there are {}", fmt::join(known, ", "))));
+      return Parsed<std::vector<std::string_view>>::error(fmt::format(
+          "unknown {} `{}`; {}", kind, name,
+          similar ? fmt::format("did you mean `{}`?", *similar) : fmt::format("there are {}", fmt::join(known, ", "))));
     }
     names.push_back(*found);
     begin = end + 1;

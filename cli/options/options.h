@@ -59,9 +59,9 @@ struct PictureOptions {
   bool alpha = false;
   std::optional<SolverChoice> solver;
   std::optional<render::Tolerance> tolerance;
-  bool unblended = false;           ///< blobs without blending: components as solids
-  std::string simd;                 ///< "": the best that the machine has
-  render::Aovs layers;              ///< of --aov, each once, in the order of all_aovs()
+  bool unblended = false;  ///< blobs without blending: components as solids
+  std::string simd;        ///< "": the best that the machine has
+  render::Aovs layers;     ///< of --aov, each once, in the order of all_aovs()
   std::optional<std::array<int, 4>> crop;
   std::filesystem::path statistics;  ///< "": none
   bool quiet = false;
@@ -90,12 +90,12 @@ struct DumpCommand {
 
 struct AccuracyCommand {
   SceneOptions scene;
-  std::filesystem::path output;  ///< its files' name without extension; "": `<scene name>.accuracy`
-  int threads = 0;               ///< 0: all cores
+  std::filesystem::path output;         ///< its files' name without extension; "": `<scene name>.accuracy`
+  int threads = 0;                      ///< 0: all cores
   std::vector<SolverSetting> settings;  ///< to compare; empty: the ladder of accuracy/ladder.h
-  int repeats = 5;               ///< rounds of timing
-  bool unblended = false;        ///< blobs without blending: components as solids
-  bool shadows = false;          ///< also the shadow rays of visible points
+  int repeats = 5;                      ///< rounds of timing
+  bool unblended = false;               ///< blobs without blending: components as solids
+  bool shadows = false;                 ///< also the shadow rays of visible points
 };
 
 /// Nothing is left to do but to print: help, the version, or the errors of the arguments.

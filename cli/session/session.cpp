@@ -113,7 +113,8 @@ void Session::warn_of_faint_components() {
   const std::optional<render::FaintComponents> faint = render::faint_components(scene_->database);
   if (!faint) return;
   const interpreter::Origin origin = scene_->origins.resolve(faint->first);
-  const char* const what = faint->skeleton == scene::Skeleton::circle ? "`torus` is too small" : "`cylinder` is too short";
+  const char* const what =
+      faint->skeleton == scene::Skeleton::circle ? "`torus` is too small" : "`cylinder` is too short";
   Diagnostic warning{Severity::warning,
                      origin.span,
                      fmt::format("this {} to have a surface by itself: convolved, it reaches {:.3g} of the threshold",

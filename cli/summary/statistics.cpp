@@ -37,7 +37,8 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
   for (const render::Effect& effect : render::all_effects()) {
     if (!effect.rays.empty()) document["rays"][effect.rays] = render::spawned_rays(render.plan, render.paths, effect);
   }
-  document["paths"] = {{"ended_by_level", render.paths.ended.by_level}, {"ended_by_weight", render.paths.ended.by_weight}};
+  document["paths"] = {{"ended_by_level", render.paths.ended.by_level},
+                       {"ended_by_weight", render.paths.ended.by_weight}};
   document["solver"] = {{"name", to_text(settings.solver)},
                         {"tolerance", settings.tolerance_text},
                         {"field_evaluations", render.counters.field_evaluations},

@@ -155,9 +155,9 @@ class Contest {
   std::vector<Tracer> tracers_;
   std::size_t base_;
   double pixel_angle_;
-  std::vector<Ray> rays_;                ///< row by row
-  std::vector<std::uint32_t> order_;     ///< order of the rays in batches
-  std::vector<Ray> batch_rays_;          ///< rays_ in that order
+  std::vector<Ray> rays_;             ///< row by row
+  std::vector<std::uint32_t> order_;  ///< order of the rays in batches
+  std::vector<Ray> batch_rays_;       ///< rays_ in that order
   std::vector<RayMeasure> truth_;
   std::vector<Ray> shadow_rays_;
   std::vector<std::uint8_t> shadow_truth_;

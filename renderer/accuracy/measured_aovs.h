@@ -1,5 +1,5 @@
-// Output variables that are measured by tracing the pixels' centre rays again, each by itself, without the shading and shadows
-// behind it (accuracy/measured_layers.h). A new one is a row of the table in measured_aovs.cpp.
+// Output variables that are measured by tracing the pixels' centre rays again, each by itself, without the shading and
+// shadows behind it (accuracy/measured_layers.h). A new one is a row of the table in measured_aovs.cpp.
 #pragma once
 
 #include "renderer/accuracy/ray_errors.h"

@@ -14,9 +14,9 @@
 namespace isl::render {
 
 struct RayMeasure {
-  double t = 0;  ///< along the ray, scene units; infinite for a miss
+  double t = 0;              ///< along the ray, scene units; infinite for a miss
   TraceCounters counters{};  ///< of this ray
-  float seconds = 0;               ///< by the wall clock, including some 30 ns of the clock itself
+  float seconds = 0;         ///< by the wall clock, including some 30 ns of the clock itself
 
   [[nodiscard]] bool is_miss() const { return t == std::numeric_limits<double>::infinity(); }
 };

@@ -34,7 +34,8 @@ class Flattener {
 
   void add(const scene::Object& object, const Inherited& above) {
     Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
-                  static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)), above.is_inverse != object.inverse};
+                  static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
+                  above.is_inverse != object.inverse};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
     const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
     if (object.texture != scene::kNoTexture) {

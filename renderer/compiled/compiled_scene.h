@@ -33,8 +33,8 @@ struct CompiledBlob {
 struct Instance {
   scene::Object::Kind kind;  ///< for `group`, `shape` is the index of a CSG tree
   std::uint8_t hidden_from;  ///< the kinds of rays that do not meet it, as bits of RayKind
-  bool is_placed;   ///< false: object space is world space
-  bool is_inverse;  ///< normals point inwards; false for a CSG tree, whose leaves know it
+  bool is_placed;            ///< false: object space is world space
+  bool is_inverse;           ///< normals point inwards; false for a CSG tree, whose leaves know it
   std::uint32_t shape;
   scene::TextureId texture;
   TextureSpace texture_space;

@@ -31,9 +31,12 @@ Json to_json(const Grid& grid) {
   for (const auto& level : counts) {
     levels.push_back({{"empty", level[0]}, {"inside", level[1]}, {"candidate", level[2]}, {"divided", level[3]}});
   }
-  return {{"low", to_json(grid.box.min)},   {"cell_size", grid.cell_size},
-          {"dimensions", {n[0], n[1], n[2]}}, {"levels", levels},
-          {"list_entries", grid.list_entries()}, {"longest_list", grid.longest_list},
+  return {{"low", to_json(grid.box.min)},
+          {"cell_size", grid.cell_size},
+          {"dimensions", {n[0], n[1], n[2]}},
+          {"levels", levels},
+          {"list_entries", grid.list_entries()},
+          {"longest_list", grid.longest_list},
           {"bytes", grid.bytes()}};
 }
 
@@ -44,8 +47,10 @@ std::string grid_json(const CompiledScene& scene) {
   for (const CompiledBlob& blob : scene.blobs) {
     blobs.push_back({{"components", blob.components.size()}, {"grid", to_json(blob.grid)}});
   }
-  const Json json = {{"instances", scene.instances.size()}, {"unbounded", scene.unbounded.size()},
-                     {"grid", to_json(scene.grid)}, {"blobs", blobs}};
+  const Json json = {{"instances", scene.instances.size()},
+                     {"unbounded", scene.unbounded.size()},
+                     {"grid", to_json(scene.grid)},
+                     {"blobs", blobs}};
   return json.dump(2) + "\n";
 }
 

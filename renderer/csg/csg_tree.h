@@ -39,7 +39,7 @@ struct CsgLeaf {
   bool is_seen = true;                                    ///< false for a leaf that clips: its surface is not drawn
   bool is_inverse = false;                                ///< holds outside rather than inside; its normals are flipped
   bool is_open_surface = false;  ///< has no inside: holds nowhere, inverse or not, as in POV-Ray
-  bool is_placed = false;   ///< false: its space is the group's
+  bool is_placed = false;        ///< false: its space is the group's
   std::uint32_t shape = 0;
   std::uint32_t parent = 0;  ///< index of its node
   /// Its own texture, or that of the nearest group in the tree that has one; else kNoTexture.
@@ -48,8 +48,8 @@ struct CsgLeaf {
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
-  Imath::Box3d box;    ///< in the group's space; the leaf is outside beyond it. Sides may be infinite
-  double size = 0;     ///< the largest coordinate in its own space that its surface is computed from
+  Imath::Box3d box;  ///< in the group's space; the leaf is outside beyond it. Sides may be infinite
+  double size = 0;   ///< the largest coordinate in its own space that its surface is computed from
 };
 
 struct CsgTree {

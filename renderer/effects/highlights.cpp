@@ -38,8 +38,10 @@ Effect highlights() {
                 if (!has_light) return;
                 reason = "no finish has phong or specular";
                 for (const Use<scene::Finish>& finish : use.finishes()) {
-                  if (finish.record->phong > 0) requests.add("`phong`", finish.record->said_at[scene::FinishItem::phong], finish.user);
-                  if (finish.record->specular > 0) requests.add("`specular`", finish.record->said_at[scene::FinishItem::specular], finish.user);
+                  if (finish.record->phong > 0)
+                    requests.add("`phong`", finish.record->said_at[scene::FinishItem::phong], finish.user);
+                  if (finish.record->specular > 0)
+                    requests.add("`specular`", finish.record->said_at[scene::FinishItem::specular], finish.user);
                 }
               },
           .stages = {.shine = make_stage<HighlightStage, LightWork>}};

@@ -1,6 +1,6 @@
 // Metallic finishes: highlights take the pigment's colour, less so at grazing angles (shading/metallic.h).
-#include "renderer/effects/effect.h"
 #include "renderer/shading/metallic.h"
+#include "renderer/effects/effect.h"
 
 #include <algorithm>
 
@@ -35,7 +35,8 @@ Effect metallic() {
                 reason = "no finish with a highlight is metallic";
                 for (const Use<scene::Finish>& finish : use.finishes()) {
                   const bool has_highlight = finish.record->phong > 0 || finish.record->specular > 0;
-                  if (has_highlight && finish.record->metallic != 0) requests.add("`metallic`", finish.record->said_at[scene::FinishItem::metallic], finish.user);
+                  if (has_highlight && finish.record->metallic != 0)
+                    requests.add("`metallic`", finish.record->said_at[scene::FinishItem::metallic], finish.user);
                 }
               },
           .stages = {.shine = make_stage<MetallicStage, LightWork>}};

@@ -191,7 +191,8 @@ Effect texture_effect(const TextureRow& row) {
           .find =
               [&row](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
                 for (const Use<Texture>& texture : use.textures()) {
-                  if (const Found word = row.find(use.database(), *texture.record)) requests.add(row.what, *word, texture.user);
+                  if (const Found word = row.find(use.database(), *texture.record))
+                    requests.add(row.what, *word, texture.user);
                 }
               },
           .leave_out =
@@ -211,7 +212,8 @@ Effect finish_effect(const FinishRow& row) {
           .find =
               [&row](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
                 for (const Use<Finish>& finish : use.finishes()) {
-                  if (row.is_used(*finish.record)) requests.add(row.what, finish.record->said_at[row.item], finish.user);
+                  if (row.is_used(*finish.record))
+                    requests.add(row.what, finish.record->said_at[row.item], finish.user);
                 }
               },
           .leave_out =

@@ -166,8 +166,9 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
     }));
   }
   for (const Row<Group>& row : kGroupRows) {
-    effects.push_back(record_effect(
-        row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) { leave_out(group_row, database.groups); }));
+    effects.push_back(record_effect(row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) {
+      leave_out(group_row, database.groups);
+    }));
   }
   effects.push_back(
       fog_effect("ground_fog", "fog that thins out with height", "`fog_type 2`", FogItem::type, is_ground));

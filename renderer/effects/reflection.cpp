@@ -52,7 +52,8 @@ class ReflectionStage final : public Stage<SpawnWork> {
   void run(SpawnWork& work) const override {
     for (std::size_t i = 0; i < work.block.points.size(); ++i) {
       const ShadingPoint& point = work.block.points[i];
-      if (std::ranges::none_of(point.textures, [](const LitTexture& lit) { return lit.material->mirror.reflects; })) continue;
+      if (std::ranges::none_of(point.textures, [](const LitTexture& lit) { return lit.material->mirror.reflects; }))
+        continue;
       const std::uint32_t at = work.block.paths[i];
       const PathEntry& path = work.batch.entries[at];
       if (path.level >= most_levels_) {

@@ -41,7 +41,8 @@ class SkyStage final : public Stage<MissWork> {
       }
       const Rgb through = is_old_ ? above.old_through() : above.through;
       work.colours[path.sample] += path.factor * (colour + through * work.background);
-      if (!work.alphas.empty()) work.alphas[path.sample] = 1 - gray(path.factor * through) * (1 - work.background_alpha);
+      if (!work.alphas.empty())
+        work.alphas[path.sample] = 1 - gray(path.factor * through) * (1 - work.background_alpha);
     }
   }
 

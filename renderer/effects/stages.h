@@ -33,7 +33,7 @@ struct MissWork {
   std::span<const std::uint32_t> misses;  ///< numbers in the batch
   Rgb background;                         ///< the colour that is seen where the stage lets light through
   double background_alpha;
-  std::span<Rgb> colours;   ///< by sample
+  std::span<Rgb> colours;    ///< by sample
   std::span<double> alphas;  ///< by sample; empty except for camera rays
 };
 

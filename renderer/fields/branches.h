@@ -37,10 +37,11 @@ class BranchTree {
 
  private:
   using Sets = std::vector<std::vector<std::uint32_t>>;
-  [[nodiscard]] Sets selections_of(std::uint32_t branch, std::span<const double> low, std::span<const double> high) const;
+  [[nodiscard]] Sets selections_of(std::uint32_t branch, std::span<const double> low,
+                                   std::span<const double> high) const;
 
   std::vector<scene::Branch> branches_;
-  std::vector<std::vector<std::uint32_t>> maxima_of_;     ///< by branch: the maxima that are terms of its sum
+  std::vector<std::vector<std::uint32_t>> maxima_of_;    ///< by branch: the maxima that are terms of its sum
   std::vector<std::vector<std::uint32_t>> branches_of_;  ///< by maximum: its branches
 };
 

@@ -73,16 +73,14 @@ struct ComponentTable {
   /// Calls `use` with the component's skeleton, which must be Endless, and returns its result.
   template <class Use>
   auto with_endless(const FieldGroup& group, std::uint32_t component, const Use& use) const {
-    return with_endless_type(group.skeleton, [&](auto type) {
-      return use(shape<typename decltype(type)::type>(group, component));
-    });
+    return with_endless_type(group.skeleton,
+                             [&](auto type) { return use(shape<typename decltype(type)::type>(group, component)); });
   }
   /// Calls `use` with the component's skeleton, in the component's own space, and returns its result.
   template <class Use>
   auto with_skeleton(const FieldGroup& group, std::uint32_t component, const Use& use) const {
-    return with_skeleton_type(group.skeleton, [&](auto type) {
-      return use(shape<typename decltype(type)::type>(group, component));
-    });
+    return with_skeleton_type(group.skeleton,
+                              [&](auto type) { return use(shape<typename decltype(type)::type>(group, component)); });
   }
 };
 

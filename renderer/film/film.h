@@ -12,8 +12,8 @@ namespace isl::render {
 
 class Film {
  public:
-  /// Covers `rect` of the picture. Every pixel starts without samples: transparent black. Of `aovs` those of surfaces and samples
-  /// are kept.
+  /// Covers `rect` of the picture. Every pixel starts without samples: transparent black. Of `aovs` those of surfaces
+  /// and samples are kept.
   Film(const PixelRect& rect, const Aovs& aovs);
 
   /// Precondition: `colour` is already multiplied by `alpha`.

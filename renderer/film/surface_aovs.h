@@ -1,5 +1,5 @@
-// Output variables of the surface that a pixel's centre ray sees, unfiltered: an average of two depths or two numbers is on neither
-// surface. A new one is a row of the table in surface_aovs.cpp.
+// Output variables of the surface that a pixel's centre ray sees, unfiltered: an average of two depths or two numbers
+// is on neither surface. A new one is a row of the table in surface_aovs.cpp.
 #pragma once
 
 #include "renderer/image/aov.h"

@@ -33,7 +33,8 @@ class FieldClassifier {
     }
     // If cells are not classified, small cells gain nothing but short lists.
     if (rule == CellRule::ranges && !table.is_unblended)
-      limb_cost_ = std::clamp((kWorthASplit + 1) * std::sqrt(kFewFields / static_cast<double>(table.size())), 1.0, kWorthASplit + 1);
+      limb_cost_ = std::clamp((kWorthASplit + 1) * std::sqrt(kFewFields / static_cast<double>(table.size())), 1.0,
+                              kWorthASplit + 1);
   }
 
   CellKind classify(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
@@ -86,7 +87,9 @@ class FieldClassifier {
     }
   }
 
-  [[nodiscard]] Box item_bounds(std::uint32_t item) const { return support_bounds(table_, table_.group_of(item), item); }
+  [[nodiscard]] Box item_bounds(std::uint32_t item) const {
+    return support_bounds(table_, table_.group_of(item), item);
+  }
 
   /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add. A cell with a long
   /// list is divided down to half the smallest support that reaches it, any other down to the size that fits one of its
@@ -105,7 +108,8 @@ class FieldClassifier {
 
  private:
   /// Classifies a box of an unblended blob; keeps the components that may have a surface in it or that fill it.
-  CellKind classify_greatest(const Box& box, std::span<const std::uint32_t> items, std::vector<std::uint32_t>& kept) const {
+  CellKind classify_greatest(const Box& box, std::span<const std::uint32_t> items,
+                             std::vector<std::uint32_t>& kept) const {
     bool is_inside = false;
     for_each_range(box, items, [&](std::uint32_t item, const FieldRange& range) {
       const double slack = kRangeSlack * range.high;

@@ -53,11 +53,11 @@ struct ItemList {
 struct Grid {
   static constexpr std::size_t kListTail = 7;
 
-  Box bounds;                     ///< bounds of the content; empty if there is none
-  Box box;                        ///< bounds of the top brick's cells in use
-  double cell_size = 0;           ///< side of the top brick's cells, the same on every axis
-  int dimensions[3] = {0, 0, 0};  ///< number of cells in use, 1 to 4 an axis; the others are empty
-  std::vector<Cell> cells;        ///< bricks of 64, x fastest; the first is the top
+  Box bounds;                           ///< bounds of the content; empty if there is none
+  Box box;                              ///< bounds of the top brick's cells in use
+  double cell_size = 0;                 ///< side of the top brick's cells, the same on every axis
+  int dimensions[3] = {0, 0, 0};        ///< number of cells in use, 1 to 4 an axis; the others are empty
+  std::vector<Cell> cells;              ///< bricks of 64, x fastest; the first is the top
   std::vector<std::uint64_t> occupied;  ///< one bit for each cell of a brick, set if the cell is not empty
   std::vector<std::uint32_t> items;     ///< the lists of leaves, then kListTail zeros, because lists are read eight
                                         ///< entries at a time
@@ -80,7 +80,8 @@ struct Grid {
   [[nodiscard]] std::size_t list_entries() const { return is_empty() ? 0 : items.size() - kListTail; }
   [[nodiscard]] std::size_t bytes() const {
     return cells.capacity() * sizeof(Cell) + occupied.capacity() * sizeof(std::uint64_t) +
-           (items.capacity() + endless_items.capacity()) * sizeof(std::uint32_t) + choices.capacity() * sizeof(ItemList);
+           (items.capacity() + endless_items.capacity()) * sizeof(std::uint32_t) +
+           choices.capacity() * sizeof(ItemList);
   }
 };
 

@@ -130,7 +130,8 @@ class GridBuilder {
     return lists;
   }
 
-  [[nodiscard]] Cell build_cell(Part& part, const Vec3& low, double size, std::span<const std::uint32_t> items, int depth) const {
+  [[nodiscard]] Cell build_cell(Part& part, const Vec3& low, double size, std::span<const std::uint32_t> items,
+                                int depth) const {
     std::vector<std::uint32_t>& kept = part.kept[static_cast<std::size_t>(depth)];
     const Vec3 margin(size * 0x1p-20);
     const Box box(low - margin, low + Vec3(size) + margin);
@@ -187,7 +188,8 @@ class GridBuilder {
   void mark_occupied() {
     grid_.occupied.resize(grid_.cells.size() / kBrickCells);
     for (std::size_t i = 0; i < grid_.cells.size(); ++i) {
-      if (grid_.cells[i].kind() != CellKind::empty) grid_.occupied[i / kBrickCells] |= std::uint64_t{1} << (i % kBrickCells);
+      if (grid_.cells[i].kind() != CellKind::empty)
+        grid_.occupied[i / kBrickCells] |= std::uint64_t{1} << (i % kBrickCells);
     }
   }
 

@@ -59,7 +59,8 @@ struct Layer {
   /// To be called once the values of a pixel are set.
   void round(std::size_t pixel) {
     if (aov->value == AovValue::whole) return;
-    for (std::size_t i = 0; i < aov->channels.size(); ++i) at(pixel)[i] = static_cast<double>(static_cast<float>(at(pixel)[i]));
+    for (std::size_t i = 0; i < aov->channels.size(); ++i)
+      at(pixel)[i] = static_cast<double>(static_cast<float>(at(pixel)[i]));
   }
 };
 

@@ -30,7 +30,7 @@ struct Image {
   int full_width = 0, full_height = 0;  ///< size of the whole picture
   PixelRect window;                     ///< the part of the whole picture that is stored here
   bool has_alpha = false;
-  std::vector<double> rgba;  ///< 4 a pixel: linear, not clipped; colour multiplied by alpha
+  std::vector<double> rgba;   ///< 4 a pixel: linear, not clipped; colour multiplied by alpha
   std::vector<Layer> layers;  ///< those asked for, over the window
 
   /// Null if it was not asked for.

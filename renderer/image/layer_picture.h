@@ -13,7 +13,8 @@ inline constexpr ColourScale kErrorScale{1e-4, 1e2, true};
 /// The scale of counts up to `most`: from 1 to the next power of two, at least 2.
 [[nodiscard]] ColourScale count_scale(double most);
 
-/// The picture of one of the image's layers, as large as its window and the legend. Precondition: layer.aov->picture is one.
+/// The picture of one of the image's layers, as large as its window and the legend. Precondition: layer.aov->picture is
+/// one.
 [[nodiscard]] Image layer_picture(const Image& image, const Layer& layer);
 
 }  // namespace isl::render

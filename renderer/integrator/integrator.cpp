@@ -19,9 +19,8 @@ double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.
 bool is_in_solid(const scene::Database& database) {
   const PatternInsides insides(database);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
-  return std::ranges::any_of(database.objects, [&](const scene::Object& object) {
-    return !object.hollow && insides.is_inside(object, eye);
-  });
+  return std::ranges::any_of(
+      database.objects, [&](const scene::Object& object) { return !object.hollow && insides.is_inside(object, eye); });
 }
 
 template <class Work>
@@ -31,7 +30,8 @@ void add(MakeStage<Work> make, const StageContext& context, std::vector<std::uni
 
 }  // namespace
 
-Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background)
+Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan,
+                       bool transparent_background)
     : database_(database), tracer_(tracer), textures_(database) {
   const StageContext context{database, tracer, textures_};
   for (const PlannedEffect& planned : plan.called_for) {
@@ -83,8 +83,9 @@ void Integrator::see_background(std::size_t level, const PathBatch& batch, PathM
     if (batch.hits[i].is_miss()) memory.misses.push_back(i);
   }
   if (!miss_.empty()) {
-    MissWork work{batch,  memory.misses, background_, background_alpha_, memory.colours,
-                  level == 0 ? std::span<double>(memory.alphas) : std::span<double>()};
+    MissWork work{batch,          memory.misses,
+                  background_,    background_alpha_,
+                  memory.colours, level == 0 ? std::span<double>(memory.alphas) : std::span<double>()};
     return run(miss_, work);
   }
   for (const std::uint32_t i : memory.misses) {
@@ -123,8 +124,8 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     textures_.append(surface, memory.textures);
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
     ShadingPoint& point =
-        memory.block.points.emplace_back(surface.position, turned_to_viewer(surface.normal, ray.direction), ray.direction,
-                                         std::span<const LitTexture>());
+        memory.block.points.emplace_back(surface.position, turned_to_viewer(surface.normal, ray.direction),
+                                         ray.direction, std::span<const LitTexture>());
     if (observer == nullptr) continue;
     point.textures = std::span(memory.textures).subspan(first);
     observer->see(i, batch.hits[i], surface, point);
@@ -187,9 +188,10 @@ void Integrator::light_block(const PathBatch& batch, const scene::Light& light, 
       continue;
     }
     const Hit& hit = batch.hits[at];
-    memory.shadows.push(path.sample,
-                        {point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t, hit.start()},
-                        colour);
+    memory.shadows.push(
+        path.sample,
+        {point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t, hit.start()},
+        colour);
   }
 }
 

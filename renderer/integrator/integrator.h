@@ -34,7 +34,7 @@ struct PathMemory {
     ChildQueues children;
   };
   std::deque<Level> levels{1};  ///< 0 is the camera's; a level stays where it is while deeper ones are made
-  std::vector<Rgb> colours;  ///< by sample, in the scene's working space
+  std::vector<Rgb> colours;     ///< by sample, in the scene's working space
   std::vector<double> alphas;
   ShadowQueue shadows;
   std::vector<std::uint32_t> misses;

@@ -17,9 +17,9 @@ struct PathEntry {
   Rgb factor{1};             ///< share of the light along the ray that reaches the eye; in the scene's working space
   double weight = 1;         ///< POV-Ray's estimate of that share; a path ends when it is below adc_bailout
   std::uint32_t sample = 0;  ///< the number, in the batch, of the camera sample whose colour it adds to
-  std::uint16_t level = 1;  ///< segments of the path so far, this one included
+  std::uint16_t level = 1;   ///< segments of the path so far, this one included
   RayKind kind = RayKind::image;
-  bool in_solid = false;    ///< the segment runs in something that is not `hollow`, which keeps fog out
+  bool in_solid = false;  ///< the segment runs in something that is not `hollow`, which keeps fog out
 };
 
 /// Segments of one kind that are traced together; hits[i] is where rays[i] ends.

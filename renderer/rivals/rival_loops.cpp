@@ -38,7 +38,8 @@ struct RivalSearch {
     switch (settings.name) {
 #define ISL_SOLVER(word, family, argument)
 #define ISL_RIVAL(word, Type, argument) \
-  case SolverName::word: return search<Type>(blob, settings, memory, counters, ray);
+  case SolverName::word:                \
+    return search<Type>(blob, settings, memory, counters, ray);
 #include "renderer/rays/solvers.def"
       default: break;
     }

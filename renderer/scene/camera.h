@@ -30,8 +30,7 @@ struct FocalBlur {
   int min_samples = 0, max_samples = 0;  ///< rays a pixel
   double confidence = 0.9;               ///< probability that the error of a pixel's value …
   double variance = 1.0 / 128;           ///< … is within this variance; ranges: ]0, 1[ and [0, 1]
-  std::optional<Pigment>
-      bokeh{};  ///< brightness over the lens, x and y from 0 to 1; nullopt: a uniform disc
+  std::optional<Pigment> bokeh{};        ///< brightness over the lens, x and y from 0 to 1; nullopt: a uniform disc
 };
 
 /// Items whose places are kept.

@@ -48,7 +48,8 @@ class Walk {
   }
 
   bool asks(PigmentId id) {
-    return id != kPlainColour && known(pigments_[index(id)], [&] { return patterned_asks(database_.pigments[index(id)]); });
+    return id != kPlainColour &&
+           known(pigments_[index(id)], [&] { return patterned_asks(database_.pigments[index(id)]); });
   }
   bool asks(NormalId id) {
     return id != kNoNormal && known(normals_[index(id)], [&] { return patterned_asks(database_.normals[index(id)]); });

@@ -41,7 +41,7 @@ struct Database {
 #define ISL_SOLID_DETAIL(word, Type, column) std::vector<Type> column;
 #include "renderer/scene/solids.def"
   std::vector<Group> groups;
-  std::vector<Object> objects;  ///< the objects of the world
+  std::vector<Object> objects;          ///< the objects of the world
   std::vector<Object> pattern_objects;  ///< objects of `object` patterns; not in the world
   std::vector<Light> lights;
   std::vector<FunctionPointer> functions;  ///< the functions that other records refer to

@@ -120,7 +120,8 @@ class Writer {
       components.push_back(component(b, b.components[i], i < b.origins.size() ? b.origins[i] : OriginId{}));
       if (!b.branches.empty()) components.back()["branch"] = b.branch_of[i];
       if (!b.turns.empty() && !b.turns[i].is_none()) {
-        for (const auto& row : b.turns[i].matrix.x) components.back()["turn"].push_back(vector({row[0], row[1], row[2]}));
+        for (const auto& row : b.turns[i].matrix.x)
+          components.back()["turn"].push_back(vector({row[0], row[1], row[2]}));
       }
     }
     Json json = {{"threshold", b.threshold}, {"components", std::move(components)}};

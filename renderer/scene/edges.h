@@ -1,9 +1,9 @@
 // The references between the database's records, listed once per kind of record. The pruner follows and renumbers them,
 // and every search of what a scene holds uses them. A new member that refers to a record is one line here.
 //
-// for_each_edge(record, visit) calls visit(id) for every reference that the record holds itself, in the order of its members,
-// whether or not it refers to anything. Ids are lvalues: in a record that is not const they may be changed. Functions are shared
-// objects that hold patterns and pigments of their own; interpreter/prune_functions.h walks them.
+// for_each_edge(record, visit) calls visit(id) for every reference that the record holds itself, in the order of its
+// members, whether or not it refers to anything. Ids are lvalues: in a record that is not const they may be changed.
+// Functions are shared objects that hold patterns and pigments of their own; interpreter/prune_functions.h walks them.
 #pragma once
 
 #include "renderer/scene/database.h"
@@ -48,7 +48,8 @@ void for_each_edge(Record& pattern, Visit&& visit) {
   if (auto* const image = std::get_if<ImageId>(&operands)) visit(*image);
   if (auto* const function = std::get_if<FunctionOperands>(&operands)) visit(function->function);
   if (auto* const pigment = std::get_if<PigmentOperands>(&operands)) visit(pigment->pigment);
-  if (auto* const object = std::get_if<ObjectOperands>(&operands)) detail::visit_as<PatternObjectId>(object->object, visit);
+  if (auto* const object = std::get_if<ObjectOperands>(&operands))
+    detail::visit_as<PatternObjectId>(object->object, visit);
 }
 
 template <Either<Texture> Record, class Visit>
@@ -190,27 +191,26 @@ struct ColumnOf {
 };
 
 /// The columns whose records other records refer to.
-inline constexpr auto kColumns = std::tuple{
-    ColumnOf<KernelId, Kernel>{&Database::kernels},
-    ColumnOf<TransformId, Transform>{&Database::transforms},
-    ColumnOf<TextureId, Texture>{&Database::textures},
-    ColumnOf<FinishId, Finish>{&Database::finishes},
-    ColumnOf<PigmentId, PatternedPigment>{&Database::pigments},
-    ColumnOf<PigmentMapId, PigmentMap>{&Database::pigment_maps},
-    ColumnOf<NormalId, Normal>{&Database::normals},
-    ColumnOf<NormalMapId, NormalMap>{&Database::normal_maps},
-    ColumnOf<SlopeMapId, SlopeMap>{&Database::slope_maps},
-    ColumnOf<TexturePatternId, TexturePattern>{&Database::texture_patterns},
-    ColumnOf<TextureMapId, TextureMap>{&Database::texture_maps},
-    ColumnOf<ImageId, Image>{&Database::images},
-    ColumnOf<InteriorId, Interior>{&Database::interiors},
-    ColumnOf<BlobId, Blob>{&Database::blobs},
-    ColumnOf<SolidId, Solid>{&Database::solids},
+inline constexpr auto kColumns = std::tuple{ColumnOf<KernelId, Kernel>{&Database::kernels},
+                                            ColumnOf<TransformId, Transform>{&Database::transforms},
+                                            ColumnOf<TextureId, Texture>{&Database::textures},
+                                            ColumnOf<FinishId, Finish>{&Database::finishes},
+                                            ColumnOf<PigmentId, PatternedPigment>{&Database::pigments},
+                                            ColumnOf<PigmentMapId, PigmentMap>{&Database::pigment_maps},
+                                            ColumnOf<NormalId, Normal>{&Database::normals},
+                                            ColumnOf<NormalMapId, NormalMap>{&Database::normal_maps},
+                                            ColumnOf<SlopeMapId, SlopeMap>{&Database::slope_maps},
+                                            ColumnOf<TexturePatternId, TexturePattern>{&Database::texture_patterns},
+                                            ColumnOf<TextureMapId, TextureMap>{&Database::texture_maps},
+                                            ColumnOf<ImageId, Image>{&Database::images},
+                                            ColumnOf<InteriorId, Interior>{&Database::interiors},
+                                            ColumnOf<BlobId, Blob>{&Database::blobs},
+                                            ColumnOf<SolidId, Solid>{&Database::solids},
 #define ISL_SOLID_DETAIL(word, Type, column) ColumnOf<Type##Id, Type>{&Database::column},
 #include "renderer/scene/solids.def"
-    ColumnOf<GroupId, Group>{&Database::groups},
-    ColumnOf<PatternObjectId, Object>{&Database::pattern_objects},
-    ColumnOf<FunctionId, FunctionPointer>{&Database::functions}};
+                                            ColumnOf<GroupId, Group>{&Database::groups},
+                                            ColumnOf<PatternObjectId, Object>{&Database::pattern_objects},
+                                            ColumnOf<FunctionId, FunctionPointer>{&Database::functions}};
 
 /// Calls visit(column) with each of kColumns.
 template <class Visit>
@@ -230,6 +230,8 @@ constexpr std::size_t column_of() {
 
 /// True for records that refer to others.
 template <class Record>
-concept HasEdges = requires(Record& record) { for_each_edge(record, [](auto& /*id*/) {}); };
+concept HasEdges = requires(Record& record) {
+  for_each_edge(record, [](auto& /*id*/) {});
+};
 
 }  // namespace isl::scene

@@ -54,9 +54,8 @@ struct OperandField {
   /// Reads the field and the operands that depend on it.
   using Read = void (*)(OperandReader& reader, std::any& record) noexcept;
 
-  std::string_view key;  ///< in a dump
-  std::string_view
-      word;  ///< the word that sets the field; empty if its value follows the kind's own word
+  std::string_view key;   ///< in a dump
+  std::string_view word;  ///< the word that sets the field; empty if its value follows the kind's own word
   OperandValue (*get)(const std::any& record);
   void (*set)(std::any& record, const OperandValue& value) = nullptr;  ///< null if the field is only dumped
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();

@@ -25,7 +25,7 @@ struct Texture {
   TexturePatternId pattern = kNoTexturePattern;  ///< if set, pigment, normal and finish are unused
   TextureId below = kNoTexture;                  ///< the layer under this one
   std::uint32_t uv_mapping = 0;                  ///< 1: pigment and normal are evaluated at (u, v, 0) of the surface
-  OriginId named_at{};           ///< place of the identifier, if the texture is a declared one
+  OriginId named_at{};                           ///< place of the identifier, if the texture is a declared one
 
   /// True if the texture is the same at every point of a surface.
   [[nodiscard]] bool is_plain() const {

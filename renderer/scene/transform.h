@@ -1,5 +1,5 @@
-// Affine maps between spaces, by Imath: row vectors, so `point * first * second` reads in the order of application, which is
-// the order in which a scene writes its modifiers. Space: left-handed, y up (POV-Ray's).
+// Affine maps between spaces, by Imath: row vectors, so `point * first * second` reads in the order of application,
+// which is the order in which a scene writes its modifiers. Space: left-handed, y up (POV-Ray's).
 #pragma once
 
 #include <ImathMatrix.h>
@@ -29,7 +29,9 @@ struct Transform {
   friend bool operator==(const Transform&, const Transform&) = default;
 
   /// p·M for an affine M: without the division by w and its rounding.
-  [[nodiscard]] static Vec3 transformed(const Vec3& p, const Matrix& m) { return rotated(p, m) + Vec3(m[3][0], m[3][1], m[3][2]); }
+  [[nodiscard]] static Vec3 transformed(const Vec3& p, const Matrix& m) {
+    return rotated(p, m) + Vec3(m[3][0], m[3][1], m[3][2]);
+  }
   [[nodiscard]] static Vec3 rotated(const Vec3& v, const Matrix& m) {
     return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0], v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
             v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};

@@ -28,8 +28,8 @@ using scene::Vec3;
 /// A point to be lit, in world space.
 struct ShadingPoint {
   Vec3 position;
-  Vec3 normal;                             ///< unit, turned to the viewer
-  Vec3 view;                               ///< unit, from the eye to the point
+  Vec3 normal;                           ///< unit, turned to the viewer
+  Vec3 view;                             ///< unit, from the eye to the point
   std::span<const LitTexture> textures;  ///< shares that add up to one
 };
 
@@ -66,7 +66,8 @@ struct LightSample {
 /// Σ share × ambient × ambient_light × pigment.
 [[nodiscard]] inline Rgb ambient_colour(const ShadingPoint& point) {
   Rgb colour(0);
-  for (const LitTexture& lit : point.textures) colour += lit.pigment * lit.let_through * lit.material->ambient * lit.weight;
+  for (const LitTexture& lit : point.textures)
+    colour += lit.pigment * lit.let_through * lit.material->ambient * lit.weight;
   return colour;
 }
 

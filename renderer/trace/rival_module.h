@@ -1,6 +1,6 @@
 // The inner loops of the rival solvers, which are compared with the product's. They are a module of their own
-// (renderer/rivals), loaded when one of them is named first: they take as long to compile as the product's, and few pictures
-// need them.
+// (renderer/rivals), loaded when one of them is named first: they take as long to compile as the product's, and few
+// pictures need them.
 #pragma once
 
 #include "renderer/trace/trace_entry_points.h"
@@ -20,8 +20,8 @@ struct RivalLoops {
 }  // namespace isl::render
 
 extern "C" {
-/// The two functions of the module. The stamp stands for the program's headers, on which the layout of all that both sides
-/// share depends: a module with another stamp is not used.
+/// The two functions of the module. The stamp stands for the program's headers, on which the layout of all that both
+/// sides share depends: a module with another stamp is not used.
 const char* isl_rivals_stamp();
 const isl::render::TraceLoops* isl_rivals_loops(const char* target);
 }

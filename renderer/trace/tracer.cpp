@@ -32,8 +32,8 @@ struct Tracer::Impl {
 
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there; `other` is
   /// used where the shape has none of its own.
-  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit, const Vec3& local,
-                std::vector<TextureShare>& textures, TraceCounters& counters) const {
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit,
+                const Vec3& local, std::vector<TextureShare>& textures, TraceCounters& counters) const {
     if (kind == scene::Object::Kind::solid) {
       textures.push_back(other);
       textures.back().surface = {kind, shape, 0, local};
@@ -52,7 +52,9 @@ struct Tracer::Impl {
     for (const TextureShare& share : blob.shares) total += share.weight;
     for (const TextureShare& share : blob.shares) {
       const bool is_own = share.texture != scene::kNoTexture;
-      textures.push_back({is_own ? share.texture : other.texture, share.weight / total, is_own ? local : other.place,
+      textures.push_back({is_own ? share.texture : other.texture,
+                          share.weight / total,
+                          is_own ? local : other.place,
                           {kind, shape, share.surface.component, local}});
     }
     // This happens only where the published solver takes a place far from every field for the surface.
@@ -84,8 +86,8 @@ TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& po
 }  // namespace
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
-  impl_->settings = {options.solver, options.interpolants, options.tolerance, options.pixel_angle, options.paper,
-                      options.step, options.relaxation, options.packets};
+  impl_->settings = {options.solver, options.interpolants, options.tolerance,  options.pixel_angle,
+                     options.paper,  options.step,         options.relaxation, options.packets};
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
@@ -135,7 +137,8 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
     if (leaf.texture != scene::kNoTexture) {
       texture = texture_of(tree, leaf, local);
     } else if (texture.texture == scene::kNoTexture) {
-      if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local)) texture = texture_of(tree, *cut, local);
+      if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local))
+        texture = texture_of(tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures, counters);

@@ -274,7 +274,8 @@ class WorldTrace {
             }};
   }
 
-  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const Vec3& direction) const {
+  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+                                const Vec3& direction) const {
     return normal_at(solid, part, point, scene_.details).dot(direction) > 0;
   }
 

@@ -30,7 +30,8 @@ const std::vector<Rule>& rules() {
       {"base/", {"base/"}},
       {"grammar/", {"base/", "grammar/"}},
       {"renderer/", {"base/", "renderer/"}},
-      {"interpreter/", {"base/", "grammar/", "interpreter/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
+      {"interpreter/",
+       {"base/", "grammar/", "interpreter/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
       {"cli/", {"base/", "cli/", "grammar/", "interpreter/", "renderer/"}},
   };
   return kRules;
@@ -78,7 +79,7 @@ class OrderedFolders {
 
 const std::vector<OrderedFolders>& ordered_parts() {
   static const std::vector<OrderedFolders> kParts{OrderedFolders("renderer", "ISL_RENDERER_FOLDERS"),
-                                                 OrderedFolders("cli", "ISL_CLI_FOLDERS")};
+                                                  OrderedFolders("cli", "ISL_CLI_FOLDERS")};
   return kParts;
 }
 

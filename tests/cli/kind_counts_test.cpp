@@ -86,8 +86,8 @@ TEST(KindCounts, EveryKindIsNamedInAsFewFilesAsTheTableSays) {
 }
 
 TEST(KindCounts, AWordIsFoundAloneAndInIdentifiers) {
-  for (const char* text : {"pavement", "a Pavement.", "kPavement", "pavement_at", "read_pavement", "PAVEMENT",
-                           "\"pavement\""})
+  for (const char* text :
+       {"pavement", "a Pavement.", "kPavement", "pavement_at", "read_pavement", "PAVEMENT", "\"pavement\""})
     EXPECT_TRUE(names(text, "pavement")) << text;
   for (const char* text : {"pavements", "repavement", "pave ment", ""}) EXPECT_FALSE(names(text, "pavement")) << text;
 }

@@ -86,13 +86,15 @@ FieldUnderTest bounded_by_everything(FieldUnderTest field) {
   return field;
 }
 FieldUnderTest ranging_over_the_first_half(FieldUnderTest field) {
-  field.range_along_ray = [range = field.range_along_ray](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+  field.range_along_ray = [range = field.range_along_ray](const Vec3& origin, const Vec3& direction, double t0,
+                                                          double t1) {
     return range(origin, direction, t0, 0.5 * (t0 + t1));
   };
   return field;
 }
 FieldUnderTest sloping_as_in_the_middle(FieldUnderTest field) {
-  field.slope_range_along_ray = [range = field.slope_range_along_ray](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+  field.slope_range_along_ray = [range = field.slope_range_along_ray](const Vec3& origin, const Vec3& direction,
+                                                                      double t0, double t1) {
     const double middle = 0.5 * (t0 + t1);
     return range(origin, direction, middle, middle);
   };
@@ -141,9 +143,8 @@ TEST(Properties, EachNoticesAFieldThatBreaksIt) {
     EXPECT_TRUE(std::any_of(sabotages.begin(), sabotages.end(), breaks_it)) << property.name << " is never broken";
     for (const Sabotage& sabotage : sabotages) {
       if (!breaks_it(sabotage)) continue;
-      const bool is_of_the_radius =
-          sabotage.property == std::string_view("SurfaceAloneIsAtTheRadius") ||
-          sabotage.property == std::string_view("SlopeAtTheRadiusIsMinusHardness");
+      const bool is_of_the_radius = sabotage.property == std::string_view("SurfaceAloneIsAtTheRadius") ||
+                                    sabotage.property == std::string_view("SlopeAtTheRadiusIsMinusHardness");
       int noticed = 0, fields = 0;
       for (const FieldCase& field : field_cases()) {
         if (field.kernel.meaning != scene::RadiusMeaning::surface || field.kernel.hardness != 4) continue;

@@ -82,9 +82,9 @@ const std::vector<Named<scene::Kernel>>& kernels() {
 /// The kernels that can be convolved.
 const std::vector<Named<scene::Kernel>>& windows() {
   static const std::vector<Named<scene::Kernel>> list = {
-      {"quartic_1", reference::quartic(1)}, {"quartic_4", reference::quartic(4)},
+      {"quartic_1", reference::quartic(1)},     {"quartic_4", reference::quartic(4)},
       {"quartic_100", reference::quartic(100)}, {"cauchy_1", reference::cauchy(1)},
-      {"cauchy_4", reference::cauchy(4)}, {"cauchy_60", reference::cauchy(60)}};
+      {"cauchy_4", reference::cauchy(4)},       {"cauchy_60", reference::cauchy(60)}};
   return list;
 }
 

@@ -287,10 +287,11 @@ std::string range_along_a_ray_holds_every_sample(const FieldUnderTest& tested, c
       const long double t = t0 + (static_cast<long double>(t1) - t0) * k / 40;
       const FieldSample truth = judge.sample(exactly(ray.origin) + exactly(ray.direction) * t);
       const double value = static_cast<double>(truth.value);
-      const double slack = kRounding * (std::abs(value) + length_of(truth.gradient) * (field.reach + ray.origin.length()));
+      const double slack =
+          kRounding * (std::abs(value) + length_of(truth.gradient) * (field.reach + ray.origin.length()));
       if (!(range.low - slack <= value && value <= range.high + slack)) {
-        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: {:.17g} is outside [{:.17g}, {:.17g}]", text(ray.origin),
-                           text(ray.direction), t0, t1, value, range.low, range.high);
+        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: {:.17g} is outside [{:.17g}, {:.17g}]",
+                           text(ray.origin), text(ray.direction), t0, t1, value, range.low, range.high);
       }
     }
   }
@@ -316,15 +317,16 @@ std::string slope_and_bend_along_a_ray_hold_every_sample(const FieldUnderTest& t
       const double size = (length_of(truth.gradient) + 0.01 * unit_of(field) / feature_size(field)) * length;
       const double slack = kRounding * sensitivity * size;
       if (!(slopes.low - slack <= slope && slope <= slopes.high + slack)) {
-        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: f′ = {:.17g} is outside [{:.17g}, {:.17g}]", text(ray.origin),
-                           text(ray.direction), t0, t1, slope, slopes.low, slopes.high);
+        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: f′ = {:.17g} is outside [{:.17g}, {:.17g}]",
+                           text(ray.origin), text(ray.direction), t0, t1, slope, slopes.low, slopes.high);
       }
       const double change = slope - last, step = h / 40;
       if (k > 0 && !(step * bends.low * (bends.low < 0 ? 1 + 1e-9 : 1 - 1e-9) - slack <= change &&
                      change <= step * bends.high * (bends.high > 0 ? 1 + 1e-9 : 1 - 1e-9) + slack)) {
-        return fmt::format("from {} towards {}, t {:.17g} to {:.17g}: f′ changes by {:.17g} at sample {}, outside {:.17g} times "
-                           "[{:.17g}, {:.17g}]",
-                           text(ray.origin), text(ray.direction), t0, t1, change, k, step, bends.low, bends.high);
+        return fmt::format(
+            "from {} towards {}, t {:.17g} to {:.17g}: f′ changes by {:.17g} at sample {}, outside {:.17g} times "
+            "[{:.17g}, {:.17g}]",
+            text(ray.origin), text(ray.direction), t0, t1, change, k, step, bends.low, bends.high);
       }
       last = slope;
     }

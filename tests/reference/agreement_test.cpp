@@ -165,7 +165,8 @@ INSTANTIATE_TEST_SUITE_P(TreesWithHalfSpaces, RandomBlobs,
                          testing::Values(RandomBlobsCase{1, 8, true, true}, RandomBlobsCase{1e-3, 8, true, true}));
 
 INSTANTIATE_TEST_SUITE_P(Convolutions, RandomBlobs,
-                         testing::Values(RandomBlobsCase{1, 8, false, false, true}, RandomBlobsCase{1e-3, 40, false, true, true},
+                         testing::Values(RandomBlobsCase{1, 8, false, false, true},
+                                         RandomBlobsCase{1e-3, 40, false, true, true},
                                          RandomBlobsCase{30, 300, true, true, true}));
 
 TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {

@@ -5,8 +5,8 @@
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <gmock/gmock.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,8 @@ class ConvolvedField {
  private:
   [[nodiscard]] double value(const scene::Component& c, const Vec3& point) const {
     const Window& window = windows_[index(c.kernel)];
-    const Vec3 p = c.transform == scene::kIdentity ? point : database_.transforms[index(c.transform)].inverse_point(point);
+    const Vec3 p =
+        c.transform == scene::kIdentity ? point : database_.transforms[index(c.transform)].inverse_point(point);
     const double r2 = c.radius_a * c.radius_a;
     if (c.skeleton == scene::Skeleton::segment) {
       const double length = (c.b - c.a).length();
@@ -105,7 +106,8 @@ class ConvolvedField {
       if (!(reach2 > 0)) return 0;
       const double from = std::max(0.0, foot - std::sqrt(reach2)), to = std::min(length, foot + std::sqrt(reach2));
       if (!(to > from)) return 0;
-      return integral([&](double s) { return window((rho2 + (s - foot) * (s - foot)) / r2); }, from, to, 3) / c.radius_a;
+      return integral([&](double s) { return window((rho2 + (s - foot) * (s - foot)) / r2); }, from, to, 3) /
+             c.radius_a;
     }
     const Vec3 from = p - c.a;
     const double z = from.dot(c.b), rho = (from - c.b * z).length();
@@ -223,7 +225,8 @@ TEST(HardCases, E43_SegmentOfNoLengthIsNoFieldAndAShortOneItsLengthTimesTheKerne
     const Window window(kernel);
     scene::Component shortest = segment({-0.5e-9, 0, 0}, {0.5e-9, 0, 0}, 1);
     shortest.strength = 1e9 / window(0.49);  // its surface is at distance 0.7
-    const std::vector<double> roots = TracerUnderTest(one_blob(kernel, {shortest}), exact()).walk({0, 0, -4}, {0, 0, 1});
+    const std::vector<double> roots =
+        TracerUnderTest(one_blob(kernel, {shortest}), exact()).walk({0, 0, -4}, {0, 0, 1});
     ASSERT_THAT(roots, SizeIs(2));
     EXPECT_NEAR(roots[0], 3.3, 1e-6);
     EXPECT_NEAR(roots[1], 4.7, 1e-6);
@@ -232,8 +235,8 @@ TEST(HardCases, E43_SegmentOfNoLengthIsNoFieldAndAShortOneItsLengthTimesTheKerne
 
 TEST(HardCases, E43_LongSegmentHasItsSurfaceAtItsRadius) {
   for (const scene::Kernel& kernel :
-       {convolved_quartic(0.5), convolved_quartic(4), convolved_quartic(500), convolved_cauchy(0.5), convolved_cauchy(4),
-        convolved_cauchy(60), convolved_cauchy(500)}) {
+       {convolved_quartic(0.5), convolved_quartic(4), convolved_quartic(500), convolved_cauchy(0.5),
+        convolved_cauchy(4), convolved_cauchy(60), convolved_cauchy(500)}) {
     for (const double half : {1e2, 1e5, 1e9}) {
       const scene::Database database = one_blob(kernel, {segment({-half, 0, 0}, {half, 0, 0}, 1)});
       const std::vector<double> roots = TracerUnderTest(database, exact()).walk({0.25, 0, -4}, {0, 0, 1});
@@ -249,11 +252,11 @@ TEST(HardCases, E44_RayAlongTheAxisThroughAnEndAndParallel) {
     const scene::Database limb = one_blob(kernel, {segment({0, 0, 0}, {6, 0, 0}, 0.5)});
     const ConvolvedField field(limb);
     const TracerUnderTest tracer(limb, exact());
-    for (const auto& [origin, direction] : {std::pair{Vec3(-4, 0, 0), Vec3(1, 0, 0)},      // on the axis
-                                            std::pair{Vec3(-4, 0.3, 0), Vec3(1, 0, 0)},    // parallel
-                                            std::pair{Vec3(0, 0, -4), Vec3(0, 0, 1)},      // through an end, across
-                                            std::pair{Vec3(-3, -3, 0), Vec3(1, 1, 0)},     // through an end, aslant
-                                            std::pair{Vec3(3, 0, -4), Vec3(0, 0, 1)}}) {   // across the middle
+    for (const auto& [origin, direction] : {std::pair{Vec3(-4, 0, 0), Vec3(1, 0, 0)},     // on the axis
+                                            std::pair{Vec3(-4, 0.3, 0), Vec3(1, 0, 0)},   // parallel
+                                            std::pair{Vec3(0, 0, -4), Vec3(0, 0, 1)},     // through an end, across
+                                            std::pair{Vec3(-3, -3, 0), Vec3(1, 1, 0)},    // through an end, aslant
+                                            std::pair{Vec3(3, 0, -4), Vec3(0, 0, 1)}}) {  // across the middle
       const std::vector<double> roots = tracer.walk(origin, direction.normalized());
       ASSERT_THAT(roots, SizeIs(2)) << origin << direction;
       for (const double t : roots) EXPECT_NEAR(field(origin + direction.normalized() * t), 0, 1e-9);
@@ -325,7 +328,8 @@ TEST(Convolution, SplittingALimbChangesNothing) {
     int hits = 0;
     for (int i = 0; i < 100; ++i) {
       const LineOfSight line = random_line(random, 3, 0.3);
-      const std::vector<double> one = whole.walk(line.origin, line.direction), two = halves.walk(line.origin, line.direction);
+      const std::vector<double> one = whole.walk(line.origin, line.direction),
+                                two = halves.walk(line.origin, line.direction);
       ASSERT_EQ(one.size(), two.size());
       for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k], two[k], 1e-11);
       hits += one.empty() ? 0 : 1;

@@ -15,9 +15,7 @@ namespace isl::reference {
 namespace {
 
 /// A random number whose logarithm is uniform.
-double decades(RandomSource& random, double low, double high) {
-  return low * std::pow(high / low, random.unit());
-}
+double decades(RandomSource& random, double low, double high) { return low * std::pow(high / low, random.unit()); }
 
 struct SweptScene {
   scene::Database database;
@@ -30,10 +28,10 @@ SweptScene swept_scene(std::uint64_t seed) {
   const double scale = decades(random, 1e-6, 1e6), radius = scale * decades(random, 0.003, 0.5);
   constexpr int kShapes = std::size(scene::kKernelWords);
   const int kernel = random.below(kShapes + 1);
-  const scene::Kernel used =
-      kernel == kShapes ? kPovRay
-                  : scene::Kernel{static_cast<scene::KernelShape>(kernel), scene::RadiusMeaning::surface,
-                                  decades(random, 0.25, 100)};
+  const scene::Kernel used = kernel == kShapes
+                                 ? kPovRay
+                                 : scene::Kernel{static_cast<scene::KernelShape>(kernel), scene::RadiusMeaning::surface,
+                                                 decades(random, 0.25, 100)};
   const double strength = decades(random, 0.1, 10), threshold = strength * decades(random, 0.02, 2);
   std::vector<scene::Component> components;
   scene::Vec3 place = random.in_ball(0.5 * scale);
@@ -70,7 +68,8 @@ TEST(NoAdjustments, AThousandScenesHaveNoHoleAndNoUncertifiedStep) {
     std::vector<render::Ray> rays;
     for (int i = 0; i < 24; ++i) {
       // Rays aim towards the components, near and past them.
-      const scene::Component& aim = components[static_cast<std::size_t>(random.below(static_cast<int>(components.size())))];
+      const scene::Component& aim =
+          components[static_cast<std::size_t>(random.below(static_cast<int>(components.size())))];
       const scene::Vec3 target = aim.a + random.in_ball(1.5 * aim.radius_a), eye = random.direction() * (3 * scale);
       rays.push_back(camera_ray({eye, (target - eye).normalized()}));
     }

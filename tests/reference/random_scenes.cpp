@@ -45,8 +45,8 @@ std::vector<scene::KernelId> convolved_kernels(scene::Database& database, scene:
   return ids;
 }
 
-/// Makes a box, a triangle, a circle or a disc of a component whose b is its second end; one box and triangle in four is flat
-/// or a needle.
+/// Makes a box, a triangle, a circle or a disc of a component whose b is its second end; one box and triangle in four
+/// is flat or a needle.
 void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scene::Component& c, scene::Blob& blob) {
   const bool thin = random.below(4) == 0;
   const Vec3 aside = random.in_ball(scale * (thin ? 0.005 : 0.5));
@@ -144,8 +144,8 @@ scene::Database random_blob(RandomSource& random, const RandomBlobOptions& optio
   }
   if (options.half_space) {
     const scene::Vec3 normal = random.direction();
-    scene::Component plane =
-        half_space(normal * (-options.scale * random.between(0.2, 1)), normal, options.scale * random.between(0.02, 0.3));
+    scene::Component plane = half_space(normal * (-options.scale * random.between(0.2, 1)), normal,
+                                        options.scale * random.between(0.02, 0.3));
     plane.kernel = static_cast<scene::KernelId>(1 + random.below(static_cast<int>(database.kernels.size()) - 1));
     plane.strength = random.between(0.5, 2);
     blob.components.push_back(plane);

@@ -5,8 +5,8 @@
 #include "renderer/scene/database.h"
 
 #include <cstdint>
-#include <vector>
 #include <random>
+#include <vector>
 
 namespace isl::reference {
 
@@ -44,11 +44,11 @@ struct LineOfSight {
 
 struct RandomBlobOptions {
   int components = 20;
-  double scale = 1;        ///< everything lies within about this radius
-  bool negatives = true;   ///< one component in four carves
-  bool transforms = true;  ///< one component in three has its own
-  bool maxima = false;     ///< components lie in branches of two maxima, one of them with another inside
-  bool half_space = false;  ///< one more component, whose plane passes within the scale
+  double scale = 1;           ///< everything lies within about this radius
+  bool negatives = true;      ///< one component in four carves
+  bool transforms = true;     ///< one component in three has its own
+  bool maxima = false;        ///< components lie in branches of two maxima, one of them with another inside
+  bool half_space = false;    ///< one more component, whose plane passes within the scale
   bool convolutions = false;  ///< two in three of the segments and circles, and every other plane, are convolved
   double hardest =
       8;  ///< hardness of the hardest kernels; with hardness h, gaussian and cauchy have about e^h in the middle

@@ -66,7 +66,9 @@ class ReferenceComponent {
 
  private:
   [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
-  [[nodiscard]] FieldRange strengthened(const FieldRange& f) const { return {strength_ * f.value, strength_ * f.derivative}; }
+  [[nodiscard]] FieldRange strengthened(const FieldRange& f) const {
+    return {strength_ * f.value, strength_ * f.derivative};
+  }
 
   ReferenceSkeleton skeleton_;
   ReferenceKernel kernel_;

@@ -97,11 +97,11 @@ TEST_P(SurfaceKernel, EnclosuresHoldDenseSamples) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hardness, SurfaceKernel,
-                         testing::Values(quartic(0.5), quartic(4), quartic(500), cubic(0.5), cubic(4), cubic(500), gaussian(0.5), gaussian(4),
-                                         gaussian(60), gaussian(500), soft(0.1), soft(0.4), soft(4), soft(60),
-                                         soft(500), metaball(0.2), metaball(0.5), metaball(1), metaball(4),
-                                         metaball(60), metaball(500), cauchy(0.1), cauchy(1), cauchy(4), cauchy(60),
-                                         cauchy(500)));
+                         testing::Values(quartic(0.5), quartic(4), quartic(500), cubic(0.5), cubic(4), cubic(500),
+                                         gaussian(0.5), gaussian(4), gaussian(60), gaussian(500), soft(0.1), soft(0.4),
+                                         soft(4), soft(60), soft(500), metaball(0.2), metaball(0.5), metaball(1),
+                                         metaball(4), metaball(60), metaball(500), cauchy(0.1), cauchy(1), cauchy(4),
+                                         cauchy(60), cauchy(500)));
 
 TEST(ReferenceKernel, GaussianIsBlinnsExponentialLessATangent) {
   // At h = 4: b·(e^{-aq} − tangent at Q), with the constants from the definition written out in full.

@@ -51,7 +51,7 @@ class FieldOnRay {
 
   /// The sizes at t from which a computation in double precision gets its rounding error.
   struct Magnitude {
-    long double values = 0;         ///< Σ|fᵢ|
+    long double values = 0;     ///< Σ|fᵢ|
     long double gradients = 0;  ///< Σ|∇fᵢ||D|: the effect of a change of place, in any direction. A product with a
                                 ///< normal is rounded by the lengths in it, however small the result is.
     long double sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: the effect of a relative error of q

@@ -68,7 +68,8 @@ void soak_one(std::uint64_t seed, Totals& totals) {
   const std::vector<render::Ray> shadows = shadow_rays(tracer, rays, options.scale, random);
   judge(compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison()), "shadows", seed, totals);
   const std::uint64_t uncertified = tracer.uncertified_steps();
-  if (uncertified > 0) std::cout << "seed " << seed << ": " << uncertified << " uncertified steps, hardest " << options.hardest << '\n';
+  if (uncertified > 0)
+    std::cout << "seed " << seed << ": " << uncertified << " uncertified steps, hardest " << options.hardest << '\n';
   totals.uncertified += uncertified;
   totals.rays += rays.size() + shadows.size();
 }

@@ -37,9 +37,11 @@ TEST_P(ThinSpikes, AreMetAsOftenAsTheirAreaSays) {
   // Rays aimed at a spike meet it, even at its edge, from both sides.
   for (int i = 0; i < kPixels; ++i) {
     for (const double offset : {0.0, 0.999999, -0.999999})
-      EXPECT_FALSE(tracer.hit(camera_ray({{i + 0.5 + offset * radius, 0.3, -7}, {0, 0, 1}})).is_miss()) << i << ' ' << offset;
+      EXPECT_FALSE(tracer.hit(camera_ray({{i + 0.5 + offset * radius, 0.3, -7}, {0, 0, 1}})).is_miss())
+          << i << ' ' << offset;
     for (const double offset : {1.000001, -1.000001})
-      EXPECT_TRUE(tracer.hit(camera_ray({{i + 0.5 + offset * radius, 0.3, -7}, {0, 0, 1}})).is_miss()) << i << ' ' << offset;
+      EXPECT_TRUE(tracer.hit(camera_ray({{i + 0.5 + offset * radius, 0.3, -7}, {0, 0, 1}})).is_miss())
+          << i << ' ' << offset;
   }
 }
 

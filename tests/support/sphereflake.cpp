@@ -27,7 +27,8 @@ std::array<Vec3, 9> child_directions() {
   const double elevation = std::asin(std::sqrt(2.0 / 3.0));
   for (int i = 0; i < 3; ++i) {
     const double azimuth = (45 + 120 * i) * radians;
-    directions[6 + i] = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+    directions[6 + i] = {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                         std::sin(elevation)};
   }
   return directions;
 }
@@ -39,8 +40,8 @@ Vec3 turned(const Vec3& v, const Vec3& direction) {
   return rotate(v, Vec3(-direction.y, direction.x, 0).normalized(), std::acos(direction.z));
 }
 
-void grow(scene::Blob& blob, const std::array<Vec3, 9>& directions, const Vec3& centre, double radius, const Vec3& direction,
-          int level, int levels) {
+void grow(scene::Blob& blob, const std::array<Vec3, 9>& directions, const Vec3& centre, double radius,
+          const Vec3& direction, int level, int levels) {
   blob.components.push_back({.a = centre, .radius_a = radius, .texture = scene::TextureId(level)});
   blob.origins.push_back({});
   if (level == levels) return;

@@ -53,8 +53,7 @@ struct KernelInForce {
 
 class BlobReader {
  public:
-  BlobReader(ElementStream& stream, ObjectDraft& draft)
-      : stream_(stream), context_(stream.context()), draft_(draft) {}
+  BlobReader(ElementStream& stream, ObjectDraft& draft) : stream_(stream), context_(stream.context()), draft_(draft) {}
 
   /// Reads the items up to the first modifier.
   void read_items() {
@@ -239,8 +238,7 @@ class BlobReader {
   void read_convolution() {
     stream_.drop();
     if (!stream_.peek().is(ElementKind::value)) fail_expected(stream_, "`on` or `off` after `convolution`");
-    kernel_.kernel.mode =
-        read_optional_truth(stream_) ? scene::FieldMode::convolution : scene::FieldMode::distance;
+    kernel_.kernel.mode = read_optional_truth(stream_) ? scene::FieldMode::convolution : scene::FieldMode::distance;
     kernel_.is_known = false;
   }
 

@@ -117,7 +117,8 @@ void BlobAssembly::take_over(BlobAssembly part, const Placement& placement) {
   if (part.threshold_) {
     parts_.push_back({first, blob_.components.size(), *part.threshold_});
   } else {
-    for (const ThresholdOfPart& inner : part.parts_) parts_.push_back({inner.begin + first, inner.end + first, inner.threshold});
+    for (const ThresholdOfPart& inner : part.parts_)
+      parts_.push_back({inner.begin + first, inner.end + first, inner.threshold});
   }
 }
 
@@ -131,7 +132,8 @@ scene::Turn BlobAssembly::move(scene::Component& component, const scene::Transfo
   const auto [place, is_new] = moved.try_emplace(scene::index(component.transform));
   if (is_new) {
     const bool has_own = component.transform != scene::kIdentity;
-    const scene::Transform own = has_own ? context_.database.transforms[scene::index(component.transform)] : scene::Transform();
+    const scene::Transform own =
+        has_own ? context_.database.transforms[scene::index(component.transform)] : scene::Transform();
     place->second = add_transform(context_, scene::then(own, blob_from_part));
   }
   component.transform = place->second;

@@ -46,7 +46,8 @@ class NormalReader {
       context_.warn(stream_.span(), "a `normal` without a pattern is flat");
       return scene::kNoNormal;
     }
-    if (info_of(draft_.pattern.kind).choice == render::PatternChoice::mean_of_map && normal_.map == scene::kNoNormalMap) {
+    if (info_of(draft_.pattern.kind).choice == render::PatternChoice::mean_of_map &&
+        normal_.map == scene::kNoNormalMap) {
       context_.fail(stream_.span(), "`average` needs a `normal_map`");
     }
     check_operands(stream_, draft_.pattern);

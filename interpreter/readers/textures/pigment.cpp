@@ -138,8 +138,7 @@ class PigmentReader {
     if (kind == PatternKind::plain && !has_type) {
       context_.warn(block.word_span, "a map without a pattern before it has no effect");
     } else if (!fits) {
-      const std::string what =
-          kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(kind));
+      const std::string what = kind == PatternKind::plain ? "a plain colour" : fmt::format("`{}`", name_of(kind));
       context_.fail(block.word_span, fmt::format("`{}` cannot be used with {}", context_.text(block.word), what));
     }
     record.map = is_colours ? read_colour_map(context_, block) : read_pigment_map(context_, block, entry_value(kind));

@@ -73,8 +73,7 @@ bool read_material_item(ElementStream& stream, Surface& surface) {
   Context& context = stream.context();
   if (const std::optional<Transform> transform = read_transform(stream)) {
     if (surface.texture) surface.texture = moved(context, *surface.texture, *transform);
-    if (surface.interior_texture)
-      surface.interior_texture = moved(context, *surface.interior_texture, *transform);
+    if (surface.interior_texture) surface.interior_texture = moved(context, *surface.interior_texture, *transform);
     return true;
   }
   const Element next = stream.peek();

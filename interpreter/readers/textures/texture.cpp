@@ -139,7 +139,8 @@ class TextureReader {
     const Element next = stream_.peek();
     if (next.is_block(word::kw_texture_map)) {
       stream_.drop();
-      if (const PatternKind kind = draft_.pattern.kind; kind != PatternKind::plain && !render::info_of(kind).takes_map()) {
+      if (const PatternKind kind = draft_.pattern.kind;
+          kind != PatternKind::plain && !render::info_of(kind).takes_map()) {
         context_.fail(next.word_span,
                       fmt::format("`texture_map` cannot be used with `{}`", name_of(draft_.pattern.kind)));
       }

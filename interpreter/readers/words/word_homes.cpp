@@ -48,14 +48,14 @@ Homes make_homes(Context& context) {
       {kw_ior, kw_caustics, kw_dispersion, kw_dispersion_samples, kw_fade_distance, kw_fade_power, kw_fade_color,
        kw_fade_colour});
   add(homes, kw_pigment,
-      {kw_color,         kw_colour,    kw_rgb,         kw_rgbf,        kw_rgbt,      kw_rgbft,       kw_srgb,
-       kw_srgbf,         kw_srgbt,     kw_srgbft,      kw_red,         kw_green,     kw_blue,        kw_filter,
-       kw_transmit,      kw_color_map, kw_colour_map,  kw_pigment_map, kw_quick_color, kw_quick_colour,
-       kw_turbulence,    kw_octaves,   kw_omega,       kw_lambda,      kw_frequency,  kw_phase,       kw_warp,
-       kw_ramp_wave,     kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
+      {kw_color,         kw_colour,    kw_rgb,         kw_rgbf,        kw_rgbt,        kw_rgbft,        kw_srgb,
+       kw_srgbf,         kw_srgbt,     kw_srgbft,      kw_red,         kw_green,       kw_blue,         kw_filter,
+       kw_transmit,      kw_color_map, kw_colour_map,  kw_pigment_map, kw_quick_color, kw_quick_colour, kw_turbulence,
+       kw_octaves,       kw_omega,     kw_lambda,      kw_frequency,   kw_phase,       kw_warp,         kw_ramp_wave,
+       kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
   add(homes, kw_normal,
-      {kw_bump_size, kw_normal_map, kw_slope_map, kw_turbulence, kw_octaves, kw_omega, kw_lambda, kw_frequency, kw_phase,
-       kw_warp, kw_ramp_wave, kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
+      {kw_bump_size, kw_normal_map, kw_slope_map, kw_turbulence, kw_octaves, kw_omega, kw_lambda, kw_frequency,
+       kw_phase, kw_warp, kw_ramp_wave, kw_triangle_wave, kw_sine_wave, kw_scallop_wave});
   add(homes, kw_texture, {kw_texture_map, kw_tiles});
   add(homes, kw_camera,
       {kw_location, kw_look_at, kw_right, kw_up, kw_direction, kw_sky, kw_angle, kw_aperture, kw_focal_point,

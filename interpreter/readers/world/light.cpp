@@ -47,12 +47,10 @@ class LightReader {
       word::kw_falloff,    word::kw_tightness,  word::kw_point_at,          word::kw_fade_distance, word::kw_fade_power,
       word::kw_shadowless, word::kw_looks_like, word::kw_projected_through, word::kw_translate,     word::kw_rotate};
 
-  static constexpr ItemWord<LightItem> kPlaces[] = {{word::kw_spotlight, LightItem::kind},
-                                                    {word::kw_cylinder, LightItem::kind},
-                                                    {word::kw_parallel, LightItem::parallel},
-                                                    {word::kw_area_light, LightItem::area},
-                                                    {word::kw_fade_distance, LightItem::fade},
-                                                    {word::kw_projected_through, LightItem::projected_through}};
+  static constexpr ItemWord<LightItem> kPlaces[] = {
+      {word::kw_spotlight, LightItem::kind},     {word::kw_cylinder, LightItem::kind},
+      {word::kw_parallel, LightItem::parallel},  {word::kw_area_light, LightItem::area},
+      {word::kw_fade_distance, LightItem::fade}, {word::kw_projected_through, LightItem::projected_through}};
 
   bool read_item() {
     if (const std::optional<scene::Transform> transform = read_transform(stream_)) {

@@ -25,8 +25,7 @@ void place(Context& context, const ObjectValue& value) {
     if (object.texture == scene::kNoTexture && context.has_default_texture) {
       // The default texture is in world space, not in the object's.
       const scene::Transform& world_from_object = object.parent_from_object;
-      object.texture =
-          texture_id(context, moved(context, context.default_texture, world_from_object.inverted()));
+      object.texture = texture_id(context, moved(context, context.default_texture, world_from_object.inverted()));
     }
     context.database.objects.push_back(object);
   }

@@ -36,9 +36,7 @@ struct CauchyWindow {
     return d * d * (N(border) + N(2.0) * a) / (a * a * N(border * border * border));
   }
   [[nodiscard]] HWY_INLINE double second_at_border() const { return 6 / (border * border * border * border); }
-  [[nodiscard]] HWY_INLINE double third_at_border() const {
-    return 24 / (border * border * border * border * border);
-  }
+  [[nodiscard]] HWY_INLINE double third_at_border() const { return 24 / (border * border * border * border * border); }
 
   [[nodiscard]] HWY_INLINE WindowBounds bounds(const Octet& y_least, const Octet& e2, const Octet& speed2) const {
     const Octet y = Octet(epsilon) + y_least, y2 = y * y, y3 = y * y2, one(1.0);

@@ -83,8 +83,8 @@ CurveRange curve_range(const KernelConstants& kernel, const Segment& segment, co
   double low = 0;
   if (const Chord least = chord_in(r.rho_high, r.x_low, length - r.x_high); r.rho_high < 1 && least.half_length > 0)
     low = bound(kernel, least, -1);
-  const double farthest = std::max({std::abs(r.x_low), std::abs(r.x_high), std::abs(length - r.x_low),
-                                    std::abs(length - r.x_high)});
+  const double farthest =
+      std::max({std::abs(r.x_low), std::abs(r.x_high), std::abs(length - r.x_low), std::abs(length - r.x_high)});
   if (const double y = r.rho_high * r.rho_high + farthest * farthest; y < 1)
     low = std::max(low, length * window_at(kernel, y) * (1 - kRounding));
   return {std::min(low, high), high};

@@ -71,8 +71,8 @@ template <class N>
   const auto is_whole = rest <= zero;
   const N near = sqrt(max(s, zero)), far = sqrt(max(rest, zero));
   const N inverse = N(1.0) / max(N(2.0) * a, N(1e-300));
-  return {select(is_whole, N(kPi), N(2.0) * angle_of(far, near)),
-          select(is_whole, zero, N(2.0) * near * far * inverse), select(is_whole, N(-1.0), (rest - s) * inverse)};
+  return {select(is_whole, N(kPi), N(2.0) * angle_of(far, near)), select(is_whole, zero, N(2.0) * near * far * inverse),
+          select(is_whole, N(-1.0), (rest - s) * inverse)};
 }
 
 }  // namespace HWY_NAMESPACE

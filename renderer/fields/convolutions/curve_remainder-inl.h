@@ -31,11 +31,11 @@ namespace HWY_NAMESPACE {
 
 /// An end of the part of a curve within the support.
 struct CutBounds {
-  OctetMask may_be;      ///< the support cuts the curve on this side at some t of the stretch
-  OctetMask stays;       ///< it does so at all t of the stretch, or at none
-  Octet width2;          ///< lower bound of W²; 0 or less if W may vanish
-  Octet e_low, e_high;   ///< range of e
-  Octet bend;            ///< greatest |κ|
+  OctetMask may_be;     ///< the support cuts the curve on this side at some t of the stretch
+  OctetMask stays;      ///< it does so at all t of the stretch, or at none
+  Octet width2;         ///< lower bound of W²; 0 or less if W may vanish
+  Octet e_low, e_high;  ///< range of e
+  Octet bend;           ///< greatest |κ|
 };
 
 /// A curve as a stretch of a ray sees it, lengths in support radii.
@@ -76,10 +76,10 @@ template <class Window>
     fourth = select(cut.stays, fourth, infinite);
   }
   const Octet h2 = h * h, h3 = h * h2;
-  const Octet value = min(h2 * Octet(1.0 / 32) * second,
-                          min(h3 * Octet(1.0 / 192) * third, h2 * h2 * Octet(1.0 / 384) * fourth));
-  const Octet slope = min(h * Octet(0.126) * second,
-                          min(h2 * Octet(0.0162) * third, h3 * Octet(0.00801876) * fourth));  // √3/216
+  const Octet value =
+      min(h2 * Octet(1.0 / 32) * second, min(h3 * Octet(1.0 / 192) * third, h2 * h2 * Octet(1.0 / 384) * fourth));
+  const Octet slope =
+      min(h * Octet(0.126) * second, min(h2 * Octet(0.0162) * third, h3 * Octet(0.00801876) * fourth));  // √3/216
   const OctetMask counts = c.y_least < Octet(1.0);
   return {keep(counts, value), keep(counts, slope)};
 }

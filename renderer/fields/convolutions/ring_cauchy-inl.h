@@ -44,8 +44,7 @@ template <class N>
   const N e3_cut = N(0.5) * inverse * (sine * border1 + N(3.0) * c * cut2 - cut1);
   const N e3 = select(is_whole, e3_whole, e3_cut);
   const N inverse_a = one / a;
-  const N k = select(is_whole, N(3 * kPi) * c * inverse * inverse * root,
-                     (c * e3_cut - cut2) * inverse_a * inverse_a);
+  const N k = select(is_whole, N(3 * kPi) * c * inverse * inverse * root, (c * e3_cut - cut2) * inverse_a * inverse_a);
   const N plain = select(is_whole, N(2 * kPi) * (s - a), two * a * sine_excess(arc.angle, arc.sine, arc.cosine));
   const N window_radial = N(4.0) * border3 * r * r * arc.sine * (two * r * inverse_a);
 
@@ -57,8 +56,10 @@ template <class N>
   const N e3_terms = select(is_whole, e3, inverse * (N(3.0) * c * cut2 + cut1)) + e3 * (one + r) / y;
   result.value_terms = r * (e2 + two * border2 * arc.angle + two * border3 * plain) + (one + r) * r * two * e3;
   result.whole_terms = r * (two * e3_terms + N(4.0) * border3 * arc.angle);
-  result.radial_terms = N(4.0) * r * r * r * (k * (two + r) / y + select(is_whole, N(0.0), (c * e3_terms + cut2) * inverse_a * inverse_a)) +
-                        window_radial;
+  result.radial_terms =
+      N(4.0) * r * r * r *
+          (k * (two + r) / y + select(is_whole, N(0.0), (c * e3_terms + cut2) * inverse_a * inverse_a)) +
+      window_radial;
   return result;
 }
 

@@ -89,8 +89,7 @@ struct Cauchy {
 
   [[nodiscard]] HWY_INLINE SlopeBounds slopes(const Octet& v_least) const {
     const Octet a = Octet(epsilon) + v_least, a4 = fourth_power(a);
-    return {Octet(0.0) - slope(a, v_least), Octet(6.0) / a4, Octet(24.0) / (a4 * a),
-            Octet(120.0) / (a4 * a * a)};
+    return {Octet(0.0) - slope(a, v_least), Octet(6.0) / a4, Octet(24.0) / (a4 * a), Octet(120.0) / (a4 * a * a)};
   }
 
  private:

@@ -15,8 +15,8 @@ struct KernelConstants {
   scene::KernelShape shape = scene::KernelShape::quartic;
   bool is_convolved = false;  ///< the kernel is a window to integrate (convolutions/); φ is not defined
   bool is_sheet = false;      ///< φ is the profile of a convolved plane (cubic-inl.h, sheet_cauchy-inl.h)
-  double scale = 1;    ///< v = scale · q
-  double support = 1;  ///< the v from which on φ = 0
+  double scale = 1;           ///< v = scale · q
+  double support = 1;         ///< the v from which on φ = 0
   double amplitude = 1;
   double a = 0;    ///< gaussian: v at the surface; cauchy, its window and its sheet: ε; else 0
   double cut = 0;  ///< gaussian: e^{a − support}; else 0

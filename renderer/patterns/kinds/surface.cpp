@@ -45,7 +45,8 @@ void read_slope(scene::OperandReader& reader, Slope& slope, std::string_view /*w
   slope.is_reference = reader.accept_word("point_at");
   slope.is_direction = !slope.is_reference;
   (slope.is_reference ? slope.reference : slope.direction) = reader.vector("a direction");
-  if (slope.is_direction && slope.direction.length() == 0) reader.fail("the direction of `slope` must not be <0, 0, 0>");
+  if (slope.is_direction && slope.direction.length() == 0)
+    reader.fail("the direction of `slope` must not be <0, 0, 0>");
   read_range(reader, slope.low_slope, slope.high_slope, "the low slope", "the high slope");
   slope.has_altitude = reader.accept_word("altitude");
   if (!slope.has_altitude) return;

@@ -188,7 +188,8 @@ class CellSearch {
     const ComponentTable& table = blob_.components;
     for (const std::uint32_t item : blob_.grid.endless_items) {
       const FieldGroup& group = table.group_of(item);
-      table.with_endless(group, item, [&](const auto& shape) { use(shape, shape.radius * ComponentTable::support_root(group)); });
+      table.with_endless(group, item,
+                         [&](const auto& shape) { use(shape, shape.radius * ComponentTable::support_root(group)); });
     }
   }
 
@@ -199,7 +200,9 @@ class CellSearch {
   }
 
   /// The cell whose list shades a crossing that falls between cells.
-  [[nodiscard]] std::uint32_t last_solved_or(std::uint32_t index) const { return last_cell_ == scene::kNone ? index : last_cell_; }
+  [[nodiscard]] std::uint32_t last_solved_or(std::uint32_t index) const {
+    return last_cell_ == scene::kNone ? index : last_cell_;
+  }
 
   Arrival crosses(double t, std::uint32_t cell) {
     cross(t, cell);

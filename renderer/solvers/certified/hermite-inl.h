@@ -83,7 +83,8 @@ class HermiteSolver {
     // Only places next to t = 0 are closer together than 2⁻⁶⁰ of the whole, and they are not told apart: a ray that
     // grazes a plane's field takes 10⁹ radii to pass it.
     const double share = 0x1p-60 * (last.t - a.t);
-    least_ = {.by_rounding = std::max(shortest_.by_rounding, share), .by_tolerance = std::max(shortest_.by_tolerance, share)};
+    least_ = {.by_rounding = std::max(shortest_.by_rounding, share),
+              .by_tolerance = std::max(shortest_.by_tolerance, share)};
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;

@@ -37,8 +37,9 @@ class PacketSearch {
     for_each_lane(in_use, [&](std::size_t lane) {
       if (begin(lane, rays[lane])) meeting |= 1u << lane;
     });
-    const auto visit = [&](std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter, const Octet& leave)
-                           HWY_ATTR { return mask_of(this->visit(index, cell, bits(lanes), enter, leave)); };
+    const auto visit =
+        [&](std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter, const Octet& leave)
+            HWY_ATTR { return mask_of(this->visit(index, cell, bits(lanes), enter, leave)); };
     if (meeting != 0) PacketWalk(blob_.grid, packet_, visit).walk(meeting, Octet(0.0), load(reach_));
     for_each_lane(in_use, [&](std::size_t lane) { hits[lane] = searches_[lane]->hit(); });
   }
@@ -70,7 +71,8 @@ class PacketSearch {
   }
 
   /// Lets rays meet a cell. Returns the rays that are done.
-  std::uint32_t visit(std::uint32_t index, const Cell& cell, std::uint32_t lanes, const Octet& enter, const Octet& leave) {
+  std::uint32_t visit(std::uint32_t index, const Cell& cell, std::uint32_t lanes, const Octet& enter,
+                      const Octet& leave) {
     store(enter, packet_.t0);
     store(leave, packet_.t1);
     std::uint32_t together = 0, done = 0;

@@ -44,7 +44,8 @@ TEST(ParetoFronts, LetTheDefaultStandForItsEquals) {
 
 TEST(ParetoFronts, AreNeverEmpty) {
   // Each setting is as quick as the next within the spread, and the first is quicker than the last.
-  const AccuracyReport report = report_of({{"march", 0.985, 0}, {"hermite", 1, 0}, {"climb", 0.97, 0}, {"sphere", 0.955, 0}});
+  const AccuracyReport report =
+      report_of({{"march", 0.985, 0}, {"hermite", 1, 0}, {"climb", 0.97, 0}, {"sphere", 0.955, 0}});
   const std::vector<bool> front = pareto_front(report);
   EXPECT_EQ(std::count(front.begin(), front.end(), true), 1);
 }

@@ -168,8 +168,10 @@ TEST(IniOptions, CropAsPovRayDoes) {
   EXPECT_EQ(crop("Start_Column=10\nEnd_Column=20"), (std::array{9, 0, 20, 40}));
   EXPECT_EQ(crop("Start_Column=0.3\nEnd_Row=0.25"), (std::array{12, 0, 40, 10}));
   EXPECT_EQ(crop("Start_Column=1\nEnd_Column=1"), (std::array{0, 0, 40, 40}));
-  EXPECT_THAT(translated("Width=40\nHeight=40\nStart_Row=30\nEnd_Row=20").remarks(), HasSubstr("is empty or reaches beyond"));
-  EXPECT_THAT(translated("Width=40\nHeight=40\nEnd_Row=41").remarks(), HasSubstr("is empty or reaches beyond the picture of 40x40 pixels"));
+  EXPECT_THAT(translated("Width=40\nHeight=40\nStart_Row=30\nEnd_Row=20").remarks(),
+              HasSubstr("is empty or reaches beyond"));
+  EXPECT_THAT(translated("Width=40\nHeight=40\nEnd_Row=41").remarks(),
+              HasSubstr("is empty or reaches beyond the picture of 40x40 pixels"));
 }
 
 TEST(IniOptions, WithoutCounterpartAreNamed) {

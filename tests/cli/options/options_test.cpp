@@ -120,7 +120,8 @@ TEST(Options, StandardOutputIsForOnePictureAlone) {
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "-"}), HasSubstr("as in `-o png:-`"));
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--format", "json"}), HasSubstr("--format json"));
   EXPECT_THAT(refusal({"render", "a.isl", "-o", "png:-", "--aov", "cost"}), HasSubstr("--aov"));
-  EXPECT_THAT(names_of(render({"a.isl", "-o", "exr:-", "--aov", "depth"}).picture.layers), testing::ElementsAre("depth"));
+  EXPECT_THAT(names_of(render({"a.isl", "-o", "exr:-", "--aov", "depth"}).picture.layers),
+              testing::ElementsAre("depth"));
   EXPECT_THAT(names_of(render({"a.isl", "-o", "png:-", "-o", "a.exr", "--aov", "depth"}).picture.layers),
               testing::ElementsAre("depth"));
 }
@@ -141,7 +142,8 @@ TEST(Options, MistakesAreNamedAndAnswered) {
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depht", "-o", "a.exr"}), HasSubstr("unknown layer `depht`"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "depth"}), HasSubstr(".exr"));
   EXPECT_THAT(refusal({"render", "a.isl", "--aov", "cost,depth"}), HasSubstr(".exr"));
-  EXPECT_THAT(names_of(render({"a.isl", "--aov", "missed,cost"}).picture.layers), testing::ElementsAre("cost", "missed"));
+  EXPECT_THAT(names_of(render({"a.isl", "--aov", "missed,cost"}).picture.layers),
+              testing::ElementsAre("cost", "missed"));
   EXPECT_THAT(refusal({"render", "a.isl", "--solver", "exact", "--tolerance", "1px"}), HasSubstr("--tolerance"));
   EXPECT_THAT(refusal({"render", "a.isl", "-D", "Levels"}), HasSubstr("expected NAME=VALUE"));
   EXPECT_THAT(refusal({"check", "a.isl", "--format", "xml"}), HasSubstr("`xml`"));

@@ -37,8 +37,9 @@ TEST_F(CheckCommand, ItsCameraSeesTheScene) {
 }
 
 TEST_F(CheckCommand, NamesWhatIsTooShortToHaveASurfaceByItself) {
-  write("a.isl", "light_source { 9, 1 }\nblob { kernel \"quartic\" convolution on\n  cylinder { 0, 9 * x, 0.3 }\n"
-                 "  #for (I, 0, 9) cylinder { I * x / 200, (I + 1) * x / 200, 0.3 } #end\n  torus { 0.001, 0.4 }\n}\n");
+  write("a.isl",
+        "light_source { 9, 1 }\nblob { kernel \"quartic\" convolution on\n  cylinder { 0, 9 * x, 0.3 }\n"
+        "  #for (I, 0, 9) cylinder { I * x / 200, (I + 1) * x / 200, 0.3 } #end\n  torus { 0.001, 0.4 }\n}\n");
   const ProcessResult result = run({"check", "a.isl"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("a.isl:4:18: warning: this `cylinder` is too short to have a surface by itself: "

@@ -36,7 +36,10 @@ json effect(const json& document, const char* list, const std::string& name) {
 TEST_F(PlanCommand, NamesTheStatementsThatAsked) {
   const ProcessResult result = run({"plan", "scene.isl"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("metallic    `metallic` at metal.inc:2:23, in file `metal.inc` at scene.isl:1:1, used at scene.isl:3:25"));
+  EXPECT_THAT(
+      result.out,
+      HasSubstr(
+          "metallic    `metallic` at metal.inc:2:23, in file `metal.inc` at scene.isl:1:1, used at scene.isl:3:25"));
   EXPECT_THAT(result.out, HasSubstr("lighting    a light at scene.isl:2:1"));
   EXPECT_THAT(result.out, HasSubstr("called for, and not rendered yet\n  irid  `irid` at metal.inc:3:19"));
   EXPECT_THAT(result.out, HasSubstr("there is no sky_sphere"));

@@ -71,8 +71,7 @@ TEST(NotRendered, LooksIntoEachSharedGroupOnce) {
   database.solids.resize(1);
   Object hidden = object(Object::Kind::solid, 0, 5);
   hidden.double_illuminate = true;
-  database.groups = {{.children = {hidden}},
-                     {.operation = Operation::subtract, .children = {hidden}}};
+  database.groups = {{.children = {hidden}}, {.operation = Operation::subtract, .children = {hidden}}};
   database.objects = {object(Object::Kind::group, 0), object(Object::Kind::group, 0), object(Object::Kind::group, 1)};
   const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 1u);

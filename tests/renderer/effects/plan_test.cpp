@@ -104,7 +104,8 @@ TEST(Plan, follows_the_quality) {
 }
 
 TEST(Plan, leaves_out_what_it_is_told_to) {
-  const Plan plan = plan_of(with_finish({.reflection = {.maximum = {1, 0, 0}}}), {.without = {"reflection", "shadows"}});
+  const Plan plan =
+      plan_of(with_finish({.reflection = {.maximum = {1, 0, 0}}}), {.without = {"reflection", "shadows"}});
   EXPECT_THAT(names(plan.called_for), ElementsAre("ambient", "lighting"));
 }
 

@@ -3,11 +3,11 @@
 #include "renderer/image/atomic_file.h"
 #include "renderer/image/transfer.h"
 
-#include "tests/renderer/image/test_layers.h"
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include "tests/renderer/image/test_layers.h"
 
 #include <chrono>
 #include <cmath>

@@ -53,7 +53,8 @@ TEST(Reflection, ends_at_max_trace_level) {
   const auto mirrors = [](int level) {
     return fmt::format(
         "global_settings {{ max_trace_level {} }} camera {{ location 0 direction z right x up y }} "
-        "#default {{ pigment {{ rgb 1 }} finish {{ ambient .3 diffuse 0 reflection .5 }} }} plane {{ -z, -1 }} plane {{ z, -1 }} ",
+        "#default {{ pigment {{ rgb 1 }} finish {{ ambient .3 diffuse 0 reflection .5 }} }} plane {{ -z, -1 }} plane "
+        "{{ z, -1 }} ",
         level);
   };
   expect_middle(mirrors(1), .3, .3, .3);
@@ -64,7 +65,8 @@ TEST(Reflection, ends_at_max_trace_level) {
 
 TEST(Reflection, ends_below_adc_bailout) {
   const std::string mirrors =
-      "camera { location 0 direction z right x up y } #default { pigment { rgb 1 } finish { ambient .3 diffuse 0 reflection .1 } } "
+      "camera { location 0 direction z right x up y } #default { pigment { rgb 1 } finish { ambient .3 diffuse 0 "
+      "reflection .1 } } "
       "plane { -z, -1 } plane { z, -1 } ";
   expect_middle("global_settings { adc_bailout .05 max_trace_level 20 } " + mirrors, .33, .33, .33);
   expect_middle("global_settings { adc_bailout .005 max_trace_level 20 } " + mirrors, .333, .333, .333);
@@ -82,9 +84,10 @@ TEST(Reflection, is_counted) {
 
 TEST(Fog, is_povrays) {
   const auto wall = [](const char* fogs) {
-    return fmt::format("camera {{ location -10*z direction z right x up y }} {} plane {{ -z, 0 pigment {{ rgb <.2, .4, .6> }} "
-                       "finish {{ ambient 1 diffuse 0 }} }} ",
-                       fogs);
+    return fmt::format(
+        "camera {{ location -10*z direction z right x up y }} {} plane {{ -z, 0 pigment {{ rgb <.2, .4, .6> }} "
+        "finish {{ ambient 1 diffuse 0 }} }} ",
+        fogs);
   };
   expect_middle(wall("fog { distance 10 rgb <1, .8, .6> }"), .7057, .65284, .6);
   expect_middle(wall("fog { distance 10 rgbf <1, .8, .6, .5> }"), .7057, .63813, .55586);
@@ -102,18 +105,21 @@ TEST(Fog, hides_the_background_and_stays_out_of_solids) {
 
 TEST(SkySphere, lays_its_pigments_over_the_background) {
   const std::string sky =
-      "background { rgb <1, 0, 0> } sky_sphere { pigment { rgbt <0, 1, 0, .5> } pigment { rgbft <0, .4, 1, .25, .25> } } ";
+      "background { rgb <1, 0, 0> } sky_sphere { pigment { rgbt <0, 1, 0, .5> } pigment { rgbft <0, .4, 1, .25, .25> } "
+      "} ";
   expect_middle(kStraight + sky, .125, .375, .5);
 }
 
 TEST(SkySphere, before_version_3_7_dims_layers_without_colouring_them) {
   const std::string view = std::string("#version 3.6; background { rgb <1, .5, .25> } ") + kStraight;
   constexpr double kByte = 1.0 / 255;  // POV-Ray's values have eight bits
-  expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbf <.4, .6, .8, .5> } }", .302, .502, .702, kByte);
-  expect_middle(view + "sky_sphere { pigment { rgbft <.4, .6, .8, .2, .1> } pigment { rgbft <.8, .6, .4, .3, .4> } }", .4941,
-                .5059, .5255, kByte);
-  expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbft <0, 0, 0, .2, .1> } "
-                       "pigment { rgbft <0, 0, 0, .3, .4> } }",
+  expect_middle(view + "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbf <.4, .6, .8, .5> } }", .302, .502,
+                .702, kByte);
+  expect_middle(view + "sky_sphere { pigment { rgbft <.4, .6, .8, .2, .1> } pigment { rgbft <.8, .6, .4, .3, .4> } }",
+                .4941, .5059, .5255, kByte);
+  expect_middle(view +
+                    "sky_sphere { pigment { rgb <.2, .4, .6> } pigment { rgbft <0, 0, 0, .2, .1> } "
+                    "pigment { rgbft <0, 0, 0, .3, .4> } }",
                 .0196, .0392, .0588, kByte);
   expect_middle(view + "sky_sphere { pigment { rgbf <.4, .6, .8, .5> } }", .4, .451, .502, kByte);
 }
@@ -122,9 +128,10 @@ TEST(SkySphere, is_looked_up_by_the_direction) {
   const std::string sky = "sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } } } ";
   expect_middle("camera { location <7, 8, 9> look_at <7, 8.5, 9.866025403784> right x up y } " + sky, .5, .5, .5);
   // A mirror tilted by 15 degrees sends a ray along z up by 30.
-  expect_middle("camera { location 0 direction z right x up y } " + sky +
-                    "plane { <0, .25881904510252074, -.9659258262890683>, -2 finish { ambient 0 diffuse 0 reflection 1 } } ",
-                .5, .5, .5);
+  expect_middle(
+      "camera { location 0 direction z right x up y } " + sky +
+          "plane { <0, .25881904510252074, -.9659258262890683>, -2 finish { ambient 0 diffuse 0 reflection 1 } } ",
+      .5, .5, .5);
 }
 
 TEST(HiddenObjects, are_seen_by_the_rays_that_they_are_not_hidden_from) {

@@ -36,7 +36,8 @@ scene::Database lit_sphere(const Vec3& light, double diffuse) {
   database.camera = scene::Camera{{0, 0, -4}, {0, 0, 1}, {1.2, 0, 0}, {0, 0.9, 0}};
   database.lights.emplace_back();
   database.lights[0].location = light;
-  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0}, {1, 1, 1}, {.ambient = {}, .diffuse = diffuse});
+  add_solid(database, {SolidKind::sphere, false, {0, 0, 0}, Vec3(0), 1, 0}, {1, 1, 1},
+            {.ambient = {}, .diffuse = diffuse});
   return database;
 }
 
@@ -120,7 +121,8 @@ TEST(Render, a_crop_is_that_part_of_the_whole) {
     for (int x = 37; x < 81; ++x) {
       ASSERT_EQ(pixel(part, x, y), pixel(whole, x, y)) << x << ", " << y;
       for (const char* layer : {"depth", "samples"}) {
-        ASSERT_EQ(part.layer(layer)->at(part.window.index(x, y), 0), whole.layer(layer)->at(whole.window.index(x, y), 0));
+        ASSERT_EQ(part.layer(layer)->at(part.window.index(x, y), 0),
+                  whole.layer(layer)->at(whole.window.index(x, y), 0));
       }
     }
   }
@@ -136,7 +138,9 @@ TEST(Render, refines_edges_only_and_never_beyond_sixteen) {
     rays += static_cast<std::uint64_t>(count);
   }
   EXPECT_EQ(rays, result.statistics.paths.camera);
-  const auto count_at = [&](int x, int y) { return result.image.layer("samples")->at(result.image.window.index(x, y), 0); };
+  const auto count_at = [&](int x, int y) {
+    return result.image.layer("samples")->at(result.image.window.index(x, y), 0);
+  };
   EXPECT_EQ(count_at(0, 0), 1) << "background";
   EXPECT_EQ(count_at(35, 25), 1) << "the middle of the sphere";
   EXPECT_GT(result.statistics.samples_per_pixel, 1.1);
@@ -188,7 +192,8 @@ TEST(Render, quality_takes_away_shadows_then_light) {
   // The light stands behind an occluder that the camera does not see.
   scene::Database database = lit_sphere({0, 0, -20}, 0.5);
   add_solid(database, {SolidKind::sphere, false, {0, 0, -10}, Vec3(0), 2, 0}, {1, 1, 1}, {});
-  database.textures[0] = isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.5});
+  database.textures[0] =
+      isl::test::plain_texture(database, {0.8, 0.8, 0.8}, {.ambient = {0.1, 0.1, 0.1}, .diffuse = 0.5});
   RenderOptions options = small(3, 3);
   options.samples = 1;
   const auto middle = [&](int quality) {

@@ -54,7 +54,7 @@ TEST(BlendedMaterial, is_the_mean_of_finished_colours) {
   scene::Database database;
   database.textures = {
       isl::test::plain_texture(database, {0.9, 0.1, 0.1},
-                    {.ambient = {0.2, 0.2, 0.2}, .diffuse = 0.8, .phong = 0.5, .phong_size = 5}),
+                               {.ambient = {0.2, 0.2, 0.2}, .diffuse = 0.8, .phong = 0.5, .phong_size = 5}),
       isl::test::plain_texture(
           database, {0.1, 0.2, 0.9},
           {.ambient = {0.05, 0.05, 0.05}, .diffuse = 0.3, .brilliance = 2, .specular = 0.5, .roughness = 0.1}),
@@ -74,7 +74,8 @@ TEST(BlendedMaterial, is_the_mean_of_finished_colours) {
   std::vector<LitTexture> textures;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Material& material = materials[scene::TextureId(i)];
-    textures.push_back({&material, material.pigment, material.pigment, std::abs(kComponents[i].field(position)) / total});
+    textures.push_back(
+        {&material, material.pigment, material.pigment, std::abs(kComponents[i].field(position)) / total});
   }
   const Vec3 view(0, 0, 1);
   const ShadingPoint point{position, turned_to_viewer(-gradient.normalized(), view), view, textures};

@@ -13,7 +13,8 @@ namespace isl::render::test {
   Rgb colour = diffuse_colour(point, incidence);
   if (!light.shadowless) {
     const HighlightAngles angle = highlight_angles(point, sample.direction);
-    for (const LitTexture& lit : point.textures) colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
+    for (const LitTexture& lit : point.textures)
+      colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
   }
   return colour * rgb(light.colour);
 }

@@ -106,8 +106,7 @@ scene::Database with_choice(scene::Pattern pattern, double first, double second)
 }
 
 TEST(PointTextures, BetweenTwoEntriesOfAMapTexturesAreBlended) {
-  const scene::Database database =
-      with_choice(gradient_along({1, 0, 0}), 0.25, 0.75);
+  const scene::Database database = with_choice(gradient_along({1, 0, 0}), 0.25, 0.75);
   const Point point(database, TextureId{2}, {0.375, 0, 0});
   ASSERT_EQ(point.lit().size(), 2u);
   EXPECT_EQ(point.lit()[0].weight, 0.75);
@@ -141,8 +140,7 @@ TEST(PointTextures, WhatAPatternChoosesLiesInThePatternsSpace) {
   twice.matrix.setScale(Vec3(2));
   twice.inverse.setScale(Vec3(0.5));
   database.transforms.push_back(twice);
-  database.pigments.push_back({.pattern = gradient_along({1, 0, 0}),
-                               .map = scene::PigmentMapId{0}});
+  database.pigments.push_back({.pattern = gradient_along({1, 0, 0}), .map = scene::PigmentMapId{0}});
   database.pigment_maps = {{{0, {}}, {1, {{0, 1, 0}}}}};
   database.textures[0].pigment = database.textures[1].pigment = {.pattern = scene::PigmentId{0}};
   EXPECT_NEAR(Point(database, TextureId{2}, {0.5, 0, 0}).lit().front().pigment.y, 0.25, 1e-6);

@@ -1,8 +1,8 @@
 // Our exponential, compared with MPFR.
 #include "renderer/simd/exp-inl.h"
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include <cmath>
 #include <random>

@@ -76,7 +76,8 @@ TEST(SimdTargets, AllGiveTheSameBits) {
       ++hits;
       best.surface_at(rays[i], expected[i], a);
       tracer.surface_at(rays[i], found[i], b);
-      for (int axis = 0; axis < 3; ++axis) ASSERT_TRUE(same_bits(a.normal[axis], b.normal[axis])) << target << " ray " << i;
+      for (int axis = 0; axis < 3; ++axis)
+        ASSERT_TRUE(same_bits(a.normal[axis], b.normal[axis])) << target << " ray " << i;
     }
   }
   EXPECT_GE(compared, 1);

@@ -47,8 +47,7 @@ struct Field {
     return {first(p.value), first(p.slope), kUnit * first(p.value_terms), kUnit * first(p.slope_terms)};
   }
   [[nodiscard]] double most(double t0, double t1) const {
-    return first(lane.amplitude) *
-           with_window([&](const auto& window) { return first(lane.most(window, t0, t1)); });
+    return first(lane.amplitude) * with_window([&](const auto& window) { return first(lane.most(window, t0, t1)); });
   }
   [[nodiscard]] lanes::CurveRemainder remainder(double t0, double t1) const {
     return with_window([&](const auto& w) { return lanes::curve_remainder(w, lane.stretch(t0, t1), t1 - t0); });
@@ -98,8 +97,8 @@ class ConvolutionBounds : public testing::TestWithParam<scene::Kernel> {
     const double dx = i % 5 == 1 ? 0 : std::cos(angle), n2 = std::sin(angle) * std::sin(angle);
     const double distance = i % 7 == 0 ? 0 : uniform(0, 1);
     return {k,
-            {Octet(uniform(-1, length + 1)), Octet(0.0), Octet(dx), Octet(distance * distance), Octet(n2),
-             Octet(0.0), Octet(length), Octet(k.amplitude)}};
+            {Octet(uniform(-1, length + 1)), Octet(0.0), Octet(dx), Octet(distance * distance), Octet(n2), Octet(0.0),
+             Octet(length), Octet(k.amplitude)}};
   }
   Field<lanes::SegmentLanes> finished(Field<lanes::SegmentLanes> f) {
     f.lane.behind0 = f.lane.length - f.lane.before0;
@@ -112,7 +111,8 @@ class ConvolutionBounds : public testing::TestWithParam<scene::Kernel> {
     const double dz = i % 5 == 1 ? 0 : std::cos(angle), n2 = std::sin(angle) * std::sin(angle);
     const double impact = i % 7 == 0 ? 0 : uniform(0, radius + 1);
     // t = 0 is where the ray is nearest to the axis, but the interesting place is where it is nearest to the ring.
-    const double shift = impact < radius && i % 2 == 0 && n2 > 0.1 ? std::sqrt((radius * radius - impact * impact) / n2) : 0;
+    const double shift =
+        impact < radius && i % 2 == 0 && n2 > 0.1 ? std::sqrt((radius * radius - impact * impact) / n2) : 0;
     return {k,
             {Octet(uniform(-1, 1) - dz * shift), Octet(dz), Octet(impact * impact), Octet(n2), Octet(0.0),
              Octet(radius), Octet(k.amplitude)}};

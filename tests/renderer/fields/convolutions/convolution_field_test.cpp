@@ -16,16 +16,19 @@ namespace {
 
 using reference::RandomSource;
 
-scene::Database convolution(scene::KernelShape shape, double hardness, const std::vector<scene::Component>& components) {
-  return reference::one_blob({shape, scene::RadiusMeaning::surface, hardness, scene::FieldMode::convolution}, components);
+scene::Database convolution(scene::KernelShape shape, double hardness,
+                            const std::vector<scene::Component>& components) {
+  return reference::one_blob({shape, scene::RadiusMeaning::surface, hardness, scene::FieldMode::convolution},
+                             components);
 }
 
 /// A segment or a ring; one in three has a map of its own.
 scene::Database random_curve(RandomSource& random, int i) {
   const auto shape = i % 2 == 0 ? scene::KernelShape::quartic : scene::KernelShape::cauchy;
   const double radius = random.between(0.1, 0.5);
-  scene::Component c = i % 4 < 2 ? reference::segment(random.in_ball(0.5), random.in_ball(0.8), radius)
-                                 : reference::circle(random.in_ball(0.3), random.direction(), random.between(0.05, 1), radius);
+  scene::Component c =
+      i % 4 < 2 ? reference::segment(random.in_ball(0.5), random.in_ball(0.8), radius)
+                : reference::circle(random.in_ball(0.3), random.direction(), random.between(0.05, 1), radius);
   c.strength = random.between(-2, 2);
   scene::Database database = convolution(shape, std::pow(10, random.between(-0.5, 1.5)), {c});
   if (i % 3 == 0) {
@@ -78,7 +81,8 @@ TEST(ConvolvedField, GradientIsTheSlopeInEveryDirection) {
       Vec3 step(0);
       step[axis] = 1e-5;
       const double slope = (curve.value(p + step) - curve.value(p - step)) / 2e-5;
-      EXPECT_NEAR(curve.table.amplitude[0] * f.gradient[axis], slope, 1e-3 * (std::abs(slope) + std::abs(curve.value(p))) + 1e-6);
+      EXPECT_NEAR(curve.table.amplitude[0] * f.gradient[axis], slope,
+                  1e-3 * (std::abs(slope) + std::abs(curve.value(p))) + 1e-6);
     }
   }
 }
@@ -88,7 +92,8 @@ TEST(ConvolvedField, RangeOverABoxHoldsEveryValue) {
   int reached = 0;
   for (int i = 0; i < 3000; ++i) {
     const Curve curve{random_curve(random, i)};
-    const Vec3 low = random.in_ball(1.2), size = Vec3(random.unit(), random.unit(), random.unit()) * std::pow(10, random.between(-2, 0));
+    const Vec3 low = random.in_ball(1.2),
+               size = Vec3(random.unit(), random.unit(), random.unit()) * std::pow(10, random.between(-2, 0));
     const FieldRange range = field_range(curve.table, curve.table.groups.front(), 0, Box(low, low + size));
     reached += range.low != 0 || range.high != 0 ? 1 : 0;
     for (int k = 0; k < 40; ++k) {
@@ -110,7 +115,8 @@ TEST(ConvolvedField, NoValueBeyondADistanceExceedsItsBound) {
     if (group.is_mapped) continue;
     const Vec3 p = random.in_ball(1.2);
     const double q = curve.table.with_skeleton(group, 0, [&](const auto& s) { return s.nearest(p).q(); });
-    EXPECT_LE(std::abs(curve.value(p)), most_at(curve.database, blob, blob.components[0], curve.kernel, q) * (1 + 1e-12));
+    EXPECT_LE(std::abs(curve.value(p)),
+              most_at(curve.database, blob, blob.components[0], curve.kernel, q) * (1 + 1e-12));
     EXPECT_LE(std::abs(curve.value(p)), most_at(curve.database, blob, blob.components[0], curve.kernel, 0.7 * q));
     EXPECT_LE(std::abs(curve.value(p)), peak_of(curve.database, blob, blob.components[0], curve.kernel) * 1.01);
   }
@@ -126,7 +132,8 @@ TEST(ConvolvedField, BoundsOfARayHoldAndShrinkByEightAHalving) {
     const double radius = support_radius(curve.table, curve.table.groups.front(), 0);
     for (int half = 0; half < 2; ++half) {
       const double h = 0.02 * radius / (1 + half);
-      if (curve.value(origin) != 0 && curve.value(origin + direction * h) != 0) sums[half] += rays.remainder(0, h).value / radius;
+      if (curve.value(origin) != 0 && curve.value(origin + direction * h) != 0)
+        sums[half] += rays.remainder(0, h).value / radius;
     }
   }
   EXPECT_GT(sums[0] / sums[1], 8);

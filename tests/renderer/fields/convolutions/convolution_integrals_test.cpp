@@ -6,9 +6,9 @@
 #include "renderer/fields/convolutions/segment_quartic-inl.h"
 #include "renderer/fields/kernels/curve_constants.h"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +64,7 @@ struct Case {
   scene::Kernel kernel;
 
   [[nodiscard]] KernelConstants constants() const { return curve_constants(kernel); }
-  [[nodiscard]] Window window() const {
-    return {kernel.shape == scene::KernelShape::quartic, Real(constants().a)};
-  }
+  [[nodiscard]] Window window() const { return {kernel.shape == scene::KernelShape::quartic, Real(constants().a)}; }
   template <class View>
   [[nodiscard]] auto integrate(const View& view) const {
     const KernelConstants k = constants();
@@ -137,9 +135,7 @@ TEST_P(Convolution, RingIsTheIntegralOfItsWindow) {
   Real worst = 0;
   for (int i = 0; i < 300; ++i) {
     const double radius = std::pow(10, uniform(-3, i % 2 == 0 ? 0 : 3));
-    const double rho = i % 10 == 0   ? 0
-                       : i % 3 == 0 ? std::pow(10, uniform(-9, 0))
-                                    : std::abs(radius + uniform(-1, 1));
+    const double rho = i % 10 == 0 ? 0 : i % 3 == 0 ? std::pow(10, uniform(-9, 0)) : std::abs(radius + uniform(-1, 1));
     const double z = i % 4 == 0 ? 0 : uniform(-1, 1);
     const lanes::RingView<double> view{radius, rho, (rho - radius) * (rho - radius) + z * z};
     if (!(view.distance2 < 1)) continue;

@@ -220,7 +220,8 @@ std::vector<scene::Kernel> kernels() {
 
 INSTANTIATE_TEST_SUITE_P(Kernels, KernelBounds, testing::ValuesIn(kernels()), [](const auto& given) {
   return std::string(scene::kKernelWords[static_cast<std::size_t>(given.param.shape)]) +
-         (given.param.mode == scene::FieldMode::sheet ? "_sheet_" : "_") + std::to_string(std::lround(given.param.hardness * 100)) + "_hundredths";
+         (given.param.mode == scene::FieldMode::sheet ? "_sheet_" : "_") +
+         std::to_string(std::lround(given.param.hardness * 100)) + "_hundredths";
 });
 
 }  // namespace
