@@ -1,14 +1,16 @@
 # Hardening as Debian's packages have it: position-independent programs, relocations that are read-only before main() begins, guards
-# for stacks and for the C library's buffers; and the checks of the C++ library's preconditions. Only optimised builds: the
-# sanitizers have checks of their own. What it costs is in docs/decisions.md.
+# for stacks and for the C library's buffers. The price stands in docs/decisions.md, and so does the reason why the C++ library's checks
+# of its preconditions (_GLIBCXX_ASSERTIONS) are on in the builds that look for mistakes, and in tests, but not in what users run.
 option(ISL_HARDENING "Hardened programs, in release builds" ON)
+
+add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
 function(isl_harden target)
   # -fPIE and not -fPIC for libraries, too: they end in programs, where a function of ours is never replaced by another's.
   set(type $<TARGET_PROPERTY:TYPE>)
   target_compile_options(${target} INTERFACE
     $<$<NOT:$<STREQUAL:${type},MODULE_LIBRARY>>:-fPIE> $<$<CONFIG:Release>:-fstack-protector-strong>)
-  target_compile_definitions(${target} INTERFACE $<$<CONFIG:Release>:_FORTIFY_SOURCE=2> $<$<CONFIG:Release>:_GLIBCXX_ASSERTIONS>)
+  target_compile_definitions(${target} INTERFACE $<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)
   target_link_options(${target} INTERFACE $<$<STREQUAL:${type},EXECUTABLE>:-pie> LINKER:-z,relro LINKER:-z,now)
 endfunction()
 
@@ -19,6 +21,6 @@ function(isl_inner_loops)
   # One large function a vector width: following its variables for a debugger takes the compiler longer than all else.
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-var-tracking)
   if(ISL_HARDENING)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-stack-protector -U_GLIBCXX_ASSERTIONS)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-stack-protector)
   endif()
 endfunction()

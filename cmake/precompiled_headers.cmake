@@ -53,6 +53,7 @@ if(ISL_PCH AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       LIBRARIES ${libraries} GTest::gmock
       HEADERS ${isl_pch_standard} <fstream> <random> <sstream> <fmt/format.h> <ImathBox.h> <ImathMatrix.h> <ImathVec.h>
         <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>)
+    target_compile_definitions(isl_tests_header PRIVATE _GLIBCXX_ASSERTIONS)  # as tests/CMakeLists.txt has it
     isl_share_compiled_header(${PROJECT_SOURCE_DIR}/tests isl_tests_header LIBRARIES ${libraries} GTest::gmock)
   endif()
 endif()
