@@ -27,7 +27,7 @@ double read_radius_from_zero(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const double radius = read_number(stream, what);
   if (!(radius >= 0 && std::isfinite(radius)))
-    stream.context().fail(span, fmt::format("{} is finite and at least 0, found {:g}", what, radius));
+    stream.context().fail(span, fmt::format("{} must be finite and at least 0, found {:g}", what, radius));
   return radius;
 }
 

@@ -32,7 +32,7 @@ TEST(Tilings, ChangeNoFasterThanTheirBordersReachButAtBorders) {
     for (double x = -4 + kStep; x < 4; x += kStep) {
       const double now = tiling(number, {x, 0, 0.317 + 0.211 * x});
       ASSERT_GE(now, 0);
-      ASSERT_LE(now, 1);
+      ASSERT_LE(now, 1 + 1e-6);  // the most by which POV-Ray lifts the values of a kind of tiles
       if (std::abs(now - before) > kSteepest * kStep * 1.1) ++jumps;
       before = now;
     }
