@@ -137,9 +137,10 @@ bool read_operand_modifier(ElementStream& stream, Pattern& pattern) {
   auto* const operands = std::get_if<Operands>(&pattern.operands);
   const OperandField* const field = operands ? field_named(operands->fields, word) : nullptr;
   if (!field) {
-    const std::string found = pattern.kind == PatternKind::plain ? "there is no pattern before it"
-                                                                 : fmt::format("this is `{}`", name_of(pattern.kind));
-    context.fail(next.span, fmt::format("`{}` belongs to {}, and {}", word, owners_of(word), found));
+    const std::string found = pattern.kind == PatternKind::plain
+                                  ? "found it before any pattern"
+                                  : fmt::format("found it in `{}`", name_of(pattern.kind));
+    context.fail(next.span, fmt::format("`{}` applies to {}, {}", word, owners_of(word), found));
   }
   if (field->read) {
     OperandStream reader(stream);
