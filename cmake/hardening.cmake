@@ -14,13 +14,19 @@ function(isl_harden target)
   target_link_options(${target} INTERFACE $<$<STREQUAL:${type},EXECUTABLE>:-pie> LINKER:-z,relro LINKER:-z,now)
 endfunction()
 
-# isl_inner_loops(FILE…): these go without guards, which would be looked at for every ray and cell. They keep no buffers of text, and
-# what they index is checked by the tests with assertions on.
-function(isl_inner_loops)
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-  # One large function a vector width: following its variables for a debugger takes the compiler longer than all else.
-  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-var-tracking)
+# isl_without_stack_guards(FILE…): what runs for every ray, cell or component of a blob. These files keep no buffers of text, and what they index
+# is checked by the tests with assertions on. A precompiled header goes with the guards it was compiled with.
+function(isl_without_stack_guards)
   if(ISL_HARDENING)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-stack-protector)
   endif()
+endfunction()
+
+# isl_inner_loops(FILE…): one large function a vector width.
+function(isl_inner_loops)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  # Following the variables of such a function for a debugger takes the compiler longer than all else.
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-var-tracking)
+  isl_without_stack_guards(${ARGN})
 endfunction()
