@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+// What calls the inlined loops must be compiled for the same vectors.
+HWY_BEFORE_NAMESPACE();
 namespace isl::test {
 
 struct RayFields::Lanes {
@@ -38,3 +40,4 @@ RayRemainder RayFields::remainder(double a, double b) const {
 }
 
 }  // namespace isl::test
+HWY_AFTER_NAMESPACE();
