@@ -199,10 +199,13 @@ set_up() {
   unlock
 }
 
-# run_tests [--asan] [CTEST-OPTION…]: builds all and runs ctest.
+# run_tests [--asan|--asan=reading] [CTEST-OPTION…]: builds all and runs ctest; with the sanitizers, the quick tests or those of reading.
 run_tests() {
-  asan=${ISL_CI:+yes}
-  [ "${1:-}" != --asan ] || { asan=yes; shift; }
+  asan=
+  case ${1:-} in
+    --asan) asan=quick target=all; shift;;
+    --asan=reading) asan=reading target=isl_reading_tests; shift;;
+  esac
   lock
   : >"$log"
   require $build_packages $test_packages
@@ -210,11 +213,11 @@ run_tests() {
   # Another compiler may warn of what this one does not, so warnings are errors in checks only.
   (build_with release all "$stamp" -DISL_TESTS=ON -DISL_VECTOR_WIDTHS=all ${asan:+-DISL_WERROR=ON}) || exit $?
   cp -p "$stamp" "$rivals"
-  [ -z "$asan" ] || (build_with asan all "$root/build/asan/launcher.stamp") || exit $?
+  [ -z "$asan" ] || (build_with asan "$target" "$root/build/asan/launcher.stamp") || exit $?
   status=0
   if [ -n "$asan" ]; then
-    say "quick tests with the address and undefined-behaviour sanitizers"
-    ctest --test-dir build/asan --output-on-failure -j "$(cores)" -L quick || status=1
+    say "$asan tests with the address and undefined-behaviour sanitizers"
+    ctest --test-dir build/asan --output-on-failure -j "$(cores)" -L "$asan" || status=1
   fi
   ctest --test-dir build/release --output-on-failure -j "$(cores)" "$@" || status=1
   exit $status
