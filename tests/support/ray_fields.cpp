@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-// What calls the inlined loops must be compiled for the same vectors.
+// Functions that call the inlined loops must be compiled for the same vectors.
 HWY_BEFORE_NAMESPACE();
 namespace isl::test {
 
