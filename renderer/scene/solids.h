@@ -30,7 +30,7 @@ enum class SolidDetail : std::uint8_t {
 struct SolidTraits {
   std::string_view word = {};
   /// The names of the record's members in a dump; "" if the kind does not use them.
-  std::string_view a = "", b = "", radius_a = "", radius_b = "";
+  std::string_view a = {}, b = {}, radius_a = {}, radius_b = {};
   SolidDetail detail = SolidDetail::none;
   bool takes_sturm = false;  ///< `sturm` is allowed in its block, since POV-Ray solves polynomials for it
 };

@@ -61,7 +61,7 @@ class LaneSlope {
     const CurvePoint p = lanes.at(window, middle());
     const Octet noise = Octet(0x1p-48) * p.slope_terms;
     const OctetRange r = about(p.slope, LaneBend::of_curve(window, lanes, on_.t0, on_.t1));
-    sums_.add(scaled(amplitude <= amplitude, amplitude, {r.low - noise, r.high + noise}));
+    sums_.add(scaled(all_lanes(), amplitude, {r.low - noise, r.high + noise}));
   }
 
  private:
