@@ -2,7 +2,7 @@
 // surface and its slope, and a transform moves a field as it moves its skeleton.
 #include "tests/conformance/field_under_test.h"
 #include "tests/reference/random_scenes.h"
-#include "tests/reference/reference_kernel.h"
+#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
 #include <gtest/gtest.h>

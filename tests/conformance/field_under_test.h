@@ -53,7 +53,7 @@ struct Implementation {
 /// All implementations; the reference is the first.
 [[nodiscard]] const std::vector<Implementation>& implementations();
 
-/// The reference of tests/reference behind this interface.
+/// The reference (renderer/reference) behind this interface.
 [[nodiscard]] FieldUnderTest reference_field_under_test(const FieldCase& tested_case);
 
 /// renderer/fields behind this interface.

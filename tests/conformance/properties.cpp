@@ -4,7 +4,7 @@
 
 #include "tests/conformance/witnesses.h"
 #include "tests/reference/random_scenes.h"
-#include "tests/reference/reference_field.h"
+#include "renderer/reference/reference_field.h"
 
 #include <fmt/format.h>
 

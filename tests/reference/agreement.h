@@ -4,7 +4,7 @@
 #pragma once
 
 #include "renderer/trace/tracer.h"
-#include "tests/reference/reference_tracer.h"
+#include "renderer/reference/reference_tracer.h"
 
 #include <cstdint>
 #include <functional>

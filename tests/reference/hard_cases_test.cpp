@@ -1,6 +1,6 @@
 // Hard cases of roots, sums and starts through the public tracer, with results in closed form. The case's number is in
 // its name.
-#include "tests/reference/reference_kernel.h"
+#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 

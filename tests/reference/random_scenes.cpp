@@ -1,6 +1,6 @@
 #include "tests/reference/random_scenes.h"
 
-#include "tests/reference/reference_kernel.h"
+#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The reference kernels, compared with their definitions: normalisation, slope, border, shape, and correct enclosures.
-#include "tests/reference/reference_kernel.h"
+#include "renderer/reference/reference_kernel.h"
 
 #include "tests/reference/near.h"
 #include "tests/reference/small_scenes.h"

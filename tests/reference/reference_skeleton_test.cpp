@@ -1,5 +1,5 @@
 // The reference's distances, compared with minimising over the skeleton by brute force.
-#include "tests/reference/reference_skeleton.h"
+#include "renderer/reference/reference_skeleton.h"
 
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"

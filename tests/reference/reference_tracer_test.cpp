@@ -1,5 +1,5 @@
 // The reference tracer, compared with closed forms of the hard cases that have one. Names contain the case's number.
-#include "tests/reference/reference_tracer.h"
+#include "renderer/reference/reference_tracer.h"
 
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"

@@ -1,5 +1,5 @@
 // Convolved planes through the public tracer, with results in closed form.
-#include "tests/reference/reference_kernel.h"
+#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 

@@ -4,7 +4,7 @@
 // on and need not find out.
 #include "renderer/queries/object_queries.h"
 #include "tests/reference/random_scenes.h"
-#include "tests/reference/reference_tracer.h"
+#include "renderer/reference/reference_tracer.h"
 #include "tests/renderer/csg/random_tree.h"
 
 #include <gtest/gtest.h>

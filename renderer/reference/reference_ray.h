@@ -1,0 +1,84 @@
+// F along one ray: the components that it can meet, and enclosures of F and F′ = dF/dt over a stretch of it. It stands
+// between reference_field and reference_tracer; it must not know how roots are searched.
+//
+// Enclosures: at a single t everything is interval arithmetic on one number, a value with its rounding error. Over [t0,
+// t1] a component's q is enclosed from its values and slopes at both ends, by reference_skeleton. φ and φ′ are
+// monotone, so their ranges are exact. (A convolved curve has enclosures of its own.) The sum is then sharpened by the
+// mean-value form F(t0) + F′([t0, t1])·(t − t0) from either end, which makes the enclosure converge quadratically.
+#pragma once
+
+#include "renderer/reference/reference_field.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace isl::reference {
+
+/// The half-line origin + t·direction, t in units of the direction's length, in the blob's space.
+struct FieldRay {
+  Vector<Interval> origin, direction;
+};
+
+class FieldOnRay {
+ public:
+  /// Indices of components that may matter, in no special order.
+  using Active = std::vector<std::uint32_t>;
+
+  FieldOnRay(const ReferenceField& field, const FieldRay& ray);
+
+  /// Outside [begin, end] no component changes, and only half-spaces have a value; begin > end if the ray meets no
+  /// support.
+  [[nodiscard]] long double begin() const { return begin_; }
+  [[nodiscard]] long double end() const { return end_; }
+
+  /// True if |F| ≤ bound is certain on all of [t0, t1].
+  [[nodiscard]] bool stays_within(long double bound, long double t0, long double t1) const;
+
+  [[nodiscard]] long double threshold() const { return threshold_.middle(); }
+  /// Searches the level set F = offset instead of F = 0.
+  void raise_threshold(long double offset) { threshold_ = threshold_ + Interval(offset); }
+
+  /// All components whose support the ray may meet.
+  [[nodiscard]] Active all() const;
+  /// The components of `from` whose support may meet [t0, t1].
+  [[nodiscard]] Active active(const Active& from, long double t0, long double t1) const;
+
+  /// F and F′ at t, with their rounding errors.
+  [[nodiscard]] FieldRange at(const Active& active, long double t) const;
+  /// F and F′ over [t0, t1].
+  [[nodiscard]] FieldRange over(const Active& active, long double t0, long double t1) const;
+
+  /// The sizes at t from which a computation in double precision gets its rounding error.
+  struct Magnitude {
+    long double values = 0;     ///< Σ|fᵢ|
+    long double gradients = 0;  ///< Σ|∇fᵢ||D|: the effect of a change of place, in any direction. A product with a
+                                ///< normal is rounded by the lengths in it, however small the result is.
+    long double sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: the effect of a relative error of q
+    std::size_t count = 0;          ///< number of components that are not zero
+  };
+  [[nodiscard]] Magnitude magnitude_at(long double t) const;
+
+ private:
+  struct Support {
+    long double begin, end;
+  };
+  /// One component with the ray in the component's own space. Outside `support` its value is zero.
+  struct Part {
+    const ReferenceComponent* component;
+    std::uint32_t branch;
+    Line line;
+    Support support;
+  };
+
+  [[nodiscard]] FieldRange total(std::vector<FieldRange>& sums) const;
+  [[nodiscard]] static std::optional<Support> support_on(const ReferenceComponent& component, const Line& line);
+
+  const std::vector<scene::Branch>* branches_;
+  FieldRay ray_;
+  std::vector<Part> parts_;
+  Interval threshold_;
+  long double begin_ = 0, end_ = -1;
+};
+
+}  // namespace isl::reference

@@ -1,0 +1,217 @@
+#include "renderer/reference/reference_tracer.h"
+
+#include "base/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace isl::reference {
+namespace {
+
+/// Number of halvings after which a stretch is below the last bit of any t. It is reached only next to t = 0.
+constexpr int kMaxDepth = 250;
+
+class RootSearch {
+ public:
+  RootSearch(const FieldOnRay& field, bool first_only) : field_(field), first_only_(first_only) {}
+
+  /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
+  void isolate(const FieldOnRay::Active& from, long double t0, int sign0, long double t1, int sign1, int depth = 0) {
+    if (is_done() || !(t0 < t1)) return;
+    const FieldOnRay::Active active = field_.active(from, t0, t1);
+    const FieldRange range = field_.over(active, t0, t1);
+    if (range.value.sign() != 0) return constant(range.value.sign());
+    if (range.derivative.sign() != 0 && sign0 != 0 && sign1 != 0) {
+      return sign0 == sign1 ? constant(sign0) : crossing(active, t0, t1, sign0);
+    }
+    if (depth > kMaxDepth || t1 - t0 <= 0x1p-60L * std::max(std::abs(t0), std::abs(t1))) return doubt(t0, t1);
+    // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
+    long double cut = t0;
+    Interval value;
+    for (const long double fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
+      cut = t0 + (t1 - t0) * fraction;
+      value = field_.at(active, cut).value;
+      if (value.sign() != 0) break;
+    }
+    if (value.sign() == 0 && range.value.width() <= 16 * value.width()) return doubt(t0, t1);
+    isolate(active, t0, sign0, cut, value.sign(), depth + 1);
+    isolate(active, cut, value.sign(), t1, sign1, depth + 1);
+  }
+
+  /// Records that F keeps this sign on the next stretch.
+  void constant(int sign) {
+    settle_doubt(sign);
+    if (sign_ == 0) roots_.starts_inside = sign > 0;
+    sign_ = sign;
+  }
+
+  /// Records that the next stretch is undecided.
+  void doubt(long double t0, long double t1) {
+    if (doubt_) {
+      doubt_->end = t1;
+    } else {
+      doubt_ = Touch{t0, t1};
+    }
+  }
+
+  [[nodiscard]] RayRoots finish() {
+    if (doubt_) roots_.touches.push_back(*doubt_);
+    return std::move(roots_);
+  }
+  [[nodiscard]] bool is_done() const { return first_only_ && !roots_.crossings.empty(); }
+
+ private:
+  /// Records a crossing: F is monotone on [t0, t1] with certain and different signs at its ends.
+  void crossing(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) {
+    constant(sign0);
+    if (is_done()) return;
+    roots_.crossings.push_back(refined(active, t0, t1, sign0));
+    sign_ = -sign0;
+  }
+
+  /// Newton's method in a bracket, until the value is lost in its own rounding error or the bracket is two neighbours.
+  [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) const {
+    long double t = t0 + (t1 - t0) / 2;
+    for (int step = 0;; ++step) {
+      const FieldRange here = field_.at(active, t);
+      const long double slope = here.derivative.middle();
+      const bool stuck = t1 - t0 <= 0x1p-62L * std::max(std::abs(t0), std::abs(t1));
+      if (here.value.sign() == 0 || stuck || step > 300) {
+        const long double slope_bound = field_.over(active, t0, t1).derivative.mignitude();
+        const long double slack = slope_bound > 0 ? here.value.magnitude() / slope_bound : t1 - t0;
+        return {t, std::min(slack, t1 - t0), sign0 < 0};
+      }
+      (here.value.sign() == sign0 ? t0 : t1) = t;
+      const long double newton = t - here.value.middle() / slope;
+      // Every third step halves, so that the bracket shrinks even if Newton's steps are slow.
+      t = step % 3 != 2 && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
+    }
+  }
+
+  /// Decides an undecided stretch before one of known sign: a touch, or a crossing that cannot be located any better.
+  void settle_doubt(int next_sign) {
+    if (!doubt_) return;
+    const Touch doubt = *doubt_;
+    doubt_.reset();
+    if (sign_ == 0 || sign_ == next_sign) {
+      roots_.touches.push_back(doubt);
+    } else {
+      const long double half = (doubt.end - doubt.begin) / 2;
+      roots_.crossings.push_back({doubt.begin + half, half, sign_ < 0});
+    }
+  }
+
+  const FieldOnRay& field_;
+  bool first_only_;
+  RayRoots roots_;
+  int sign_ = 0;  ///< the sign of F where it was decided last
+  std::optional<Touch> doubt_;
+};
+
+/// Leaves the root at t = 0. Returns the t up to which F keeps the sign it gets there, or where the sign can no longer
+/// be decided.
+long double leave_start(const FieldOnRay& field, RootSearch& search, long double end) {
+  const FieldOnRay::Active all = field.all();
+  for (int halving = 0; halving < 100; ++halving, end /= 2) {
+    const int sign = field.over(field.active(all, 0, end), 0, end).derivative.sign();
+    if (sign == 0) continue;
+    search.constant(sign);
+    return end;
+  }
+  search.doubt(0, end);
+  return end;
+}
+
+}  // namespace
+
+RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray, const RootOptions& options) {
+  FieldOnRay field(reference_field, ray);
+  RootSearch search(field, options.first_only);
+  const FieldOnRay::Active all = field.all();
+  const long double begin = std::max(field.begin(), 0.0L), end = std::min(field.end(), options.t_max);
+  if (all.empty()) return search.finish();
+  if (begin >= end) {  // nothing changes beyond the ray's start
+    if (const int sign = field.at(all, 0).value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
+    return search.finish();
+  }
+  long double from = begin;
+  if (options.starts_on_root) {
+    // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
+    // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself
+    // counts.
+    const FieldRange start = field.at(all, 0);
+    const long double offset = start.value.middle();
+    field.raise_threshold(offset);
+    from = leave_start(field, search, end);
+    const long double settled = std::min(end, std::max(from, 8 * std::abs(offset) / start.derivative.mignitude()));
+    search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
+    from = settled;
+    field.raise_threshold(-offset);
+  } else if (begin > 0) {
+    if (const int sign = field.at(all, 0).value.sign(); sign != 0) search.constant(sign);
+  }
+  search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
+  return search.finish();
+}
+
+Interval largest_value(const FieldOnRay& field, long double t0, long double t1) {
+  struct Piece {
+    long double bound, t0, t1;
+    bool operator<(const Piece& other) const { return bound < other.bound; }
+  };
+  const FieldOnRay::Active all = field.all();
+  const auto piece = [&](long double begin, long double end) {
+    return Piece{field.over(field.active(all, begin, end), begin, end).value.hi, begin, end};
+  };
+  long double reached = std::max(field.at(all, t0).value.lo, field.at(all, t1).value.lo);
+  std::priority_queue<Piece> pieces;
+  pieces.push(piece(t0, t1));
+  const long double precision = std::abs(field.threshold()) * 1e-15L;
+  for (int step = 0; step < 4000 && pieces.top().bound - reached > precision; ++step) {
+    const Piece top = pieces.top();
+    const long double cut = top.t0 + (top.t1 - top.t0) / 2;
+    if (!(top.t0 < cut && cut < top.t1)) break;
+    pieces.pop();
+    reached = std::max(reached, field.at(all, cut).value.lo);
+    pieces.push(piece(top.t0, cut));
+    pieces.push(piece(cut, top.t1));
+  }
+  return {reached, std::max(reached, pieces.top().bound)};
+}
+
+ReferenceScene::ReferenceScene(const scene::Database& database) { place(database, database.objects, {}); }
+
+void ReferenceScene::place(const scene::Database& database, const std::vector<scene::Object>& objects,
+                           const scene::Transform& world_from_parent) {
+  for (const scene::Object& object : objects) {
+    const scene::Transform world_from_object = then(object.parent_from_object, world_from_parent);
+    if (object.kind == scene::Object::Kind::group) {
+      place(database, database.groups[object.shape].children, world_from_object);
+    } else if (object.kind == scene::Object::Kind::blob) {
+      placed_.push_back({ReferenceField(database, database.blobs[object.shape]), world_from_object, object.no_shadow});
+    }
+  }
+}
+
+FieldRay ReferenceScene::field_ray(const Placed& placed, const scene::Vec3& origin, const scene::Vec3& direction) {
+  if (placed.world_from_object.inverse == scene::Matrix()) return {interval_of(origin), interval_of(direction)};
+  return {transformed_point(interval_of(origin), placed.world_from_object.inverse),
+          transformed_vector(interval_of(direction), placed.world_from_object.inverse)};
+}
+
+std::optional<ReferenceScene::Hit> ReferenceScene::first_hit(const scene::Vec3& origin, const scene::Vec3& direction,
+                                                             RootOptions options) const {
+  ISL_CHECK(!options.starts_on_root || placed_.size() == 1, "{} blobs", placed_.size());
+  options.first_only = true;
+  std::optional<Hit> nearest;
+  for (std::size_t i = 0; i < placed_.size(); ++i) {
+    const RayRoots roots = roots_along(placed_[i].field, field_ray(placed_[i], origin, direction), options);
+    if (roots.crossings.empty()) continue;
+    nearest = Hit{roots.crossings.front(), i};
+    options.t_max = nearest->crossing.t;
+  }
+  return nearest;
+}
+
+}  // namespace isl::reference

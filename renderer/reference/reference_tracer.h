@@ -1,0 +1,79 @@
+// Every root of F along a ray, by proof: a stretch is decided only when an enclosure of F excludes zero, or when F is
+// monotone there and its signs at the ends are certain; otherwise it is divided. On top of this, rays against the blobs
+// of a database. It is the oracle of the tests of solvers and tracer: certain rather than fast, and sharing no code
+// with them.
+//
+// Cases that extended precision cannot decide (a surface touched to 1e-18) are reported as a touch, never guessed.
+#pragma once
+
+#include "renderer/reference/reference_ray.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace isl::reference {
+
+/// A place where F changes sign.
+struct Crossing {
+  long double t = 0;
+  long double slack = 0;  ///< the root lies within t ± slack
+  bool entering = false;  ///< from F < 0 to F > 0
+};
+
+/// A stretch on which the sign of F is lost in rounding, with the same sign on both sides (or the ray's start on one).
+struct Touch {
+  long double begin = 0, end = 0;
+};
+
+struct RayRoots {
+  bool starts_inside = false;       ///< F > 0 just after t = 0
+  std::vector<Crossing> crossings;  ///< ascending, 0 < t < t_max
+  std::vector<Touch> touches;
+};
+
+struct RootOptions {
+  long double t_max = std::numeric_limits<long double>::infinity();
+  /// The origin is on the surface: the level set through it is searched, and its known root at t = 0 is left out.
+  bool starts_on_root = false;
+  bool first_only = false;  ///< stop after the first crossing
+};
+
+[[nodiscard]] RayRoots roots_along(const ReferenceField& field, const FieldRay& ray, const RootOptions& options);
+
+/// Encloses the largest F on [t0, t1] to about 1e-15 of the threshold (only from one side if many maxima compete).
+[[nodiscard]] Interval largest_value(const FieldOnRay& field, long double t0, long double t1);
+
+/// The blobs of a database, placed. Objects other than blobs are left out.
+class ReferenceScene {
+ public:
+  explicit ReferenceScene(const scene::Database& database);
+
+  struct Placed {
+    ReferenceField field;
+    scene::Transform world_from_object;
+    bool no_shadow;
+  };
+  [[nodiscard]] const std::vector<Placed>& placed() const { return placed_; }
+
+  /// A world-space ray in the space of one placed blob; t keeps its meaning.
+  [[nodiscard]] static FieldRay field_ray(const Placed& placed, const scene::Vec3& origin,
+                                          const scene::Vec3& direction);
+
+  struct Hit {
+    Crossing crossing;
+    std::size_t placed;  ///< index of the blob
+  };
+  /// The nearest surface with 0 < t < options.t_max. `starts_on_root` applies to every blob, so use it with one blob
+  /// only.
+  [[nodiscard]] std::optional<Hit> first_hit(const scene::Vec3& origin, const scene::Vec3& direction,
+                                             RootOptions options = {}) const;
+
+ private:
+  void place(const scene::Database& database, const std::vector<scene::Object>& objects,
+             const scene::Transform& world_from_parent);
+
+  std::vector<Placed> placed_;
+};
+
+}  // namespace isl::reference

@@ -1,0 +1,122 @@
+// Along a line of unit speed, y′² ≤ 4y and y″ = 2, so the second derivative of g(y) is y′²g″ + 2g′ with
+//   quartic   |8(y′²/4) − 4(1 − y)| ≤ 8
+//   cauchy    g″ = 6/Y⁴, −2/Y³ ≤ g′ ≤ 0: between −4/Y³ and 24y/Y⁴ < 24/Y³
+// and the first derivative is |y′g′| ≤ 4√y(1 − y) < 1.54, or 4√y/Y³ < 4/Y^{5/2}. Integrals along a curve no nearer than
+// least are bounded by the length times the value at the least distance or, for the falling powers, with P = ε + least,
+// as along a line of any length, by
+//   ∫(P + v²)⁻³dv = (3π/8)√P/P³,   ∫(P + v²)^{−5/2}dv = (4/3)√P/P^{5/2},
+// times the spread.
+#include "renderer/reference/reference_window.h"
+
+#include "base/check.h"
+#include "renderer/reference/graded_quadrature.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+namespace isl::reference {
+namespace {
+
+constexpr long double kLeastEpsilon = 1e-40L;
+/// Allows for the rounding of bounds.
+constexpr long double kAbove = 1 + 0x1p-50L;
+
+/// Bisects to neighbouring numbers: the place where `is_below` ends.
+template <class IsBelow>
+long double border_of(long double low, long double high, const IsBelow& is_below) {
+  for (int step = 0; step < 75; ++step) {
+    const long double middle = low + (high - low) / 2;
+    if (middle == low || middle == high) break;
+    (is_below(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+ReferenceWindow::ReferenceWindow(const scene::Kernel& kernel)
+    : is_quartic_(kernel.shape == scene::KernelShape::quartic) {
+  ISL_CHECK(kernel.mode == scene::FieldMode::convolution);
+  ISL_CHECK(is_quartic_ || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
+  if (is_quartic_) {
+    solve_quartic(kernel.hardness);
+  } else {
+    solve_cauchy(kernel.hardness);
+  }
+}
+
+/// For a line the integral is (16/15)(1 − y)^{5/2}: φ′/φ = −5/2/(Q − q).
+void ReferenceWindow::solve_quartic(long double hardness) {
+  border_ = 1 + 2.5L / hardness;
+  amplitude_ = 1 / line(1 / border_).value;
+}
+
+void ReferenceWindow::solve_cauchy(long double hardness) {
+  static std::mutex mutex;
+  static std::map<long double, ReferenceWindow> solved;  // cached, because solving takes a tenth of a second
+  const std::lock_guard lock(mutex);
+  if (const auto known = solved.find(hardness); known != solved.end()) {
+    *this = known->second;
+    return;
+  }
+  const long double log_epsilon = border_of(std::log(kLeastEpsilon), std::log(1e6L), [&](long double at) {
+    epsilon_ = std::exp(at);
+    return std::log(line(0).value / line(surface(hardness)).value) > hardness;
+  });
+  epsilon_ = std::exp(log_epsilon);
+  const long double y = surface(hardness);
+  border_ = 1 / y;
+  amplitude_ = 1 / line(y).value;
+  solved.emplace(hardness, *this);
+}
+
+/// y of a line's surface, where −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)),
+/// because soft windows of small ε have it far within.
+long double ReferenceWindow::surface(long double hardness) const {
+  const auto place = [](long double u) { return 1 / (1 + std::exp(-u)); };
+  return place(border_of(-100, 40, [&](long double u) {
+    const long double y = place(u);
+    const Value here = line(y);
+    return y * here.fall < hardness * here.value;
+  }));
+}
+
+ReferenceWindow::Value ReferenceWindow::at(long double y, long double to_border) const {
+  const long double d = to_border;
+  if (is_quartic_) return {d * d, 2 * d};
+  const long double a = epsilon_ + y, b = epsilon_ + 1, b3 = b * b * b;
+  return {d * d * (b + 2 * a) / (a * a * b3), 2 * d * (b * b + a * b + a * a) / (a * a * a * b3)};
+}
+
+long double ReferenceWindow::scale(long double y) const { return is_quartic_ ? 2 : std::sqrt(epsilon_ + y); }
+
+long double ReferenceWindow::most_bend(const View& view) const {
+  if (is_quartic_) return 8 * view.length * kAbove;
+  const long double p = epsilon_ + view.least;
+  return 24 * std::min(view.length, 1.1781L * std::sqrt(p) * view.spread) / (p * p * p) * kAbove;
+}
+
+long double ReferenceWindow::most_slope(const View& view) const {
+  if (is_quartic_) return 1.54L * view.length * kAbove;
+  const long double p = epsilon_ + view.least;
+  return 4 * std::min(view.length, 1.3334L * std::sqrt(p) * view.spread) / (p * p * std::sqrt(p)) * kAbove;
+}
+
+long double ReferenceWindow::most(const View& view) const {
+  return view.length * at(view.least, 1 - view.least).value * kAbove;
+}
+
+ReferenceWindow::Value ReferenceWindow::line(long double y) const {
+  Value sum{0, 0};
+  const long double end2 = 1 - y, end = std::sqrt(end2);
+  integrate_graded(0, end, scale(y), [&](long double v, long double weight) {
+    const Value here = at(y + v * v, (end - v) * (end + v));
+    sum.value += 2 * weight * here.value;
+    sum.fall += 2 * weight * here.fall;
+  });
+  return sum;
+}
+
+}  // namespace isl::reference

@@ -1,0 +1,47 @@
+// The plane through a perpendicular to the unit vector b, as stored in the database: with x = (p − a)·b, q = x²/r² and
+// ∇q = 2x b/r². It is
+// convex, and along a line it changes only where |x| < r·root.
+#include "renderer/reference/skeleton_forms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace isl::reference {
+namespace {
+
+class SheetForm final : public SkeletonForm {
+ public:
+  explicit SheetForm(const scene::Component& component)
+      : at_(interval_of(component.a)), normal_(interval_of(component.b)), radius_(component.radius_a) {}
+
+  [[nodiscard]] SkeletonExtent extent() const override {
+    return {{at_.x.middle(), at_.y.middle(), at_.z.middle()}, kUnbounded, radius_};
+  }
+
+  [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const override {
+    const Interval x = height(p), radius_squared = square(Interval(radius_));
+    return {square(x) / radius_squared, normal_ * (Interval(2) * x / radius_squared)};
+  }
+
+  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const override {
+    const long double x = height(line.origin).middle(), dx = dot(normal_, line.direction).middle();
+    if (dx == 0) return ChangeOnLine{0, 0};
+    const long double centre = -x / dx, half = std::abs(radius_ * root_q / dx);
+    // 2^-40: far more than rounding moves a border, far less than any scene's measure.
+    const long double slack = 0x1p-40L * (std::abs(centre) + half);
+    return ChangeOnLine{centre - half - slack, centre + half + slack};
+  }
+
+ private:
+  [[nodiscard]] Interval height(const Vector<Interval>& p) const { return dot(p - at_, normal_); }
+
+  Vector<Interval> at_, normal_;
+  long double radius_;
+};
+
+}  // namespace
+
+SkeletonFormHandle sheet_form(const scene::Component& component) { return std::make_shared<SheetForm>(component); }
+
+}  // namespace isl::reference

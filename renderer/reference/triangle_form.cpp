@@ -1,0 +1,78 @@
+// The triangle with corners cᵢ, edges eᵢ = cᵢ₊₁ − cᵢ and the normal n = e₀ × (c₂ − c₀), so that eᵢ × n leans outward.
+// Its nearest point is the one from which the offset o points along an outward normal, and each of its seven features
+// has those for the points p, with w = p − cᵢ, where
+//   face      w·(eᵢ × n) ≤ 0 for all i                        o = n(w·n)/|n|²
+//   edge i    w·(eᵢ × n) ≥ 0 and 0 ≤ w·eᵢ ≤ |eᵢ|²             o = w − eᵢ(w·eᵢ)/|eᵢ|²
+//   corner i  w·eᵢ ≤ 0 and w·eᵢ₋₁ ≥ 0                         o = w
+// Every p is in one of the seven, and in several only on their common border, where their offsets agree. For a box, the
+// features that it may lie in are combined. q = |o|²/r² and ∇q = 2o/r².
+#include "renderer/reference/skeleton_forms.h"
+
+#include "base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace isl::reference {
+namespace {
+
+class TriangleForm final : public SkeletonForm {
+ public:
+  TriangleForm(const scene::Component& component, const scene::Vec3& third_corner)
+      : corners_{interval_of(component.a), interval_of(component.b), interval_of(third_corner)},
+        radius_(component.radius_a) {
+    for (int i = 0; i < 3; ++i) edges_[i] = corners_[(i + 1) % 3] - corners_[i];
+    normal_ = cross(edges_[0], corners_[2] - corners_[0]);
+    ISL_CHECK(squared_length(normal_).lo > 0, "a triangle whose corners lie on one line");
+    for (int i = 0; i < 3; ++i) outward_[i] = cross(edges_[i], normal_);
+  }
+
+  [[nodiscard]] SkeletonExtent extent() const override {
+    const Vector<Interval> sum = corners_[0] + corners_[1] + corners_[2];
+    const Vector<long double> centre{sum.x.middle() / 3, sum.y.middle() / 3, sum.z.middle() / 3};
+    long double half_squared = 0;
+    for (const Vector<Interval>& corner : corners_) {
+      half_squared = std::max(half_squared, squared_length(corner - Vector<Interval>{centre.x, centre.y, centre.z}).hi);
+    }
+    return {centre, std::sqrt(half_squared), radius_};
+  }
+
+  [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const override {
+    std::array<Vector<Interval>, 3> w;
+    std::array<Interval, 3> outside;
+    for (int i = 0; i < 3; ++i) {
+      w[i] = p - corners_[i];
+      outside[i] = dot(w[i], outward_[i]);
+    }
+    std::optional<Vector<Interval>> offset;
+    const auto may_be = [&](const Vector<Interval>& one) { offset = offset ? hull(*offset, one) : one; };
+    if (std::ranges::all_of(outside, [](const Interval& side) { return side.lo <= 0; })) {
+      may_be(normal_ * (dot(w[0], normal_) / squared_length(normal_)));
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Interval along = dot(w[i], edges_[i]), whole = squared_length(edges_[i]);
+      if (outside[i].hi >= 0 && along.hi >= 0 && along.lo <= whole.hi) {
+        may_be(w[i] - edges_[i] * clamped(along / whole, 0, 1));
+      }
+      if (along.lo <= 0 && dot(w[i], edges_[(i + 2) % 3]).hi >= 0) may_be(w[i]);
+    }
+    ISL_CHECK(offset.has_value(), "a point that is nearest to nothing");
+    const Interval radius_squared = square(Interval(radius_));
+    return {squared_length(*offset) / radius_squared, *offset * (Interval(2) / radius_squared)};
+  }
+
+ private:
+  std::array<Vector<Interval>, 3> corners_, edges_, outward_;
+  Vector<Interval> normal_;
+  long double radius_;
+};
+
+}  // namespace
+
+SkeletonFormHandle triangle_form(const scene::Component& component, const scene::Vec3& third_corner) {
+  return std::make_shared<TriangleForm>(component, third_corner);
+}
+
+}  // namespace isl::reference
