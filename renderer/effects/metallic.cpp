@@ -16,7 +16,7 @@ class MetallicStage final : public Stage<LightWork> {
     auto shine = work.shine.begin();
     for (const LitPoint& lit : work.lit) {
       for (const LitTexture& texture : work.block.points[lit.point].textures) {
-        const double amount = texture.material->metallic;
+        const double amount = texture.material->finish->metallic;
         if (amount != 0) *shine *= metallic_tint(amount, lit.incidence, texture.colour);
         ++shine;
       }

@@ -25,17 +25,19 @@ Reflectivity reflectivity(const ShadingPoint& point, double cosine, double weigh
                           EndedPaths& ended) {
   Reflectivity sum;
   for (const LitTexture& texture : point.textures) {
-    const Mirror& mirror = texture.material->mirror;
-    if (!mirror.reflects) continue;
-    const double bound = std::max(largest(mirror.minimum), largest(mirror.maximum)) * largest(texture.let_through);
+    const scene::Finish& finish = *texture.material->finish;
+    if (!reflects(finish)) continue;
+    const scene::Reflection& mirror = finish.reflection;
+    const Rgb minimum = rgb(mirror.minimum), maximum = rgb(mirror.maximum);
+    const double bound = std::max(largest(minimum), largest(maximum)) * largest(texture.let_through);
     if (weight * bound < least_weight) {
       ++ended.by_weight;
       continue;
     }
-    Rgb share = mirror.minimum;
-    if (mirror.maximum != mirror.minimum) {
+    Rgb share = minimum;
+    if (maximum != minimum) {
       const double grazing = mirror.falloff == 1 ? 1 - cosine : power(1 - cosine, mirror.falloff);
-      share += (mirror.maximum - mirror.minimum) * grazing;
+      share += (maximum - minimum) * grazing;
     }
     if (mirror.metallic != 0) share *= metallic_tint(mirror.metallic, cosine, texture.colour);
     sum.share += share * texture.weight;
@@ -52,7 +54,7 @@ class ReflectionStage final : public Stage<SpawnWork> {
   void run(SpawnWork& work) const override {
     for (std::size_t i = 0; i < work.block.points.size(); ++i) {
       const ShadingPoint& point = work.block.points[i];
-      if (std::ranges::none_of(point.textures, [](const LitTexture& lit) { return lit.material->mirror.reflects; }))
+      if (std::ranges::none_of(point.textures, [](const LitTexture& lit) { return reflects(*lit.material->finish); }))
         continue;
       const std::uint32_t at = work.block.paths[i];
       const PathEntry& path = work.batch.entries[at];

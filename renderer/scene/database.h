@@ -67,7 +67,10 @@ struct Database {
   [[nodiscard]] const Colour& colour(const Pigment& pigment) const {
     return pigment.is_plain() ? pigment.colour : pigments[index(pigment.pattern)].colour;
   }
-  [[nodiscard]] Finish finish(FinishId id) const { return id == kDefaultFinish ? Finish{} : finishes[index(id)]; }
+  [[nodiscard]] const Finish& finish(FinishId id) const {
+    static const Finish otherwise;
+    return id == kDefaultFinish ? otherwise : finishes[index(id)];
+  }
 };
 
 }  // namespace isl::scene

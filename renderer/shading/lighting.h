@@ -75,8 +75,8 @@ struct LightSample {
 [[nodiscard]] inline Rgb diffuse_colour(const ShadingPoint& point, double incidence) {
   Rgb colour(0);
   for (const LitTexture& lit : point.textures) {
-    const Material& material = *lit.material;
-    colour += lit.pigment * lit.let_through * (material.diffuse * power(incidence, material.brilliance) * lit.weight);
+    const scene::Finish& finish = *lit.material->finish;
+    colour += lit.pigment * lit.let_through * (finish.diffuse * power(incidence, finish.brilliance) * lit.weight);
   }
   return colour;
 }
@@ -96,10 +96,11 @@ struct HighlightAngles {
 
 /// phong (R·L)^phong_size + specular (N·H)^(1/roughness), where a term counts only if its cosine is above 0.
 [[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
+  const scene::Finish& finish = *material.finish;
   double sum = 0;
-  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * power(angle.mirror, material.phong_size);
-  if (material.specular > 0 && angle.halfway > 0) {
-    sum += material.specular * power(angle.halfway, material.specular_exponent);
+  if (finish.phong > 0 && angle.mirror > 0) sum += finish.phong * power(angle.mirror, finish.phong_size);
+  if (finish.specular > 0 && angle.halfway > 0) {
+    sum += finish.specular * power(angle.halfway, material.specular_exponent);
   }
   return sum;
 }

@@ -15,30 +15,13 @@ using Rgb = Imath::Color3<double>;
 
 [[nodiscard]] inline Rgb rgb(const scene::Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// The mirror reflection of a surface: from `minimum` seen head-on to `maximum` at grazing angles.
-struct Mirror {
-  bool reflects = false;
-  Rgb minimum{0}, maximum{0};
-  double falloff = 1;   ///< exponent of the way from `minimum` to `maximum`
-  double metallic = 0;  ///< how much the reflection takes the pigment's colour
-};
-
-/// A texture's finish and, if it is the same everywhere, its pigment. Highlights take the light's colour, and the
-/// pigment's colour as far as the finish is metallic.
+/// A texture's finish and, if it is the same everywhere, its pigment.
 struct Material {
-  Rgb pigment;  ///< the plain colour; meaningless if is_patterned
-  Rgb ambient;  ///< finish ambient × ambient_light: a factor of the pigment
-  double diffuse = 0;
-  bool is_patterned = false;  ///< the colour depends on the point
-  double brilliance = 1;
-  double phong = 0;
-  double phong_size = 40;
-  double specular = 0;
-  double specular_exponent = 20;  ///< 1/roughness; 0 for a roughness of 0, as in POV-Ray
-  double metallic = 0;
-  Mirror mirror;
-
-  [[nodiscard]] bool has_highlight() const { return phong > 0 || specular > 0; }
+  const scene::Finish* finish;  ///< the database's; each effect takes its own items from there
+  Rgb pigment;                  ///< the plain colour; meaningless if is_patterned
+  Rgb ambient;                  ///< finish ambient × ambient_light: a factor of the pigment
+  double specular_exponent;     ///< 1/roughness; 0 for a roughness of 0, as in POV-Ray
+  bool is_patterned;            ///< the colour depends on the point
 };
 
 /// A texture at a point, with its share of the material there.
@@ -51,10 +34,7 @@ struct LitTexture {
                        ///< included
 };
 
-[[nodiscard]] Material material_of(const scene::Texture& texture, const scene::Finish& finish,
-                                   const scene::Colour& ambient_light);
-
-/// The materials of a database, by texture. Immutable.
+/// The materials of a database, by texture. Immutable; refers to the database.
 class MaterialTable {
  public:
   explicit MaterialTable(const scene::Database& database);
