@@ -80,6 +80,8 @@ class Rendering {
       result.statistics.samples_per_pixel =
           static_cast<double>(result.statistics.paths.camera) / static_cast<double>(film_.rect().area());
     }
+    result.statistics.undecided_pixels = film_.count(window_, Certainty::undecided);
+    result.statistics.refuted_pixels = film_.count(window_, Certainty::refuted);
     result.complete = !skipped_;
     return result;
   }

@@ -45,6 +45,7 @@ struct RenderStatistics {
   double seconds = 0;  ///< from the first ray to the last
   int threads = 1;     ///< greatest number of threads at work
   double samples_per_pixel = 0;
+  std::uint64_t undecided_pixels = 0, refuted_pixels = 0;  ///< Certainty
   Plan plan;
 };
 

@@ -43,7 +43,9 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                         {"tolerance", settings.tolerance_text},
                         {"field_evaluations", render.counters.field_evaluations},
                         {"shading_evaluations", render.counters.shading_evaluations},
-                        {"uncertified_steps", render.counters.uncertified_steps}};
+                        {"uncertified_steps", render.counters.uncertified_steps},
+                        {"undecided_pixels", render.undecided_pixels},
+                        {"refuted_pixels", render.refuted_pixels}};
   document["memory"] = {
       {"peak_bytes", peak_bytes()}, {"database_bytes", memory.database_bytes}, {"grid_bytes", memory.grid_bytes}};
   document["effects"] = {{"called_for", names_of(render.plan.called_for)},

@@ -37,13 +37,18 @@ Value trace(const Arguments& a) {
   Context& context = a.context();
   const scene::Object& target = object(a);
   const Vec3 origin = a.vector(1), direction = a.vector(2);
-  Slot* const normal = a.size() == 4 ? &a.variable(3) : nullptr;
+  Slot* const normal = a.size() >= 4 ? &a.variable(3) : nullptr;
   if (normal && normal->value.term_count() != 3) {
     a.fail(3,
            fmt::format("expected a variable with a 3-term vector for the normal, found {}", describe(normal->value)));
   }
-  const auto hit = queries(a).trace(context.database, target, origin, direction);
+  Slot* const certain = a.size() == 5 ? &a.variable(4) : nullptr;
+  if (certain && certain->value.term_count() != 1) {
+    a.fail(4, fmt::format("expected a variable with a number for the certainty, found {}", describe(certain->value)));
+  }
+  const auto [hit, is_certain] = queries(a).trace(context.database, target, origin, direction);
   if (normal) normal->value = to_value(hit ? hit->normal : Vec3(0));
+  if (certain) certain->value = Value(is_certain ? 1.0 : 0.0);
   return to_value(hit ? hit->position : Vec3(0));
 }
 
@@ -63,7 +68,7 @@ Value corner(const Arguments& a, double sign) {
 }
 
 const Builtin kFunctions[] = {
-    {word::kw_trace, 3, 4, nullptr, trace},
+    {word::kw_trace, 3, 5, nullptr, trace},
     {word::kw_inside, 2, 2, nullptr, inside},
     {word::kw_min_extent, 1, 1, nullptr, [](const Arguments& a) { return corner(a, -1); }},
     {word::kw_max_extent, 1, 1, nullptr, [](const Arguments& a) { return corner(a, 1); }},

@@ -48,13 +48,6 @@ std::span<const MeasuredAov> measured_aovs() {
            [](const RayMeasure& /*found*/, const RayError& error, double* values) {
              *values = error.outcome == RayOutcome::missed ? 1 : error.outcome == RayOutcome::false_surface ? 2 : 0;
            }},
-      // 1: the solver left a step of the ray undecided, and what it found is its best guess.
-      {.aov = {.name = "uncertified",
-               .channels = {"kind"},
-               .value = AovValue::whole,
-               .picture = {AovPicture::Kind::kinds, "certainty", {{"undecided", kMissedColour}}}},
-       .fill = [](const RayMeasure& found, const RayError& /*error*/,
-                  double* values) { *values = found.counters.uncertified_steps > 0 ? 1 : 0; }},
   };
   return kAovs;
 }

@@ -53,8 +53,9 @@ ShadowSummary summarise_shadows(std::span<const std::uint8_t> found, std::span<c
   ISL_CHECK(found.size() == reference.size(), "{} {}", found.size(), reference.size());
   ShadowSummary summary{.rays = found.size()};
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i] < reference[i]) ++summary.leaks;
-    if (found[i] > reference[i]) ++summary.false_shadows;
+    const bool is_dark = found[i] == kOccluded, should_be = reference[i] == kOccluded;
+    if (!is_dark && should_be) ++summary.leaks;
+    if (is_dark && !should_be) ++summary.false_shadows;
   }
   return summary;
 }

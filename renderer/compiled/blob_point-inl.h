@@ -44,6 +44,7 @@ inline void set_blob_point(const CompiledBlob& blob, std::span<const std::uint32
                            const ShareRule& rule, BlobPoint& result) {
   ShareSums shares(rule, result.shares);
   const PointSums sums = point_sums(blob.components, items, point, shares);
+  result.value = sum(sums.value);
   result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
   result.evaluations += items.size();
 }

@@ -148,6 +148,8 @@ ComponentTable compile_components(const scene::Database& database, const scene::
   });
 
   ComponentTable table;
+  table.database = &database;
+  table.blob = &blob;
   table.threshold = blob.threshold;
   table.is_unblended = is_unblended;
   if (!is_unblended) table.tree = BranchTree({blob.branches.begin(), blob.branches.end()});

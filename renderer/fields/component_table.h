@@ -30,6 +30,8 @@ struct FieldGroup {
 };
 
 struct ComponentTable {
+  const scene::Database* database = nullptr;  ///< the records that the table was made from; they outlive it
+  const scene::Blob* blob = nullptr;
   double threshold = 1;
   std::vector<FieldGroup> groups;
   // Columns with one row for each component.

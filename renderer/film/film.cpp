@@ -21,12 +21,14 @@ Layer cropped(const Layer& layer, const PixelRect& rect, const PixelRect& window
 
 }  // namespace
 
-Film::Film(const PixelRect& rect, const Aovs& aovs) : rect_(rect), sums_(4 * rect.area()), counts_(rect.area()) {
+Film::Film(const PixelRect& rect, const Aovs& aovs)
+    : rect_(rect), sums_(4 * rect.area()), counts_(rect.area()), certainties_(rect.area()) {
   const auto is_asked = [&](const Aov& aov) { return std::ranges::find(aovs, &aov) != aovs.end(); };
   for (const SurfaceAov& row : surface_aovs()) {
     if (is_asked(row.aov)) surfaces_.push_back({&row, Layer(row.aov, rect.area())});
   }
   keeps_samples_ = is_asked(samples_aov());
+  keeps_certainties_ = is_asked(uncertified_aov());
 }
 
 void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
@@ -35,6 +37,14 @@ void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
     surface.row->fill(seen, surface.layer.at(pixel));
     surface.layer.round(pixel);
   }
+}
+
+std::uint64_t Film::count(const PixelRect& window, Certainty certainty) const {
+  std::uint64_t pixels = 0;
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) pixels += certainties_[rect_.index(x, y)] == certainty ? 1 : 0;
+  }
+  return pixels;
 }
 
 std::array<double, 4> Film::mean(std::size_t pixel) const {
@@ -60,11 +70,14 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
     }
   }
   for (const SurfaceLayer& surface : surfaces_) image.layers.push_back(cropped(surface.layer, rect_, window));
-  if (keeps_samples_) {
-    Layer samples(samples_aov(), 0);
-    samples.values.assign(counts_.begin(), counts_.end());
-    image.layers.push_back(cropped(samples, rect_, window));
-  }
+  const auto add_whole_numbers = [&](const Aov& aov, const auto& numbers) {
+    Layer layer(aov, 0);
+    layer.values.reserve(numbers.size());
+    for (const auto number : numbers) layer.values.push_back(static_cast<double>(number));
+    image.layers.push_back(cropped(layer, rect_, window));
+  };
+  if (keeps_samples_) add_whole_numbers(samples_aov(), counts_);
+  if (keeps_certainties_) add_whole_numbers(uncertified_aov(), certainties_);
   return image;
 }
 

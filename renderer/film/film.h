@@ -26,6 +26,11 @@ class Film {
     ++counts_[pixel];
   }
   void set_surface(std::size_t pixel, const SeenSurface& seen);
+  /// A pixel is as sure as the worst of its samples.
+  void lower_certainty(std::size_t pixel, Certainty to) { lower(certainties_[pixel], to); }
+
+  /// Number of pixels of `window` with this certainty.
+  [[nodiscard]] std::uint64_t count(const PixelRect& window, Certainty certainty) const;
 
   /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros if it has no samples.
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
@@ -41,12 +46,13 @@ class Film {
   PixelRect rect_;
   std::vector<double> sums_;  ///< 4 a pixel
   std::vector<std::uint32_t> counts_;
+  std::vector<Certainty> certainties_;
   struct SurfaceLayer {
     const SurfaceAov* row;
     Layer layer;  ///< over rect_
   };
   std::vector<SurfaceLayer> surfaces_;
-  bool keeps_samples_ = false;
+  bool keeps_samples_ = false, keeps_certainties_ = false;
 };
 
 }  // namespace isl::render

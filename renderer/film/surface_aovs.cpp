@@ -39,4 +39,13 @@ const Aov& samples_aov() {
   return kAov;
 }
 
+const Aov& uncertified_aov() {
+  static const Aov kAov{
+      .name = "uncertified",
+      .channels = {"kind"},
+      .value = AovValue::whole,
+      .picture = {AovPicture::Kind::kinds, "certainty", {{"undecided", kMissedColour}, {"refuted", kFalseColour}}}};
+  return kAov;
+}
+
 }  // namespace isl::render

@@ -27,4 +27,7 @@ struct SurfaceAov {
 /// How many camera rays a pixel got. The film counts them anyway.
 [[nodiscard]] const Aov& samples_aov();
 
+/// How sure a pixel is: the worst Certainty of all its rays.
+[[nodiscard]] const Aov& uncertified_aov();
+
 }  // namespace isl::render

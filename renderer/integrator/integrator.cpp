@@ -59,6 +59,7 @@ void Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
   for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
   memory.colours.assign(batch.size(), Rgb(0));
   memory.alphas.assign(batch.size(), 1);
+  memory.certainties.assign(batch.size(), Certainty::certified);
   memory.counts.camera += batch.size();
   run_level(0, memory, observer);
 }
@@ -67,6 +68,9 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   PathBatch& batch = memory.levels[level].batch;
   batch.hits.assign(batch.size(), Hit{});
   if (batch.size() != 0) tracer_.first_hits(batch.rays, batch.hits, memory.counters, batch.entries.front().kind);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    lower(memory.certainties[batch.entries[i].sample], batch.hits[i].certainty);
+  }
   if (!along_.empty()) {
     AlongWork work{batch, memory.colours};
     run(along_, work);
@@ -120,6 +124,7 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     const Ray& ray = batch.rays[i];
     SurfacePoint& surface = memory.surface;
     tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
+    if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
     textures_.append(surface, memory.textures);
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
@@ -196,7 +201,7 @@ void Integrator::light_block(const PathBatch& batch, const scene::Light& light, 
 }
 
 void Integrator::trace_shadows(PathMemory& memory) const {
-  memory.shadows.resolve(tracer_, memory.colours, memory.counters);
+  memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
   memory.counts.shadow += memory.shadows.size();
   memory.shadows.clear();
 }

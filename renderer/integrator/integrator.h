@@ -36,6 +36,7 @@ struct PathMemory {
   std::deque<Level> levels{1};  ///< 0 is the camera's; a level stays where it is while deeper ones are made
   std::vector<Rgb> colours;     ///< by sample, in the scene's working space
   std::vector<double> alphas;
+  std::vector<Certainty> certainties;  ///< by sample: the worst of all its rays
   ShadowQueue shadows;
   std::vector<std::uint32_t> misses;
   SurfaceBlock block;
@@ -66,7 +67,8 @@ class Integrator {
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
-  /// Traces memory.camera_rays(). Afterwards memory.colours[i] and memory.alphas[i] are what ray number i sees.
+  /// Traces memory.camera_rays(). Afterwards memory.colours[i] and memory.alphas[i] are what ray number i sees, and
+  /// memory.certainties[i] how sure that is.
   /// `observer` may be null.
   void trace(PathMemory& memory, SurfaceObserver* observer) const;
 

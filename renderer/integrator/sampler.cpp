@@ -31,6 +31,7 @@ void Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace)
   integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     film_.add_sample(samples[i].pixel, working_space_.to_linear(paths.colours[i]), paths.alphas[i]);
+    if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
 }
 

@@ -9,12 +9,16 @@ void ShadowQueue::grow() {
   lights_.resize(room);
 }
 
-void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, TraceCounters& counters) {
+void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties,
+                          TraceCounters& counters) {
   if (size_ == 0) return;
   occluded_.resize(size_);
   tracer.occlusions(std::span(rays_).first(size_), occluded_, counters);
   for (std::size_t i = 0; i < size_; ++i) {
-    if (occluded_[i] == 0) colours[lights_[i].sample] += lights_[i].colour;
+    if (occluded_[i] == kOccluded) continue;
+    const std::uint32_t sample = lights_[i].sample;
+    colours[sample] += lights_[i].colour;
+    if (occluded_[i] == kUndecidedOcclusion) lower(certainties[sample], Certainty::undecided);
   }
 }
 

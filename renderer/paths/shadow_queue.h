@@ -25,8 +25,8 @@ class ShadowQueue {
   }
 
   /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do
-  /// not depend on the order in which the tracer works.
-  void resolve(const Tracer& tracer, std::span<Rgb> colours, TraceCounters& counters);
+  /// not depend on the order in which the tracer works. certainties[sample] falls where a ray is undecided.
+  void resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties, TraceCounters& counters);
 
   [[nodiscard]] std::size_t size() const { return size_; }
 

@@ -17,10 +17,10 @@ class Walk {
     ray_.direction = direction;
   }
 
-  std::optional<NextSurface> next() {
+  NextSurface next() {
     while (true) {
       const Hit hit = hit_of(ray_);
-      if (hit.is_miss()) return std::nullopt;
+      if (hit.is_miss()) return {ray_, hit, is_certain_};
       const Vec3 point = point_of(ray_, hit);
       const Face face = face_at(hit, point);
       const double size = face.rounding / kRounding;
@@ -31,7 +31,7 @@ class Walk {
       } else if (const std::optional<NextSurface> back = way_back(hit, point, face)) {
         ray_ = beyond(back->ray, back->hit);
       } else {
-        return NextSurface{ray_, hit};
+        return {ray_, hit, is_certain_};
       }
     }
   }
@@ -41,10 +41,11 @@ class Walk {
   /// A surface through the origin is approached by 2⁻⁵⁰ each time, until it is reached.
   static constexpr int kMostTakingUp = 32;
 
-  [[nodiscard]] Hit hit_of(const Ray& ray) const {
+  [[nodiscard]] Hit hit_of(const Ray& ray) {
     Hit hit;
     TraceCounters unread;
     tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), unread, RayKind::query);
+    if (hit.certainty != Certainty::certified) is_certain_ = false;
     return hit;
   }
   [[nodiscard]] static Vec3 point_of(const Ray& ray, const Hit& hit) { return ray.origin + ray.direction * hit.t; }
@@ -87,7 +88,7 @@ class Walk {
 
   /// The crossing back through the surface, if the ray gets no farther from the surface in between than the least
   /// distance.
-  [[nodiscard]] std::optional<NextSurface> way_back(const Hit& hit, const Vec3& point, const Face& face) const {
+  [[nodiscard]] std::optional<NextSurface> way_back(const Hit& hit, const Vec3& point, const Face& face) {
     const double least = kLeast * face.rounding;
     NextSurface back{beyond(ray_, hit), {}};
     double left = least / kGrazing;
@@ -115,15 +116,16 @@ class Walk {
   Ray ray_;
   bool has_left_ = false;  ///< the start is too far behind to be met
   int taken_up_ = 0;
+  bool is_certain_ = true;
 };
 
 }  // namespace
 
-std::optional<NextSurface> next_surface(const Tracer& tracer, const scene::Transform& parent_from_object,
-                                        const Vec3& origin, const Vec3& direction) {
+NextSurface next_surface(const Tracer& tracer, const scene::Transform& parent_from_object, const Vec3& origin,
+                         const Vec3& direction) {
   const Vec3 local = parent_from_object.inverse_vector(direction);
   const double length = local.length();
-  if (!(length > 0)) return std::nullopt;
+  if (!(length > 0)) return {};
   return Walk(tracer, parent_from_object, parent_from_object.inverse_point(origin), local / length).next();
 }
 

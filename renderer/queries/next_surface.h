@@ -24,12 +24,13 @@ namespace isl::render {
 
 struct NextSurface {
   Ray ray;
-  Hit hit;  ///< hit of that ray
+  Hit hit;                 ///< hit of that ray; a miss if there is no surface
+  bool is_certain = true;  ///< every ray of the walk was certified
 };
 
 /// The first surface beyond `origin`. `origin` and `direction` are in the space that `parent_from_object` leads to; the
 /// result is in the object's space. The tracer is the object's own, with the solver `exact`.
-[[nodiscard]] std::optional<NextSurface> next_surface(const Tracer& tracer, const scene::Transform& parent_from_object,
-                                                      const Vec3& origin, const Vec3& direction);
+[[nodiscard]] NextSurface next_surface(const Tracer& tracer, const scene::Transform& parent_from_object,
+                                       const Vec3& origin, const Vec3& direction);
 
 }  // namespace isl::render

@@ -7,6 +7,15 @@
 
 namespace isl::render {
 
+/// The tracer refers to the database.
+struct ObjectQueries::TracedShape {
+  TracedShape(const scene::Database& scene, const scene::Object& object, const TracerOptions& options)
+      : database(subset(scene, object)), tracer(database, options) {}
+
+  scene::Database database;
+  Tracer tracer;
+};
+
 ObjectQueries::ObjectQueries() = default;
 ObjectQueries::~ObjectQueries() = default;
 
@@ -15,7 +24,7 @@ void ObjectQueries::follow(const scene::Database& database) {
   if (database_ != &database) {
     database_ = &database;
     kernels_.clear();
-    tracers_.clear();
+    shapes_.clear();
     extents_.emplace(database, BlobBox::povray);
   }
   for (std::size_t i = kernels_.size(); i < database.kernels.size(); ++i)
@@ -24,24 +33,25 @@ void ObjectQueries::follow(const scene::Database& database) {
 
 const Tracer& ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
-  std::unique_ptr<Tracer>& tracer = tracers_[{object.kind, object.shape, object.clip, object.inverse}];
-  if (!tracer) {
+  std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
+  if (!shape) {
     TracerOptions options;
     options.solver = SolverName::exact;
-    tracer = std::make_unique<Tracer>(subset(database, object), options);
+    shape = std::make_unique<TracedShape>(database, object, options);
   }
-  return *tracer;
+  return shape->tracer;
 }
 
-std::optional<scene::TracedPoint> ObjectQueries::trace(const scene::Database& database, const scene::Object& object,
-                                                       const Vec3& origin, const Vec3& direction) {
+scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const scene::Object& object,
+                                        const Vec3& origin, const Vec3& direction) {
   const Tracer& tracer = tracer_of(database, object);
-  const std::optional<NextSurface> next = next_surface(tracer, object.parent_from_object, origin, direction);
-  if (!next) return std::nullopt;
+  const NextSurface next = next_surface(tracer, object.parent_from_object, origin, direction);
+  if (next.hit.is_miss()) return {std::nullopt, next.is_certain};
   SurfacePoint point;
-  tracer.surface_at(next->ray, next->hit, point);
-  return scene::TracedPoint{object.parent_from_object.point(point.position),
-                            object.parent_from_object.normal(point.normal).normalized()};
+  tracer.surface_at(next.ray, next.hit, point);
+  return {scene::TracedPoint{object.parent_from_object.point(point.position),
+                             object.parent_from_object.normal(point.normal).normalized()},
+          next.is_certain && !point.is_refuted};
 }
 
 bool ObjectQueries::inside(const scene::Database& database, const scene::Object& object, const Vec3& point) {

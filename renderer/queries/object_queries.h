@@ -22,9 +22,8 @@ class ObjectQueries final : public scene::Queries {
   ObjectQueries();
   ~ObjectQueries() override;
 
-  [[nodiscard]] std::optional<scene::TracedPoint> trace(const scene::Database& database, const scene::Object& object,
-                                                        const scene::Vec3& origin,
-                                                        const scene::Vec3& direction) override;
+  [[nodiscard]] scene::TraceAnswer trace(const scene::Database& database, const scene::Object& object,
+                                         const scene::Vec3& origin, const scene::Vec3& direction) override;
   [[nodiscard]] bool inside(const scene::Database& database, const scene::Object& object,
                             const scene::Vec3& point) override;
   [[nodiscard]] Imath::Box3d extent(const scene::Database& database, const scene::Object& object) override;
@@ -32,13 +31,14 @@ class ObjectQueries final : public scene::Queries {
  private:
   /// The parts of an object that decide its surface in its own space.
   using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
+  struct TracedShape;
   const Tracer& tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
 
   const scene::Database* database_ = nullptr;  ///< the database that the rest was made from
   std::vector<KernelConstants> kernels_;
   std::optional<Extents> extents_;
-  std::map<ShapeKey, std::unique_ptr<Tracer>> tracers_;
+  std::map<ShapeKey, std::unique_ptr<TracedShape>> shapes_;
 };
 
 }  // namespace isl::render

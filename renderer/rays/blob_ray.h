@@ -25,6 +25,7 @@ struct BlobHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t cell = scene::kNone;
   bool from_inside = false;  ///< for a miss: the ray stays inside, as it can in a half-space
+  double undecided_from = std::numeric_limits<double>::infinity();  ///< where the ray is undecided first, if it is
 
   [[nodiscard]] bool is_miss() const { return cell == scene::kNone; }
 };

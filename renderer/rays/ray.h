@@ -4,6 +4,7 @@
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -40,6 +41,22 @@ struct Ray {
   RayStart start;
 };
 
+/// How sure the answer of a ray is. Greater is worse.
+enum class Certainty : std::uint8_t {
+  certified,  ///< proved: this is the first surface, or there is none
+  undecided,  ///< on the way F stays so close to the threshold that no digits at hand decide on which side it is
+  refuted,    ///< a check shows that no surface lies where one was found, within the tolerance
+};
+
+inline void lower(Certainty& certainty, Certainty to) { certainty = std::max(certainty, to); }
+
+/// The answer of a shadow ray.
+enum Occlusion : std::uint8_t {
+  kUnoccluded,
+  kOccluded,
+  kUndecidedOcclusion,  ///< nothing was found, and that is undecided
+};
+
 /// The nearest surface on a ray. `instance` is scene::kNone for a miss.
 struct Hit {
   double t = std::numeric_limits<double>::infinity();
@@ -50,10 +67,17 @@ struct Hit {
   std::uint8_t part = 0;              ///< for a solid: which of its surfaces
   bool from_inside = false;           ///< the ray came out of the solid rather than into it
   std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves
+  Certainty certainty = Certainty::certified;
 
   [[nodiscard]] bool is_miss() const { return instance == scene::kNone; }
   /// The start of a ray that continues from this hit.
   [[nodiscard]] RayStart start() const { return {instance, part, leaf}; }
 };
+
+/// The answer of a shadow ray with this hit.
+[[nodiscard]] inline Occlusion occlusion_of(const Hit& hit) {
+  if (!hit.is_miss()) return kOccluded;
+  return hit.certainty == Certainty::certified ? kUnoccluded : kUndecidedOcclusion;
+}
 
 }  // namespace isl::render

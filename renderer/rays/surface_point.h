@@ -32,6 +32,7 @@ struct TextureShare {
 struct SurfacePoint {
   Vec3 position;
   Vec3 normal;                         ///< outward, unit length, in world space
+  bool is_refuted = false;             ///< a check shows that no surface lies here, within the tolerance
   std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point
 };
 

@@ -8,13 +8,15 @@ namespace isl::render {
 /// Work done, for --stats. Merged over threads; sums do not depend on their order.
 struct TraceCounters {
   std::uint64_t field_evaluations = 0;
-  std::uint64_t uncertified_steps = 0;
+  std::uint64_t uncertified_steps = 0;  ///< intervals that double precision could not decide
+  std::uint64_t undecided_steps = 0;    ///< those of them that stayed undecided
   std::uint64_t cells = 0;
   std::uint64_t shading_evaluations = 0;  ///< evaluations of fields at hit points, for normals and textures
 
   TraceCounters& operator+=(const TraceCounters& other) {
     field_evaluations += other.field_evaluations;
     uncertified_steps += other.uncertified_steps;
+    undecided_steps += other.undecided_steps;
     cells += other.cells;
     shading_evaluations += other.shading_evaluations;
     return *this;

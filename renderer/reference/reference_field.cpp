@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace isl::reference {
 namespace {
@@ -90,16 +92,31 @@ long double ReferenceComponent::sensitivity_at(const Line& line, long double t) 
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob) : threshold_(blob.threshold) {
   ISL_CHECK(blob.threshold > 0, "threshold {}", blob.threshold);
-  const std::vector<KernelInUse> kernels(database.kernels.begin(), database.kernels.end());
-  components_.reserve(blob.components.size());
-  for (const scene::Component& component : blob.components) {
-    components_.emplace_back(component, kernels[index(component.kernel)], transform_of(database, component),
-                             std::span(blob.corners.begin(), blob.corners.size()));
-  }
+  std::vector<std::uint32_t> all(blob.components.size());
+  std::iota(all.begin(), all.end(), 0u);
+  add(database, blob, all);
   branch_of_.assign(blob.branch_of.begin(), blob.branch_of.end());
   branches_.assign(blob.branches.begin(), blob.branches.end());
   if (branches_.empty()) branches_.push_back({0, 0});
   branch_of_.resize(components_.size());
+}
+
+ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob,
+                               std::span<const std::uint32_t> numbers)
+    : branch_of_(numbers.size()), branches_{{0, 0}}, threshold_(blob.threshold) {
+  add(database, blob, numbers);
+}
+
+void ReferenceField::add(const scene::Database& database, const scene::Blob& blob,
+                         std::span<const std::uint32_t> numbers) {
+  std::map<scene::KernelId, KernelInUse> kernels;
+  components_.reserve(numbers.size());
+  for (const std::uint32_t number : numbers) {
+    const scene::Component& component = blob.components[number];
+    const auto kernel = kernels.try_emplace(component.kernel, database.kernels[index(component.kernel)]).first;
+    components_.emplace_back(component, kernel->second, transform_of(database, component),
+                             std::span(blob.corners.begin(), blob.corners.size()));
+  }
 }
 
 FieldSample ReferenceField::sample(const Vector<long double>& p) const {

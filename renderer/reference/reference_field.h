@@ -96,6 +96,8 @@ void fold_maxima(const std::vector<scene::Branch>& branches, const Fold& fold) {
 class ReferenceField {
  public:
   ReferenceField(const scene::Database& database, const scene::Blob& blob);
+  /// The plain sum of some of the blob's components, minus its threshold; `numbers` are indices of components.
+  ReferenceField(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
 
   /// F and ∇F at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;
@@ -109,6 +111,8 @@ class ReferenceField {
   [[nodiscard]] long double threshold() const { return threshold_; }
 
  private:
+  void add(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
+
   std::vector<ReferenceComponent> components_;
   std::vector<std::uint32_t> branch_of_;
   std::vector<scene::Branch> branches_;

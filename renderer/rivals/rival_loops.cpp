@@ -56,7 +56,7 @@ void rival_first_hits(const CompiledScene& scene, const SolverSettings& settings
 void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                       std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   WorldTrace<RivalSearch> world(scene, settings, RayKind::shadow, memory, counters);
-  for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = world.trace(rays[i], true).is_miss() ? 0 : 1;
+  for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = occlusion_of(world.trace(rays[i], true));
 }
 
 const TraceLoops* loops() {

@@ -17,16 +17,20 @@ struct TracedPoint {
   Vec3 normal;  ///< outward, unit length; it may point away from the ray's origin
 };
 
+struct TraceAnswer {
+  std::optional<TracedPoint> point;  ///< nullopt for a miss or a direction of length zero
+  bool is_certain = true;            ///< false if no digits at hand decide whether a surface lies before the point
+};
+
 /// Points are in the space that the object is placed into. The database may grow between calls, but its records do not
 /// change, so that each shape is prepared once.
 class Queries {
  public:
   virtual ~Queries() = default;
 
-  /// The first surface along the ray beyond its origin; flags of the object have no effect. Nullopt for a miss or a
-  /// direction of length zero.
-  [[nodiscard]] virtual std::optional<TracedPoint> trace(const Database& database, const Object& object,
-                                                         const Vec3& origin, const Vec3& direction) = 0;
+  /// The first surface along the ray beyond its origin; flags of the object have no effect.
+  [[nodiscard]] virtual TraceAnswer trace(const Database& database, const Object& object, const Vec3& origin,
+                                          const Vec3& direction) = 0;
   /// A point on the surface counts as inside. Open surfaces have no inside.
   [[nodiscard]] virtual bool inside(const Database& database, const Object& object, const Vec3& point) = 0;
   /// A box that contains the surface: empty if there is no surface, with infinite sides if it is infinite or no bound

@@ -68,7 +68,7 @@ void occlusions(const CompiledScene& scene, const SolverSettings& settings, std:
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
   trace_all(scene, settings, RayKind::shadow, rays, memory, counters,
-            [&](const Hit& hit, std::size_t i) { occluded[i] = hit.is_miss() ? 0 : 1; });
+            [&](const Hit& hit, std::size_t i) { occluded[i] = occlusion_of(hit); });
 }
 
 const TraceEntryPoints* entry_points() {

@@ -7,6 +7,7 @@
 #include "renderer/trace/cutaway.h"
 #include "renderer/trace/face.h"
 #include "renderer/trace/rival_module.h"
+#include "renderer/trace/surface_check.h"
 #include "renderer/trace/trace_entry_points.h"
 
 namespace isl::render {
@@ -30,10 +31,11 @@ struct Tracer::Impl {
   const TraceEntryPoints* entry_points = nullptr;
   const TraceLoops* loops = nullptr;  ///< the loops of entry_points, or a baseline's
 
-  /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there; `other` is
-  /// used where the shape has none of its own.
+  /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
+  /// `other` is used where the shape has none of its own. `step` is that of FoundPlace.
   Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit,
-                const Vec3& local, std::vector<TextureShare>& textures, TraceCounters& counters) const {
+                const Vec3& local, const Vec3& step, SurfacePoint& surface, TraceCounters& counters) const {
+    std::vector<TextureShare>& textures = surface.textures;
     if (kind == scene::Object::Kind::solid) {
       textures.push_back(other);
       textures.back().surface = {kind, shape, 0, local};
@@ -46,6 +48,7 @@ struct Tracer::Impl {
       entry_points->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
     } else {
       entry_points->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
+      surface.is_refuted = is_refuted(scene.blobs[shape], {local, step, hit.cell}, blob);
     }
     counters.shading_evaluations += blob.evaluations;
     double total = 0;
@@ -127,7 +130,12 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
   point.position = ray.origin + ray.direction * hit.t;
+  point.is_refuted = false;
   point.textures.clear();
+  // A hit may be off by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with room to spare.
+  const double coordinates = ray.origin.length() + std::abs(hit.t);
+  Vec3 step = ray.direction * (impl_->settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
+  if (instance.is_placed) step = instance.world_from_object.inverse_vector(step);
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::group) {
@@ -141,12 +149,13 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
         texture = texture_of(tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
-    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, point.textures, counters);
+    if (leaf.is_placed) step = leaf.group_from_leaf.inverse_vector(step);
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, step, point, counters);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
     const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
-    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, point.textures, counters);
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, step, point, counters);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

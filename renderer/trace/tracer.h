@@ -21,7 +21,8 @@ struct Face;  // trace/face.h
 /// A database made ready to be traced. Immutable; every member may be called from many threads.
 class Tracer {
  public:
-  /// Precondition: problem_of(options.solver) is empty, and the program has options.simd.
+  /// The database must outlive the tracer. Precondition: problem_of(options.solver) is empty, and the program has
+  /// options.simd.
   Tracer(const scene::Database& database, const TracerOptions& options);
   ~Tracer();
   Tracer(Tracer&&) noexcept;
@@ -32,7 +33,7 @@ class Tracer {
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
                   RayKind kind = RayKind::image) const;
 
-  /// occluded[i] becomes 1 if anything that throws a shadow lies on rays[i] with 0 < t < t_max, else 0.
+  /// occluded[i] becomes an Occlusion: whether anything that throws a shadow lies on rays[i] with 0 < t < t_max.
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.

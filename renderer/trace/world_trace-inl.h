@@ -48,6 +48,7 @@ class WorldTrace {
   [[nodiscard]] Hit trace(const Ray& ray, bool any) {
     Hit best;
     best.t = ray.t_max;
+    undecided_from_ = std::numeric_limits<double>::infinity();
     if (!is_sound(ray)) {
       best.t = std::numeric_limits<double>::infinity();
       return best;
@@ -83,6 +84,7 @@ class WorldTrace {
       best = faces_.first_declared(ray, best);
       faces_.forget();
     }
+    judge(best, undecided_from_);
     return best;
   }
 
@@ -94,6 +96,7 @@ class WorldTrace {
       return;
     }
     std::uint32_t open = 0;
+    all_undecided_from_.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {};
       if (!is_sound(rays[i])) continue;
@@ -106,9 +109,13 @@ class WorldTrace {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
     }
-    if (!faces_.has_kept()) return;
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = faces_.first_declared(rays[i], hits[i]);
-    faces_.forget();
+    if (faces_.has_kept()) {
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = faces_.first_declared(rays[i], hits[i]);
+      faces_.forget();
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (!(any && !hits[i].is_miss())) judge(hits[i], all_undecided_from_[i]);
+    }
   }
 
  private:
@@ -128,7 +135,10 @@ class WorldTrace {
     std::uint32_t met = 0;
     if (!is_packed) {
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) != 0 && meet(index, rays[i], any, hits[i])) met |= 1u << i;
+        if ((open >> i & 1) == 0) continue;
+        undecided_from_ = all_undecided_from_[i];
+        if (meet(index, rays[i], any, hits[i])) met |= 1u << i;
+        all_undecided_from_[i] = undecided_from_;
       }
     } else if (!is_hidden(instance)) {
       BlobRay blob_rays[kPacket];
@@ -136,8 +146,10 @@ class WorldTrace {
       for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
       Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) == 0 || blob_hits[i].is_miss()) continue;
-        if (take_blob(index, rays[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
+        if ((open >> i & 1) == 0) continue;
+        undecided_from_ = std::min(all_undecided_from_[i], blob_hits[i].undecided_from);
+        if (!blob_hits[i].is_miss() && take_blob(index, rays[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
+        all_undecided_from_[i] = undecided_from_;
       }
     }
     return any ? open & ~met : open;
@@ -280,14 +292,24 @@ class WorldTrace {
   }
 
   [[nodiscard]] BlobHit first_hit(const CompiledBlob& blob, const BlobRay& ray) {
-    return Search::first_hit(blob, settings_, memory_, counters_, ray);
+    const BlobHit hit = Search::first_hit(blob, settings_, memory_, counters_, ray);
+    undecided_from_ = std::min(undecided_from_, hit.undecided_from);
+    return hit;
+  }
+
+  /// An answer is undecided if the ray was, before its hit.
+  static void judge(Hit& hit, double undecided_from) {
+    if (undecided_from <= hit.t && undecided_from < std::numeric_limits<double>::infinity())
+      hit.certainty = Certainty::undecided;
   }
 
   const CompiledScene& scene_;
   const SolverSettings& settings_;
   TraceMemory& memory_;
   TraceCounters& counters_;
-  std::uint8_t kind_;                     ///< one bit of RayKind
+  double undecided_from_ = 0;                         ///< the least t at which the present ray was undecided
+  std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
+  std::uint8_t kind_;                                 ///< one bit of RayKind
   std::array<std::uint32_t, 16> recent_;  ///< a mailbox: the instances that the ray has met in earlier cells
   RayFaces faces_;
 };

@@ -1,8 +1,8 @@
 // Relations between convolved fields, for every implementation: parts add up to the whole, a swapped kernel keeps the
 // surface and its slope, and a transform moves a field as it moves its skeleton.
+#include "renderer/reference/reference_kernel.h"
 #include "tests/conformance/field_under_test.h"
 #include "tests/reference/random_scenes.h"
-#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "tests/conformance/field_cases.h"
 
-#include "tests/reference/random_scenes.h"
 #include "renderer/reference/reference_kernel.h"
+#include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
 
 #include <algorithm>

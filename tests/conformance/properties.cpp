@@ -2,9 +2,9 @@
 // the result, plus the change of the result when the point moves by a relative error of its coordinates.
 #include "tests/conformance/properties.h"
 
+#include "renderer/reference/reference_field.h"
 #include "tests/conformance/witnesses.h"
 #include "tests/reference/random_scenes.h"
-#include "renderer/reference/reference_field.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The reference behind the interface of the conformance suite, which proves that the properties can be satisfied.
-#include "tests/conformance/field_under_test.h"
 #include "renderer/reference/reference_ray.h"
+#include "tests/conformance/field_under_test.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 // and hits.
 #pragma once
 
-#include "renderer/trace/tracer.h"
 #include "renderer/reference/reference_tracer.h"
+#include "renderer/trace/tracer.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 // Convolved blobs through the public tracer, compared with fields that are integrated numerically from their
 // definition, including the constants: nothing is shared with the renderer but the records of the database.
-#include "tests/reference/random_scenes.h"
 #include "renderer/reference/reference_kernel.h"
+#include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 

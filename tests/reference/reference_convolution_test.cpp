@@ -1,8 +1,8 @@
 // The reference's convolutions: compared with closed forms where these are short, and their enclosures with samples.
 #include "renderer/reference/reference_convolution.h"
+#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"
-#include "renderer/reference/reference_kernel.h"
 #include "tests/reference/small_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The reference field, compared with brute force: gradients with differences, enclosures with samples.
 #include "renderer/reference/reference_field.h"
 
+#include "renderer/reference/reference_ray.h"
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"
-#include "renderer/reference/reference_ray.h"
 #include "tests/reference/small_scenes.h"
 
 #include <gtest/gtest.h>

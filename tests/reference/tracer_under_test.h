@@ -6,6 +6,7 @@
 #include "tests/reference/random_scenes.h"
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace isl::reference {
@@ -34,6 +35,10 @@ class TracerUnderTest {
  public:
   explicit TracerUnderTest(const scene::Database& database, const render::TracerOptions& options = {})
       : tracer_(database, options), comparison_{options.tolerance, options.pixel_angle, 8} {}
+  explicit TracerUnderTest(scene::Database&& database, const render::TracerOptions& options = {})
+      : database_(std::move(database)),
+        tracer_(database_, options),
+        comparison_{options.tolerance, options.pixel_angle, 8} {}
 
   [[nodiscard]] TraceBatch trace() const {
     return [this](std::span<const render::Ray> rays, std::span<render::Hit> hits) {
@@ -43,6 +48,7 @@ class TracerUnderTest {
   [[nodiscard]] OccludeBatch occlude() const {
     return [this](std::span<const render::Ray> rays, std::span<std::uint8_t> occluded) {
       tracer_.occlusions(rays, occluded, counters_);
+      for (std::uint8_t& answer : occluded) answer = answer == render::kOccluded ? 1 : 0;
     };
   }
   [[nodiscard]] std::vector<render::Hit> hits(const std::vector<render::Ray>& rays) const {
@@ -79,6 +85,7 @@ class TracerUnderTest {
   [[nodiscard]] std::uint64_t field_evaluations() const { return counters_.field_evaluations; }
 
  private:
+  scene::Database database_;  ///< the tracer's, if nobody else keeps it
   render::Tracer tracer_;
   mutable render::TraceCounters counters_;
   AgreementOptions comparison_;

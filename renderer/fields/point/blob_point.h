@@ -11,6 +11,7 @@ namespace isl::render {
 
 /// Weighted textures and the gradient of a blob at a point.
 struct BlobPoint {
+  double value = 0;  ///< Σfᵢ
   Vec3 gradient{0};  ///< ∇F, in the blob's space
   /// Σ|fᵢ| by texture, not normalised; kNoTexture stands for the blob's own texture. In each share's `surface` only the
   /// component is set.

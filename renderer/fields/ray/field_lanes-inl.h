@@ -10,6 +10,7 @@
 #endif
 
 #include "renderer/fields/branches.h"
+#include "renderer/fields/laid_out_fields.h"
 #include "renderer/fields/ray/lane_range-inl.h"
 #include "renderer/fields/ray/lane_slope-inl.h"
 #include "renderer/fields/ray/lane_values-inl.h"
@@ -47,6 +48,7 @@ class FieldLanes {
   template <class... Where>
   void set_up(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count, const Where&... where) {
     sums_ = Setup(m_, where...).gather_list(table, items, count);
+    keep(table, items, count, where...);
     threshold_ = table.threshold;
     const Number terms = Number(sums_.field_count) + Number(16.0);
     relative_noise_ = Number(0x1p-52) * (terms + Number(2 * sums_.exponent));
@@ -90,6 +92,9 @@ class FieldLanes {
 
   // ---- For one ray only ---------------------------------------------------------------------------------------------
 
+  /// The list and the ray of the last set_up.
+  [[nodiscard]] const LaidOutFields& laid_out() const { return laid_out_; }
+
   /// The first t between these two at which a component's nearest feature changes, where F″ may jump; nothing if there
   /// is none.
   [[nodiscard]] std::optional<double> border_within(double t0, double t1) const {
@@ -120,6 +125,13 @@ class FieldLanes {
   [[nodiscard]] HWY_NOINLINE FieldRange bend_range(double t0, double t1) const { return total_of(LaneBend(t0, t1)); }
 
  private:
+  HWY_INLINE void keep(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count, const Vec3& origin,
+                       const Vec3& direction, double /*t0*/, double /*t1*/) {
+    laid_out_ = {&table, items, count, origin, direction};
+  }
+  template <class... Where>
+  HWY_INLINE void keep(const ComponentTable&, const std::uint32_t*, std::uint32_t, const Where&...) {}
+
   [[nodiscard]] static HWY_INLINE Number total(const Octet& x) { return Setup::total(x); }
 
   template <class Bounds>
@@ -132,6 +144,7 @@ class FieldLanes {
   double threshold_ = 0;
   typename Setup::Sums sums_;
   Number relative_noise_, threshold_noise_;
+  LaidOutFields laid_out_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -35,9 +35,8 @@ class Bisection : public RivalSolver {
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     // A ray that ends on the other side has crossed, wherever that was.
     if (any && last.value > last.noise) return last.t;
-    const double share = 0x1p-60 * (last.t - a.t);
-    const double shortest = std::max(lengths_.shortest.by_tolerance, share);
-    const double shortest_at_start = std::max(lengths_.shortest.by_rounding, share);
+    const double shortest_at_start = kLeastShare * (last.t - a.t);
+    const double shortest = std::max(lengths_.shortest.by_tolerance, shortest_at_start);
     Node ends[kMostHalvings + 1];
     int top = 0, steps = 0;
     ends[0] = last;
@@ -55,7 +54,7 @@ class Bisection : public RivalSolver {
           ends[++top] = middle ? *middle : node(t);
           continue;
         }
-        ++counters_.uncertified_steps;
+        give_up_step();
         verdict = crossed ? Verdict::rises : Verdict::none;
       }
       // With a known root at the start, this is another one, too close to tell apart from it.

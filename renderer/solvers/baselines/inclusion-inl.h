@@ -37,11 +37,12 @@ class InclusionSolver : public RivalSolver {
   /// See HermiteSolver::first_root.
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (any && last.value > last.noise) return last.t;
-    const double share = 0x1p-60 * (last.t - a.t);
-    double least = std::max(a_is_root ? lengths_.shortest.by_rounding : lengths_.shortest.by_tolerance, share);
+    const double share = kLeastShare * (last.t - a.t);
+    double least = std::max(a_is_root ? 0 : lengths_.shortest.by_tolerance, share);
     double ahead = last.t - a.t;
     for (int i = 0; i < kMostSteps; ++i) {
       if (!a_is_root && a.value > a.noise) return a.t;
+      least = std::max(least, 0x1p-51 * std::abs(a.t));  // a step of at least one double
       ahead = std::min(std::max(ahead, 2 * least), last.t - a.t);
       if (!(a.t + ahead > a.t)) return std::nullopt;
       const FieldRange bend = bends(a.t, a.t + ahead);
@@ -53,7 +54,7 @@ class InclusionSolver : public RivalSolver {
         is_certain = true;
       } else if (!(step >= least)) {
         step = std::min(least, ahead);
-        ++counters_.uncertified_steps;
+        give_up_step();
         least *= 2;
       }
       const Node b = a.t + step < last.t ? node(a.t + step) : last;
@@ -64,7 +65,7 @@ class InclusionSolver : public RivalSolver {
       if (a_is_root) least = std::max(least, lengths_.shortest.by_tolerance);
       a_is_root = false;
     }
-    ++counters_.uncertified_steps;
+    give_up_step();
     return std::nullopt;
   }
 

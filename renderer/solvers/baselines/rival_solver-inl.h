@@ -69,11 +69,15 @@ class RivalSolver {
   }
 
  protected:
-  /// The most halvings of an interval in one search: 2⁻⁶⁴ of any interval is below the spacing of doubles.
-  static constexpr int kMostHalvings = 64;
   /// The most intervals or steps of one search, so that it ends for a ray that hugs a surface. Any other ray takes far
   /// fewer.
   static constexpr int kMostSteps = 1 << 16;
+
+  /// Counts an interval that is left undecided.
+  void give_up_step() {
+    ++counters_.uncertified_steps;
+    ++counters_.undecided_steps;
+  }
 
   /// The tolerance of a root near t.
   [[nodiscard]] double tolerance(double t) const { return lengths_.settings->at(lengths_.distance + t); }
@@ -93,7 +97,7 @@ class RivalSolver {
   /// replaced by a halving.
   [[nodiscard]] double newton(Node a, Node b) {
     double t = a.t + 0.5 * (b.t - a.t);
-    for (int i = 0; i < 2 * kMostHalvings; ++i) {
+    for (int i = 0; i < kMostHalvings; ++i) {
       if (!(t > a.t && t < b.t)) return b.t;
       const Node n = node(t);
       const double next = t - n.value / n.slope;
@@ -110,7 +114,7 @@ class RivalSolver {
     const double enough = tolerance(a.t);
     double last = b.t;
     int stays = 0;  // which end stayed in the last step: +1 for b, −1 for a
-    for (int i = 0; i < 2 * kMostHalvings && b.t - a.t > enough; ++i) {
+    for (int i = 0; i < kMostHalvings && b.t - a.t > enough; ++i) {
       double t = a.t + (b.t - a.t) * (a.value / (a.value - b.value));
       if (!(t > a.t && t < b.t)) t = a.t + 0.5 * (b.t - a.t);
       if (!(t > a.t && t < b.t)) break;

@@ -46,7 +46,7 @@ class SegmentSolver : public RivalSolver {
       segment = kGrowth * step;
       a = b;
     }
-    ++counters_.uncertified_steps;
+    give_up_step();
     return std::nullopt;
   }
 

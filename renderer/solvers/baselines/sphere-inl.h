@@ -61,7 +61,7 @@ class SphereSolver : public RivalSolver {
       if (!(b.t > a.t && b.t < last.t)) return std::nullopt;
       a = b;
     }
-    ++counters_.uncertified_steps;
+    give_up_step();
     return std::nullopt;
   }
 

@@ -64,12 +64,13 @@ class CellSearch {
     ray_ = &ray;
     side_ = Side::unknown;
     hit_ = {};
+    undecided_from_ = std::numeric_limits<double>::infinity();
     if (!(blob_.grid.cell_size > 0)) return {1, 0};
     return clip_to_box(blob_.grid.box, ray.origin, ray.direction, 0, ray.t_max);
   }
   /// Moves to the start of the stretch: from here on t counts from base(), and the ray begins at origin().
   void enter_grid(const BoxSpan& span) {
-    take_up(span.enter, blob_.grid.box.size().length());
+    take_up(span.enter);
     if (blob_.grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
   }
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -108,14 +109,11 @@ class CellSearch {
   }
   /// True if the ray crosses in a cell that it has arrived at.
   [[nodiscard]] bool solve_in(const CellStretch& stretch) {
-    const auto& [index, cell, t0, t1] = stretch;
-    const bool starts_here = starts_on_surface_ && t0 == 0;
-    if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
-    is_node_valid_ = false;
-    const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
-    const std::optional<double> t =
-        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
-    return t && cross(*t, index);
+    const std::uint64_t undecided_before = counters_.undecided_steps;
+    const bool crosses = find_in(stretch);
+    if (counters_.undecided_steps != undecided_before)
+      undecided_from_ = std::min(undecided_from_, base_ + stretch.enter);
+    return crosses;
   }
   /// Records the result, found elsewhere, of a cell that the ray has arrived at: the ray stays on its side to the end
   /// of the cell, or crosses at t.
@@ -124,13 +122,14 @@ class CellSearch {
 
   [[nodiscard]] const BlobHit& hit() {
     if (hit_.is_miss()) hit_.from_inside = side_ == Side::inside;
+    hit_.undecided_from = undecided_from_;
     return hit_;
   }
 
  private:
   /// Moves the origin to t = `base`, where the ray meets the grid, so that the fields see small numbers even if the
-  /// grid is far away; t counts from there. `extent`: the size of what is met there.
-  void take_up(double base, double extent) {
+  /// grid is far away; t counts from there.
+  void take_up(double base) {
     base_ = base;
     origin_ = ray_->origin + ray_->direction * base;
     direction_ = ray_->direction;
@@ -138,10 +137,8 @@ class CellSearch {
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
-    // Certification may stop at a thousandth of the tolerance, and must stop at 2⁻⁴⁰ of the blob.
-    Shortest shortest;
-    shortest.by_rounding = 0x1p-40 * extent / direction_.length();
-    shortest.by_tolerance = std::max(shortest.by_rounding, 1e-3 * settings_.at(ray_->path_length + base));
+    // Certification may stop at a thousandth of the tolerance.
+    const Shortest shortest{1e-3 * settings_.at(ray_->path_length + base)};
     lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 
@@ -162,9 +159,7 @@ class CellSearch {
     if (!(begin < end)) return false;
     const Grid& grid = blob_.grid;
     const Cell& cell = grid.cells[grid.beyond];
-    double extent = std::numeric_limits<double>::infinity();
-    for_each_endless([&](const auto& shape, double) { extent = std::min(extent, shape.radius); });
-    take_up(begin, extent);
+    take_up(begin);
     const double length = end - begin;
     double t = 0;
     while (t < length) {
@@ -195,7 +190,7 @@ class CellSearch {
 
   /// Records that the ray changes sides at t, on the border of `cell` or in it.
   bool cross(double t, std::uint32_t cell) {
-    hit_ = {base_ + t, cell, side_ == Side::inside};
+    hit_ = {.t = base_ + t, .cell = cell, .from_inside = side_ == Side::inside};
     return true;
   }
 
@@ -215,6 +210,18 @@ class CellSearch {
       case Arrival::passes: return false;
       default: return solve_in(stretch);
     }
+  }
+
+  /// True if the ray crosses in the cell.
+  bool find_in(const CellStretch& stretch) {
+    const auto& [index, cell, t0, t1] = stretch;
+    const bool starts_here = starts_on_surface_ && t0 == 0;
+    if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
+    is_node_valid_ = false;
+    const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
+    const std::optional<double> t =
+        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
+    return t && cross(*t, index);
   }
 
   bool solve(std::uint32_t index, const Cell& cell, double t0, double t1, bool starts_here) {
@@ -260,6 +267,7 @@ class CellSearch {
   bool is_node_valid_ = false;
   Node node_{};  ///< the node at reached_, seen from the ray's side
   BlobHit hit_;
+  double undecided_from_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace HWY_NAMESPACE

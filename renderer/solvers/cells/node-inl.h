@@ -19,11 +19,15 @@ struct Node {
   double noise, slope_noise;  ///< bounds of how far rounding may have moved them
 };
 
-/// Lengths of intervals that are not halved any more, in units of t.
+/// The length of intervals, in units of t, that the user's tolerance does not ask to tell apart.
 struct Shortest {
-  double by_rounding;   ///< a pair of roots closer than this encloses a depth below the rounding of F
-  double by_tolerance;  ///< the user's tolerance does not ask to tell shorter ones apart; no less than by_rounding
+  double by_tolerance = 0;
 };
+
+/// Halvings of an interval after which the ends of its parts are neighbouring doubles, save next to t = 0, where
+/// doubles have no end: there 2⁻¹²⁰ of the whole is less than any digit of the coordinates that a ray is computed from.
+inline constexpr int kMostHalvings = 128;
+inline constexpr double kLeastShare = 0x1p-120;
 
 }  // namespace HWY_NAMESPACE
 }  // namespace isl::render

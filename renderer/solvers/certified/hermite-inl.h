@@ -8,9 +8,10 @@
 //   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
 //   otherwise                          halve the interval with a true node; E falls sixteenfold.
 // An interval may remain undecided although E has fallen below the rounding of F, or the interval is shorter than the
-// tolerance needs. It is then split where a skeleton's nearest feature changes, because F changes there too beside the
-// core of a hard component. After that, the ranges of the fields may show that F stays on its side. If they do not, the
-// cubic is all that can be known: its own first root is taken, and counted as uncertified.
+// tolerance needs, or its ends are neighbouring doubles. It is then split where a skeleton's nearest feature changes,
+// because F changes there too beside the core of a hard component. After that, the ranges of the fields may show that F
+// stays on its side. If they do not, the interval is searched again with more digits (extended_search.h). If these do
+// not decide it either, the cubic is all that can be known: its own first root is taken, and counted as undecided.
 //
 // A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the
 // quotient Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R
@@ -38,6 +39,7 @@
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cells/node-inl.h"
+#include "renderer/solvers/certified/extended_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +63,7 @@ class HermiteSolver {
     return shortest;
   }
 
-  /// `side` is +1 for a ray outside (F < T) and −1 for one inside. Intervals as short as `shortest` are decided by the
-  /// signs at their ends and counted as uncertified.
+  /// `side` is +1 for a ray outside (F < T) and −1 for one inside.
   HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)
       : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
 
@@ -80,11 +81,7 @@ class HermiteSolver {
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     // `ends` holds the right ends of the intervals that are still to be searched, the nearest on top. Each halving adds
     // one. An interval too short to be halved is split at borders of pieces, from the first on, which adds one more.
-    // Only places next to t = 0 are closer together than 2⁻⁶⁰ of the whole, and they are not told apart: a ray that
-    // grazes a plane's field takes 10⁹ radii to pass it.
-    const double share = 0x1p-60 * (last.t - a.t);
-    least_ = {.by_rounding = std::max(shortest_.by_rounding, share),
-              .by_tolerance = std::max(shortest_.by_tolerance, share)};
+    least_ = kLeastShare * (last.t - a.t);
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;
@@ -100,6 +97,21 @@ class HermiteSolver {
         case Verdict::one: return any ? b.t : polish(a, b, root_of_rising(a, b));
         case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
+        case Verdict::undecided: {
+          const ExtendedAnswer answer = search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root});
+          const bool crossed = b.value > b.noise;
+          if (crossed && answer.crossing) return answer.crossing;
+          // A dip through the surface that only more digits show is no deeper than the rounding: its way back could not
+          // be found from where it begins. It counts as a touch.
+          if (!answer.is_certain || answer.crossing || crossed) {
+            ++counters_.undecided_steps;
+            if (shows_crossing_) return root_in_cubic(a, b, a_is_root);
+          }
+          a = b;
+          a_is_root = false;
+          --top;
+          break;
+        }
         case Verdict::unclear: ends[++top] = node(split_); break;
       }
     }
@@ -109,8 +121,7 @@ class HermiteSolver {
  private:
   /// The band of c₁ of the quotient by a known root, over E.
   static constexpr double kMiddleBand = 14;
-  enum class Verdict { none, at_start, one, back, in_cubic, unclear };
-  static constexpr int kMostHalvings = 64;
+  enum class Verdict { none, at_start, one, back, in_cubic, unclear, undecided };
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
     const double h = b.t - a.t;
@@ -153,7 +164,7 @@ class HermiteSolver {
     if ((!is_exact || bulges) && middle > a.t && middle < b.t) {
       split_ = middle;
       // A grazing ray may be back at once, so where it starts the tolerance does not count.
-      if (h > (a_is_root ? least_.by_rounding : least_.by_tolerance)) return Verdict::unclear;
+      if (h > (a_is_root ? least_ : std::max(least_, shortest_.by_tolerance))) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
         split_ = *border;
         return Verdict::unclear;
@@ -169,14 +180,11 @@ class HermiteSolver {
     }
     if (!crossed && !a_is_root && stays_on_side(a.t, b.t)) return Verdict::none;
     ++counters_.uncertified_steps;
-    if (crossed) return Verdict::in_cubic;
-    // The ends agree. A cubic that is the field but for rounding may still show a crossing and one back. One that is
+    // If the ends agree, a cubic that is the field but for rounding may still show a crossing and one back. One that is
     // not, as through the very middle of a hard component, shows nothing.
-    if (!is_exact) return Verdict::none;
-    if (first_crossing_of_cubic(known.b0 - noise, known.b1 - noise, known.b2 - noise, known.b3 - noise) <= 1) {
-      return Verdict::in_cubic;
-    }
-    return Verdict::none;
+    shows_crossing_ = crossed || (is_exact && first_crossing_of_cubic(known.b0 - noise, known.b1 - noise,
+                                                                      known.b2 - noise, known.b3 - noise) <= 1);
+    return Verdict::undecided;
   }
 
   /// Decides by the fields' ranges alone. It serves in the middle of a hard component, where no cubic fits.
@@ -255,9 +263,10 @@ class HermiteSolver {
   const RayLanes& fields_;
   double side_;
   Shortest shortest_;
-  Shortest least_ = shortest_;  ///< the shortest intervals of the current search
-  double split_ = 0;            ///< where to split an interval that was judged unclear
-  double most_bend_ = 0;        ///< an upper bound of h²|F″| on the interval that was judged to have one root
+  double least_ = 0;             ///< the shortest intervals of the current search
+  double split_ = 0;             ///< where to split an interval that was judged unclear
+  double most_bend_ = 0;         ///< an upper bound of h²|F″| on the interval that was judged to have one root
+  bool shows_crossing_ = false;  ///< what the cubic shows on an interval that was judged undecided
   TraceCounters& counters_;
 };
 

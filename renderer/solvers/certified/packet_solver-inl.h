@@ -43,8 +43,8 @@ class PacketSolver {
     Octet bend(0.0);        // the bound of h²|F″| in the brackets
     OctetMask bracketed = no_lane(), found = no_lane();
     Octet root = t0;
-    // 64 halvings and as many steps back are enough. A search that takes longer hugs the surface.
-    for (int i = 0; i < 2 * kMostHalvings; ++i) {
+    // A search that takes more than 64 halvings and as many steps back hugs the surface, or is better done alone.
+    for (int i = 0; i < kMostHalvings; ++i) {
       if (any) {
         const OctetMask across = searched_ & (b.value > b.noise);
         to = select(across, b, to);
@@ -81,8 +81,6 @@ class PacketSolver {
   }
 
  private:
-  static constexpr int kMostHalvings = 64;
-
   struct Node {
     Octet t, value, slope, noise, slope_noise;
   };

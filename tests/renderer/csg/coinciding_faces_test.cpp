@@ -171,7 +171,7 @@ TEST(CoincidingFaces, are_the_same_to_rays_in_packets) {
     std::vector<std::uint8_t> occluded(shadow_rays.size());
     tracer.occlusions(shadow_rays, occluded, counters);
     for (std::size_t i = 0; i < shadow_rays.size(); ++i) {
-      ASSERT_EQ(occluded[i] != 0, is_occluded(tracer, shadow_rays[i])) << "turn " << turn;
+      ASSERT_EQ(occluded[i] == kOccluded, is_occluded(tracer, shadow_rays[i])) << "turn " << turn;
     }
   }
   EXPECT_GT(first, 1000u);

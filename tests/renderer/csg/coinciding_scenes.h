@@ -116,7 +116,7 @@ inline bool is_occluded(const Tracer& tracer, const Ray& ray) {
   std::uint8_t occluded = 0;
   TraceCounters counters;
   tracer.occlusions(std::span(&ray, 1), std::span(&occluded, 1), counters);
-  return occluded != 0;
+  return occluded == kOccluded;
 }
 
 inline Ray ray_from(const Vec3& origin, const Vec3& direction) {

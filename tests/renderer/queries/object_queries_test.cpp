@@ -38,7 +38,7 @@ class Trace : public testing::Test {
   Trace() { database_.solids = {{.radius_a = 1}, {.kind = SolidKind::torus, .radius_a = 1, .radius_b = 0.2}}; }
 
   [[nodiscard]] std::optional<TracedPoint> trace(const Object& target, const Vec3& origin, const Vec3& direction) {
-    return queries_.trace(database_, target, origin, direction);
+    return queries_.trace(database_, target, origin, direction).point;
   }
 
   Database database_;

@@ -3,8 +3,8 @@
 // reference, which proves where their roots are; for all other objects from rays that are told the surface they start
 // on and need not find out.
 #include "renderer/queries/object_queries.h"
-#include "tests/reference/random_scenes.h"
 #include "renderer/reference/reference_tracer.h"
+#include "tests/reference/random_scenes.h"
 #include "tests/renderer/csg/random_tree.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ std::vector<Crossed> walked(const CsgScene& scene, const Vec3& origin, const Vec
   std::vector<Crossed> found;
   Vec3 from = origin;
   while (found.size() < 300) {
-    const auto next = queries.trace(scene.database, scene.database.objects[0], from, direction);
+    const auto next = queries.trace(scene.database, scene.database.objects[0], from, direction).point;
     if (!next) return found;
     found.push_back({(next->position - origin).dot(direction), std::abs(next->normal.dot(direction))});
     from = next->position;
@@ -238,7 +238,7 @@ TEST(WalkByTrace, reaches_the_surface_whatever_way_it_came) {
   for (int turn = 0; turn < 300; ++turn) {
     const Vec3 direction = random.direction();
     const Vec3 origin = random.in_cube(0.5) - direction * std::pow(10, random.uniform(0, 12));
-    const auto hit = queries.trace(scene.database, scene.database.objects[0], origin, direction);
+    const auto hit = queries.trace(scene.database, scene.database.objects[0], origin, direction).point;
     if (!hit) continue;
     EXPECT_NEAR((hit->position - Vec3(0.1, 0.2, 0.3)).length(), 1, 0x1p-45);
   }

@@ -1,0 +1,49 @@
+#include "renderer/solvers/certified/extended_search.h"
+
+#include "renderer/fields/component_table.h"
+#include "renderer/reference/reference_tracer.h"
+
+#include <vector>
+
+namespace isl::render {
+namespace {
+
+using reference::Interval;
+
+reference::ReferenceField field_of(const LaidOutFields& fields) {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(fields.count);
+  for (std::uint32_t i = 0; i < fields.count; ++i) numbers.push_back(fields.table->source[fields.items[i]]);
+  return {*fields.table->database, *fields.table->blob, numbers};
+}
+
+reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, bool starts_on_root) {
+  const reference::Vector<Interval> direction = reference::interval_of(fields.direction);
+  const reference::FieldRay ray{
+      reference::interval_of(fields.origin) + direction * Interval(static_cast<long double>(t0)), direction};
+  const long double length = static_cast<long double>(t1) - static_cast<long double>(t0);
+  return reference::roots_along(field_of(fields), ray,
+                                {.t_max = length, .starts_on_root = starts_on_root, .first_only = true});
+}
+
+}  // namespace
+
+bool may_cross(const LaidOutFields& fields, double t0, double t1) {
+  const reference::RayRoots roots = roots_on(fields, t0, t1, false);
+  return !roots.crossings.empty() || !roots.touches.empty();
+}
+
+ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch) {
+  const reference::RayRoots roots = roots_on(fields, stretch.t0, stretch.t1, stretch.starts_on_root);
+  if (!roots.touches.empty()) return {};
+  const bool is_inside = stretch.side < 0;
+  if (roots.starts_inside != is_inside) {
+    // A ray that starts on the surface was given its side by double precision, and cannot be back at once.
+    if (stretch.starts_on_root) return {};
+    return {true, stretch.t0};
+  }
+  if (roots.crossings.empty()) return {true, std::nullopt};
+  return {true, static_cast<double>(static_cast<long double>(stretch.t0) + roots.crossings.front().t)};
+}
+
+}  // namespace isl::render

@@ -1,0 +1,28 @@
+// The last resort of the certified solver: a stretch of a ray that double precision cannot decide is searched again in
+// long double, by interval arithmetic (renderer/reference), on the same list of components.
+#pragma once
+
+#include "renderer/fields/laid_out_fields.h"
+
+#include <optional>
+
+namespace isl::render {
+
+/// A stretch of the ray that `fields` were laid out for.
+struct OpenStretch {
+  double t0, t1;
+  double side;          ///< +1 if the ray comes from outside (F < T), −1 if from inside
+  bool starts_on_root;  ///< the ray starts on the surface at t0, and that root is not searched for
+};
+
+struct ExtendedAnswer {
+  bool is_certain = false;         ///< if not, F stays within the rounding of extended precision somewhere
+  std::optional<double> crossing;  ///< the first t in [t0, t1] at which the ray changes sides, if it is certain
+};
+
+[[nodiscard]] ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch);
+
+/// True unless it is certain that F has the same sign all along the ray from t0 to t1.
+[[nodiscard]] bool may_cross(const LaidOutFields& fields, double t0, double t1);
+
+}  // namespace isl::render
