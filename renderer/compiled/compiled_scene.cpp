@@ -110,15 +110,16 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
       if (leaf.kind == scene::Object::Kind::blob) is_used[leaf.shape] = true;
     }
   }
+  GridBudget budget(options.most_grid_bytes);
   compiled.blobs.resize(database.blobs.size());
   for (std::size_t i = 0; i < database.blobs.size(); ++i) {
     if (!is_used[i]) continue;
     compiled.blobs[i].size = shape_size(database, scene::Object::Kind::blob, static_cast<std::uint32_t>(i));
     compiled.blobs[i].components = compile_components(database, database.blobs[i], options.unblended);
-    compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells);
+    compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells, budget);
   }
   for (Instance& instance : compiled.instances) set_spread(database, compiled, instance);
-  build_instance_grid(compiled);
+  build_instance_grid(compiled, budget);
   return compiled;
 }
 

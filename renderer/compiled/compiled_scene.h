@@ -63,7 +63,8 @@ struct CompiledScene {
 
 struct CompileOptions {
   CellRule cells = CellRule::ranges;
-  bool unblended = false;  ///< every blob is drawn unblended
+  bool unblended = false;                                                 ///< every blob is drawn unblended
+  std::size_t most_grid_bytes = std::numeric_limits<std::size_t>::max();  ///< limit of all grids together
 };
 
 [[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);

@@ -9,14 +9,10 @@
 namespace isl::render {
 namespace {
 
-/// The largest coordinate of a box in the grid. The layout of cells computes sizes, centres and margins, which are sums
-/// of at most eight such coordinates and must not overflow. A box that reaches farther is kept outside the grid, like
-/// an endless one.
-constexpr double kFarthest = std::numeric_limits<double>::max() / 16;
-
+/// False for a box that reaches too far for a grid: its instance is kept outside, like an endless one.
 bool is_finite(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(std::abs(box.min[axis]) <= kFarthest && std::abs(box.max[axis]) <= kFarthest)) return false;
+    if (!(std::abs(box.min[axis]) <= kFarthestInGrid && std::abs(box.max[axis]) <= kFarthestInGrid)) return false;
   }
   return true;
 }
@@ -60,19 +56,22 @@ class BoxClassifier {
     return kept.empty() ? CellKind::empty : CellKind::leaf;
   }
 
-  static void list(const Box&, const std::vector<std::uint32_t>& kept, ListSink& lists) { lists.add(kept); }
+  static void list(const Box&, std::span<const std::uint32_t> kept, ListSink& lists) { lists.add(kept); }
 
   [[nodiscard]] Box item_bounds(std::uint32_t item) const { return boxes_[item]; }
 
+  static double cost(std::span<const std::uint32_t> kept) { return static_cast<double>(kept.size()); }
+  static std::size_t most_entries(std::span<const std::uint32_t> kept) { return kept.size(); }
+
   /// A cell smaller than its smallest item separates nothing, so it is not divided.
-  [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
-    if (kept.size() <= kShortList) return false;
+  [[nodiscard]] Division division(double size, const std::vector<std::uint32_t>& kept) const {
+    if (kept.size() <= kShortList) return Division::none;
     double least = size;
     for (const std::uint32_t item : kept) {
       const Vec3 extent = boxes_[item].size();
       least = std::min(least, std::max({extent.x, extent.y, extent.z}));
     }
-    return size > least;
+    return size > least ? Division::lists : Division::none;
   }
 
  private:
@@ -82,7 +81,7 @@ class BoxClassifier {
 
 }  // namespace
 
-void build_instance_grid(CompiledScene& scene) {
+void build_instance_grid(CompiledScene& scene, GridBudget& budget) {
   std::vector<Box> boxes(scene.instances.size());
   scene.bounds = {};
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -97,7 +96,10 @@ void build_instance_grid(CompiledScene& scene) {
     scene.bounded.push_back(i);
   }
   BoxClassifier classifier(boxes);
-  scene.grid = GridBuilder(classifier).build(scene.bounds, scene.bounded);
+  GridBuilder builder(classifier, budget.limit(scene.bounded.size()));
+  scene.grid = builder.build(scene.bounds, scene.bounded);
+  scene.grid.shrink_to_fit();
+  budget.spend(scene.bounded.size(), builder.cost());
 }
 
 }  // namespace isl::render

@@ -5,7 +5,8 @@
 
 namespace isl::render {
 
-/// Fills `unbounded`, `bounded`, `bounds` and `grid` from the instances.
-void build_instance_grid(CompiledScene& scene);
+/// Fills `unbounded`, `bounded`, `bounds` and `grid` from the instances. The grid costs at most what `budget`
+/// allows, and is charged to it.
+void build_instance_grid(CompiledScene& scene, GridBudget& budget);
 
 }  // namespace isl::render

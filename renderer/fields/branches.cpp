@@ -41,6 +41,27 @@ std::vector<std::vector<std::uint32_t>> BranchTree::selections(std::span<const F
   return selections_of(0, low, high);
 }
 
+std::size_t BranchTree::most_selections(std::vector<bool> is_there) const {
+  // Numbers of children are greater than those of their parents, so this loop visits children first.
+  std::vector<std::size_t> ways(size(), 1);
+  for (std::uint32_t b = size(); b-- > 0;) {
+    for (const std::uint32_t maximum : maxima_of_[b]) {
+      std::size_t options = 0;
+      bool may_be_none = false;  // all branches without components count as one option
+      for (const std::uint32_t option : branches_of_[maximum]) {
+        if (is_there[option]) {
+          options += ways[option];
+          is_there[b] = true;
+        } else {
+          may_be_none = true;
+        }
+      }
+      ways[b] *= options + (may_be_none ? 1 : 0);
+    }
+  }
+  return ways[0];
+}
+
 BranchTree::Sets BranchTree::selections_of(std::uint32_t branch, std::span<const double> low,
                                            std::span<const double> high) const {
   Sets sets = {{branch}};

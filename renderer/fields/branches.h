@@ -35,6 +35,9 @@ class BranchTree {
   /// components; {0, 0} stands for a branch without components.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> selections(std::span<const FieldRange> sums) const;
 
+  /// An upper bound of the number of selections where only these branches (is_there[b]) have components of their own.
+  [[nodiscard]] std::size_t most_selections(std::vector<bool> is_there) const;
+
  private:
   using Sets = std::vector<std::vector<std::uint32_t>>;
   [[nodiscard]] Sets selections_of(std::uint32_t branch, std::span<const double> low,

@@ -4,6 +4,7 @@
 
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/grid.h"
+#include "renderer/grid/grid_budget.h"
 
 namespace isl::render {
 
@@ -16,6 +17,7 @@ enum class CellRule : std::uint8_t {
               ///< because its error moves the surface into cells where the true field has none.
 };
 
-[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule);
+/// The grid costs at most what `budget` allows, and is charged to it.
+[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& budget);
 
 }  // namespace isl::render

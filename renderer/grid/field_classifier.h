@@ -5,12 +5,13 @@
 #include "renderer/fields/component_table.h"
 #include "renderer/fields/lipschitz.h"
 #include "renderer/grid/blob_grid.h"
-#include "renderer/grid/grid_builder.h"
+#include "renderer/grid/brick_part.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace isl::render {
@@ -65,7 +66,7 @@ class FieldClassifier {
   }
 
   /// One list for each selection of branches that may be the greatest; for an unblended blob, one for each component.
-  void list(const Box& box, const std::vector<std::uint32_t>& kept, ListSink& lists) const {
+  void list(const Box& box, std::span<const std::uint32_t> kept, ListSink& lists) const {
     if (table_.is_unblended) {
       for (const std::uint32_t item : kept) lists.add({&item, 1});
       return;
@@ -91,19 +92,35 @@ class FieldClassifier {
     return support_bounds(table_, table_.group_of(item), item);
   }
 
+  /// What a ray pays for a leaf with this list, in points.
+  [[nodiscard]] double cost(std::span<const std::uint32_t> kept) const {
+    double cost = 0;
+    for (const std::uint32_t item : kept) cost += is_limb_[item] ? limb_cost_ : 1;
+    return cost;
+  }
+
+  /// Upper bound of the list entries that a leaf needs which keeps these items; a list itself counts as two.
+  [[nodiscard]] std::size_t most_entries(std::span<const std::uint32_t> kept) const {
+    if (table_.is_unblended) return 3 * kept.size();
+    if (tree_.size() == 0) return kept.size();
+    std::vector<bool> is_there(tree_.size(), false);
+    for (const std::uint32_t item : kept) is_there[table_.branch[item]] = true;
+    return tree_.most_selections(std::move(is_there)) * (kept.size() + 2);
+  }
+
   /// Dividing pays while the fields of a cell cost a ray more than the steps that smaller cells add. A cell with a long
   /// list is divided down to half the smallest support that reaches it, any other down to the size that fits one of its
   /// fields. (An octree that culls by Lipschitz constants is divided by size alone.)
-  [[nodiscard]] bool should_divide(double size, const std::vector<std::uint32_t>& kept) const {
+  [[nodiscard]] Division division(double size, const std::vector<std::uint32_t>& kept) const {
     double least = reach_[kept.front()], fitting = fitting_[kept.front()], cost = 0;
     for (const std::uint32_t item : kept) {
       least = std::min(least, reach_[item]);
       fitting = std::min(fitting, fitting_[item]);
       cost += is_limb_[item] ? limb_cost_ : 1;
     }
-    if (rule_ == CellRule::lipschitz) return size > 0.5 * fitting;
-    if (static_cast<double>(kept.size()) > kWorthASplit) return size > 0.5 * least;
-    return cost > kWorthASplit && size > fitting;
+    if (rule_ == CellRule::lipschitz) return size > 0.5 * fitting ? Division::size : Division::none;
+    if (static_cast<double>(kept.size()) > kWorthASplit) return size > 0.5 * least ? Division::lists : Division::none;
+    return cost > kWorthASplit && size > fitting ? Division::size : Division::none;
   }
 
  private:

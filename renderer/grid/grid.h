@@ -11,6 +11,7 @@
 #include <ImathBox.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace isl::render {
@@ -45,6 +46,10 @@ inline constexpr std::uint32_t kBrickCells = 64;
 /// scene from its smallest part if a double is to have bits to spare.
 inline constexpr int kMaxGridDepth = 16;
 
+/// The largest coordinate of a box that a grid is laid out in. The layout of cells computes sizes, centres and margins,
+/// which are sums of at most eight such coordinates and must not overflow.
+inline constexpr double kFarthestInGrid = std::numeric_limits<double>::max() / 16;
+
 /// items[first … first + count − 1] of a grid.
 struct ItemList {
   std::uint32_t first, count;
@@ -78,6 +83,12 @@ struct Grid {
 
   [[nodiscard]] bool is_empty() const { return cells.empty(); }
   [[nodiscard]] std::size_t list_entries() const { return is_empty() ? 0 : items.size() - kListTail; }
+  /// Gives back the memory that nothing will be added to.
+  void shrink_to_fit() {
+    cells.shrink_to_fit();
+    items.shrink_to_fit();
+    choices.shrink_to_fit();
+  }
   [[nodiscard]] std::size_t bytes() const {
     return cells.capacity() * sizeof(Cell) + occupied.capacity() * sizeof(std::uint64_t) +
            (items.capacity() + endless_items.capacity()) * sizeof(std::uint32_t) +

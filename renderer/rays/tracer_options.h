@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -63,7 +64,9 @@ struct TracerOptions {
   double pixel_angle = 1e-3;  ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool packets = true;        ///< for the product's solver: rays in packets of eight, not one by one
   bool unblended = false;     ///< every blob is drawn unblended (scene::Blob::is_unblended)
-  std::string simd;           ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")
+  /// Limit of the cells and lists of all grids. A smaller grid is right and slower to trace.
+  std::size_t most_grid_bytes = std::numeric_limits<std::size_t>::max();
+  std::string simd;  ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")
 };
 
 }  // namespace isl::render

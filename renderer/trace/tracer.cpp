@@ -94,7 +94,8 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
-  impl_->scene = compile(database, {.cells = cells, .unblended = options.unblended});
+  impl_->scene =
+      compile(database, {.cells = cells, .unblended = options.unblended, .most_grid_bytes = options.most_grid_bytes});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
     for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);

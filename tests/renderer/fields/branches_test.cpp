@@ -45,6 +45,23 @@ TEST(BranchTree, LeavesOutWhatIsBeaten) {
   EXPECT_EQ(sorted(BranchTree(kTree).selections(ranges)), (Sets{{0, 1}, {0, 1, 4}}));
 }
 
+TEST(BranchTree, KnowsHowManySelectionsThereCanBe) {
+  const BranchTree tree(kTree);
+  EXPECT_EQ(tree.most_selections(std::vector<bool>(8, true)), 8U);
+  EXPECT_EQ(tree.most_selections(std::vector<bool>(8, false)), 1U);
+  std::mt19937 random(6);
+  for (int repeat = 0; repeat < 256; ++repeat) {
+    std::vector<FieldRange> ranges(8, {0, 0});
+    std::vector<bool> is_there(8, false);
+    for (std::size_t b = 1; b < 8; ++b) {
+      if (random() % 2 == 0) continue;
+      is_there[b] = true;
+      ranges[b] = {-1, 1};
+    }
+    EXPECT_LE(tree.selections(ranges).size(), tree.most_selections(is_there));
+  }
+}
+
 TEST(BranchTree, OneOfItsSelectionsIsTheGreatestWhateverTheValues) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-1, 1);

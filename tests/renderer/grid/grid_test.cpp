@@ -31,7 +31,8 @@ struct Flake {
     const scene::Database database =
         test::sphereflake(levels, {scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
     components = compile_components(database, database.blobs[0]);
-    grid = build_blob_grid(components, rule);
+    GridBudget budget;
+    grid = build_blob_grid(components, rule, budget);
   }
 };
 
@@ -144,7 +145,8 @@ TEST(Grid, AxisParallelRaysAndRaysInPlanesOfCellsMeetTheSameCells) {
 }
 
 TEST(Grid, EmptyBlobHasAnEmptyGrid) {
-  const Grid grid = build_blob_grid(ComponentTable{}, CellRule::ranges);
+  GridBudget budget;
+  const Grid grid = build_blob_grid(ComponentTable{}, CellRule::ranges, budget);
   EXPECT_TRUE(grid.is_empty());
   EXPECT_TRUE(grid.bounds.isEmpty());
 }
@@ -160,7 +162,8 @@ TEST(Grid, TwoClustersFarApartCostNoMoreThanTwo) {
     }
   }
   const ComponentTable table = compile_components(database, blob);
-  EXPECT_LT(build_blob_grid(table, CellRule::ranges).bytes(), 4U << 20);
+  GridBudget budget;
+  EXPECT_LT(build_blob_grid(table, CellRule::ranges, budget).bytes(), 4U << 20);
 }
 
 TEST(Grid, AThreadAMillionTimesAsLongAsThickDoesNotFillMemory) {
@@ -173,7 +176,8 @@ TEST(Grid, AThreadAMillionTimesAsLongAsThickDoesNotFillMemory) {
   }
   const ComponentTable table = compile_components(database, blob);
   for (const CellRule rule : {CellRule::ranges, CellRule::lipschitz}) {
-    EXPECT_LT(build_blob_grid(table, rule).bytes(), 4U << 20);
+    GridBudget budget;
+    EXPECT_LT(build_blob_grid(table, rule, budget).bytes(), 4U << 20);
   }
 }
 
