@@ -29,26 +29,37 @@ class ExtentBuilder {
   ExtentBuilder(const scene::Database& database, SceneExtent& extent)
       : database_(database), extents_(database), extent_(extent) {}
 
-  /// In an unbounded union the bounded objects count: they may stand on a plane.
-  void add(const std::vector<scene::Object>& objects, const scene::Transform& world_from_parent) {
-    for (const scene::Object& object : objects) {
-      scene::Object placed = object;
-      placed.parent_from_object = then(object.parent_from_object, world_from_parent);
-      const Box3d box = extents_.of(placed);
-      if (render::is_finite(box)) {
-        extent_.box.extendBy(box);
-        continue;
-      }
-      const bool is_group = object.kind == scene::Object::Kind::group;
-      if (is_group && database_.groups[object.shape].operation == scene::Operation::unite) {
-        add(database_.groups[object.shape].children, placed.parent_from_object);
-      } else {
-        extent_.unbounded = true;
+  /// In an unbounded union the bounded objects count: they may stand on a plane. Unions wait in a list, so that depth
+  /// costs no stack.
+  void add(const std::vector<scene::Object>& world) {
+    std::vector<Placed> pending{{&world, {}}};
+    while (!pending.empty()) {
+      const Placed next = pending.back();
+      pending.pop_back();
+      for (const scene::Object& object : *next.objects) {
+        scene::Object placed = object;
+        placed.parent_from_object = then(object.parent_from_object, next.world_from_parent);
+        const Box3d box = extents_.of(placed);
+        if (render::is_finite(box)) {
+          extent_.box.extendBy(box);
+          continue;
+        }
+        const bool is_group = object.kind == scene::Object::Kind::group;
+        if (is_group && database_.groups[object.shape].operation == scene::Operation::unite) {
+          pending.push_back({&database_.groups[object.shape].children, placed.parent_from_object});
+        } else {
+          extent_.unbounded = true;
+        }
       }
     }
   }
 
  private:
+  struct Placed {
+    const std::vector<scene::Object>* objects;
+    scene::Transform world_from_parent;
+  };
+
   const scene::Database& database_;
   render::Extents extents_;
   SceneExtent& extent_;
@@ -65,7 +76,7 @@ std::string vector_text(const Vec3& v, double size) {
 
 SceneExtent extent_of(const scene::Database& database) {
   SceneExtent extent;
-  ExtentBuilder(database, extent).add(database.objects, {});
+  ExtentBuilder(database, extent).add(database.objects);
   return extent;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/summary/scene_summary.h"
 
+#include "renderer/scene/group_walk.h"
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +18,15 @@ class Counter {
   explicit Counter(const Database& database) : database_(database), groups_(database.groups.size()) {}
 
   SceneSummary of(std::span<const Object> objects) {
+    for (const Object& object : objects) {
+      if (object.kind == Object::Kind::group) count(object.shape);
+    }
+    return sum_of(objects);
+  }
+
+ private:
+  /// The groups among the objects are counted.
+  SceneSummary sum_of(std::span<const Object> objects) const {
     SceneSummary sum;
     for (const Object& object : objects) {
       switch (object.kind) {
@@ -25,7 +36,7 @@ class Counter {
           sum.fields += database_.blobs[object.shape].components.size();
           break;
         case Object::Kind::group: {
-          const SceneSummary inner = of_group(object.shape);
+          const SceneSummary& inner = *groups_[object.shape];
           sum.fields += inner.fields;
           sum.blobs += inner.blobs;
           sum.solids += inner.solids;
@@ -37,13 +48,13 @@ class Counter {
     return sum;
   }
 
- private:
-  const SceneSummary& of_group(std::uint32_t group) {
-    if (!groups_[group]) {
-      groups_[group] = of(database_.groups[group].children);
-      groups_[group]->lights += database_.groups[group].lights.size();
-    }
-    return *groups_[group];
+  void count(std::uint32_t group) {
+    scene::finish_groups(
+        database_, group, [this](std::uint32_t i) { return groups_[i].has_value(); },
+        [this](std::uint32_t i) {
+          groups_[i] = sum_of(database_.groups[i].children);
+          groups_[i]->lights += database_.groups[i].lights.size();
+        });
   }
 
   const Database& database_;

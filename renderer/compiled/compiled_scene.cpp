@@ -17,7 +17,8 @@ unsigned hidden_from(const scene::Object& object) {
          bit(object.no_shadow, RayKind::shadow);
 }
 
-/// Walks the tree of objects, composing transforms and handing textures down.
+/// Walks the tree of objects, composing transforms and handing textures down. The unions that are open are a list
+/// instead of recursion, so that depth costs no stack.
 class Flattener {
  public:
   Flattener(const scene::Database& database, CompiledScene& compiled)
@@ -32,6 +33,30 @@ class Flattener {
     bool is_inverse = false;
   };
 
+  /// Adds an object of the world.
+  void add(const scene::Object& object) {
+    add(object, {});
+    while (!open_.empty()) {
+      OpenUnion& innermost = open_.back();
+      if (innermost.next == innermost.children->size()) {
+        open_.pop_back();
+      } else {
+        const scene::Object& child = (*innermost.children)[innermost.next++];
+        add(child, Inherited(innermost.own));  // a copy, because opening the child moves the list
+      }
+    }
+  }
+
+  void finish() { compiled_.trees = csg_.take_trees(); }
+
+ private:
+  struct OpenUnion {
+    const std::vector<scene::Object>* children;
+    Inherited own;
+    std::size_t next = 0;
+  };
+
+  /// Makes the object's instance, or opens it if it is a union.
   void add(const scene::Object& object, const Inherited& above) {
     Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
                   static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
@@ -47,7 +72,7 @@ class Flattener {
       }
     }
     if (is_union) {
-      for (const scene::Object& child : database_.groups[object.shape].children) add(child, own);
+      open_.push_back({&database_.groups[object.shape].children, own});
       return;
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
@@ -64,12 +89,10 @@ class Flattener {
                                    {}});
   }
 
-  void finish() { compiled_.trees = csg_.take_trees(); }
-
- private:
   const scene::Database& database_;
   CompiledScene& compiled_;
   CsgBuilder csg_;
+  std::vector<OpenUnion> open_;
 };
 
 void set_spread(const scene::Database& database, const CompiledScene& compiled, Instance& instance) {
@@ -97,7 +120,7 @@ CompiledScene compile(const scene::Database& database, const CompileOptions& opt
   compiled.details = prepare_details(database);
   compiled.coordinate_textures = scene::CoordinateTextures(database);
   Flattener flattener(database, compiled);
-  for (const scene::Object& object : database.objects) flattener.add(object, {});
+  for (const scene::Object& object : database.objects) flattener.add(object);
   flattener.finish();
 
   // A blob that is declared and never placed costs nothing.

@@ -61,6 +61,18 @@ struct CsgBuilder::Above {
   bool is_seen = true;
 };
 
+/// A group with what it inherits. It has a node, and hands `above` on to its children, as soon as it is open.
+struct CsgBuilder::Level {
+  const Group* group;
+  Above above;
+  bool is_open = false;
+  bool is_inverse = false;  ///< the group's parent, or its object, is inverse
+  std::size_t next = 0;     ///< child
+};
+
+CsgBuilder::CsgBuilder(const scene::Database& database) : database_(database), extents_(database) {}
+CsgBuilder::~CsgBuilder() = default;
+
 std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   const auto [place, is_new] = known_.try_emplace({object.kind, object.shape, object.clip, object.inverse, is_inverse},
                                                   static_cast<std::uint32_t>(trees_.size()));
@@ -73,6 +85,18 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   CsgTree tree;
   tree.nodes.push_back({});
   add(tree, alone, {.parent = 0, .is_inverse = is_inverse});
+  while (!open_.empty()) {
+    Level& level = open_.back();
+    if (!level.is_open) open_group(tree, level);
+    if (level.next == level.group->children.size()) {
+      open_.pop_back();
+      continue;
+    }
+    const bool is_taken_away = level.group->operation == Operation::subtract && level.next > 0;
+    Above own = level.above;  // a copy, because adding the child moves the list
+    own.is_inverse = level.is_inverse != is_taken_away;
+    add(tree, level.group->children[level.next++], own);
+  }
   tree.bounds = widened(extents_.of(alone));
   tree.holding_at_rest.assign(tree.nodes.size(), 0);
   for (const CsgLeaf& leaf : tree.leaves) {
@@ -109,32 +133,29 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   Above of_clip = own;
   of_clip.is_seen = false;
   own.is_inverse ^= object.inverse;
+  open_.push_back({&database_.groups[index(object.clip)], of_clip});  // below the shape in the list, so after it
   add_shape(tree, object, own);
-  add_group(tree, database_.groups[index(object.clip)], of_clip);
 }
 
 void CsgBuilder::add_shape(CsgTree& tree, const Object& object, const Above& above) {
   if (object.kind == Object::Kind::group) {
-    add_group(tree, database_.groups[object.shape], above);
+    open_.push_back({&database_.groups[object.shape], above});
   } else {
     add_leaf(tree, object, above);
   }
 }
 
-void CsgBuilder::add_group(CsgTree& tree, const Group& group, const Above& above) {
-  ++tree.nodes[above.parent].child_count;
-  Above own = above;
-  own.parent = static_cast<std::uint32_t>(tree.nodes.size());
+void CsgBuilder::open_group(CsgTree& tree, Level& level) {
+  const Group& group = *level.group;
+  ++tree.nodes[level.above.parent].child_count;
+  const auto node = static_cast<std::uint32_t>(tree.nodes.size());
   // An empty group is the empty set, whatever its operation: a union without children holds nowhere.
   const Operation operation = group.children.empty() ? Operation::unite : group.operation;
-  tree.nodes.push_back({kind_of(operation, above.is_inverse), above.parent, 0});
-  if (group.cutaway_textures) own.cutaway = own.parent;
-  bool is_first = true;
-  for (const Object& child : group.children) {
-    own.is_inverse = above.is_inverse != (group.operation == Operation::subtract && !is_first);
-    add(tree, child, own);
-    is_first = false;
-  }
+  tree.nodes.push_back({kind_of(operation, level.above.is_inverse), level.above.parent, 0});
+  level.above.parent = node;
+  if (group.cutaway_textures) level.above.cutaway = node;
+  level.is_inverse = level.above.is_inverse;
+  level.is_open = true;
 }
 
 void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& above) {

@@ -17,7 +17,8 @@ namespace isl::render {
 /// Makes the CSG trees of a scene, each distinct tree once.
 class CsgBuilder {
  public:
-  explicit CsgBuilder(const scene::Database& database) : database_(database), extents_(database) {}
+  explicit CsgBuilder(const scene::Database& database);
+  ~CsgBuilder();
 
   /// Index of the object's tree in what take_trees() will return. The tree does not depend on the object's own
   /// transform and texture.
@@ -27,9 +28,10 @@ class CsgBuilder {
 
  private:
   struct Above;
+  struct Level;
   void add(CsgTree& tree, const scene::Object& object, const Above& above);
   void add_shape(CsgTree& tree, const scene::Object& object, const Above& above);
-  void add_group(CsgTree& tree, const scene::Group& group, const Above& above);
+  void open_group(CsgTree& tree, Level& level);
   void add_leaf(CsgTree& tree, const scene::Object& object, const Above& above);
   [[nodiscard]] Imath::Box3d box_of_leaf(const CsgLeaf& leaf);
 
@@ -38,6 +40,8 @@ class CsgBuilder {
   /// The key is the kind, the shape, the clip, the object's own inverse, and its parent's.
   std::map<std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool, bool>, std::uint32_t> known_;
   std::vector<CsgTree> trees_;
+  /// The groups that are being added, the innermost last: a list instead of recursion, so that depth costs no stack.
+  std::vector<Level> open_;
 };
 
 }  // namespace isl::render

@@ -3,16 +3,28 @@
 #include "renderer/effects/effect.h"
 #include "renderer/effects/light_requests.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace isl::render {
 namespace {
 
-bool can_throw_shadow(const scene::Database& database, const scene::Object& object) {
-  if (object.no_shadow) return false;
-  if (object.kind != scene::Object::Kind::group) return true;
-  const std::vector<scene::Object>& children = database.groups[object.shape].children;
-  return std::ranges::any_of(children, [&](const scene::Object& child) { return can_throw_shadow(database, child); });
+/// True if some object of the world throws a shadow. Each group is looked at once, from a list, so that neither depth
+/// nor groups that hold a group twice cost more than their records.
+bool has_occluder(const scene::Database& database) {
+  std::vector<bool> is_listed(database.groups.size());
+  std::vector<const std::vector<scene::Object>*> pending{&database.objects};
+  while (!pending.empty()) {
+    const std::vector<scene::Object>& objects = *pending.back();
+    pending.pop_back();
+    for (const scene::Object& object : objects) {
+      if (object.no_shadow) continue;
+      if (object.kind != scene::Object::Kind::group) return true;
+      if (is_listed[object.shape]) continue;
+      is_listed[object.shape] = true;
+      pending.push_back(&database.groups[object.shape].children);
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -23,11 +35,8 @@ Effect shadows() {
           .from_quality = 4,
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& reason) {
-                const scene::Database& database = use.database();
                 reason = "no object throws a shadow";
-                const bool has_occluder = std::ranges::any_of(
-                    database.objects, [&](const scene::Object& object) { return can_throw_shadow(database, object); });
-                if (!has_occluder) return;
+                if (!has_occluder(use.database())) return;
                 reason = "no light throws shadows";
                 for (const Use<scene::Light>& light : use.lights()) {
                   if (is_full(*light.record)) requests.add("a light that throws shadows", light.user);

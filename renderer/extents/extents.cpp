@@ -2,6 +2,7 @@
 
 #include "renderer/extents/blob_extent.h"
 #include "renderer/extents/povray_blob_box.h"
+#include "renderer/scene/group_walk.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
@@ -97,10 +98,16 @@ const Box& Extents::box_of_blob_at(std::uint32_t blob) {
   return *box;
 }
 
-Extents::Boxes Extents::boxes_of_group(std::uint32_t group_index) {
+Extents::Boxes Extents::boxes_of_group(std::uint32_t group) {
   if (groups_.size() < database_.groups.size()) groups_.resize(database_.groups.size());
-  if (groups_[group_index]) return *groups_[group_index];
-  const scene::Group& group = database_.groups[group_index];
+  if (groups_[group]) return *groups_[group];
+  scene::finish_groups(
+      database_, group, [this](std::uint32_t i) { return groups_[i].has_value(); },
+      [this](std::uint32_t i) { groups_[i] = boxes_of_children(database_.groups[i]); });
+  return *groups_[group];
+}
+
+Extents::Boxes Extents::boxes_of_children(const scene::Group& group) {
   const bool is_union = group.operation == Operation::unite || group.operation == Operation::merge;
   Boxes boxes;
   if (!is_union && !group.children.empty()) boxes.inside = kEverything;
@@ -117,7 +124,6 @@ Extents::Boxes Extents::boxes_of_group(std::uint32_t group_index) {
     is_first = false;
   }
   if (!is_union) boxes.surface = common(boxes.surface, boxes.inside);
-  groups_[group_index] = boxes;
   return boxes;
 }
 

@@ -39,6 +39,8 @@ class Extents {
   [[nodiscard]] Boxes boxes_of(const scene::Object& object);
   [[nodiscard]] Boxes boxes_of_shape(const scene::Object& object);
   [[nodiscard]] Boxes boxes_of_group(std::uint32_t group);
+  /// The boxes of all groups that the children refer to are known.
+  [[nodiscard]] Boxes boxes_of_children(const scene::Group& group);
   [[nodiscard]] const Imath::Box3d& box_of_blob_at(std::uint32_t blob);
 
   const scene::Database& database_;

@@ -18,51 +18,90 @@ using scene::Solid;
 namespace {
 
 /// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; open surfaces have
-/// neither, so that a negation is handed down to the leaves.
+/// neither, so that a negation is handed down to the leaves. The operations that are being evaluated are a list instead
+/// of recursion, so that depth costs no stack.
 class Membership {
  public:
   Membership(const Database& database, const std::vector<KernelConstants>& kernels)
       : database_(database), kernels_(kernels) {}
 
   /// `point` is in the space that the object is placed into.
-  [[nodiscard]] bool holds(const Object& object, bool is_inverse, const Vec3& point) const {
-    const Vec3 p = object.parent_from_object.inverse_point(point);
-    const bool in_shape = shape_holds(object, is_inverse != object.inverse, p);
-    if (object.clip == scene::kNoGroup) return in_shape;
-    // The outside of a clipped object is outside the shape or outside the clip.
-    const bool in_clip = group_holds(database_.groups[index(object.clip)], is_inverse, p);
-    return is_inverse ? in_shape || in_clip : in_shape && in_clip;
+  [[nodiscard]] bool holds(const Object& object, bool is_inverse, const Vec3& point) {
+    ask(object, is_inverse, point);
+    while (!open_.empty()) {
+      Operator& innermost = open_.back();
+      if (answer_ != innermost.wants_all || innermost.next == innermost.count) {
+        open_.pop_back();
+      } else {
+        ask_next(innermost);
+      }
+    }
+    return answer_;
   }
 
  private:
-  [[nodiscard]] bool group_holds(const scene::Group& group, bool is_inverse, const Vec3& point) const {
-    if (group.children.empty()) return is_inverse;
-    const bool is_union = group.operation == Operation::unite || group.operation == Operation::merge;
-    const bool wants_all = is_union == is_inverse;
-    bool is_first = true;
-    for (const Object& child : group.children) {
-      const bool is_taken_away = group.operation == Operation::subtract && !is_first;
-      if (holds(child, is_inverse != is_taken_away, point) != wants_all) return !wants_all;
-      is_first = false;
-    }
-    return wants_all;
+  /// `wants_all`: true for "and", false for "or". The answer of an operand that differs from it is the operator's, and
+  /// if there is none, the last operand's is.
+  struct Operator {
+    const Object* clipped;  ///< its shape and its clip are the operands; null: the group's children are
+    const scene::Group* group;
+    bool is_inverse;
+    bool wants_all;
+    std::size_t count;  ///< of operands
+    Vec3 point;
+    std::size_t next = 0;
+  };
+
+  void open(const Operator& operation) {
+    answer_ = operation.wants_all;
+    open_.push_back(operation);
   }
 
-  [[nodiscard]] bool shape_holds(const Object& object, bool is_inverse, const Vec3& point) const {
+  void ask_next(Operator& innermost) {
+    const Operator asked = innermost;  // a copy, because opening an operand moves the list
+    ++innermost.next;
+    if (asked.clipped && asked.next == 0)
+      return ask_shape(*asked.clipped, asked.is_inverse != asked.clipped->inverse, asked.point);
+    if (asked.clipped) return ask(database_.groups[index(asked.clipped->clip)], asked.is_inverse, asked.point);
+    const bool is_taken_away = asked.group->operation == Operation::subtract && asked.next > 0;
+    ask(asked.group->children[asked.next], asked.is_inverse != is_taken_away, asked.point);
+  }
+
+  void ask(const Object& object, bool is_inverse, const Vec3& point) {
+    const Vec3 p = object.parent_from_object.inverse_point(point);
+    if (object.clip == scene::kNoGroup) return ask_shape(object, is_inverse != object.inverse, p);
+    // The outside of a clipped object is outside the shape or outside the clip.
+    open({&object, nullptr, is_inverse, !is_inverse, 2, p});
+  }
+
+  void ask(const scene::Group& group, bool is_inverse, const Vec3& point) {
+    if (group.children.empty()) {
+      answer_ = is_inverse;
+      return;
+    }
+    const bool is_union = group.operation == Operation::unite || group.operation == Operation::merge;
+    open({nullptr, &group, is_inverse, is_union == is_inverse, group.children.size(), point});
+  }
+
+  void ask_shape(const Object& object, bool is_inverse, const Vec3& point) {
     switch (object.kind) {
       case Object::Kind::solid: {
         const Solid& solid = database_.solids[object.shape];
-        return !is_open_surface(solid) && is_inside(database_, solid, point) != is_inverse;
+        answer_ = !is_open_surface(solid) && is_inside(database_, solid, point) != is_inverse;
+        return;
       }
       case Object::Kind::blob:
-        return is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
-      case Object::Kind::group: return group_holds(database_.groups[object.shape], is_inverse, point);
+        answer_ = is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
+        return;
+      case Object::Kind::group: return ask(database_.groups[object.shape], is_inverse, point);
     }
     ISL_CHECK(false, "object kind {}", static_cast<int>(object.kind));
   }
 
   const Database& database_;
   const std::vector<KernelConstants>& kernels_;
+  std::vector<Operator> open_;
+  bool answer_ = false;  ///< of what was asked last
 };
 
 }  // namespace
