@@ -15,14 +15,18 @@ using grammar::as;
 using grammar::Node;
 using grammar::NodeKind;
 
-/// POV-Ray's limit, and our limit for arrays within arrays: copying and freeing them recurses.
+/// POV-Ray's limit.
 constexpr std::size_t kMaxDimensions = 5;
-constexpr int kMaxArrayDepth = 32;
 
-int depth_of(const Value& value) {
-  if (value.kind() != ValueKind::array) return 0;
-  int deepest = 0;
-  for (const Slot* element : value.as<ArrayValue>().elements) deepest = std::max(deepest, depth_of(element->value));
+/// The depth of arrays within arrays, counted up to `most`: an element may have been put into one that was nested
+/// before, so that the whole is deeper than any value that was checked.
+std::uint32_t depth_of(const Value& value, std::uint32_t most) {
+  if (value.kind() != ValueKind::array || most == 0) return 0;
+  std::uint32_t deepest = 0;
+  for (const Slot* element : value.as<ArrayValue>().elements) {
+    deepest = std::max(deepest, depth_of(element->value, most - 1));
+    if (deepest + 1 == most) break;
+  }
   return deepest + 1;
 }
 
@@ -115,8 +119,7 @@ Slot* element_at(Context& context, const grammar::Index& node, Slot* slot, std::
 }  // namespace
 
 void check_array_nesting(Context& context, const Value& element, SourceSpan span) {
-  if (depth_of(element) >= kMaxArrayDepth)
-    context.fail(span, fmt::format("arrays are nested deeper than {}", kMaxArrayDepth));
+  context.check_value_depth(span, 1 + depth_of(element, scene::kMaxValueDepth));
 }
 
 Value make_array(Context& context, const grammar::Array& node) {

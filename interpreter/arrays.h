@@ -12,7 +12,7 @@ namespace isl::interpreter {
 /// every other mistake (no array, an index out of range) fails.
 [[nodiscard]] Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared);
 
-/// Fails if the element would nest arrays too deeply.
+/// Fails if an array with this element would be deeper than values may be.
 void check_array_nesting(Context& context, const Value& element, SourceSpan span);
 
 }  // namespace isl::interpreter

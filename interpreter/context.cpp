@@ -188,6 +188,11 @@ void Context::too_deep(SourceSpan span) {
        "possible infinite recursion; `--max-depth` raises the limit");
 }
 
+void Context::value_too_deep(SourceSpan span) {
+  fail(span, fmt::format("this value holds others more than {} deep within one another", scene::kMaxValueDepth),
+       "pigments, normals, textures, functions and arrays have this limit; objects have none");
+}
+
 void Context::look_at_turns(SourceSpan span) {
   // The number of turns is exact as a double: no run reaches 2⁵³.
   constexpr std::uint64_t kTurnsBetweenLooks = 1024;

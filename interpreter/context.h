@@ -14,6 +14,7 @@
 #include "interpreter/random_streams.h"
 #include "interpreter/record_table.h"
 #include "interpreter/shared_values.h"
+#include "interpreter/value_depths.h"
 
 #include <map>
 #include <set>
@@ -58,6 +59,7 @@ class Context {
   RandomStreams random;
   OpenFiles files;
   scene::Database database;
+  ValueDepths depths;
   OriginTable origins;
   LanguageVersion version;
   bool has_noise_generator = false;  ///< the scene sets it
@@ -134,6 +136,11 @@ class Context {
   void check_memory(SourceSpan span, std::size_t bytes);
   /// Counts the bytes of the files that the loader read since it held `held_before` bytes.
   void charge_texts(SourceSpan span, std::size_t held_before);
+  /// Fails if a value that was just read is deeper than values may be (renderer/scene/value_depth.h).
+  void check_value_depth(SourceSpan span, std::uint32_t depth) {
+    if (depth > scene::kMaxValueDepth) [[unlikely]]
+      value_too_deep(span);
+  }
   /// Counts native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
   void nest(SourceSpan span, std::size_t units) {
     if ((nesting_ += units) > max_nesting_) [[unlikely]]
@@ -152,6 +159,7 @@ class Context {
     ++depth_;
   }
   [[noreturn]] void too_deep(SourceSpan span);
+  [[noreturn]] void value_too_deep(SourceSpan span);
   void look_at_turns(SourceSpan span);
   [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
   void check_stop(SourceSpan span);

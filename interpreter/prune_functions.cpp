@@ -8,8 +8,8 @@ namespace {
 using scene::Function;
 using scene::FunctionPointer;
 
-/// Calls nest at most Function::kMaxDepth deep, so recursion is safe. Most functions hold no pattern and call none that
-/// does.
+/// Calls nest at most scene::kMaxValueDepth deep, so recursion is safe. Most functions hold no pattern and call none
+/// that does.
 void visit(const FunctionPointer& function, const FunctionVisitor& visitor,
            std::unordered_set<const Function*>& visited) {
   if (function->pattern_depth == 0 || !visited.insert(function.get()).second) return;

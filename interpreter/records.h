@@ -14,6 +14,7 @@ namespace isl::interpreter {
 template <class Id, class Record>
 [[nodiscard]] Id add_record(Context& context, std::vector<Record>& column, Record record) {
   context.memory.bytes += sizeof(Record);
+  context.depths.append<Id>(record, column.size());
   column.push_back(std::move(record));
   return Id{static_cast<std::uint32_t>(column.size() - 1)};
 }
@@ -31,7 +32,10 @@ template <class Id, class Record>
                               const Record& record) {
   const std::size_t size = column.size();
   const std::uint32_t i = table.find_or_add(record, column);
-  if (column.size() > size) context.memory.bytes += sizeof(Record);
+  if (column.size() > size) {
+    context.memory.bytes += sizeof(Record);
+    context.depths.append<Id>(record, size);
+  }
   return Id{i};
 }
 

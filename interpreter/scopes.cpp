@@ -11,6 +11,26 @@ SlotPool::~SlotPool() {
   while (free_) delete std::exchange(free_, free_->next_free);
 }
 
+void SlotPool::release_elements(const std::vector<Slot*>& elements) {
+  for (Slot* const element : elements) {
+    if (element->value.kind() != ValueKind::array) {
+      release(element);
+    } else if (--element->references == 0) {
+      element->next_free = dying_;
+      dying_ = element;
+    }
+  }
+  if (is_destroying_) return;  // the loop below destroyed this array and goes on with its elements
+  is_destroying_ = true;
+  while (dying_) {
+    Slot* const slot = std::exchange(dying_, dying_->next_free);
+    slot->value.reset();
+    slot->next_free = free_;
+    free_ = slot;
+  }
+  is_destroying_ = false;
+}
+
 Scopes::~Scopes() {
   while (!table_begin_.empty()) leave();
   for (const Binding& binding : innermost_) {

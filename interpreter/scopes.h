@@ -41,9 +41,14 @@ class SlotPool {
       free_ = slot;
     }
   }
+  /// Releases the elements of an array. Arrays among them are destroyed from a list, so that however deep arrays are
+  /// within arrays, they take no stack.
+  void release_elements(const std::vector<Slot*>& elements);
 
  private:
-  Slot* free_ = nullptr;  ///< the first free slot
+  Slot* free_ = nullptr;   ///< the first free slot
+  Slot* dying_ = nullptr;  ///< the first slot that is no longer used and whose array is still to be destroyed
+  bool is_destroying_ = false;
 };
 
 class Scopes {

@@ -49,16 +49,32 @@ ArrayValue::ArrayValue(std::vector<std::size_t> dimensions_, SlotPool& pool_, Me
 }
 
 ArrayValue::~ArrayValue() {
-  for (Slot* element : elements) pool.release(element);
+  pool.release_elements(elements);
   account.bytes -= elements.size() * kElementBytes;
 }
 
 Ref<ArrayValue> ArrayValue::copy() const {
   Ref<ArrayValue> result = make_shared_value<ArrayValue>(dimensions, pool, account);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Value& value = elements[i]->value;
-    result->elements[i]->value =
-        value.kind() == ValueKind::array ? Value(ValueKind::array, value.as<ArrayValue>().copy()) : value;
+  struct Copy {
+    const ArrayValue* from;
+    ArrayValue* to;
+  };
+  std::vector<Copy> pending{{this, result.get()}};  // a list instead of recursion, so that depth costs no stack
+  while (!pending.empty()) {
+    const Copy next = pending.back();
+    pending.pop_back();
+    for (std::size_t i = 0; i < next.from->elements.size(); ++i) {
+      const Value& value = next.from->elements[i]->value;
+      Value& copied = next.to->elements[i]->value;
+      if (value.kind() != ValueKind::array) {
+        copied = value;
+        continue;
+      }
+      const ArrayValue& inner = value.as<ArrayValue>();
+      Ref<ArrayValue> inner_copy = make_shared_value<ArrayValue>(inner.dimensions, pool, account);
+      pending.push_back({&inner, inner_copy.get()});
+      copied = Value(ValueKind::array, std::move(inner_copy));
+    }
   }
   return result;
 }

@@ -40,9 +40,10 @@ class Compiler {
   };
 
   void check_size() const {
+    context_.check_value_depth(span_, builder_.depth());
     if (builder_.fits()) return;
-    context_.fail(span_, fmt::format("this function is too large: at most {} intermediate values, {} functions deep",
-                                     scene::Function::kMaxFrame, scene::Function::kMaxDepth));
+    context_.fail(span_, fmt::format("this function is too large: it may have {} intermediate values",
+                                     scene::Function::kMaxFrame));
   }
 
   // ---- Items --------------------------------------------------------------------------------------------------------

@@ -2,8 +2,6 @@
 
 #include "renderer/patterns/kinds/pattern_kind.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <unordered_map>
 
@@ -68,11 +66,7 @@ class Walk {
     if (use.missing.empty()) use.missing = inner.missing;
   }
 
-  void check(std::uint32_t depth) const {
-    if (depth <= scene::Function::kMaxDepth) return;
-    context_.fail(
-        span_, fmt::format("the patterns of this function are nested more than {} deep", scene::Function::kMaxDepth));
-  }
+  void check(std::uint32_t depth) const { context_.check_value_depth(span_, depth); }
 
   Context& context_;
   SourceSpan span_;

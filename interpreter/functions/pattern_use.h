@@ -13,7 +13,7 @@ struct PatternUse {
   std::string_view missing;  ///< names one that cannot be evaluated; never owned; empty for none
 };
 
-// Each fails if they are nested deeper than functions may be.
+// Each fails if they are deeper than values may be.
 [[nodiscard]] PatternUse use_of(Context& context, const scene::Pattern& pattern, SourceSpan span);
 [[nodiscard]] PatternUse use_of(Context& context, const scene::Pigment& pigment, SourceSpan span);
 

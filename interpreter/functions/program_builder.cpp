@@ -89,7 +89,7 @@ void ProgramBuilder::call(const scene::FunctionPointer& callee, Operand first) {
   depth_ = std::max(depth_, callee->depth + 1);
   pattern_depth_ = std::max(pattern_depth_, callee->pattern_depth);
   if (missing_.empty()) missing_ = callee->missing;
-  fits_ = fits_ && frame_size_ <= Function::kMaxFrame && depth_ <= Function::kMaxDepth;
+  fits_ = fits_ && frame_size_ <= Function::kMaxFrame;
 }
 
 Function ProgramBuilder::finish(Operand result) && {

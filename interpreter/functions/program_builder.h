@@ -41,6 +41,8 @@ class ProgramBuilder {
 
   /// False when the program has become larger than the machine can take; then it must not be finished.
   [[nodiscard]] bool fits() const { return fits_; }
+  /// The depth of calls so far; a program deeper than values may be must not be finished either.
+  [[nodiscard]] std::uint32_t depth() const { return depth_; }
   [[nodiscard]] scene::Function finish(Operand result) &&;
 
  private:

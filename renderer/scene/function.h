@@ -9,6 +9,7 @@
 #include "renderer/scene/spline.h"
 #include "renderer/scene/texture.h"
 #include "renderer/scene/transform.h"
+#include "renderer/scene/value_depth.h"
 
 #include <cstdint>
 #include <memory>
@@ -121,16 +122,16 @@ struct Function {
   std::uint16_t result_count = 1;
   /// Number of doubles that an evaluation needs, calls included; at most kMaxFrame.
   std::uint32_t frame_size = 0;
-  /// Greatest depth of calls, this function included; at most kMaxDepth.
+  /// Greatest depth of calls, this function included; at most kMaxValueDepth.
   std::uint32_t depth = 1;
-  /// Greatest depth of nested patterns and pigments in the function and those that it calls; at most kMaxDepth.
+  /// Greatest depth of nested patterns and pigments in the function and those that it calls; at most
+  /// kMaxValueDepth.
   std::uint32_t pattern_depth = 0;
   /// Names the built-in or pattern in the function, or in one that it calls, that `isl` cannot evaluate: such a
   /// function can be declared, but not evaluated. Empty if there is none. Refers to static text.
   std::string_view missing;
 
   static constexpr std::uint32_t kMaxFrame = 4096;
-  static constexpr std::uint32_t kMaxDepth = 64;
 };
 
 }  // namespace isl::scene

@@ -133,7 +133,7 @@ TEST(Depth, AnImpossibleLimitIsAnError) {
 TEST(Depth, ArraysNestedByALoopAreRefused) {
   const EvaluatedText scene(
       "#declare A = array[1] {1} #for (I, 1, 100) #declare B = array[1] #declare B[0] = A; #declare A = B; #end");
-  EXPECT_THAT(scene.messages(), HasSubstr("arrays are nested deeper than 32"));
+  EXPECT_THAT(scene.messages(), HasSubstr("holds others more than 64 deep"));
 }
 
 }  // namespace

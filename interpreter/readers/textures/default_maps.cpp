@@ -1,5 +1,6 @@
 #include "interpreter/readers/textures/default_maps.h"
 
+#include "interpreter/records.h"
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 #include <span>
@@ -20,11 +21,7 @@ PigmentMap map_of(std::span<const PatternColour> colours) {
 
 scene::PigmentMapId shared_map(Context& context, std::span<const PatternColour> colours) {
   const auto [place, is_new] = context.default_maps.try_emplace({colours.data(), colours.size()}, scene::kNoPigmentMap);
-  if (is_new) {
-    auto& maps = context.database.pigment_maps;
-    place->second = scene::PigmentMapId{static_cast<std::uint32_t>(maps.size())};
-    maps.push_back(map_of(colours));
-  }
+  if (is_new) place->second = add_map<scene::PigmentMapId>(context, context.database.pigment_maps, map_of(colours));
   return place->second;
 }
 

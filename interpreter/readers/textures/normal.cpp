@@ -159,7 +159,11 @@ class NormalReader {
 
 }  // namespace
 
-NormalId read_normal_body(ElementStream& stream, NormalId base) { return NormalReader(stream, base).read(); }
+NormalId read_normal_body(ElementStream& stream, NormalId base) {
+  const NormalId normal = NormalReader(stream, base).read();
+  stream.context().check_value_depth(stream.span(), stream.context().depths.of(normal));
+  return normal;
+}
 
 NormalId read_normal(Context& context, const Element& block, NormalId base) {
   ElementStream stream(context, block);

@@ -191,7 +191,11 @@ class PigmentReader {
 
 }  // namespace
 
-Pigment read_pigment_body(ElementStream& stream, const Pigment& base) { return PigmentReader(stream, base).read(); }
+Pigment read_pigment_body(ElementStream& stream, const Pigment& base) {
+  const Pigment pigment = PigmentReader(stream, base).read();
+  stream.context().check_value_depth(stream.span(), stream.context().depths.of(pigment));
+  return pigment;
+}
 
 Pigment read_pigment(Context& context, const Element& block, const Pigment& base) {
   ElementStream stream(context, block);

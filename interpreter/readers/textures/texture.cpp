@@ -206,7 +206,11 @@ class TextureReader {
 
 }  // namespace
 
-Texture read_texture_body(ElementStream& stream, const Texture& base) { return TextureReader(stream, base).read(); }
+Texture read_texture_body(ElementStream& stream, const Texture& base) {
+  const Texture texture = TextureReader(stream, base).read();
+  stream.context().check_value_depth(stream.span(), stream.context().depths.of(texture));
+  return texture;
+}
 
 Texture read_texture(Context& context, const Element& block, const Texture& base) {
   ElementStream stream(context, block);
