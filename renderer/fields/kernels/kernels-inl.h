@@ -35,6 +35,10 @@ HWY_INLINE void with_each_kernel(const KernelConstants& constants, Use&& use) {
   }
 }
 
+// GCC does not see that with_each_kernel() calls its function for every shape.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 /// Any kernel, chosen anew at every call: for the kernels that do not get an inner loop of their own.
 class AnyKernel {
  public:
@@ -77,6 +81,7 @@ class AnyKernel {
  private:
   const KernelConstants& constants_;
 };
+#pragma GCC diagnostic pop
 
 /// Like with_each_kernel(), for inner loops. The two kernels that most scenes use are compiled into the loop; the
 /// others share one version of it, which halves the compile time and costs them one branch for each octet.
