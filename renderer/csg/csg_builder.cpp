@@ -61,7 +61,8 @@ struct CsgBuilder::Above {
   bool is_seen = true;
 };
 
-/// A group with what it inherits. It has a node, and hands `above` on to its children, as soon as it is open.
+/// A group with what it inherits. As soon as it is open it hands `above` on to its children, and has a node if it needs
+/// one.
 struct CsgBuilder::Level {
   const Group* group;
   Above above;
@@ -147,15 +148,19 @@ void CsgBuilder::add_shape(CsgTree& tree, const Object& object, const Above& abo
 
 void CsgBuilder::open_group(CsgTree& tree, Level& level) {
   const Group& group = *level.group;
-  ++tree.nodes[level.above.parent].child_count;
-  const auto node = static_cast<std::uint32_t>(tree.nodes.size());
-  // An empty group is the empty set, whatever its operation: a union without children holds nowhere.
-  const Operation operation = group.children.empty() ? Operation::unite : group.operation;
-  tree.nodes.push_back({kind_of(operation, level.above.is_inverse), level.above.parent, 0});
-  level.above.parent = node;
-  if (group.cutaway_textures) level.above.cutaway = node;
   level.is_inverse = level.above.is_inverse;
   level.is_open = true;
+  // An empty group is the empty set, whatever its operation: a union without children holds nowhere.
+  const Operation operation = group.children.empty() ? Operation::unite : group.operation;
+  const CsgNode::Kind kind = kind_of(operation, level.is_inverse);
+  // A difference whose first object is a difference is one difference, and so on. So a chain of them, however long, is
+  // one node, and an event does not climb it.
+  if (kind == tree.nodes[level.above.parent].kind && !group.cutaway_textures) return;
+  ++tree.nodes[level.above.parent].child_count;
+  const auto node = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({kind, level.above.parent, 0});
+  level.above.parent = node;
+  if (group.cutaway_textures) level.above.cutaway = node;
 }
 
 void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& above) {
