@@ -10,6 +10,8 @@
 // cylinder's ends are known here, so its box can be larger or smaller than POV-Ray's.)
 #include "renderer/extents/povray_blob_box.h"
 
+#include "renderer/fields/record_skeleton.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -88,7 +90,8 @@ bool is_povrays(const scene::Database& database, const Component& c) {
 std::optional<Box3d> povray_box_of_blob(const scene::Database& database, const scene::Blob& blob) {
   if (!blob.branches.empty() || blob.is_unblended) return std::nullopt;
   Balls balls;
-  for (const Component& c : blob.components) {
+  for (const Component& record : blob.components) {
+    const Component c = simplified(record);
     if (!is_povrays(database, c)) return std::nullopt;
     if (!(c.strength > 0)) continue;
     const scene::Transform transform =

@@ -27,10 +27,10 @@ std::optional<double> similarity_factor(const scene::Matrix& m) {
   return std::sqrt(square);
 }
 
-/// True for a convolved segment of length 0, whose integral is 0.
+/// True for a convolved segment without a length, whose integral is 0.
 bool is_void(const scene::Database& database, const scene::Component& c) {
   const scene::FieldMode mode = database.kernels[scene::index(c.kernel)].mode;
-  return mode == scene::FieldMode::convolution && has(c.skeleton, scene::kEndB) && c.a == c.b;
+  return mode == scene::FieldMode::convolution && has(c.skeleton, scene::kEndB) && has_no_length(c);
 }
 
 /// A component in blob space, with the maps that its record takes baked in, before sorting.

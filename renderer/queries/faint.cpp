@@ -16,7 +16,7 @@ std::optional<FaintComponents> faint_components(const scene::Database& database)
       const KernelConstants& kernel = kernels[index(c.kernel)];
       if (!kernel.is_convolved || !(c.strength > 0)) continue;
       const double greatest = peak_of(database, blob, c, kernel) / blob.threshold;
-      if (greatest >= 1) continue;
+      if (greatest >= 1 || greatest == 0) continue;  // without any length: its reader has told
       if (!found) found = {blob.origins[i], c.skeleton, greatest, 0};
       ++found->count;
     }

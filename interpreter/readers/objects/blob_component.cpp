@@ -6,7 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <string_view>
 
 namespace isl::interpreter {
 namespace {
@@ -28,15 +32,38 @@ struct Reading {
   Vec3 normal(const char* what) const { return with_comma(read_normal(stream, what)); }
   double number(const char* what) const { return with_comma(read_number(stream, what)); }
   double positive(const char* what) const { return with_comma(read_positive(stream, what)); }
+  double not_negative(const char* what) const {
+    const SourceSpan place = stream.peek().span;
+    const double value = read_number(stream, what);
+    if (!(value >= 0 && std::isfinite(value)))
+      stream.context().fail(place, fmt::format("{} must not be below 0, found {:g}", what, value));
+    return with_comma(value);
+  }
   /// The radius about the skeleton, which comes last.
   void radius(const char* what) const { c.radius_a = c.radius_b = read_positive(stream, what); }
-  /// However short a segment, it has a convolution: its length is what counts.
+
+  // ---- Geometry that has collapsed: generated models hold some, and its limit has a field as good as any ------------
+
+  /// The component has shrunk to a point. As a segment without a length, its convolution is zero.
+  void collapse_to(const Vec3& point, std::string_view found) const {
+    c.skeleton = is_convolved ? Skeleton::segment : Skeleton::point;
+    c.a = point;
+    c.b = is_convolved ? point : Vec3(0);
+    warn_collapsed(found, "a point");
+  }
+  /// Warns if the ends are the same point. Any other segment has a field and a convolution, however short it is.
   void check_ends() const {
-    if (!is_convolved && (c.b - c.a).length() < kTolerance)
-      stream.context().fail(stream.span(), "both ends of the component are the same point");
+    if (c.a == c.b) warn_collapsed("both ends are the same point", "a point");
+  }
+  void warn_collapsed(std::string_view found, std::string_view left) const {
+    stream.context().warn(span, is_convolved
+                                    ? fmt::format("{}, so that the convolution of this `{}` is zero", found, word())
+                                    : fmt::format("{}, so that this `{}` has the field of {}", found, word(), left));
   }
 
  private:
+  [[nodiscard]] std::string_view word() const { return stream.context().text(stream.word()); }
+
   template <class Value>
   Value with_comma(const Value& value) const {
     stream.accept_comma();
@@ -80,8 +107,9 @@ void read_box(const Reading& r) {
 void read_torus(const Reading& r) {
   r.c.skeleton = Skeleton::circle;
   r.c.b = Vec3(0, 1, 0);
-  r.c.radius_b = r.positive("the major radius of the torus");
+  r.c.radius_b = r.not_negative("the major radius of the torus");
   r.c.radius_a = read_positive(r.stream, "the minor radius of the torus");
+  if (r.c.radius_b == 0) return r.collapse_to(r.c.a, "the major radius is 0");
   if (r.c.radius_a < r.c.radius_b || r.is_convolved) return;
   r.stream.context().warn(r.span, "this torus crosses its own axis, where its field has a crease",
                           "keep the minor radius below the major one, or write `convolution on`, which has no crease");
@@ -92,8 +120,35 @@ void read_disc(const Reading& r) {
   r.c.skeleton = Skeleton::disc;
   r.c.a = r.point("the centre of the disc");
   r.c.b = r.normal("the normal of the disc");
-  r.c.radius_b = r.positive("the radius of the disc");
+  r.c.radius_b = r.not_negative("the radius of the disc");
   r.c.radius_a = read_positive(r.stream, "a radius about the disc");
+  if (r.c.radius_b == 0) r.collapse_to(r.c.a, "the radius of the disc is 0");
+}
+
+/// Replaces a triangle that is flat to rounding by its longest edge, or by a point. No point of the triangle is farther
+/// from that edge than its height, so the height is the error of the distance: at most 2⁻⁴⁸ of the edge's length, 32
+/// roundings of the corners. A triangle that is left has a normal: the error of the cross product of the two shorter
+/// edges' directions, some 3 roundings, is below a tenth of the sine of the angle between them.
+bool collapse_flat(const Reading& r, const std::array<Vec3, 3>& corners) {
+  std::array<Vec3, 3> edges;  // edge i goes from corner i to the next
+  for (std::size_t i = 0; i < 3; ++i) edges[i] = corners[(i + 1) % 3] - corners[i];
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (edges[i].length() > edges[longest].length()) longest = i;
+  }
+  const double length = edges[longest].length();
+  if (length == 0) {
+    r.collapse_to(corners[0], "all corners are the same point");
+    return true;
+  }
+  // Divided by the length, so that their product neither overflows nor vanishes.
+  const Vec3 second = edges[(longest + 1) % 3] / length, third = edges[(longest + 2) % 3] / length;
+  if (second.cross(third).length() > 0x1p-48) return false;
+  r.c.skeleton = Skeleton::segment;
+  r.c.a = corners[longest];
+  r.c.b = corners[(longest + 1) % 3];
+  r.warn_collapsed("the corners lie on one line", "its longest edge");
+  return true;
 }
 
 void read_triangle(const Reading& r) {
@@ -102,12 +157,7 @@ void read_triangle(const Reading& r) {
   r.c.b = r.point("the second corner");
   const Vec3 third = r.point("the third corner");
   r.radius("a radius around the triangle");
-  // The sine of the angle at the first corner; rounding alone makes some 1e-16 of it.
-  const Vec3 ab = r.c.b - r.c.a, ac = third - r.c.a;
-  if (!(ab.cross(ac).length() > kTolerance * ab.length() * ac.length()) || !(ab.length() > 0 && ac.length() > 0)) {
-    r.stream.context().fail(r.stream.span(), "the corners of the triangle lie on one line",
-                            "use a `cylinder` for the segment between two points");
-  }
+  if (collapse_flat(r, {r.c.a, r.c.b, third})) return;
   r.c.corner = static_cast<std::uint32_t>(r.blob.corners.size());
   r.blob.corners.push_back(third);
 }

@@ -6,6 +6,7 @@
 #declare N = normal { bumps }
 #for (I, 1, 1000) #declare N = normal { gradient x normal_map { [0 N] [1 dents 1] } } #end
 #declare F = pigment { gradient x }
-#for (I, 1, 1000) #declare F = pigment { function { pigment { F } } } #end
+#macro Around(Inner) #local G = function { pigment { Inner } } pigment { function { G(x, y, z).gray } } #end
+#for (I, 1, 1000) #declare F = Around(F) #end
 #declare A = array[1] { 1 }
 #for (I, 1, 1000) #declare B = array[1] #declare B[0] = A; #declare A = B; #end

@@ -7,7 +7,7 @@ blob {
   torus { 2, 0.5 }
   plane { 2 * y, -3, 0.5 }          // a sheet, with a kernel of its own
   torus { 2, 0.5 }
-  cylinder { 0, 0, 0.5 }            // of no length: it adds nothing, and is no mistake
+  cylinder { 0, 0, 0.5 }            // of no length: it adds nothing
   convolution off
   torus { 2, 0.5 }
   plane { y, -3, 0.5 }              // a half-space
