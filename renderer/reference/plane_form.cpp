@@ -3,7 +3,6 @@
 #include "renderer/reference/skeleton_forms.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace isl::reference {
@@ -25,12 +24,7 @@ class PlaneForm final : public SkeletonForm {
   }
 
   [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const override {
-    const long double x = height(line.origin).middle(), dx = dot(normal_, line.direction).middle();
-    if (dx == 0) return ChangeOnLine{0, 0};
-    const long double begins = -x / dx, ends = (radius_ * root_q - x) / dx;
-    // 2^-40: far more than rounding moves a border, far less than any scene's measure.
-    const long double slack = 0x1p-40L * (std::abs(begins) + std::abs(ends));
-    return ChangeOnLine{std::min(begins, ends) - slack, std::max(begins, ends) + slack};
+    return change_between(height(line.origin), dot(normal_, line.direction), 0, radius_ * root_q);
   }
 
  private:

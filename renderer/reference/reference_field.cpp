@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace isl::reference {
 namespace {
@@ -17,6 +16,24 @@ Interval row_times_column(const Vector<Interval>& v, const scene::Matrix& m, int
 const scene::Transform& transform_of(const scene::Database& database, const scene::Component& component) {
   static const scene::Transform kIdentityTransform;
   return component.transform == scene::kIdentity ? kIdentityTransform : database.transforms[index(component.transform)];
+}
+
+/// Inner maxima before outer ones: a branch has a greater number than its parent, so the maximum that begins last
+/// contains no other.
+std::vector<Maximum> maxima_of(std::span<const scene::Branch> branches) {
+  std::vector<Maximum> maxima;
+  std::vector<std::uint32_t> place(
+      branches.size());  // of each maximum, counted from 1, by the number of its first branch
+  for (std::uint32_t b = 1; b < branches.size(); ++b) {
+    std::uint32_t& at = place[branches[b].maximum];
+    if (at == 0) {
+      maxima.push_back({branches[b].parent, {}});
+      at = static_cast<std::uint32_t>(maxima.size());
+    }
+    maxima[at - 1].rivals.push_back(b);
+  }
+  std::ranges::reverse(maxima);
+  return maxima;
 }
 
 }  // namespace
@@ -31,17 +48,24 @@ Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matri
 
 ReferenceComponent::ReferenceComponent(const scene::Component& component, const KernelInUse& kernel,
                                        const scene::Transform& transform, std::span<const scene::Vec3> corners)
-    : skeleton_(component, corners),
-      kernel_(kernel.profile),
-      component_from_blob_(transform.inverse),
-      strength_(component.strength),
-      has_transform_(transform.inverse != scene::Matrix()) {
-  if (kernel.record.mode == scene::FieldMode::convolution) convolution_.emplace(component, kernel.record);
+    : skeleton_(component, corners), kernel_(kernel.profile), strength_(component.strength) {
+  if (transform.inverse != scene::Matrix()) {
+    component_from_blob_ = std::make_shared<const scene::Matrix>(transform.inverse);
+  }
+  if (kernel.record.mode == scene::FieldMode::convolution) {
+    convolution_ = std::make_shared<const ReferenceConvolution>(component, kernel.record);
+  }
+}
+
+Ball ReferenceComponent::support() const {
+  const long double reach = skeleton_.reach(kernel_.support().hi);
+  return component_from_blob_ ? ball_before(skeleton_.bound_centre(), reach, *component_from_blob_)
+                              : rounded_ball(skeleton_.bound_centre(), reach);
 }
 
 FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
   Vector<Interval> local{p.x, p.y, p.z};
-  if (has_transform_) local = transformed_point(local, component_from_blob_);
+  if (component_from_blob_) local = transformed_point(local, *component_from_blob_);
 
   FieldSample sample;
   Vector<Interval> gradient;
@@ -57,31 +81,30 @@ FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
   }
   sample.sum_of_values = std::abs(sample.value);
   // A gradient is mapped back by the transpose of the map into the component's space.
-  if (has_transform_) gradient = transformed_vector(gradient, component_from_blob_.transposed());
+  if (component_from_blob_) gradient = transformed_vector(gradient, component_from_blob_->transposed());
   sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
   return sample;
 }
 
 Interval ReferenceComponent::range(const Vector<Interval>& box) const {
-  const Vector<Interval> local = has_transform_ ? transformed_point(box, component_from_blob_) : box;
+  const Vector<Interval> local = component_from_blob_ ? transformed_point(box, *component_from_blob_) : box;
   return strength_ * (convolution_ ? convolution_->range(local) : kernel_.value(skeleton_.at(local).q));
 }
 
 FieldRange ReferenceComponent::field_of(const DistanceOnLine& distance) const {
-  return strengthened({kernel_.value(distance.q), kernel_.slope(distance.q) * distance.slope});
+  return {kernel_.value(distance.q), kernel_.slope(distance.q) * distance.slope};
 }
 
-FieldRange ReferenceComponent::at(const Line& line, long double t) const {
-  return convolution_ ? strengthened(convolution_->at(line, t)) : field_of(skeleton_.at(line, t));
+ReferenceComponent::AtPoint ReferenceComponent::point(const Line& line, long double t) const {
+  if (convolution_) return {{}, convolution_->at(line, t)};
+  const DistanceOnLine distance = skeleton_.at(line, t);
+  return {distance, field_of(distance)};
 }
 
-ReferenceComponent::Stretched ReferenceComponent::over(const Line& line, long double t0, long double t1) const {
-  if (convolution_) {
-    const FieldRange first = convolution_->at(line, t0), last = convolution_->at(line, t1);
-    return {strengthened(convolution_->over(line, t0, t1, first, last)), strengthened(first), strengthened(last)};
-  }
-  const DistanceOnLine first = skeleton_.at(line, t0), last = skeleton_.at(line, t1);
-  return {field_of(skeleton_.over({line, t0, t1, first, last})), field_of(first), field_of(last)};
+FieldRange ReferenceComponent::over(const Line& line, long double t0, long double t1, const AtPoint& first,
+                                    const AtPoint& last) const {
+  return strengthened(convolution_ ? convolution_->over(line, t0, t1, first.field, last.field)
+                                   : field_of(skeleton_.over({line, t0, t1, first.distance, last.distance})));
 }
 
 long double ReferenceComponent::sensitivity_at(const Line& line, long double t) const {
@@ -90,47 +113,63 @@ long double ReferenceComponent::sensitivity_at(const Line& line, long double t) 
   return (strength_ * kernel_.slope(q) * q).magnitude();
 }
 
-ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob) : threshold_(blob.threshold) {
+ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob, Drawn drawn)
+    : threshold_(blob.threshold), is_unblended_(drawn == Drawn::unblended || blob.is_unblended) {
   ISL_CHECK(blob.threshold > 0, "threshold {}", blob.threshold);
-  std::vector<std::uint32_t> all(blob.components.size());
-  std::iota(all.begin(), all.end(), 0u);
-  add(database, blob, all);
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(blob.components.size());
+  for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
+    if (!is_unblended_ || blob.components[i].strength > 0) numbers.push_back(i);
+  }
+  add(database, blob, numbers);
+  if (is_unblended_ || blob.branches.empty()) return;
   branch_of_.assign(blob.branch_of.begin(), blob.branch_of.end());
-  branches_.assign(blob.branches.begin(), blob.branches.end());
-  if (branches_.empty()) branches_.push_back({0, 0});
-  branch_of_.resize(components_.size());
+  maxima_ = maxima_of(std::span(blob.branches.begin(), blob.branches.size()));
+  branch_count_ = blob.branches.size();
 }
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob,
                                std::span<const std::uint32_t> numbers)
-    : branch_of_(numbers.size()), branches_{{0, 0}}, threshold_(blob.threshold) {
+    : threshold_(blob.threshold), is_unblended_(false) {
   add(database, blob, numbers);
 }
 
 void ReferenceField::add(const scene::Database& database, const scene::Blob& blob,
                          std::span<const std::uint32_t> numbers) {
   std::map<scene::KernelId, KernelInUse> kernels;
+  std::vector<Ball> supports;
   components_.reserve(numbers.size());
+  supports.reserve(numbers.size());
   for (const std::uint32_t number : numbers) {
     const scene::Component& component = blob.components[number];
     const auto kernel = kernels.try_emplace(component.kernel, database.kernels[index(component.kernel)]).first;
     components_.emplace_back(component, kernel->second, transform_of(database, component),
                              std::span(blob.corners.begin(), blob.corners.size()));
+    supports.push_back(components_.back().support());
   }
+  supports_ = BallTree(supports);
+  branch_of_.assign(numbers.size(), 0);
 }
 
 FieldSample ReferenceField::sample(const Vector<long double>& p) const {
-  std::vector<FieldSample> sums(branches_.size());
+  std::vector<FieldSample> sums(branch_count_);
   const auto add = [](FieldSample& sum, const FieldSample& part) {
     sum.value += part.value;
     sum.sum_of_values += part.sum_of_values;
     sum.gradient = sum.gradient + part.gradient;
   };
-  for (std::size_t i = 0; i < components_.size(); ++i) add(sums[branch_of_[i]], components_[i].sample(p));
-  fold_maxima(branches_, [&](std::uint32_t parent, std::span<const std::uint32_t> rivals) {
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const FieldSample part = components_[i].sample(p);
+    if (!is_unblended_) {
+      add(sums[branch_of_[i]], part);
+    } else if (part.value > sums[0].value) {
+      sums[0] = part;
+    }
+  }
+  for (const Maximum& maximum : maxima_) {
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return sums[a].value < sums[b].value; };
-    add(sums[parent], sums[*std::ranges::max_element(rivals, less)]);
-  });
+    add(sums[maximum.parent], sums[*std::ranges::max_element(maximum.rivals, less)]);
+  }
   sums[0].value -= threshold_;
   return sums[0];
 }

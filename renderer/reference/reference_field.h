@@ -1,8 +1,9 @@
 // F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob, straight from its definition: every
-// component, in long double, without any structure in space. It judges the product's fields, with which it shares only
-// the records of the database.
+// component, in long double; an unblended blob is the greatest of its fields. It judges the product's fields, with
+// which it shares only the records of the database.
 #pragma once
 
+#include "renderer/reference/ball_tree.h"
 #include "renderer/reference/interval.h"
 #include "renderer/reference/reference_convolution.h"
 #include "renderer/reference/reference_kernel.h"
@@ -10,7 +11,7 @@
 #include "renderer/scene/database.h"
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,19 +51,26 @@ class ReferenceComponent {
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
   // These are on a line in the component's own space.
-  [[nodiscard]] FieldRange at(const Line& line, long double t) const;
-  struct Stretched {
-    FieldRange all, first, last;
+  [[nodiscard]] FieldRange at(const Line& line, long double t) const { return at(point(line, t)); }
+  /// With strength 1.
+  struct AtPoint {
+    DistanceOnLine distance;  ///< unused by a convolution
+    FieldRange field;
   };
-  /// The field over a stretch, and at its ends.
-  [[nodiscard]] Stretched over(const Line& line, long double t0, long double t1) const;
+  [[nodiscard]] AtPoint point(const Line& line, long double t) const;
+  [[nodiscard]] FieldRange at(const AtPoint& point) const { return strengthened(point.field); }
+  /// The field over a stretch, from its ends.
+  [[nodiscard]] FieldRange over(const Line& line, long double t0, long double t1, const AtPoint& first,
+                                const AtPoint& last) const;
   /// The effect at t of a relative error of q, or of all squared distances to a curve's points.
   [[nodiscard]] long double sensitivity_at(const Line& line, long double t) const;
 
   [[nodiscard]] const ReferenceSkeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] const ReferenceKernel& kernel() const { return kernel_; }
-  [[nodiscard]] const scene::Matrix& component_from_blob() const { return component_from_blob_; }
-  [[nodiscard]] bool has_transform() const { return has_transform_; }
+  /// Null if the component's space is the blob's.
+  [[nodiscard]] const scene::Matrix* component_from_blob() const { return component_from_blob_.get(); }
+  /// Outside this ball in the blob's space the field is zero.
+  [[nodiscard]] Ball support() const;
 
  private:
   [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
@@ -72,30 +80,23 @@ class ReferenceComponent {
 
   ReferenceSkeleton skeleton_;
   ReferenceKernel kernel_;
-  std::optional<ReferenceConvolution> convolution_;  ///< set if the kernel is integrated along the skeleton
-  scene::Matrix component_from_blob_;  ///< the inverse that the database keeps, because it defines the field
+  std::shared_ptr<const ReferenceConvolution> convolution_;  ///< set if the kernel is integrated along the skeleton
+  /// The inverse that the database keeps, because it defines the field.
+  std::shared_ptr<const scene::Matrix> component_from_blob_;
   Interval strength_;
-  bool has_transform_;
 };
 
-/// Calls fold(parent, rivals) for each maximum, inner ones before outer ones: the greatest of the rivals' sums, which
-/// are complete by then, belongs to the parent's sum.
-template <class Fold>
-void fold_maxima(const std::vector<scene::Branch>& branches, const Fold& fold) {
-  // A branch has a greater number than its parent, so the maximum that begins last contains no other.
-  for (std::uint32_t first = static_cast<std::uint32_t>(branches.size()); first-- > 1;) {
-    if (branches[first].maximum != first) continue;
-    std::vector<std::uint32_t> rivals;
-    for (std::uint32_t b = first; b < branches.size(); ++b) {
-      if (branches[b].maximum == first) rivals.push_back(b);
-    }
-    fold(branches[first].parent, std::span<const std::uint32_t>(rivals));
-  }
-}
+/// The greatest of the rivals' sums is a term of the parent's sum. All are branches.
+struct Maximum {
+  std::uint32_t parent;
+  std::vector<std::uint32_t> rivals;
+};
 
 class ReferenceField {
  public:
-  ReferenceField(const scene::Database& database, const scene::Blob& blob);
+  /// `unblended`: even if the blob's record does not say so.
+  enum class Drawn : std::uint8_t { as_recorded, unblended };
+  ReferenceField(const scene::Database& database, const scene::Blob& blob, Drawn drawn = Drawn::as_recorded);
   /// The plain sum of some of the blob's components, minus its threshold; `numbers` are indices of components.
   ReferenceField(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
 
@@ -105,9 +106,19 @@ class ReferenceField {
 
   [[nodiscard]] const std::vector<ReferenceComponent>& components() const { return components_; }
   /// Branch 0 is the blob's sum. It is the only one if the blob has no maxima.
-  [[nodiscard]] const std::vector<scene::Branch>& branches() const { return branches_; }
+  [[nodiscard]] std::size_t branch_count() const { return branch_count_; }
   /// The branch of each component.
   [[nodiscard]] std::uint32_t branch_of(std::size_t component) const { return branch_of_[component]; }
+  /// Inner maxima come before outer ones.
+  [[nodiscard]] const std::vector<Maximum>& maxima() const { return maxima_; }
+  /// The blob is the greatest of its components' fields, and all of these are positive.
+  [[nodiscard]] bool is_unblended() const { return is_unblended_; }
+  /// Outside this ball all fields are zero; its radius is −1 if there are none.
+  [[nodiscard]] Ball bounds() const { return supports_.bounds(); }
+  /// Appends the numbers of the components whose support the line may meet.
+  void components_along(const RoughLine& line, std::vector<std::uint32_t>& numbers) const {
+    supports_.along(line, numbers);
+  }
   [[nodiscard]] long double threshold() const { return threshold_; }
 
  private:
@@ -115,8 +126,11 @@ class ReferenceField {
 
   std::vector<ReferenceComponent> components_;
   std::vector<std::uint32_t> branch_of_;
-  std::vector<scene::Branch> branches_;
+  std::vector<Maximum> maxima_;
+  BallTree supports_;
+  std::size_t branch_count_ = 1;
   long double threshold_;
+  bool is_unblended_;
 };
 
 }  // namespace isl::reference

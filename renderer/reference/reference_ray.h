@@ -15,11 +15,6 @@
 
 namespace isl::reference {
 
-/// The half-line origin + t·direction, t in units of the direction's length, in the blob's space.
-struct FieldRay {
-  Vector<Interval> origin, direction;
-};
-
 class FieldOnRay {
  public:
   /// Indices of components that may matter, in no special order.
@@ -49,6 +44,21 @@ class FieldOnRay {
   /// F and F′ over [t0, t1].
   [[nodiscard]] FieldRange over(const Active& active, long double t0, long double t1) const;
 
+  /// All active components at one t, in their order.
+  using Samples = std::vector<ReferenceComponent::AtPoint>;
+  /// A stretch of the ray with the components that may matter on it, and these at its ends, so that dividing it
+  /// evaluates every place once.
+  struct Piece {
+    long double t0 = 0, t1 = 0;
+    Active active;
+    Samples first, last;
+  };
+  [[nodiscard]] Piece piece(const Active& from, long double t0, long double t1) const;
+  /// F and F′ over the piece. Components that are zero on all of it are taken out of it.
+  [[nodiscard]] FieldRange over(Piece& piece) const;
+  /// F and F′ at t, and all active components there.
+  [[nodiscard]] FieldRange at(const Active& active, long double t, Samples& samples) const;
+
   /// The sizes at t from which a computation in double precision gets its rounding error.
   struct Magnitude {
     long double values = 0;     ///< Σ|fᵢ|
@@ -71,13 +81,25 @@ class FieldOnRay {
     Support support;
   };
 
-  [[nodiscard]] FieldRange total(std::vector<FieldRange>& sums) const;
+  using Sums = std::vector<FieldRange>;  ///< one for each branch
+  /// A maximum in which rivals without a component on the ray, if there are any, are one rival of zero.
+  struct MaximumHere {
+    Maximum maximum;
+    bool has_idle;
+  };
+
+  void find_maxima(const ReferenceField& field);
+  void add(Sums& sums, const Part& part, const FieldRange& range) const;
+  [[nodiscard]] FieldRange total(Sums& sums) const;
   [[nodiscard]] static std::optional<Support> support_on(const ReferenceComponent& component, const Line& line);
 
-  const std::vector<scene::Branch>* branches_;
   FieldRay ray_;
   std::vector<Part> parts_;
+  std::vector<MaximumHere> maxima_;
+  std::size_t branch_count_ = 1;  ///< of the branches that have a component on the ray, or another branch with one
+  bool is_unblended_;
   Interval threshold_;
+  mutable Sums sums_, firsts_, lasts_;  ///< kept, so that an evaluation allocates nothing
   long double begin_ = 0, end_ = -1;
 };
 

@@ -48,6 +48,17 @@ DistanceOnLine SkeletonForm::over(const Stretch& stretch) const {
           {first.slope.lo, std::max(first.slope.lo, last.slope.hi)}};
 }
 
+ChangeOnLine change_between(const Interval& x, const Interval& dx, long double low, long double high) {
+  if (dx.middle() == 0) return {0, 0};
+  // If rounding hides the line's slope, the middle's is taken: a stretch without end could not be searched.
+  const Interval slope = dx.sign() != 0 ? dx : Interval(dx.middle());
+  const auto t_at = [&](long double height) {
+    const Interval way = Interval(height) - x;
+    return slope.sign() > 0 ? way / slope : -way / -slope;
+  };
+  return slope.sign() > 0 ? ChangeOnLine{t_at(low).lo, t_at(high).hi} : ChangeOnLine{t_at(high).lo, t_at(low).hi};
+}
+
 long double convex_minimum(long double t0, long double t1, const DistanceOnLine& first, const DistanceOnLine& last) {
   if (first.slope.lo >= 0) return first.q.lo;
   if (last.slope.hi <= 0) return last.q.lo;

@@ -17,26 +17,35 @@ class RootSearch {
   RootSearch(const FieldOnRay& field, bool first_only) : field_(field), first_only_(first_only) {}
 
   /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
-  void isolate(const FieldOnRay::Active& from, long double t0, int sign0, long double t1, int sign1, int depth = 0) {
+  void isolate(const FieldOnRay::Active& from, long double t0, int sign0, long double t1, int sign1) {
+    if (t0 < t1) isolate(field_.piece(from, t0, t1), sign0, sign1, 0);
+  }
+
+  /// Searches a piece from front to back: what lies behind the first crossing is never looked at if only that counts.
+  void isolate(FieldOnRay::Piece piece, int sign0, int sign1, int depth) {
+    const long double t0 = piece.t0, t1 = piece.t1;
     if (is_done() || !(t0 < t1)) return;
-    const FieldOnRay::Active active = field_.active(from, t0, t1);
-    const FieldRange range = field_.over(active, t0, t1);
+    const FieldRange range = field_.over(piece);
     if (range.value.sign() != 0) return constant(range.value.sign());
     if (range.derivative.sign() != 0 && sign0 != 0 && sign1 != 0) {
-      return sign0 == sign1 ? constant(sign0) : crossing(active, t0, t1, sign0);
+      return sign0 == sign1 ? constant(sign0) : crossing(piece.active, t0, t1, sign0);
     }
     if (depth > kMaxDepth || t1 - t0 <= 0x1p-60L * std::max(std::abs(t0), std::abs(t1))) return doubt(t0, t1);
     // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
     long double cut = t0;
     Interval value;
+    FieldOnRay::Samples samples;
     for (const long double fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
       cut = t0 + (t1 - t0) * fraction;
-      value = field_.at(active, cut).value;
+      value = field_.at(piece.active, cut, samples).value;
       if (value.sign() != 0) break;
     }
     if (value.sign() == 0 && range.value.width() <= 16 * value.width()) return doubt(t0, t1);
-    isolate(active, t0, sign0, cut, value.sign(), depth + 1);
-    isolate(active, cut, value.sign(), t1, sign1, depth + 1);
+    FieldOnRay::Piece before{t0, cut, piece.active, std::move(piece.first), samples};
+    isolate(std::move(before), sign0, value.sign(), depth + 1);
+    if (is_done()) return;
+    FieldOnRay::Piece after{cut, t1, std::move(piece.active), std::move(samples), std::move(piece.last)};
+    isolate(std::move(after), value.sign(), sign1, depth + 1);
   }
 
   /// Records that F keeps this sign on the next stretch.
@@ -70,22 +79,33 @@ class RootSearch {
     sign_ = -sign0;
   }
 
-  /// Newton's method in a bracket, until the value is lost in its own rounding error or the bracket is two neighbours.
+  /// Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's steps in that of t
+  /// and a place just beyond the root has the other sign.
   [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) const {
     long double t = t0 + (t1 - t0) / 2;
     for (int step = 0;; ++step) {
       const FieldRange here = field_.at(active, t);
-      const long double slope = here.derivative.middle();
-      const bool stuck = t1 - t0 <= 0x1p-62L * std::max(std::abs(t0), std::abs(t1));
+      const long double slope = here.derivative.middle(), last_bit = 0x1p-62L * std::max(std::abs(t0), std::abs(t1));
+      const bool stuck = t1 - t0 <= last_bit;
       if (here.value.sign() == 0 || stuck || step > 300) {
         const long double slope_bound = field_.over(active, t0, t1).derivative.mignitude();
         const long double slack = slope_bound > 0 ? here.value.magnitude() / slope_bound : t1 - t0;
         return {t, std::min(slack, t1 - t0), sign0 < 0};
       }
-      (here.value.sign() == sign0 ? t0 : t1) = t;
+      const bool is_before = here.value.sign() == sign0;
+      (is_before ? t0 : t1) = t;
       const long double newton = t - here.value.middle() / slope;
-      // Every third step halves, so that the bracket shrinks even if Newton's steps are slow.
-      t = step % 3 != 2 && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
+      if (std::abs(newton - t) <= last_bit) {
+        // Beyond the root by a few of these lengths the sign is certain again, unless F is very flat there.
+        for (long double beyond = 4 * last_bit; beyond < 0x1p20L * last_bit; beyond *= 8) {
+          const long double other = is_before ? t + beyond : t - beyond;
+          if (other <= t0 || other >= t1 || field_.at(active, other).value.sign() == -here.value.sign())
+            return {t, beyond, sign0 < 0};
+        }
+      }
+      // Newton's steps double the digits where F is nearly straight; where they are slow, every other one halves.
+      const bool is_slow = step > 8 && step % 2 == 0;
+      t = !is_slow && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
     }
   }
 

@@ -3,8 +3,6 @@
 // convex, and along a line it changes only where |x| < r·root.
 #include "renderer/reference/skeleton_forms.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace isl::reference {
@@ -25,12 +23,7 @@ class SheetForm final : public SkeletonForm {
   }
 
   [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const override {
-    const long double x = height(line.origin).middle(), dx = dot(normal_, line.direction).middle();
-    if (dx == 0) return ChangeOnLine{0, 0};
-    const long double centre = -x / dx, half = std::abs(radius_ * root_q / dx);
-    // 2^-40: far more than rounding moves a border, far less than any scene's measure.
-    const long double slack = 0x1p-40L * (std::abs(centre) + half);
-    return ChangeOnLine{centre - half - slack, centre + half + slack};
+    return change_between(height(line.origin), dot(normal_, line.direction), -radius_ * root_q, radius_ * root_q);
   }
 
  private:

@@ -61,6 +61,9 @@ struct ChangeOnLine {
   long double begin, end;
 };
 
+/// The stretch on which a height above a plane that changes linearly, x + t·dx, is between `low` and `high`.
+[[nodiscard]] ChangeOnLine change_between(const Interval& x, const Interval& dx, long double low, long double high);
+
 class SkeletonForm {
  public:
   virtual ~SkeletonForm() = default;

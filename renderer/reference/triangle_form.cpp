@@ -6,6 +6,9 @@
 //   corner i  w·eᵢ ≤ 0 and w·eᵢ₋₁ ≥ 0                         o = w
 // Every p is in one of the seven, and in several only on their common border, where their offsets agree. For a box, the
 // features that it may lie in are combined. q = |o|²/r² and ∇q = 2o/r².
+//
+// If the corners lie on a line, up to rounding, n has no direction, and the triangle is its edges: the nearest of the
+// three counts.
 #include "renderer/reference/skeleton_forms.h"
 
 #include "base/check.h"
@@ -25,7 +28,7 @@ class TriangleForm final : public SkeletonForm {
         radius_(component.radius_a) {
     for (int i = 0; i < 3; ++i) edges_[i] = corners_[(i + 1) % 3] - corners_[i];
     normal_ = cross(edges_[0], corners_[2] - corners_[0]);
-    ISL_CHECK(squared_length(normal_).lo > 0, "a triangle whose corners lie on one line");
+    has_face_ = squared_length(normal_).lo > 0;
     for (int i = 0; i < 3; ++i) outward_[i] = cross(edges_[i], normal_);
   }
 
@@ -46,6 +49,7 @@ class TriangleForm final : public SkeletonForm {
       w[i] = p - corners_[i];
       outside[i] = dot(w[i], outward_[i]);
     }
+    if (!has_face_) return nearest_edge(w);
     std::optional<Vector<Interval>> offset;
     const auto may_be = [&](const Vector<Interval>& one) { offset = offset ? hull(*offset, one) : one; };
     if (std::ranges::all_of(outside, [](const Interval& side) { return side.lo <= 0; })) {
@@ -59,14 +63,36 @@ class TriangleForm final : public SkeletonForm {
       if (along.lo <= 0 && dot(w[i], edges_[(i + 2) % 3]).hi >= 0) may_be(w[i]);
     }
     ISL_CHECK(offset.has_value(), "a point that is nearest to nothing");
-    const Interval radius_squared = square(Interval(radius_));
-    return {squared_length(*offset) / radius_squared, *offset * (Interval(2) / radius_squared)};
+    return distance_of(*offset);
   }
 
  private:
+  [[nodiscard]] RelativeDistance distance_of(const Vector<Interval>& offset) const {
+    const Interval radius_squared = square(Interval(radius_));
+    return {squared_length(offset) / radius_squared, offset * (Interval(2) / radius_squared)};
+  }
+
+  /// The distance from the nearest edge; the gradients of all that may be it are combined.
+  [[nodiscard]] RelativeDistance nearest_edge(const std::array<Vector<Interval>, 3>& w) const {
+    std::array<RelativeDistance, 3> distances;
+    for (int i = 0; i < 3; ++i) {
+      const Interval whole = squared_length(edges_[i]);
+      const bool has_length = whole.lo > 0;
+      distances[i] = distance_of(has_length ? w[i] - edges_[i] * clamped(dot(w[i], edges_[i]) / whole, 0, 1) : w[i]);
+    }
+    Interval q = distances[0].q;
+    for (const RelativeDistance& one : distances) q = {std::min(q.lo, one.q.lo), std::min(q.hi, one.q.hi)};
+    std::optional<Vector<Interval>> gradient;
+    for (const RelativeDistance& one : distances) {
+      if (one.q.lo <= q.hi) gradient = gradient ? hull(*gradient, one.gradient) : one.gradient;
+    }
+    return {q, *gradient};
+  }
+
   std::array<Vector<Interval>, 3> corners_, edges_, outward_;
   Vector<Interval> normal_;
   long double radius_;
+  bool has_face_ = true;
 };
 
 }  // namespace

@@ -98,5 +98,13 @@ TEST(ReferenceField, ComponentTransformMovesTheField) {
   }
 }
 
+TEST(ReferenceField, OfSomeComponentsIsTheirSum) {
+  const scene::Database three = one_blob(gaussian(4), {point({0, 0, 0}, 1), point({1, 0, 0}, 1), point({0, 1, 0}, 1)});
+  const scene::Database two = one_blob(gaussian(4), {point({0, 0, 0}, 1), point({0, 1, 0}, 1)});
+  const std::uint32_t numbers[] = {0, 2};
+  EXPECT_EQ(ReferenceField(three, three.blobs[0], numbers).value({0.3L, 0.2L, 0.1L}),
+            ReferenceField(two, two.blobs[0]).value({0.3L, 0.2L, 0.1L}));
+}
+
 }  // namespace
 }  // namespace isl::reference

@@ -237,6 +237,16 @@ TEST(ReferenceTracer, TriangleHasItsFaceItsEdgesAndItsCorners) {
   expect_roots(roots(flat, {0.5, -4, 0.625}, {0, 1, 0}), {4 - half, 4 + half}, 1e-16L);
 }
 
+TEST(ReferenceTracer, TriangleWithoutAreaIsTheSegmentOrPointThatIsLeft) {
+  scene::Database line = one_blob(gaussian(4), {triangle({-1, 0, 0}, {1, 0, 0}, 0.25)});
+  line.blobs[0].corners = {scene::Vec3(0.5, 0, 0)};
+  expect_roots(roots(line, {0.3, -4, 0}, {0, 1, 0}), {3.75L, 4.25L}, 1e-16L);
+  expect_roots(roots(line, {-4, 0, 0}, {1, 0, 0}), {2.75L, 5.25L}, 1e-16L);
+  scene::Database place = one_blob(gaussian(4), {triangle({1, 0, 0}, {1, 0, 0}, 0.25)});
+  place.blobs[0].corners = {scene::Vec3(1, 0, 0)};
+  expect_roots(roots(place, {-4, 0, 0}, {1, 0, 0}), {4.75L, 5.25L}, 1e-16L);
+}
+
 TEST(ReferenceTracer, CircleHasItsHole) {
   const scene::Database ring = one_blob(metaball(4), {circle({0, 0, 0}, {0, 1, 0}, 1, 0.25)});
   expect_roots(roots(ring, {-4, 0, 0}, {1, 0, 0}), {2.75L, 3.25L, 4.75L, 5.25L}, 1e-16L);
