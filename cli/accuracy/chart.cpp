@@ -36,15 +36,15 @@ double worst_shown(const AccuracyReport& report, std::size_t i, double floor) {
 
 Plot plot_of(const AccuracyReport& report) {
   const auto& settings = report.comparison.settings;
-  const double proven = report.comparison.check.worst_pixels;
+  const double least = resolution(report);
   double greatest = 1, least_time = 1, greatest_time = 1;
   for (const render::Measured& measured : settings) {
     greatest = std::max(greatest, measured.summary.worst_pixels);
     least_time = std::min(least_time, measured.relative_time);
     greatest_time = std::max(greatest_time, measured.relative_time);
   }
-  // If no field could be checked (solids), the floor is the spacing of doubles in a picture of a thousand pixels.
-  const double floor = std::pow(10, std::floor(std::log10(proven > 0 ? proven : 1e-12)));
+  // If no field could be judged (solids), the floor is the spacing of doubles in a picture of a thousand pixels.
+  const double floor = std::pow(10, std::floor(std::log10(least > 0 ? least : 1e-12)));
   const double top = std::pow(10, std::ceil(std::log10(greatest * 1.5)));
   return {{least_time / 1.5, greatest_time * 1.5, kLeft, kWidth - kRight},
           {floor / 3, top, kHeight - kBottom, kTop},

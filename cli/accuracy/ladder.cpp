@@ -70,7 +70,7 @@ std::vector<Rung> ladder(const AccuracyCommand& command, const scene::Database& 
   return rungs;
 }
 
-Rung reference_rung(const AccuracyCommand& command, const scene::Database& database) {
+Rung exact_rung(const AccuracyCommand& command, const scene::Database& database) {
   return rung_of(parse_setting("exact").value(), command, database);
 }
 

@@ -19,7 +19,7 @@ struct Rung {
 /// Exactly one is the default: if it is not named it is added first.
 [[nodiscard]] std::vector<Rung> ladder(const AccuracyCommand& command, const scene::Database& database);
 
-/// The reference that all settings are measured against.
-[[nodiscard]] Rung reference_rung(const AccuracyCommand& command, const scene::Database& database);
+/// The exact solver's setting.
+[[nodiscard]] Rung exact_rung(const AccuracyCommand& command, const scene::Database& database);
 
 }  // namespace isl::cli

@@ -24,6 +24,7 @@ render::Rgb error_colour(const render::RayError& error) {
     case RayOutcome::background: return render::kBackgroundColour;
     case RayOutcome::missed: return render::kMissedColour;
     case RayOutcome::false_surface: return render::kFalseColour;
+    case RayOutcome::undecided: return render::kUndecidedColour;
     case RayOutcome::hit: break;
   }
   return colour_of(render::kErrorScale, error.pixels);

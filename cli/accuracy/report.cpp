@@ -14,11 +14,11 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// The error by which settings are judged: the worst one, infinite if surfaces are missed or invented, and at least the
-/// proven error of the reference.
+/// resolution.
 double worst_of(const AccuracyReport& report, std::size_t i) {
   const render::ErrorSummary& summary = report.comparison.settings[i].summary;
   if (summary.missed + summary.false_surfaces > 0) return kNever;
-  return std::max(summary.worst_pixels, report.comparison.check.worst_pixels);
+  return std::max(summary.worst_pixels, resolution(report));
 }
 
 /// Settings that do identical work, as hermite does if no ray needs its tolerance, differ by up to a hundredth in
@@ -98,14 +98,14 @@ std::string advice(const AccuracyReport& report) {
                      worst == 0 ? "none was found" : fmt::format("it is at most {} px", length_text(worst)));
 }
 
-std::string check_sentence(const render::ReferenceCheck& check) {
-  const std::uint64_t checked = check.rays - check.unchecked;
-  if (checked == 0) return "The reference has closed forms on this scene; interval arithmetic had no field to check.";
+std::string reference_sentence(const render::ReferenceSummary& reference) {
   std::string text =
-      fmt::format("The reference was proven by interval arithmetic on {} of {} sampled rays", check.proven, checked);
-  if (check.worst_pixels > 0) text += fmt::format(", to within {:.1g} px", check.worst_pixels);
-  if (check.undecided > 0) text += fmt::format("; {} stayed undecided", check.undecided);
-  if (check.refuted > 0) text += fmt::format("; {} WERE REFUTED: please report this scene", check.refuted);
+      fmt::format("The truth was proven in extended precision, independently of all solvers, on {} of {} rays",
+                  reference.proven, reference.rays);
+  if (reference.worst_pixels > 0) text += fmt::format(", to within {:.1g} px", reference.worst_pixels);
+  if (reference.trusted > 0)
+    text += fmt::format("; {} meet a solid or a combination, whose place is taken from `exact`", reference.trusted);
+  if (reference.undecided > 0) text += fmt::format("; {} touch a surface and are left undecided", reference.undecided);
   return text + ".";
 }
 
@@ -135,7 +135,7 @@ std::string table_text(const AccuracyReport& report) {
         "times include {} shadow rays; leaks: light in place of shadow, false s: shadow in place of light\n",
         report.comparison.settings.front().shadows->rays);
   }
-  return text + check_sentence(report.comparison.check) + "\n" + advice(report) + "\n";
+  return text + reference_sentence(report.comparison.reference) + "\n" + advice(report) + "\n";
 }
 
 std::string table_csv(const AccuracyReport& report) {
@@ -192,19 +192,17 @@ nlohmann::ordered_json table_json(const AccuracyReport& report) {
           {"rays", m.shadows->rays}, {"leaks", m.shadows->leaks}, {"false_shadows", m.shadows->false_shadows}};
     }
   }
-  const render::ReferenceCheck& check = report.comparison.check;
+  const render::ReferenceSummary& reference = report.comparison.reference;
   return {{"scene", report.scene},
           {"command", report.command},
           {"size", {report.size.width, report.size.height}},
           {"settings", settings},
           {"reference",
-           {{"options", "--solver exact"},
-            {"rays", check.rays},
-            {"proven", check.proven},
-            {"undecided", check.undecided},
-            {"refuted", check.refuted},
-            {"unchecked", check.unchecked},
-            {"within_px", check.worst_pixels}}},
+           {{"rays", reference.rays},
+            {"proven", reference.proven},
+            {"trusted", reference.trusted},
+            {"undecided", reference.undecided},
+            {"within_px", reference.worst_pixels}}},
           {"advice", advice(report)},
           {"seconds", report.comparison.seconds}};
 }

@@ -23,9 +23,15 @@ struct AccuracyReport {
 /// The worst error that the advice allows: a tenth of a pixel is less than antialiasing can show.
 inline constexpr double kAdvisedPixels = 0.1;
 
+/// Errors below this, in pixels, are equal: eight roundings of a place in double precision, and of what the reference
+/// leaves open. 0 if no surface was judged.
+[[nodiscard]] inline double resolution(const AccuracyReport& report) {
+  return 8 * report.comparison.reference.worst_pixels;
+}
+
 /// Rungs of the Pareto front, at least one: no other rung is both at least as quick and at least as exact, and better
 /// in one of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without.
-/// Times are equal within each other's spread or two hundredths, and so are errors below the reference's proven error;
+/// Times are equal within each other's spread or two hundredths, and so are errors below the resolution;
 /// the default, or else the first, represents equals.
 [[nodiscard]] std::vector<bool> pareto_front(const AccuracyReport& report);
 
@@ -33,8 +39,8 @@ inline constexpr double kAdvisedPixels = 0.1;
 /// the default if it is as quick as any.
 [[nodiscard]] std::string advice(const AccuracyReport& report);
 
-/// One sentence on how far the reference can be trusted.
-[[nodiscard]] std::string check_sentence(const render::ReferenceCheck& check);
+/// One sentence on how much of the truth is known.
+[[nodiscard]] std::string reference_sentence(const render::ReferenceSummary& reference);
 
 [[nodiscard]] std::string table_text(const AccuracyReport& report);
 [[nodiscard]] std::string table_csv(const AccuracyReport& report);

@@ -68,7 +68,7 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
   options.shadows = command.shadows;
   options.progress = [&bar](double done) { bar.update(done); };
   options.stop = &interrupt_flag();
-  return render::compare(database, reference_rung(command, database).tracer, settings,
+  return render::compare(database, exact_rung(command, database).tracer, settings,
                          static_cast<std::size_t>(base - rungs.begin()), options);
 }
 

@@ -17,6 +17,9 @@ using Clock = std::chrono::steady_clock;
 /// thread.
 constexpr double kShortestTurn = 0.02;
 
+/// The reference's share of the progress, in turns of a setting.
+constexpr std::size_t kPartsOfReference = 20;
+
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 double median(std::vector<double> values) {
@@ -28,27 +31,27 @@ double median(std::vector<double> values) {
 
 class Contest {
  public:
-  Contest(const scene::Database& database, const TracerOptions& reference, const std::vector<TracerOptions>& settings,
+  Contest(const scene::Database& database, const TracerOptions& exact, const std::vector<TracerOptions>& settings,
           std::size_t base, const ComparisonOptions& options)
       : options_(options),
-        reference_(database, reference),
         base_(base),
-        pixel_angle_(reference.pixel_angle),
+        pixel_angle_(exact.pixel_angle),
         rays_(centre_rays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
                           options.height)),
         order_(batch_order(options.width, options.height)),
         truth_(rays_.size()),
-        parts_(2 + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
+        parts_(kPartsOfReference + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
     for (const std::uint32_t ray : order_) batch_rays_.push_back(rays_[ray]);
     for (const TracerOptions& setting : settings) tracers_.emplace_back(database, setting);
     times_.resize(settings.size());
     result_.settings.resize(settings.size());
-    measure_each(reference_, rays_, truth_, options_.stop, part());
-    result_.check = check_reference(database, reference, reference_, rays_, truth_, options.checked_rays);
-    ++part_;
+    ReferenceHits(database, exact).find(rays_, truth_, options_.stop, part(kPartsOfReference));
+    if (stopped()) return;
+    result_.reference = summarise_reference(rays_, truth_, pixel_angle_);
     if (!options.shadows) return;
-    shadow_rays_ = shadow_rays(database, reference_, rays_, options.stop);
-    shadow_truth_ = occlusions_of(reference_, shadow_rays_, options.stop);
+    const Tracer tracer(database, exact);
+    shadow_rays_ = shadow_rays(database, tracer, rays_, options.stop);
+    shadow_truth_ = occlusions_of(tracer, shadow_rays_, options.stop);
   }
 
   Comparison run() {
@@ -64,11 +67,12 @@ class Contest {
  private:
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  /// The progress function of the next of the parts that the whole consists of.
-  [[nodiscard]] TellProgress part() {
-    const double done = static_cast<double>(part_++);
+  /// The progress function of the next `count` of the parts that the whole consists of.
+  [[nodiscard]] TellProgress part(std::size_t count = 1) {
+    const double done = static_cast<double>(part_), size = static_cast<double>(count);
+    part_ += count;
     if (!options_.progress) return {};
-    return [this, done](double share) { options_.progress((done + share) / static_cast<double>(parts_)); };
+    return [this, done, size](double share) { options_.progress((done + share * size) / static_cast<double>(parts_)); };
   }
 
   /// Measures the hits of setting i in batches, and the cost of each ray by itself.
@@ -151,14 +155,13 @@ class Contest {
   };
 
   const ComparisonOptions& options_;
-  Tracer reference_;
   std::vector<Tracer> tracers_;
   std::size_t base_;
   double pixel_angle_;
   std::vector<Ray> rays_;             ///< row by row
   std::vector<std::uint32_t> order_;  ///< order of the rays in batches
   std::vector<Ray> batch_rays_;       ///< rays_ in that order
-  std::vector<RayMeasure> truth_;
+  std::vector<ReferenceHit> truth_;
   std::vector<Ray> shadow_rays_;
   std::vector<std::uint8_t> shadow_truth_;
   std::size_t parts_, part_ = 0;
@@ -169,14 +172,14 @@ class Contest {
 
 }  // namespace
 
-Comparison compare(const scene::Database& database, const TracerOptions& reference,
+Comparison compare(const scene::Database& database, const TracerOptions& exact,
                    const std::vector<TracerOptions>& settings, std::size_t base, const ComparisonOptions& options) {
   ISL_CHECK(base < settings.size(), "{} of {}", base, settings.size());
   ISL_CHECK(options.rounds >= 1, "{} rounds", options.rounds);
   const Clock::time_point begin = Clock::now();
   Comparison comparison;
   with_threads(options.threads > 0 ? options.threads : default_thread_count(),
-               [&] { comparison = Contest(database, reference, settings, base, options).run(); });
+               [&] { comparison = Contest(database, exact, settings, base, options).run(); });
   comparison.seconds = seconds_since(begin);
   return comparison;
 }

@@ -1,4 +1,4 @@
-// Compares several settings of the tracer on the same rays: how far each is off from the exact one, and how much each
+// Compares several settings of the tracer on the same rays: how far each is off from the truth, and how much each
 // costs.
 //
 // Costs are measured in rounds, in each of which every setting has a turn. The result is the median over the rounds of
@@ -7,7 +7,7 @@
 #pragma once
 
 #include "renderer/accuracy/ray_errors.h"
-#include "renderer/accuracy/reference_check.h"
+#include "renderer/accuracy/reference_hits.h"
 #include "renderer/accuracy/shadow_rays.h"
 
 #include <optional>
@@ -22,8 +22,7 @@ struct ComparisonOptions {
   /// Time budget of the rounds in seconds by the wall clock. A setting that takes more than its share runs in fewer
   /// rounds, but in one at least.
   double seconds = 60;
-  bool shadows = false;            ///< also traces the shadow rays of what the reference meets
-  std::size_t checked_rays = 256;  ///< sample size of check_reference
+  bool shadows = false;  ///< also traces the shadow rays of what the exact solver meets
   TellProgress progress;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -45,13 +44,14 @@ struct Measured {
 
 struct Comparison {
   std::vector<Measured> settings;  ///< in the order asked for
-  ReferenceCheck check;
+  ReferenceSummary reference;
   bool complete = true;  ///< false if it was stopped; the other members are then meaningless
   double seconds = 0;    ///< total time by the wall clock
 };
 
-/// Measures every one of `settings` against `reference`; times are relative to settings[base].
-[[nodiscard]] Comparison compare(const scene::Database& database, const TracerOptions& reference,
+/// Measures every one of `settings` against the truth; times are relative to settings[base]. `exact` are the options of
+/// the exact solver, which finds the surfaces where shadow rays begin, and whether they are blocked.
+[[nodiscard]] Comparison compare(const scene::Database& database, const TracerOptions& exact,
                                  const std::vector<TracerOptions>& settings, std::size_t base,
                                  const ComparisonOptions& options);
 

@@ -11,8 +11,8 @@ namespace isl::render {
 [[nodiscard]] bool any_measured(const Aovs& aovs);
 
 /// Adds those layers of `image` that `aovs` asks for and that are measured, over its window.
-/// `tracer` was made from `database` and `options`; errors are relative to the exact solver. False if it was stopped:
-/// the layers exist, but are meaningless.
+/// `tracer` was made from `database` and `options`; errors are relative to the truth (accuracy/reference_hits.h). False
+/// if it was stopped: the layers exist, but are meaningless.
 bool measure_layers(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,
                     const Aovs& aovs, int threads, const std::atomic<bool>* stop, const TellProgress& tell,
                     Image& image);

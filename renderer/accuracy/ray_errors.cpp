@@ -29,7 +29,8 @@ bool is_within_surface(std::span<const RayError> errors, std::size_t width, std:
 
 }  // namespace
 
-RayError error_of(const Ray& ray, const RayMeasure& found, const RayMeasure& reference, double pixel_angle) {
+RayError error_of(const Ray& ray, const RayMeasure& found, const ReferenceHit& reference, double pixel_angle) {
+  if (reference.knowledge == Knowledge::undecided) return {.outcome = RayOutcome::undecided};
   if (reference.is_miss()) return {.outcome = found.is_miss() ? RayOutcome::background : RayOutcome::false_surface};
   if (found.is_miss()) return {.outcome = RayOutcome::missed};
   const double units = std::abs(found.t - reference.t);
@@ -55,6 +56,7 @@ ErrorSummary summarise_errors(std::span<const RayError> errors, int width) {
         if (is_within_surface(errors, static_cast<std::size_t>(width), i)) ++summary.holes;
         break;
       case RayOutcome::false_surface: ++summary.false_surfaces; break;
+      case RayOutcome::undecided: ++summary.undecided; break;
     }
   }
   std::sort(pixels.begin(), pixels.end());

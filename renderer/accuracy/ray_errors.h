@@ -1,5 +1,4 @@
-// Errors of a solver, ray by ray and summed up, relative to a reference that is taken for the truth
-// (accuracy/reference_check.h says how far the reference can be off).
+// Errors of a solver, ray by ray and summed up, relative to the truth (accuracy/reference_hits.h).
 //
 // Errors are lengths along the ray. In pixels, they are divided by the width of the pixel's footprint at the
 // reference's root. They are measured along the ray and not across the surface, because position, texture and shadow
@@ -7,6 +6,7 @@
 #pragma once
 
 #include "renderer/accuracy/ray_measures.h"
+#include "renderer/accuracy/reference_hits.h"
 
 #include <cstdint>
 #include <span>
@@ -19,6 +19,7 @@ enum class RayOutcome : std::uint8_t {
   hit,            ///< a surface is there and one was found
   missed,         ///< a surface is there and nothing was found
   false_surface,  ///< a surface was found where nothing is
+  undecided,      ///< the reference does not know
 };
 
 struct RayError {
@@ -28,7 +29,7 @@ struct RayError {
 };
 
 /// `pixel_angle` as in TracerOptions.
-[[nodiscard]] RayError error_of(const Ray& ray, const RayMeasure& found, const RayMeasure& reference,
+[[nodiscard]] RayError error_of(const Ray& ray, const RayMeasure& found, const ReferenceHit& reference,
                                 double pixel_angle);
 
 /// Statistics over the rays where both found a surface; all lengths are 0 if there are none. The quantile q is the
@@ -40,6 +41,7 @@ struct ErrorSummary {
   std::uint64_t beyond_pixel = 0;  ///< hits that are off by more than a pixel
   std::uint64_t missed = 0;
   std::uint64_t false_surfaces = 0;
+  std::uint64_t undecided = 0;
   std::uint64_t holes = 0;  ///< missed rays with a surface at all eight pixels around, so that they show as holes
 };
 

@@ -18,6 +18,7 @@ namespace isl::render {
 inline const Rgb kBackgroundColour{0.012, 0.012, 0.012};  ///< nothing is there
 inline const Rgb kMissedColour{0.9, 0.03, 0.03};          ///< a surface is there and was not found
 inline const Rgb kFalseColour{0.85, 0.05, 0.75};          ///< a surface was found where nothing is
+inline const Rgb kUndecidedColour{0.5, 0.5, 0.5};         ///< the reference does not know whether a surface is there
 
 /// The values that the two ends of the map stand for.
 struct ColourScale {

@@ -71,10 +71,20 @@ TEST(SolverSettings, AreNamedAsTheyAreRead) {
   EXPECT_FALSE(parse_setting("hermite little").ok());
 }
 
-TEST(CheckSentences, SayLoudlyWhatIsRefuted) {
-  EXPECT_THAT(check_sentence({.rays = 9, .proven = 8, .refuted = 1}), HasSubstr("1 WERE REFUTED"));
-  EXPECT_THAT(check_sentence({.rays = 9, .proven = 8, .undecided = 1, .worst_pixels = 2e-9}),
-              HasSubstr("8 of 9 sampled rays, to within 2e-09 px; 1 stayed undecided"));
+TEST(ParetoFronts, TakeWhatDoublesCannotTellApartAsEqual) {
+  AccuracyReport report = report_of({{"exact", 1.5, 1e-13}, {"hermite", 1, 2e-13}});
+  EXPECT_THAT(pareto_front(report), ElementsAre(true, true));
+  report.comparison.reference.worst_pixels = 4e-14;
+  EXPECT_THAT(pareto_front(report), ElementsAre(false, true));
+}
+
+TEST(ReferenceSentences, SayHowMuchIsKnown) {
+  EXPECT_EQ(reference_sentence({.rays = 9, .proven = 9, .worst_pixels = 2e-14}),
+            "The truth was proven in extended precision, independently of all solvers, on 9 of 9 rays, to within 2e-14 "
+            "px.");
+  EXPECT_THAT(reference_sentence({.rays = 9, .proven = 6, .trusted = 2, .undecided = 1}),
+              HasSubstr("6 of 9 rays; 2 meet a solid or a combination, whose place is taken from `exact`; 1 touch a "
+                        "surface and are left undecided."));
 }
 
 }  // namespace
