@@ -1,0 +1,40 @@
+// Blobs in which a small component stands beside something 10⁶ to 10¹⁵ times as large, with rays that meet the small
+// one.
+#pragma once
+
+#include "tests/reference/random_scenes.h"
+
+#include <string>
+#include <vector>
+
+namespace isl::reference {
+
+/// A kernel and a skeleton that go together.
+struct Combination {
+  scene::Kernel kernel;
+  scene::Skeleton skeleton;
+
+  [[nodiscard]] std::string name() const;
+};
+
+/// Every kernel, soft and hard, with every skeleton; in every mode that the two have.
+[[nodiscard]] std::vector<Combination> every_combination();
+
+enum class Extreme : std::uint8_t {
+  far,        ///< a ball far away
+  huge,       ///< a ball whose surface passes through the small component
+  stretched,  ///< the component itself, stretched along x and flattened along z
+};
+inline constexpr const char* kExtremeNames[] = {"far", "huge", "stretched"};
+
+struct ScaleCase {
+  scene::Database database;
+  std::vector<LineOfSight> lines;
+  double pixel_angle;  ///< a fiftieth of the detail
+};
+
+/// The detail over the extent is 10^−exponent.
+[[nodiscard]] ScaleCase scale_case(RandomSource& random, const Combination& combination, Extreme extreme, int exponent,
+                                   int lines);
+
+}  // namespace isl::reference
