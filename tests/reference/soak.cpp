@@ -1,22 +1,31 @@
-// Compares the tracer with the reference on random blobs of every kind, as many as you like: the comparison of the
-// tests with fixed seeds, a million times. Every blob has a seed of its own, which is printed with every disagreement,
-// so that it can be repeated.
+// The long proofs of the reference against the product, as long as you like. Every blob has a seed of its own, which is
+// printed with every disagreement, so that it can be repeated. Exit code 1 after a disagreement.
 //
-//   soak [FIRST_SEED [RAYS]]      (1, 1000000)
+//   soak [FIRST_SEED [RAYS]]        (1, 1000000) as `soak blobs`
+//   soak blobs FIRST_SEED RAYS      first hits and shadow rays of random blobs
+//   soak scales FIRST_SEED RAYS     first hits of random blobs of several scales, every other of one scale
+//   soak walks FIRST_SEED LINES     lines walked through random blobs by `trace`
 //
 // A blob has 1 to 200 components of all skeletons and kernels. Depending on the seed, half of them carve or are mapped,
 // and it has maxima, sometimes a half-space (or a sheet), and every other time convolutions, a hardness up to 300, and
-// a scale from 10⁻³ to 10³. Half of the rays look for the first hit, and half are shadow rays from the surfaces that
-// were found, at all angles down to grazing. Exit code 1 after a disagreement.
+// a scale from 10⁻³ to 10³. Half of the rays of `blobs` look for the first hit, and half are shadow rays from the
+// surfaces that were found, at all angles down to grazing.
 #include "tests/reference/agreement.h"
+#include "tests/reference/blob_walk.h"
 #include "tests/reference/random_scenes.h"
+#include "tests/reference/rounding_rule.h"
+#include "tests/reference/scale_cases.h"
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
+#include <fmt/format.h>
+
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -27,7 +36,7 @@ using namespace isl::reference;
 constexpr double kTolerances[] = {0.05, 1e-6, 1e-10};
 
 struct Totals {
-  std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, uncertified = 0;
+  std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
 };
 
 RandomBlobOptions options_of(RandomSource& random) {
@@ -50,7 +59,13 @@ void judge(const Agreement& agreement, const char* what, std::uint64_t seed, Tot
   if (agreement.disagreements() > 0) std::cout << "seed " << seed << ", " << what << ": " << agreement.text() << '\n';
 }
 
-void soak_one(std::uint64_t seed, Totals& totals) {
+void add_uncertified(const TracerUnderTest& tracer, std::uint64_t seed, Totals& totals) {
+  const std::uint64_t steps = tracer.uncertified_steps();
+  if (steps > 0) std::cout << "seed " << seed << ": " << steps << " uncertified steps\n";
+  totals.uncertified += steps;
+}
+
+void soak_blob(std::uint64_t seed, Totals& totals) {
   RandomSource random(seed);
   const RandomBlobOptions options = options_of(random);
   const scene::Database database = random_blob(random, options);
@@ -67,23 +82,106 @@ void soak_one(std::uint64_t seed, Totals& totals) {
 
   const std::vector<render::Ray> shadows = shadow_rays(tracer, rays, options.scale, random);
   judge(compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison()), "shadows", seed, totals);
-  const std::uint64_t uncertified = tracer.uncertified_steps();
-  if (uncertified > 0)
-    std::cout << "seed " << seed << ": " << uncertified << " uncertified steps, hardest " << options.hardest << '\n';
-  totals.uncertified += uncertified;
+  add_uncertified(tracer, seed, totals);
   totals.rays += rays.size() + shadows.size();
+}
+
+/// Counts by the rule of rounding, which allows no error in proportion to the blob.
+void judge_hits(const scene::Database& database, const std::vector<LineOfSight>& lines, double pixel_angle,
+                std::uint64_t seed, const std::string& what, Totals& totals) {
+  const RoundingRule rule(database);
+  render::TracerOptions options;
+  options.pixel_angle = pixel_angle;
+  const TracerUnderTest tracer(database, options);
+  const std::vector<render::Ray> rays = camera_rays(lines);
+  const std::vector<render::Hit> hits = tracer.hits(rays);
+  std::uint64_t wrong = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ++totals.rays;
+    if (!hits[i].is_miss()) ++totals.hits;
+    switch (rule.judge(rays[i], hits[i].is_miss() ? std::nullopt : std::optional(hits[i].t)).verdict) {
+      case Verdict::agrees: break;
+      case Verdict::undecided: ++totals.undecided; break;
+      default: ++wrong; break;
+    }
+  }
+  if (wrong > 0) std::cout << "seed " << seed << ": " << wrong << " of " << rays.size() << ": " << what << '\n';
+  totals.wrong += wrong;
+  add_uncertified(tracer, seed, totals);
+}
+
+void soak_scale(std::uint64_t seed, Totals& totals) {
+  RandomSource random(seed);
+  constexpr int kLines = 100;
+  if (seed % 2 == 0) {
+    const RandomBlobOptions options = options_of(random);
+    const scene::Database database = random_blob(random, options);
+    const auto lines = random_lines(random, kLines, 3 * options.scale, 0.7 * options.scale);
+    judge_hits(database, lines, 1e-3, seed, fmt::format("one scale, hardness {:.3g}", options.hardest), totals);
+    return;
+  }
+  static const std::vector<Combination> kAll = every_combination();
+  const Combination& combination = kAll[static_cast<std::size_t>(random.below(static_cast<int>(kAll.size())))];
+  const auto extreme = static_cast<Extreme>(random.below(3));
+  const int exponent = 6 + random.below(10);
+  const ScaleCase made = scale_case(random, combination, extreme, exponent, kLines);
+  judge_hits(made.database, made.lines, made.pixel_angle, seed,
+             fmt::format("{} 1e-{}, {}", kExtremeNames[static_cast<int>(extreme)], exponent, combination.name()),
+             totals);
+}
+
+void soak_walk(std::uint64_t seed, WalkCounts& totals) {
+  RandomSource random(seed);
+  RandomBlobOptions options = options_of(random);
+  options.half_space = false;  // a bounded object
+  options.components = 1 + options.components / 4;
+  options.hardest = std::min(options.hardest, 60.0);
+  const scene::Database database = random_blob(random, options);
+  BlobWalk walk(database);
+  for (const LineOfSight& line : random_lines(random, 100, 3 * options.scale, 0.7 * options.scale)) {
+    WalkCounts one;
+    if (!walk.walk(line, one)) {
+      std::cout << fmt::format("seed {}: from <{}, {}, {}> along <{}, {}, {}>: {}\n", seed, line.origin.x,
+                               line.origin.y, line.origin.z, line.direction.x, line.direction.y, line.direction.z,
+                               one.text());
+    }
+    totals += one;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
-  const std::uint64_t rays = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1000000;
-  const std::uint64_t first = seed;
+  std::vector<std::string_view> words(argv + 1, argv + argc);
+  std::string_view what = "blobs";
+  if (!words.empty() && words.front().find_first_not_of("0123456789") != std::string_view::npos) {
+    what = words.front();
+    words.erase(words.begin());
+  }
+  const auto number = [&](std::size_t i, std::uint64_t otherwise) {
+    return i < words.size() ? std::strtoull(words[i].data(), nullptr, 10) : otherwise;
+  };
+  const std::uint64_t first = number(0, 1), count = number(1, 1000000);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  std::uint64_t seed = first;
+  if (what == "walks") {
+    WalkCounts totals;
+    for (; totals.lines < count; ++seed) soak_walk(seed, totals);
+    std::cout << fmt::format("seeds {} to {}: {}; {:.0f} s\n", first, seed - 1, totals.text(), seconds());
+    return totals.wrong() > 0 ? 1 : 0;
+  }
+  if (what != "blobs" && what != "scales") {
+    std::cerr << "soak: expected blobs, scales or walks, found " << what << '\n';
+    return 2;
+  }
   Totals totals;
-  for (; totals.rays < rays; ++seed) soak_one(seed, totals);
-  std::cout << "seeds " << first << " to " << seed - 1 << ": " << totals.rays << " rays, " << totals.hits << " hits, "
-            << totals.wrong << " disagreements, " << totals.excused << " lost in rounding, " << totals.uncertified
-            << " uncertified steps\n";
+  for (; totals.rays < count; ++seed) what == "blobs" ? soak_blob(seed, totals) : soak_scale(seed, totals);
+  std::cout << fmt::format(
+      "seeds {} to {}: {} rays, {} hits, {} refuted, {} undecided by the reference, {} lost in rounding, {} "
+      "uncertified "
+      "steps; {:.0f} s\n",
+      first, seed - 1, totals.rays, totals.hits, totals.wrong, totals.undecided, totals.excused, totals.uncertified,
+      seconds());
   return totals.wrong > 0 ? 1 : 0;
 }
