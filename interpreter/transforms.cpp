@@ -96,6 +96,32 @@ bool invert(const Matrix& m, Matrix& inverse, double& condition) {
   return std::isfinite(condition);
 }
 
+double condition_of(const Transform& transform) {
+  double size = 0, inverse_size = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      size += transform.matrix[i][j] * transform.matrix[i][j];
+      inverse_size += transform.inverse[i][j] * transform.inverse[i][j];
+    }
+  }
+  return std::sqrt(size) * std::sqrt(inverse_size);
+}
+
+double inverse_error(const Transform& transform) {
+  // In extended precision, whose own rounding is three digits below what is measured.
+  long double greatest = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      long double entry = i == j ? -1 : 0;
+      for (int k = 0; k < 3; ++k) {
+        entry += static_cast<long double>(transform.matrix[i][k]) * static_cast<long double>(transform.inverse[k][j]);
+      }
+      greatest = std::max(greatest, std::abs(entry));
+    }
+  }
+  return static_cast<double>(greatest);
+}
+
 double similarity_factor(const Matrix& m) {
   const Vec3 x(m[0][0], m[0][1], m[0][2]), y(m[1][0], m[1][1], m[1][2]), z(m[2][0], m[2][1], m[2][2]);
   const double xx = x.dot(x);

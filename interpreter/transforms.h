@@ -21,6 +21,13 @@ namespace isl::interpreter {
 /// linear part (in the Frobenius norm).
 [[nodiscard]] bool invert(const scene::Matrix& matrix, scene::Matrix& inverse, double& condition);
 
+/// The condition number of a map's linear part, by its stored inverse, in the Frobenius norm.
+[[nodiscard]] double condition_of(const scene::Transform& transform);
+
+/// The relative error of a place that is mapped and mapped back: the greatest entry of M·M⁻¹ − I, of the linear parts.
+/// It is far below the condition number times a rounding for scalings, which are exact along each axis.
+[[nodiscard]] double inverse_error(const scene::Transform& transform);
+
 /// The factor by which a similarity (rotations, reflections, one scale) scales lengths; 0 for every other map.
 [[nodiscard]] double similarity_factor(const scene::Matrix& matrix);
 

@@ -50,6 +50,14 @@ TEST(Transforms, SingularMapsHaveNoInverseWhateverTheirScale) {
   }
 }
 
+TEST(Transforms, ScalesLoseNoDigitsUnlessATurnFollows) {
+  const auto uneven = scaling({1e6, 1, 1e-6});
+  EXPECT_NEAR(condition_of(uneven) / 1e12, 1, 1e-6);
+  EXPECT_LT(inverse_error(uneven), 1e-15);
+  EXPECT_LT(inverse_error(scene::then(rotation({10, 20, 30}), uneven)), 1e-15);
+  EXPECT_GT(inverse_error(scene::then(uneven, rotation({10, 20, 30}))), 1e-6);
+}
+
 TEST(Transforms, SimilaritiesAreKnownByTheirFactor) {
   const auto turned = scene::then(rotation({10, 20, 30}), scaling(Vec3(2)));
   EXPECT_NEAR(similarity_factor(turned.matrix), 2, 1e-14);

@@ -303,8 +303,9 @@ class BlobReader {
     std::optional<scene::Transform> blob_from_component;
     while (!stream.peek().is(ElementKind::end)) {
       if (read_texture_modifier(stream, texture, blob_from_component.value_or(scene::Transform()))) continue;
+      const SourceSpan span = stream.peek().span;
       if (const std::optional<scene::Transform> next = read_transform(stream)) {
-        blob_from_component = blob_from_component ? scene::then(*blob_from_component, *next) : *next;
+        blob_from_component = blob_from_component ? then_placed(context_, span, *blob_from_component, *next) : *next;
       } else {
         refuse(stream, known_words());
       }

@@ -101,8 +101,9 @@ void read_light_group(ElementStream& stream, ObjectDraft& draft) {
   if (read_children(stream, draft, group, group.lights)) return;
   scene::Transform parent_from_object;
   while (!stream.peek().is(ElementKind::end)) {
+    const SourceSpan span = stream.peek().span;
     if (const std::optional<scene::Transform> transform = read_transform(stream)) {
-      parent_from_object = scene::then(parent_from_object, *transform);
+      parent_from_object = then_placed(stream.context(), span, parent_from_object, *transform);
     } else if (stream.peek().is_word(word::kw_global_lights)) {
       stream.drop();
       group.global_lights = read_optional_truth(stream);

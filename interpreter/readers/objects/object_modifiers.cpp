@@ -18,8 +18,8 @@ using scene::Object;
 using scene::ObjectItem;
 namespace word = grammar::word;
 
-void move(ObjectDraft& draft, const scene::Transform& transform) {
-  draft.object.parent_from_object = scene::then(draft.object.parent_from_object, transform);
+void move(Context& context, SourceSpan span, ObjectDraft& draft, const scene::Transform& transform) {
+  draft.object.parent_from_object = then_placed(context, span, draft.object.parent_from_object, transform);
   for (scene::Light& light : draft.lights) scene::move(light, transform);
 }
 
@@ -170,8 +170,9 @@ bool read_stray_colour(ElementStream& stream) {
 }
 
 bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
+  const SourceSpan span = stream.peek().span;
   if (const std::optional<scene::Transform> transform = read_transform(stream)) {
-    move(draft, *transform);
+    move(stream.context(), span, draft, *transform);
     return true;
   }
   note_place(stream.context(), stream.peek(), kPlaces, draft.object.said_at);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace isl::interpreter {
 namespace {
@@ -17,17 +19,30 @@ using scene::Transform;
 using scene::Vec3;
 namespace word = grammar::word;
 
-/// With a greater condition number a map loses twelve of a double's sixteen digits.
-constexpr double kConditionWarning = 1e12;
+/// Errors of places, relative to the object's size, that are worth a warning: a millionth is seen in a close view.
+constexpr double kLostDigits = 0x1p-20;
+
+/// True if places in the object are uncertain by more than kLostDigits. Below the first condition number, some
+/// roundings of 2⁻⁵³ cannot do that, and nothing needs to be computed.
+bool loses_digits(const Transform& transform) {
+  constexpr double kHarmless = 0x1p30;
+  return condition_of(transform) > kHarmless && inverse_error(transform) > kLostDigits;
+}
+
+void warn_of_lost_digits(Context& context, SourceSpan span, const Transform& transform, std::string hint = {}) {
+  const double digits = std::max(0.0, std::floor(-std::log10(inverse_error(transform))));
+  std::string message =
+      fmt::format("the transform's condition is {:.0e}: positions in the object are certain to about {:.0f} {}",
+                  condition_of(transform), digits, digits == 1 ? "digit" : "digits");
+  context.warn(span, std::move(message), std::move(hint));
+}
 
 Transform checked(Context& context, const scene::Matrix& matrix, SourceSpan span) {
   Transform transform{matrix, {}};
   double condition = 0;
   if (!invert(matrix, transform.inverse, condition))
     context.fail(span, "this transform is singular: it has no inverse");
-  if (condition > kConditionWarning) {
-    context.warn(span, fmt::format("this transform is nearly singular (condition number {:.0e})", condition));
-  }
+  if (loses_digits(transform)) warn_of_lost_digits(context, span, transform);
   return transform;
 }
 
@@ -40,10 +55,9 @@ Transform read_scale(ElementStream& stream) {
     factors[i] = 1;
   }
   const Vec3 size(std::abs(factors.x), std::abs(factors.y), std::abs(factors.z));
-  const double smallest = std::min({size.x, size.y, size.z}), largest = std::max({size.x, size.y, size.z});
+  const double smallest = std::min({size.x, size.y, size.z});
   if (!std::isfinite(1 / smallest))
     stream.context().fail(span, fmt::format("a scale of {:g} has no inverse", smallest));
-  if (largest / smallest > kConditionWarning) stream.context().warn(span, "this scale is nearly singular");
   return scaling(factors);
 }
 
@@ -87,6 +101,14 @@ std::optional<Transform> read_transform(ElementStream& stream) {
   if (!next.is_block(word::kw_transform)) return std::nullopt;
   const Element block = stream.take();
   return read_transform_block(stream.context(), block);
+}
+
+Transform then_placed(Context& context, SourceSpan span, const Transform& first, const Transform& next) {
+  const Transform total = scene::then(first, next);
+  if (loses_digits(total) && !loses_digits(first) && !loses_digits(next)) {
+    warn_of_lost_digits(context, span, total, "uneven scales lose nothing as the last transform");
+  }
+  return total;
 }
 
 Transform read_transform_block(Context& context, const Element& block) {
