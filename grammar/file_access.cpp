@@ -1,6 +1,5 @@
 #include "grammar/file_access.h"
 
-#include "grammar/replace_file.h"
 #include "grammar/similar_file.h"
 
 #include <fcntl.h>
@@ -15,6 +14,10 @@ namespace isl::grammar {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Roles in the register of files.
+constexpr std::string_view kInputRole = "an input of the scene";
+constexpr std::string_view kOutputRole = "#fopen";
 
 /// A longer name is surely a mistake; messages show this many bytes of it.
 constexpr std::size_t kShownNameBytes = 200;
@@ -44,8 +47,9 @@ std::string shown_name(std::string_view name) {
   return name.size() <= length ? std::string(name) : std::string(name.substr(0, length)) + "…";
 }
 
-FileAccess::FileAccess(std::vector<fs::path> search_path, const std::vector<fs::path>& write_folders)
-    : search_path_(std::move(search_path)) {
+FileAccess::FileAccess(std::vector<fs::path> search_path, const std::vector<fs::path>& write_folders,
+                       std::shared_ptr<OutputSet> outputs)
+    : search_path_(std::move(search_path)), outputs_(std::move(outputs)) {
   for (const fs::path& path : search_path_) readable_.add(path);
   for (const fs::path& path : write_folders) {
     if (Folder folder(path); folder.is_open()) write_folders_.push_back(std::move(folder));
@@ -62,23 +66,33 @@ void FileAccess::set_scene_folder(const fs::path& path) {
   if (const fs::path tree = working_tree_of(path); !tree.empty()) readable_.add(tree);
 }
 
-void FileAccess::add_input(const FileStamp& stamp) { inputs_.emplace(stamp.device, stamp.inode); }
+AccessProblem FileAccess::add_input(const FileIdentity& file, const fs::path& shown) {
+  const FileRegister::Entry* const output = outputs_->files().add_input(file, std::string(kInputRole));
+  if (output == nullptr) return {};
+  return {AccessError::refused,
+          fmt::format("cannot read `{}`: this run will replace it ({})", shown_name(shown.string()), output->role),
+          "give the output another name"};
+}
 
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
-ReadableFolders::Verdict FileAccess::verdict_on(const fs::path& canonical) const {
-  const ReadableFolders::Verdict verdict = readable_.judge(canonical);
-  if (verdict.folder != nullptr || !written_paths_.contains(canonical)) return verdict;
-  for (const Folder& folder : write_folders_) {
-    if (folder.holds(canonical)) return {&folder, false};
-  }
-  return verdict;
+FoundFile FileAccess::as_found(const WrittenFile& file, fs::path shown) {
+  FoundFile result;
+  result.shown = std::move(shown);
+  result.canonical = file.place;
+  result.stamp = file.stamp;
+  result.is_in_memory = true;
+  return result;
 }
 
 FoundFile FileAccess::judge(const fs::path& candidate) const {
   FoundFile file;
   std::error_code error;
   file.shown = candidate.lexically_normal();
+  if (!written_.empty()) {
+    const auto written = written_.find(canonical_path(candidate));
+    if (written != written_.end()) return as_found(written->second, file.shown);
+  }
   file.canonical = fs::canonical(candidate, error);
   const auto refuse = [&](std::string message, std::string hint = {}) {
     file.problem = {AccessError::refused, std::move(message), std::move(hint)};
@@ -89,7 +103,7 @@ FoundFile FileAccess::judge(const fs::path& candidate) const {
     file.problem = {kind, fmt::format("cannot read `{}`: {}", shown_name(file.shown.string()), error.message()), {}};
     return file;
   }
-  const ReadableFolders::Verdict verdict = verdict_on(file.canonical);
+  const ReadableFolders::Verdict verdict = readable_.judge(file.canonical);
   if (verdict.folder == nullptr && verdict.is_in_version_control) {
     return refuse(
         fmt::format("`{}` belongs to version control; a scene may not read it", shown_name(file.shown.string())));
@@ -125,13 +139,9 @@ FoundFile FileAccess::search(std::string_view name, const std::vector<fs::path>&
     found.problem = {AccessError::not_found, "the file name is empty", {}};
     return found;
   }
-  if (const auto memory = memory_.find(name); memory != memory_.end()) {
-    found.shown = found.canonical = fs::path(name);
-    found.stamp = memory->second.stamp;
-    found.is_in_memory = true;
-    return found;
+  if (const auto written = names_.find(name); written != names_.end()) {
+    return as_found(written_.at(written->second), fs::path(name));
   }
-  if (const auto written = written_.find(name); written != written_.end()) return judge(written->second);
 
   // A refusal tells more than "cannot find", but a later folder may hold a readable file.
   AccessProblem refusal;
@@ -154,7 +164,7 @@ FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder)
   const std::vector<fs::path> folders = folders_for(asking_folder);
   FoundFile found = search(name, folders);
   if (found.problem.error != AccessError::not_found || name.empty()) return found;
-  const auto may_read = [this](const fs::path& file) { return verdict_on(file).folder != nullptr; };
+  const auto may_read = [this](const fs::path& file) { return readable_.judge(file).folder != nullptr; };
   found.problem.hint = hint_of_similar_file(name, folders, may_read);
   if (found.problem.hint.empty()) found.problem.hint = fmt::format("looked for it in {}", names_of(folders));
   return found;
@@ -162,8 +172,8 @@ FoundFile FileAccess::find(std::string_view name, const fs::path& asking_folder)
 
 TextFile FileAccess::read(const FoundFile& file, std::size_t max_bytes) const {
   if (!file.is_in_memory) return read_text_file_at(file.folder.get(), file.canonical.filename(), max_bytes);
-  const auto memory = memory_.find(file.canonical.string());
-  return {.text = memory->second.text, .trouble = {}, .hint = {}, .exists = true, .stamp = memory->second.stamp};
+  const WrittenFile& written = written_.at(file.canonical);
+  return {.text = written.text, .trouble = {}, .hint = {}, .exists = true, .stamp = written.stamp};
 }
 
 TextFile FileAccess::read_bytes(const FoundFile& file, std::size_t max_bytes) const {
@@ -172,7 +182,7 @@ TextFile FileAccess::read_bytes(const FoundFile& file, std::size_t max_bytes) co
 }
 
 std::string FileAccess::portable_name(const FoundFile& file) const {
-  if (file.is_in_memory || written_paths_.contains(file.canonical)) return "";
+  if (file.is_in_memory) return "";
   const auto canonical = [](const fs::path& folder) {
     std::error_code error;
     fs::path path = fs::canonical(folder.empty() ? "." : folder, error);
@@ -219,23 +229,26 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
   // Other programs run the commands that such a folder names.
   if (is_in_version_control(allowed->below(place.canonical))) return refuse("it belongs to version control");
   struct stat status {};
-  if (::fstatat(place.folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
-    if (errno == ENOENT) return place;
-    return refuse(explain(errno));
+  const bool exists = ::fstatat(place.folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+  if (!exists && errno != ENOENT) return refuse(explain(errno));
+  if (exists && S_ISLNK(status.st_mode)) return refuse("it is a symbolic link");
+  if (exists && S_ISDIR(status.st_mode)) return refuse("it is a folder");
+  if (exists && !S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+  if (!places_.contains(place.canonical)) {
+    const FileIdentity identity{place.canonical, exists ? status.st_dev : 0, exists ? status.st_ino : 0};
+    const FileRegister::Entry* const other = outputs_->files().find(identity);
+    if (other != nullptr && other->is_output()) return refuse(fmt::format("{} writes it, too", other->role));
+    if (other != nullptr) return refuse(fmt::format("it is {}", other->role));
+    place.identity = identity;
   }
-  if (S_ISLNK(status.st_mode)) return refuse("it is a symbolic link");
-  if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
-  if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
-  if (inputs_.contains({status.st_dev, status.st_ino}) && !written_paths_.contains(place.canonical)) {
-    return refuse("it is an input of the scene");
-  }
-  if (::faccessat(place.folder.get(), name.c_str(), W_OK, 0) != 0) return refuse(explain(errno));
+  if (exists && ::faccessat(place.folder.get(), name.c_str(), W_OK, 0) != 0) return refuse(explain(errno));
   return place;
 }
 
-WritablePlace FileAccess::find_writable(std::string_view name) const {
+WritablePlace FileAccess::search_place(std::string_view name) const {
   if (name.empty())
-    return {.problem = {AccessError::refused, "the file name is empty", {}}, .canonical = {}, .folder = {}};
+    return {
+        .problem = {AccessError::refused, "the file name is empty", {}}, .canonical = {}, .identity = {}, .folder = {}};
   WritablePlace place = judge_place(scene_folder_.value_or(fs::path()) / name);
   if (fs::path(name).is_absolute()) return place;
   for (const Folder& folder : write_folders_) {
@@ -246,32 +259,58 @@ WritablePlace FileAccess::find_writable(std::string_view name) const {
   return place;
 }
 
+WritablePlace FileAccess::find_writable(std::string_view name) {
+  WritablePlace place = search_place(name);
+  if (place.problem.error == AccessError::none && places_.insert(place.canonical).second) {
+    outputs_->files().add_output(place.identity, std::string(kOutputRole));
+  }
+  return place;
+}
+
 WritablePlace FileAccess::in_memory(std::string_view name) {
-  return {.problem = {}, .canonical = fs::path(name), .folder = {}};
+  places_.insert(fs::path(name));
+  return {.problem = {}, .canonical = fs::path(name), .identity = {}, .folder = {}};
 }
 
 TextFile FileAccess::read_existing(const WritablePlace& place, std::size_t max_bytes) const {
+  if (const auto written = written_.find(place.canonical); written != written_.end()) {
+    TextFile file;
+    file.text = written->second.text;
+    return file;
+  }
   if (place.folder.is_open()) return read_bytes_at(place.folder.get(), place.canonical.filename(), max_bytes);
-  const auto memory = memory_.find(place.canonical.string());
-  TextFile file;
-  if (memory != memory_.end()) file.text = memory->second.text;
-  return file;
+  return {};
 }
 
-std::string FileAccess::write(const WritablePlace& place, std::string_view name, std::string text) {
-  if (!place.folder.is_open()) {
-    FileStamp stamp;
-    stamp.bytes = text.size();
-    stamp.inode = ++memory_count_;
-    memory_.insert_or_assign(std::string(name), MemoryFile{std::move(text), stamp});
-    return "";
+void FileAccess::write(const WritablePlace& place, std::string_view name, std::string text, SourceSpan opened_at) {
+  WrittenFile& file = written_[place.canonical];
+  written_bytes_ += text.size() - file.text.size();
+  FileStamp stamp;
+  stamp.bytes = text.size();
+  stamp.inode = ++versions_;
+  std::shared_ptr<const OutputFolder> folder;
+  if (place.folder.is_open()) folder = outputs_->folder(place.folder, place.canonical.parent_path());
+  file = {std::move(folder), place.canonical, std::string(name), std::move(text), stamp, opened_at};
+  names_.insert_or_assign(std::string(name), place.canonical);
+}
+
+std::vector<WriteFailure> FileAccess::stage_written() {
+  std::vector<WriteFailure> failures;
+  for (auto& [path, file] : written_) {
+    if (!file.folder) continue;
+    const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(file.text.data()),
+                                               file.text.size());
+    std::string reason = outputs_->stage_at(file.folder, path.filename(), bytes);
+    if (!reason.empty()) failures.push_back({file.name, file.opened_at, std::move(reason)});
+    file.text = {};
   }
-  std::string trouble = replace_file(place.folder.get(), place.canonical.filename(), text);
-  if (trouble.empty()) {
-    written_.insert_or_assign(std::string(name), place.canonical);
-    written_paths_.insert(place.canonical);
+  if (std::optional<OutputSet::Failure> failure = outputs_->sync()) {
+    const auto file = written_.find(failure->file);
+    const bool is_known = file != written_.end();  // a folder may be mounted at two places
+    failures.push_back({is_known ? file->second.name : failure->file.string(),
+                        is_known ? file->second.opened_at : SourceSpan{}, std::move(failure->reason)});
   }
-  return trouble;
+  return failures;
 }
 
 }  // namespace isl::grammar

@@ -4,8 +4,12 @@
 // Reading: the scene's folder, its working tree, the folders of the search path, and all that lies below them
 // (readable_folders.h). Writing: below the folders that the user allowed. A name is resolved (links, `..`, absolute
 // paths) before it is judged, and the judged file is the opened one: the walk from the allowed folder follows no link.
+// What a scene writes stays in memory, where the scene can read it again, until it has been read without errors; then
+// it joins the run's other outputs (base/files/output_set.h).
 #pragma once
 
+#include "base/files/output_set.h"
+#include "base/source_span.h"
 #include "grammar/open_below.h"
 #include "grammar/readable_folders.h"
 #include "grammar/text_file.h"
@@ -13,6 +17,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,29 +43,39 @@ struct FoundFile {
   std::filesystem::path canonical;  ///< identifies the file
   FileStamp stamp;
   Descriptor folder;          ///< the folder that holds the file
-  bool is_in_memory = false;  ///< written by this run, kept in memory only
+  bool is_in_memory = false;  ///< written by this run
 };
 
 /// A place that may be written.
 struct WritablePlace {
   AccessProblem problem;
-  std::filesystem::path canonical;
+  std::filesystem::path canonical;  ///< the name in the scene, if the file is kept in memory
+  FileIdentity identity;
   Descriptor folder;  ///< the folder of the file; not open if the file is kept in memory
+};
+
+/// A written file that could not become one of the disk.
+struct WriteFailure {
+  std::string name;  ///< as the scene names it
+  SourceSpan opened_at;
+  std::string reason;
 };
 
 class FileAccess {
  public:
   /// `search_path`: the folders that are searched after the folder of the asking file and the scene's. `write_folders`:
-  /// files below these may be written.
-  FileAccess(std::vector<std::filesystem::path> search_path, const std::vector<std::filesystem::path>& write_folders);
+  /// files below these may be written. `outputs`: those of the run, and its register of files.
+  FileAccess(std::vector<std::filesystem::path> search_path, const std::vector<std::filesystem::path>& write_folders,
+             std::shared_ptr<OutputSet> outputs = std::make_shared<OutputSet>());
 
   /// Makes the scene's folder readable, and the base of relative names to write. For a scene that is a file there: it
   /// may read the working tree that it lies in.
   void set_scene_folder(const std::filesystem::path& folder);
   /// The same for a scene that is not a file: the folder's working tree says nothing about its origin.
   void set_current_folder(const std::filesystem::path& folder);
-  /// Notes an input file: it may not be overwritten.
-  void add_input(const FileStamp& stamp);
+  /// Notes an input file: it may not be overwritten. The problem tells if it is an output of the run.
+  /// `shown`: for the message.
+  AccessProblem add_input(const FileIdentity& file, const std::filesystem::path& shown);
 
   /// Finds `name` among the files that this run wrote under that name, in the folder of the asking file, in the scene's
   /// folder, in the search path. If there is none, the problem names the file that may be meant.
@@ -76,26 +91,39 @@ class FileAccess {
   [[nodiscard]] std::string portable_name(const FoundFile& file) const;
 
   /// The place for writing `name`: in the scene's folder if that is below an allowed one, else in an allowed one
-  /// itself. It is never a link, an input, or a file that is not regular.
-  [[nodiscard]] WritablePlace find_writable(std::string_view name) const;
+  /// itself. It is never a link, an input, another output, or a file that is not regular. It is noted as an output.
+  [[nodiscard]] WritablePlace find_writable(std::string_view name);
   /// A place in the memory of this run, for a user who allowed no writing and wants to go on.
-  [[nodiscard]] static WritablePlace in_memory(std::string_view name);
+  [[nodiscard]] WritablePlace in_memory(std::string_view name);
   /// The present content of the place, "" if there is no file.
   [[nodiscard]] TextFile read_existing(const WritablePlace& place, std::size_t max_bytes) const;
-  /// Replaces the content of the place by `text`, wholly or not at all, and lets this run find it as `name`. Returns
-  /// the error, or "".
-  [[nodiscard]] std::string write(const WritablePlace& place, std::string_view name, std::string text);
+  /// Keeps `text` as the content of the place, and lets this run find it as `name`. `opened_at`: for stage_written().
+  void write(const WritablePlace& place, std::string_view name, std::string text, SourceSpan opened_at);
+  /// Makes complete files beside their places of all that was written; they take their places with the run's other
+  /// outputs. Returns those that failed. Called once, when nothing will be read or written any more.
+  [[nodiscard]] std::vector<WriteFailure> stage_written();
+  /// Number of places found so far, each counted once.
+  [[nodiscard]] std::size_t places_count() const { return places_.size(); }
+  /// Bytes of all that was written.
+  [[nodiscard]] std::size_t written_bytes() const { return written_bytes_; }
   [[nodiscard]] bool may_write() const { return !write_folders_.empty(); }
 
  private:
-  struct MemoryFile {
+  struct WrittenFile {
+    std::shared_ptr<const OutputFolder> folder;  ///< shared, since systems allow few open ones; null: kept in memory
+    std::filesystem::path place;
+    std::string name;  ///< the last one in the scene
     std::string text;
-    FileStamp stamp;
+    FileStamp stamp;  ///< tells the versions of a file apart
+    SourceSpan opened_at;
   };
 
   [[nodiscard]] ReadableFolders::Verdict verdict_on(const std::filesystem::path& canonical) const;
   [[nodiscard]] WritablePlace judge_place(const std::filesystem::path& candidate) const;
+  [[nodiscard]] WritablePlace search_place(std::string_view name) const;
   [[nodiscard]] FoundFile judge(const std::filesystem::path& candidate) const;
+  /// The file that this run wrote at a place.
+  [[nodiscard]] static FoundFile as_found(const WrittenFile& file, std::filesystem::path shown);
   /// The folders to search for a name, in order, without duplicates.
   [[nodiscard]] std::vector<std::filesystem::path> folders_for(const std::filesystem::path& asking_folder) const;
   [[nodiscard]] FoundFile search(std::string_view name, const std::vector<std::filesystem::path>& folders) const;
@@ -104,11 +132,12 @@ class FileAccess {
   std::optional<std::filesystem::path> scene_folder_;
   ReadableFolders readable_;
   std::vector<Folder> write_folders_;
-  std::set<std::pair<std::uint64_t, std::uint64_t>> inputs_;           ///< device and inode
-  std::map<std::string, std::filesystem::path, std::less<>> written_;  ///< by the name in the scene: its canonical path
-  std::set<std::filesystem::path> written_paths_;
-  std::map<std::string, MemoryFile, std::less<>> memory_;  ///< by the name in the scene
-  std::uint64_t memory_count_ = 0;
+  std::shared_ptr<OutputSet> outputs_;
+  std::set<std::filesystem::path> places_;                           ///< noted as outputs
+  std::map<std::filesystem::path, WrittenFile> written_;             ///< by the place
+  std::map<std::string, std::filesystem::path, std::less<>> names_;  ///< by the name in the scene: its place
+  std::size_t written_bytes_ = 0;
+  std::uint64_t versions_ = 0;
 };
 
 /// A name for a message: only the beginning of a very long one.

@@ -32,7 +32,7 @@ Loader::Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSin
       arena_(arena),
       sink_(sink),
       options_(std::move(options)),
-      access_(options_.include_paths, options_.write_folders) {
+      access_(options_.include_paths, options_.write_folders, options_.outputs) {
   arena_.set_limit(options_.max_memory_bytes);
 }
 
@@ -93,8 +93,10 @@ const Unit* Loader::load_file(const FoundFile& found, SourceSpan where) {
   if (!file.trouble.empty()) {
     return fail(LoadError::not_readable, where, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
-  access_.add_input(file.stamp);
-  note_use(access_.portable_name(found), found.shown, file.text);
+  AccessProblem problem;
+  if (!note_input(found, file, problem)) {
+    return fail(LoadError::not_readable, where, std::move(problem.message), std::move(problem.hint));
+  }
   const Unit* const unit = parse(name, found.shown, std::move(file.text), where);
   if (unit != nullptr) cache_[found.canonical.string()] = {unit, last_error_, file.stamp};
   return unit;
@@ -117,7 +119,8 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
     if (!file.exists) file.hint = hint_of_similar_file(name, {folder, ""}, may_list);
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
   }
-  access_.add_input(file.stamp);
+  const AccessProblem clash = is_standard_input ? AccessProblem() : access_.add_input(identity_of(file_or_dash), name);
+  if (clash.error != AccessError::none) return fail(LoadError::not_readable, {}, clash.message, clash.hint);
   note_use(is_standard_input ? name : file_or_dash.filename().string(), name, file.text);
   return parse(name, is_standard_input ? fs::path("./standard input") : file_or_dash, std::move(file.text), {});
 }
@@ -133,6 +136,15 @@ void Loader::note_use(std::string name, fs::path shown, std::string_view content
   hash.add(content);
   if (!used_keys_.emplace(name, hash.value()).second) return;
   used_.push_back({std::move(name), std::move(shown), hash.value()});
+}
+
+bool Loader::note_input(const FoundFile& found, const TextFile& file, AccessProblem& problem) {
+  if (!found.is_in_memory) {
+    problem = access_.add_input({found.canonical, file.stamp.device, file.stamp.inode}, found.shown);
+    if (problem.error != AccessError::none) return false;
+  }
+  note_use(access_.portable_name(found), found.shown, file.text);
+  return true;
 }
 
 FoundFile Loader::find_include(std::string_view name, const Unit& from) const {
@@ -175,8 +187,7 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
       problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", shown, file.trouble), file.hint};
       return nullptr;
     }
-    access_.add_input(file.stamp);
-    note_use(access_.portable_name(found), found.shown, file.text);
+    if (!note_input(found, file, problem)) return nullptr;
     span = keep_text(shown, std::move(file.text), problem);
     if (!span) return nullptr;
     data_[found.canonical.string()] = {*span, file.stamp};
@@ -196,8 +207,7 @@ bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& pr
                file.hint};
     return false;
   }
-  access_.add_input(file.stamp);
-  note_use(access_.portable_name(found), found.shown, file.text);
+  if (!note_input(found, file, problem)) return false;
   used_bytes_[found.canonical.string()] = file.stamp;
   return true;
 }
@@ -209,14 +219,6 @@ bool Loader::exists(std::string_view name, const Unit& from) const {
 const LibraryIndex& Loader::library() {
   if (!library_) library_.emplace(options_.include_paths);
   return *library_;
-}
-
-void Loader::forget(const fs::path& file) {
-  std::error_code error;
-  const fs::path canonical = fs::canonical(file, error);
-  const std::string key = error ? file.string() : canonical.string();
-  cache_.erase(key);
-  data_.erase(key);
 }
 
 }  // namespace isl::grammar

@@ -52,6 +52,8 @@ struct LoaderOptions {
   std::vector<std::filesystem::path> include_paths = {};
   /// A scene may write below these folders.
   std::vector<std::filesystem::path> write_folders = {};
+  /// The run's outputs, which those of the scene join, and its register of files.
+  std::shared_ptr<OutputSet> outputs = std::make_shared<OutputSet>();
   /// Limit of simultaneously open brackets and directives. Trees are at most four times as high.
   std::size_t max_nesting = 1000;
   std::size_t max_file_bytes = 256u << 20;
@@ -102,9 +104,6 @@ class Loader {
   /// Bytes of all texts read and of their trees. They are kept for the whole run.
   [[nodiscard]] std::size_t bytes_held() const { return text_bytes_ + arena_.bytes(); }
 
-  /// Drops a file from the cache, because the scene has just written it (a clock's tick may be too coarse to tell).
-  void forget(const std::filesystem::path& file);
-
   /// All complaints about all texts, whether their text is executed or not.
   [[nodiscard]] const std::deque<Complaint>& complaints() const { return complaints_; }
   /// All parsed files.
@@ -131,6 +130,8 @@ class Loader {
   [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
   /// Records that a file was read. `name` is its portable name; a file without one is not recorded.
   void note_use(std::string name, std::filesystem::path shown, std::string_view content);
+  /// Notes a file that was read as an input. False: the run writes it, and `problem` says so.
+  bool note_input(const FoundFile& found, const TextFile& file, AccessProblem& problem);
   /// Returns nothing if the limit or the offsets of the source map are used up, and `problem` says so.
   std::optional<SourceSpan> keep_text(std::string name, std::string text, AccessProblem& problem);
 

@@ -2,7 +2,7 @@
 // changes meanwhile. It knows folders and names; file_access.h decides which folders are allowed.
 #pragma once
 
-#include "grammar/descriptor.h"
+#include "base/files/descriptor.h"
 
 #include <filesystem>
 

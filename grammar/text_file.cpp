@@ -1,6 +1,6 @@
 #include "grammar/text_file.h"
 
-#include "grammar/descriptor.h"
+#include "base/files/descriptor.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -89,6 +89,7 @@ class Context {
   /// Called at the end: reports the certain mistakes of the texts, unless there were errors. Statements skipped with
   /// --lenient are not executed.
   void tell_rest();
+  [[nodiscard]] bool has_errors() const { return sink_.has_errors(); }
   /// Called when the allocator gave up before the limit was reached.
   void report_out_of_memory();
   /// "`media` is not supported": an error, or with --lenient a warning. The caller skips it.

@@ -56,6 +56,7 @@ void run(Context& context, const grammar::Unit& unit) {
   }
   try {
     close_all_files(context);
+    if (!context.has_errors()) stage_written_files(context);
   } catch (const Stopped&) {
     // One error too many; it was reported.
   }

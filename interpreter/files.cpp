@@ -31,14 +31,12 @@ std::string name_of_file(Context& context, const Node& path) {
 
 // ---- Closing --------------------------------------------------------------------------------------------------------
 
+/// The text stays in memory, which counts it, until the scene has been read.
 void write_out(Context& context, FileValue& file) {
-  context.memory.bytes -= file.written.size();
   grammar::FileAccess& access = context.loader.access();
-  const std::string trouble = access.write(file.place, file.name, std::move(file.written));
-  context.loader.forget(file.place.canonical);
-  if (!trouble.empty()) {
-    context.error(file.opened_at, fmt::format("cannot write `{}`: {}", grammar::shown_name(file.name), trouble));
-  }
+  context.memory.bytes -= file.written.size() + access.written_bytes();
+  access.write(file.place, file.name, std::move(file.written), file.opened_at);
+  context.memory.bytes += access.written_bytes();
 }
 
 void close(Context& context, FileValue& file) {
@@ -81,7 +79,7 @@ void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file
   if (access.may_write()) {
     file.place = access.find_writable(file.name);
   } else if (context.options.lenient) {
-    file.place = grammar::FileAccess::in_memory(file.name);
+    file.place = access.in_memory(file.name);
     context.warn(node.path->span,
                  fmt::format("`{}` is kept in memory only, because no `--allow-write` folder covers it",
                              grammar::shown_name(file.name)),
@@ -248,6 +246,13 @@ void close_all_files(Context& context) {
   while (!context.files.files.empty()) {
     const Ref<FileValue> file = context.files.files.back();
     close(context, *file);
+  }
+}
+
+void stage_written_files(Context& context) {
+  for (const grammar::WriteFailure& failure : context.loader.access().stage_written()) {
+    context.error(failure.opened_at,
+                  fmt::format("cannot write `{}`: {}", grammar::shown_name(failure.name), failure.reason));
   }
 }
 

@@ -1,5 +1,5 @@
-// The files that a scene has open under the identifiers of `#fopen`. Output is kept in memory and becomes a file when
-// it is closed, at the latest at the scene's end. Knows no directive (interpreter/files.h).
+// The files that a scene has open under the identifiers of `#fopen`. Output is kept in memory. When it is closed, the
+// scene can read it; when the scene has been read, it becomes a file. Knows no directive (interpreter/files.h).
 #pragma once
 
 #include "grammar/data_file.h"

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isl::cli {
@@ -88,11 +89,13 @@ render::Image picture_of(const AccuracyCommand& command, const scene::Database& 
 ExitCode run(const AccuracyCommand& command) {
   Session session(command.scene);
   const ReportFiles files = report_files(command, session);
+  std::vector<OutputPlace> places;
   for (const fs::path& file : {files.page, files.json, files.csv}) {
-    if (const OutputProblem problem = check_place(file); !problem.none()) {
-      print_error(problem.message);
-      return problem.code;
-    }
+    places.push_back({file, "the report " + file.string()});
+  }
+  if (const OutputProblem problem = claim(session.outputs(), places); !problem.none()) {
+    print_error(problem.message);
+    return problem.code;
   }
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const DrawableScene drawable(session, PictureOptions().quality);
@@ -120,14 +123,11 @@ ExitCode run(const AccuracyCommand& command) {
     print_error(fmt::format("cannot write {}: {}", files.page.string(), pictures.problem));
     return ExitCode::file_error;
   }
-  const std::pair<fs::path, std::string> texts[] = {
-      {files.page, accuracy_page(report, pictures)}, {files.json, json_text}, {files.csv, table_csv(report)}};
-  for (const auto& [file, text] : texts) {
-    if (const OutputProblem problem = write_text(file, text); !problem.none()) {
-      print_error(problem.message);
-      return problem.code;
-    }
-  }
+  OutputWriter writer(session.outputs());
+  writer.add_text(files.page, accuracy_page(report, pictures));
+  writer.add_text(files.json, json_text);
+  writer.add_text(files.csv, table_csv(report));
+  if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   if (command.scene.format == OutputFormat::json) {
     document["diagnostics"] = problems_as_json(session);
     document["outputs"] = {files.page.string(), files.json.string(), files.csv.string()};

@@ -70,6 +70,7 @@ ExitCode run(const CheckCommand& command) {
   const SceneSummary summary = summarise(database);
   const SceneExtent extent = extent_of(database);
   warn_of_view(session, summary, extent);
+  if (const ExitCode code = finish(OutputWriter(session.outputs())); code != ExitCode::done) return code;
   if (command.scene.format == OutputFormat::json) {
     print_json(session, summary, extent);
   } else {

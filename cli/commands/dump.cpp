@@ -55,6 +55,9 @@ ExitCode run(const DumpCommand& command) {
   std::optional<DrawableScene> drawable;
   if (command.stage == DumpStage::grid) drawable.emplace(session, PictureOptions().quality);
   if (drawable && drawable->is_refused()) return report_failure(session, ExitCode::scene_error);
+  if (code == ExitCode::done) {
+    if (const ExitCode written = finish(OutputWriter(session.outputs())); written != ExitCode::done) return written;
+  }
   const std::string text = text_of(command, session, drawable ? &*drawable : nullptr);
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)}, {"dump", text}});

@@ -110,6 +110,7 @@ ExitCode run(const PlanCommand& command) {
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const Plan plan =
       render::plan_of(session.scene().database, {.quality = command.quality, .without = command.scene.without});
+  if (const ExitCode code = finish(OutputWriter(session.outputs())); code != ExitCode::done) return code;
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)},
                     {"called_for", as_json(session, plan.called_for)},

@@ -39,13 +39,30 @@ ExitCode tell(const OutputProblem& problem) {
   return problem.code;
 }
 
+/// Every file that the command may write, those of an interrupted picture too.
+std::vector<OutputPlace> places_of(const RenderCommand& command, const std::vector<fs::path>& pictures) {
+  std::vector<OutputPlace> places;
+  const bool is_asked = !command.picture.outputs.empty();
+  for (const fs::path& file : pictures) {
+    places.push_back({file, fmt::format("{} {}", is_asked ? "-o" : "the picture", file.string())});
+  }
+  if (!command.picture.statistics.empty()) {
+    places.push_back({command.picture.statistics, "--stats " + command.picture.statistics.string()});
+  }
+  const std::vector<fs::path> partial = partial_names(pictures);
+  for (const fs::path& file : partial) places.push_back({file, "the unfinished picture " + file.string()});
+  for (const std::vector<fs::path>& files : {pictures, partial}) {
+    for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
+      places.push_back({layer.file, "the layer " + layer.file.string()});
+    }
+  }
+  return places;
+}
+
 /// Called before the scene is read: a misspelt name should not cost an hour of rendering.
-OutputProblem check_places(const RenderCommand& command, const std::vector<fs::path>& files) {
-  std::vector<fs::path> all = files;
-  for (const LayerFile& layer : layer_files(files, command.picture.layers)) all.push_back(layer.file);
-  OutputProblem problem = check_outputs(all);
-  if (problem.none() && !command.picture.statistics.empty()) problem = check_place(command.picture.statistics);
-  return problem;
+OutputProblem claim_places(const RenderCommand& command, const std::vector<fs::path>& pictures, OutputSet& outputs) {
+  OutputProblem problem = check_pictures(pictures);
+  return problem.none() ? claim(outputs, places_of(command, pictures)) : problem;
 }
 
 /// One hash over all texts of the scene: its own first, then the others in the order in which they were read.
@@ -142,7 +159,9 @@ ExitCode run(const RenderCommand& command) {
     }
   }
   std::vector<fs::path> files = output_files(command.picture.outputs, session.name());
-  if (const OutputProblem problem = check_places(command, files); !problem.none()) return tell(problem);
+  if (const OutputProblem problem = claim_places(command, files, session.outputs()); !problem.none()) {
+    return tell(problem);
+  }
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const DrawableScene drawable(session, command.picture.quality);
   if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
@@ -159,13 +178,12 @@ ExitCode run(const RenderCommand& command) {
   const Stopwatch writing;
   render::ImageFileOptions options = file_options(command, settings, session);
   options.threads = picture.result.statistics.threads;
-  OutputWriter writer(std::move(options));
-  for (const fs::path& file : files) writer.add(file, image);
+  OutputWriter writer(session.outputs());
+  for (const fs::path& file : files) writer.add(file, image, options);
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
-    writer.add(layer.file, render::layer_picture(image, *image.layer(layer.layer->name)));
+    writer.add(layer.file, render::layer_picture(image, *image.layer(layer.layer->name)), options);
     files.push_back(layer.file);
   }
-  if (const OutputProblem problem = writer.finish(); !problem.none()) return tell(problem);
 
   const PhaseTimes times{.parse = session.parse_seconds(),
                          .evaluate = session.evaluate_seconds(),
@@ -175,13 +193,12 @@ ExitCode run(const RenderCommand& command) {
   const MemoryUse memory{.database_bytes = database_bytes(database), .grid_bytes = picture.grid_bytes};
   const nlohmann::ordered_json statistics =
       statistics_json(summarise(database), times, settings, memory, picture.result.statistics);
-  tell_result(command, session, files, image, complete, statistics, whole.seconds());
-  if (!complete) return ExitCode::interrupted;
-  if (!command.picture.statistics.empty()) {
-    const OutputProblem unwritten = write_text(command.picture.statistics, statistics.dump(2) + "\n");
-    if (!unwritten.none()) return tell(unwritten);
+  if (complete && !command.picture.statistics.empty()) {
+    writer.add_text(command.picture.statistics, statistics.dump(2) + "\n");
   }
-  return ExitCode::done;
+  if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
+  tell_result(command, session, files, image, complete, statistics, whole.seconds());
+  return complete ? ExitCode::done : ExitCode::interrupted;
 }
 
 }  // namespace isl::cli

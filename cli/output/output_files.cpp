@@ -3,10 +3,9 @@
 #include "cli/output/standard_output.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <span>
-#include <system_error>
+#include <utility>
 
 namespace isl::cli {
 
@@ -19,12 +18,16 @@ OutputProblem file_problem(std::string message) {
   return {ExitCode::file_error, std::move(message)};
 }
 
-/// One path for all names of a place, as far as it can be determined for a file that need not exist.
-fs::path identity(const fs::path& file) {
-  if (!standard_output_format(file).empty()) return ":-";
-  std::error_code error;
-  fs::path canonical = fs::weakly_canonical(fs::absolute(file, error), error);
-  return error ? file : canonical;
+/// Standard output that goes to a file is that file; two pictures in any other stream would be one.
+FileIdentity identity_of_output(const fs::path& output) {
+  if (standard_output_format(output).empty()) return identity_of(output);
+  return identity_of_stream(STDOUT_FILENO).value_or(FileIdentity{"/dev/stdout"});
+}
+
+OutputProblem clash(const OutputPlace& place, const FileRegister::Entry& other) {
+  return {ExitCode::command_line_error,
+          other.is_output() ? fmt::format("{} and {} are one file; give each a file of its own", other.role, place.role)
+                            : fmt::format("{}: this file is {}; choose another name", place.role, other.role)};
 }
 
 OutputProblem check_standard_output(const std::string& output) {
@@ -51,29 +54,29 @@ std::string display_name(const fs::path& output) {
   return standard_output_format(output).empty() ? output.string() : "standard output";
 }
 
-OutputProblem check_outputs(const std::vector<fs::path>& files) {
-  std::vector<fs::path> seen;
-  for (const fs::path& file : files) {
-    if (output_format(file).empty()) {
-      return {ExitCode::command_line_error,
-              fmt::format("{}: the format is unknown; the formats are {}, and `png:-` for standard output",
-                          file.string(), render::kImageFormats)};
-    }
-    fs::path same = identity(file);
-    if (std::find(seen.begin(), seen.end(), same) != seen.end()) {
-      return {ExitCode::command_line_error, fmt::format("{}: the output is named twice", display_name(file))};
-    }
-    seen.push_back(std::move(same));
-  }
-  for (const fs::path& file : files) {
-    OutputProblem problem =
-        standard_output_format(file).empty() ? check_place(file) : check_standard_output(file.string());
-    if (!problem.none()) return problem;
+OutputProblem check_pictures(const std::vector<fs::path>& pictures) {
+  for (const fs::path& picture : pictures) {
+    if (!output_format(picture).empty()) continue;
+    return {ExitCode::command_line_error,
+            fmt::format("{}: the format is unknown; the formats are {}, and `png:-` for standard output",
+                        picture.string(), render::kImageFormats)};
   }
   return {};
 }
 
-OutputProblem check_place(const fs::path& file) { return file_problem(render::why_not_writable(file.string())); }
+OutputProblem claim(OutputSet& outputs, const std::vector<OutputPlace>& places) {
+  for (const OutputPlace& place : places) {
+    const FileRegister::Entry* const other = outputs.files().add_output(identity_of_output(place.file), place.role);
+    if (other != nullptr) return clash(place, *other);
+  }
+  for (const OutputPlace& place : places) {
+    OutputProblem problem = standard_output_format(place.file).empty()
+                                ? file_problem(outputs.why_not_writable(place.file))
+                                : check_standard_output(place.file.string());
+    if (!problem.none()) return problem;
+  }
+  return {};
+}
 
 std::vector<LayerFile> layer_files(const std::vector<fs::path>& files, const render::Aovs& layers) {
   std::vector<LayerFile> result;
@@ -98,31 +101,28 @@ std::vector<fs::path> partial_names(const std::vector<fs::path>& files) {
 }
 
 void OutputWriter::note(std::string problem) {
-  if (first_.none()) first_ = file_problem(std::move(problem));
+  if (!problem.empty()) problems_.push_back(std::move(problem));
 }
 
-void OutputWriter::add(const fs::path& output, const render::Image& image) {
-  render::EncodedFile encoded = render::encode_image(image, output_format(output), options_);
+void OutputWriter::add(const fs::path& output, const render::Image& image, const render::ImageFileOptions& options) {
+  render::EncodedFile encoded = render::encode_image(image, output_format(output), options);
   if (!encoded.error.empty()) {
     note(fmt::format("cannot write {}: {}", display_name(output), encoded.error));
   } else if (!standard_output_format(output).empty()) {
     standard_output_ = std::move(encoded.bytes);
   } else {
-    render::StagedFile file(output.string(), encoded.bytes);
-    note(file.error());
-    if (file.error().empty()) staged_.push_back(std::move(file));
+    note(outputs_.stage(output, encoded.bytes));
   }
 }
 
-OutputProblem OutputWriter::finish() {
-  for (render::StagedFile& file : staged_) note(file.take_place());
-  note(write_standard_output(standard_output_));
-  return first_;
+void OutputWriter::add_text(const fs::path& file, std::string_view text) {
+  note(outputs_.stage(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()}));
 }
 
-OutputProblem write_text(const fs::path& file, const std::string& text) {
-  const std::span<const unsigned char> bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());
-  return file_problem(render::write_atomically(file.string(), bytes));
+std::vector<std::string> OutputWriter::finish() {
+  for (std::string& problem : outputs_.commit()) note(std::move(problem));
+  note(write_standard_output(standard_output_));
+  return std::move(problems_);
 }
 
 }  // namespace isl::cli

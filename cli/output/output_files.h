@@ -1,15 +1,15 @@
-// Names and places of the pictures: decided and tried before a ray is traced; a file is written whole or not at all. An
-// output is a file's name, or `png:-` and the like for standard output.
+// Names and places of the files that a command writes: decided, compared with the inputs and tried before a ray is
+// traced. An output is a file's name, or `png:-` and the like for standard output.
 #pragma once
 
+#include "base/files/output_set.h"
 #include "cli/output/exit_code.h"
 #include "renderer/image/aov.h"
-#include "renderer/image/atomic_file.h"
 #include "renderer/image/image_file.h"
 
 #include <filesystem>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace isl::cli {
@@ -29,11 +29,18 @@ struct OutputProblem {
 /// The format of an output by its name, or "".
 [[nodiscard]] std::string output_format(const std::filesystem::path& output);
 
-/// Checks that formats are known, no file is named twice, and each place is writable. Leaves no trace on the disk.
-[[nodiscard]] OutputProblem check_outputs(const std::vector<std::filesystem::path>& files);
+/// A file that the command writes, and how messages call it: `-o a.png`, `the layer a.cost.png`.
+struct OutputPlace {
+  std::filesystem::path file;
+  std::string role;
+};
 
-/// Checks that a file can be written there; for files that are not pictures.
-[[nodiscard]] OutputProblem check_place(const std::filesystem::path& file);
+/// Checks that the formats of pictures are known and that standard output can take one of them.
+[[nodiscard]] OutputProblem check_pictures(const std::vector<std::filesystem::path>& pictures);
+
+/// Notes the files in the run's register and tries their places; standard output, too. No two of them may be one file,
+/// and none may be a file that the run reads. Leaves no trace on the disk.
+[[nodiscard]] OutputProblem claim(OutputSet& outputs, const std::vector<OutputPlace>& places);
 
 /// A layer's own picture, beside the picture.
 struct LayerFile {
@@ -52,27 +59,25 @@ struct LayerFile {
 /// The output's name in messages: the file, or standard output.
 [[nodiscard]] std::string display_name(const std::filesystem::path& output);
 
-/// The pictures of one run. All are encoded, written and synced before the first takes its place; after a failure the
-/// others are still written, since they may have taken long.
+/// Makes files of a run's results. All are complete and synced before the first takes its place; after a failure the
+/// others are still written, since they may have taken long, and the one that failed is kept elsewhere if possible.
 class OutputWriter {
  public:
-  explicit OutputWriter(render::ImageFileOptions options) : options_(std::move(options)) {}
+  explicit OutputWriter(OutputSet& outputs) : outputs_(outputs) {}
 
-  void add(const std::filesystem::path& output, const render::Image& image);
+  void add(const std::filesystem::path& output, const render::Image& image, const render::ImageFileOptions& options);
+  void add_text(const std::filesystem::path& file, std::string_view text);
 
-  /// Puts the files in their places, then writes to standard output. Returns the first error.
-  [[nodiscard]] OutputProblem finish();
+  /// Puts the files of the run in their places, those of the scene too, then writes to standard output. Returns the
+  /// messages of all failures.
+  [[nodiscard]] std::vector<std::string> finish();
 
  private:
   void note(std::string problem);
 
-  render::ImageFileOptions options_;
-  std::vector<render::StagedFile> staged_;
+  OutputSet& outputs_;
   std::vector<unsigned char> standard_output_;
-  OutputProblem first_;
+  std::vector<std::string> problems_;
 };
-
-/// Replaces a text file as a whole.
-[[nodiscard]] OutputProblem write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace isl::cli

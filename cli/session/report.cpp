@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 namespace isl::cli {
 
@@ -35,6 +37,12 @@ void print_document(const nlohmann::ordered_json& document) {
 }
 
 void print_error(std::string_view message) { fmt::print(stderr, "isl: error: {}\n", message); }
+
+ExitCode finish(OutputWriter writer) {
+  const std::vector<std::string> problems = writer.finish();
+  for (const std::string& problem : problems) print_error(problem);
+  return problems.empty() ? ExitCode::done : ExitCode::file_error;
+}
 
 ExitCode report_failure(Session& session, ExitCode code) {
   if (session.options().format == OutputFormat::json) {

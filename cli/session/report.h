@@ -1,6 +1,7 @@
 // Reports a scene's problems to the user: as text on standard error, or as the `diagnostics` of a JSON document.
 #pragma once
 
+#include "cli/output/output_files.h"
 #include "cli/session/session.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,6 +25,9 @@ void print_document(const nlohmann::ordered_json& document);
 
 /// `isl: error: …` on standard error, for errors without a place in a scene. Lower case, no full stop.
 void print_error(std::string_view message);
+
+/// Ends a command that has done its work: the files of the run take their places. Reports failures.
+[[nodiscard]] ExitCode finish(OutputWriter writer);
 
 /// Ends a command whose scene could not be read or evaluated: reports the problems in the requested format.
 ExitCode report_failure(Session& session, ExitCode code);

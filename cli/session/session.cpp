@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <system_error>
 
@@ -20,8 +22,20 @@ Session::Session(const SceneOptions& options)
       loader_(sources_, symbols_, arena_, sink_,
               {.include_paths = include_search_path(options.include_paths, options.system_libraries),
                .write_folders = options.write_folders,
+               .outputs = outputs_,
                .max_memory_bytes = options.limits.max_memory_bytes}) {
+  note_inputs();
   if (options.ini) tell(*options.ini);
+}
+
+void Session::note_inputs() {
+  FileRegister& files = outputs_->files();
+  if (options_.ini) files.add_input(identity_of(options_.ini->name), "the file of options");
+  if (options_.scene != "-") {
+    files.add_input(identity_of(options_.scene), "the scene");
+  } else if (const auto redirected = identity_of_stream(STDIN_FILENO)) {
+    files.add_input(*redirected, "the scene");
+  }
 }
 
 void Session::tell(const IniText& ini) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/files/output_set.h"
 #include "cli/options/options.h"
 #include "cli/output/exit_code.h"
 #include "grammar/arena.h"
@@ -10,6 +11,7 @@
 #include "grammar/symbols.h"
 #include "interpreter/evaluate.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +39,10 @@ class Session {
   [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
   [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
 
+  /// All that the run writes, those files of the scene included that were written without errors. They take their
+  /// places when the command commits them.
+  [[nodiscard]] OutputSet& outputs() { return *outputs_; }
+
   /// The base name of the picture: the file's name without folder and extension; "stdin" for standard input.
   [[nodiscard]] std::string name() const;
   /// The scene's name as the user gave it, for messages.
@@ -53,10 +59,13 @@ class Session {
   /// Any code but `done`: the file could not be read, or not be parsed.
   ExitCode load();
   void tell(const IniText& ini);
+  /// The files that the command line names; others are noted when they are read.
+  void note_inputs();
   void check_result();
   void warn_of_faint_components();
 
   const SceneOptions& options_;
+  std::shared_ptr<OutputSet> outputs_ = std::make_shared<OutputSet>();
   grammar::SourceMap sources_;
   grammar::SymbolTable symbols_;
   grammar::Arena arena_;

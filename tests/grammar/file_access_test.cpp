@@ -2,14 +2,17 @@
 // opening it.
 #include "grammar/file_access.h"
 
-#include "grammar/replace_file.h"
 #include "tests/grammar/temporary_folder.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace isl::grammar {
 namespace {
@@ -27,12 +30,20 @@ class FileAccessTest : public testing::Test {
   FileAccessTest() {
     folder_.write("scenes/inner/a.inc", "A");
     folder_.write("secret/a.inc", "Secret");
-    access_.emplace(std::vector<fs::path>{}, std::vector<fs::path>{path("scenes")});
+    access_.emplace(std::vector<fs::path>{}, std::vector<fs::path>{path("scenes")}, outputs_);
     access_->set_scene_folder(path("scenes"));
   }
   [[nodiscard]] fs::path path(const fs::path& name) const { return folder_.path() / name; }
 
+  /// What happens at the end of a run that wrote one file.
+  void write(const WritablePlace& place, std::string_view name, std::string text) {
+    access_->write(place, name, std::move(text), {});
+    EXPECT_TRUE(access_->stage_written().empty());
+    EXPECT_TRUE(outputs_->commit().empty());
+  }
+
   TemporaryFolder folder_;
+  std::shared_ptr<OutputSet> outputs_ = std::make_shared<OutputSet>();
   std::optional<FileAccess> access_;
 };
 
@@ -65,7 +76,7 @@ TEST_F(FileAccessTest, APlaceThatBecomesALinkIsReplacedAndNotWrittenThrough) {
   const WritablePlace place = access_->find_writable("out.txt");
   ASSERT_EQ(place.problem.error, AccessError::none);
   fs::create_symlink(path("secret/a.inc"), path("scenes/out.txt"));
-  EXPECT_EQ(access_->write(place, "out.txt", "written"), "");
+  write(place, "out.txt", "written");
   EXPECT_EQ(content(path("secret/a.inc")), "Secret");
   EXPECT_EQ(content(path("scenes/out.txt")), "written");
 }
@@ -74,25 +85,49 @@ TEST_F(FileAccessTest, AnotherNameOfAFileOutsideIsNotWrittenThrough) {
   fs::create_hard_link(path("secret/a.inc"), path("scenes/out.txt"));
   const WritablePlace place = access_->find_writable("out.txt");
   ASSERT_EQ(place.problem.error, AccessError::none);
-  EXPECT_EQ(access_->write(place, "out.txt", "written"), "");
+  write(place, "out.txt", "written");
   EXPECT_EQ(content(path("secret/a.inc")), "Secret");
 }
 
 TEST_F(FileAccessTest, AnotherNameOfAnInputIsAnInput) {
-  access_->add_input(stamp_of(path("scenes/inner/a.inc")));
+  EXPECT_EQ(access_->add_input(identity_of(path("scenes/inner/a.inc")), "a.inc").error, AccessError::none);
   fs::create_hard_link(path("scenes/inner/a.inc"), path("scenes/out.txt"));
   EXPECT_THAT(access_->find_writable("out.txt").problem.message, HasSubstr("it is an input of the scene"));
 }
 
+TEST_F(FileAccessTest, AnOutputOfTheRunMayNotBeWritten) {
+  ASSERT_EQ(outputs_->files().add_output(identity_of(path("scenes/out.txt")), "-o out.txt"), nullptr);
+  EXPECT_THAT(access_->find_writable("inner/../out.txt").problem.message, HasSubstr("-o out.txt writes it, too"));
+}
+
 TEST_F(FileAccessTest, AFileThatTheRunWroteMayBeReadAndWrittenAgain) {
+  folder_.write("scenes/out.txt", "old");
+  fs::create_symlink("out.txt", path("scenes/link.txt"));
   for (const char* const text : {"one", "two"}) {
     const WritablePlace place = access_->find_writable("out.txt");
     ASSERT_EQ(place.problem.error, AccessError::none) << place.problem.message;
-    EXPECT_EQ(access_->write(place, "out.txt", text), "");
+    access_->write(place, "out.txt", text, {});
+    for (const char* const name : {"out.txt", "./out.txt", "inner/../out.txt", "link.txt"}) {
+      const FoundFile found = access_->find(name, path("scenes"));
+      EXPECT_EQ(access_->read(found, kPlenty).text, text) << name;
+      EXPECT_TRUE(found.is_in_memory) << name;
+    }
+    EXPECT_EQ(access_->read_existing(place, kPlenty).text, text) << "for `append`";
     const FoundFile found = access_->find("out.txt", path("secret"));
     EXPECT_EQ(access_->read(found, kPlenty).text, text) << "whichever folder the request comes from";
-    access_->add_input(found.stamp);
+    EXPECT_EQ(content(path("scenes/out.txt")), "old") << "the scene has not been read yet";
   }
+  EXPECT_TRUE(access_->stage_written().empty());
+  EXPECT_EQ(content(path("scenes/out.txt")), "old");
+  EXPECT_TRUE(outputs_->commit().empty());
+  EXPECT_EQ(content(path("scenes/out.txt")), "two");
+}
+
+TEST_F(FileAccessTest, PlacesAreCountedOnce) {
+  for (const char* const name : {"a", "./a", "inner/../a", "b"}) {
+    EXPECT_EQ(access_->find_writable(name).problem.error, AccessError::none);
+  }
+  EXPECT_EQ(access_->places_count(), 2u);
 }
 
 TEST_F(FileAccessTest, RelativeNamesGoToAnAllowedFolderWhereTheScenesIsNone) {
@@ -104,8 +139,7 @@ TEST_F(FileAccessTest, RelativeNamesGoToAnAllowedFolderWhereTheScenesIsNone) {
 }
 
 TEST_F(FileAccessTest, WhatIsInMemoryIsFoundByItsName) {
-  const WritablePlace place = FileAccess::in_memory("x.txt");
-  EXPECT_EQ(access_->write(place, "x.txt", "kept"), "");
+  write(access_->in_memory("x.txt"), "x.txt", "kept");
   EXPECT_EQ(access_->read(access_->find("x.txt", path("scenes")), kPlenty).text, "kept");
   EXPECT_FALSE(fs::exists(path("scenes/x.txt")));
 }
@@ -145,7 +179,7 @@ TEST_F(FileAccessTest, NamesAreTheSameOnEveryMachine) {
   EXPECT_EQ(name(path("tree/scenes/inc/a.inc")), "inc/a.inc");
   EXPECT_EQ(name("sub/b.inc"), "sub/b.inc");
   EXPECT_EQ(name("../../common.inc"), "../common.inc");
-  EXPECT_EQ(access.write(FileAccess::in_memory("x.txt"), "x.txt", "kept"), "");
+  access.write(access.in_memory("x.txt"), "x.txt", "kept", {});
   EXPECT_EQ(name("x.txt"), "") << "a run's own file is no input";
 }
 
@@ -168,19 +202,6 @@ TEST_F(FileAccessTest, AFileBesideTheSceneIsNamedWhereAPathLeadsElsewhere) {
   for (const char* const name : {"C:\\my pictures\\Wood.png", "/home/someone/wood.png", "pictures/wood.png"}) {
     EXPECT_THAT(access_->find(name, path("scenes")).problem.hint, HasSubstr("there is `wood.png` in")) << name;
   }
-}
-
-TEST(ReplaceFile, KeepsPermissionsAndLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  const fs::path file = folder.write("a.txt", "old");
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-  const Descriptor open_folder(::open(folder.path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  EXPECT_EQ(replace_file(open_folder.get(), "a.txt", "new"), "");
-  EXPECT_EQ(content(file), "new");
-  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_directory(folder.path() / "b");
-  EXPECT_NE(replace_file(open_folder.get(), "b", "new"), "");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2);
 }
 
 }  // namespace

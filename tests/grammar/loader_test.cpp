@@ -17,13 +17,15 @@ class LoaderTest : public testing::Test {
   /// A loader whose scene is `scene.isl` in the folder.
   Loader& loader(std::vector<fs::path> include_paths = {}) {
     folder_.write("scenes/scene.isl", "");
-    loader_.emplace(map_, symbols_, arena_, sink_, LoaderOptions{.include_paths = std::move(include_paths)});
+    loader_.emplace(map_, symbols_, arena_, sink_,
+                    LoaderOptions{.include_paths = std::move(include_paths), .outputs = outputs_});
     scene_ = loader_->load_scene(folder_.path() / "scenes/scene.isl");
     return *loader_;
   }
   [[nodiscard]] std::string last_message() const { return sink_.diagnostics().back().message; }
 
   TemporaryFolder folder_;
+  std::shared_ptr<OutputSet> outputs_ = std::make_shared<OutputSet>();
   SourceMap map_;
   SymbolTable symbols_;
   Arena arena_;
@@ -79,9 +81,30 @@ TEST_F(LoaderTest, ParsesAFileAgainThatHasChanged) {
   static_cast<void>(loader.load_include("a.inc", {}, *scene_));
   folder_.write("scenes/a.inc", "A B");
   EXPECT_EQ(loader.load_include("a.inc", {}, *scene_)->items.size(), 2u);
-  folder_.write("scenes/a.inc", "B A");
-  loader.forget(folder_.path() / "scenes/a.inc");
-  EXPECT_EQ(map_.text(loader.load_include("a.inc", {}, *scene_)->span), "B A");
+}
+
+TEST_F(LoaderTest, ParsesEveryVersionThatTheRunWrites) {
+  Loader& loader = this->loader();
+  for (const char* const text : {"A B", "B A"}) {
+    loader.access().write(loader.access().in_memory("a.inc"), "a.inc", text, {});
+    EXPECT_EQ(map_.text(loader.load_include("a.inc", {}, *scene_)->span), text) << "no clock is too coarse for that";
+  }
+}
+
+TEST_F(LoaderTest, RefusesAFileThatTheRunWillReplace) {
+  const fs::path file = folder_.write("scenes/a.inc", "A");
+  fs::create_hard_link(file, folder_.path() / "scenes/other.inc");
+  Loader& loader = this->loader();
+  ASSERT_EQ(outputs_->files().add_output(identity_of(file), "-o a.inc"), nullptr);
+  for (const char* const name : {"a.inc", "../scenes/a.inc", "other.inc"}) {
+    EXPECT_EQ(loader.load_include(name, {}, *scene_), nullptr) << name;
+    EXPECT_THAT(last_message(), HasSubstr("this run will replace it (-o a.inc)")) << name;
+    AccessProblem problem;
+    EXPECT_EQ(loader.open_data(name, *scene_, problem), nullptr) << name;
+    EXPECT_THAT(problem.message, HasSubstr("this run will replace it")) << name;
+    EXPECT_FALSE(loader.use_file(name, *scene_, problem)) << name;
+    EXPECT_THAT(problem.message, HasSubstr("this run will replace it")) << name;
+  }
 }
 
 TEST_F(LoaderTest, RemembersThatAFileHasErrors) {

@@ -1,6 +1,7 @@
 // Output of `isl render`: pictures and messages go to files, standard output and terminals, and a full disk is
 // reported.
 #include "tests/cli/program/program_fixture.h"
+#include "tests/support/environment.h"
 
 #include <sys/resource.h>
 
@@ -23,13 +24,20 @@ constexpr std::string_view kPngStart = "\x89PNG";
 
 class RenderOutput : public ProgramTest {
  protected:
-  RenderOutput() { write("ball.isl", kSmallScene); }
+  RenderOutput() {
+    write("ball.isl", kSmallScene);
+    fs::create_directory(folder() / "kept");
+  }
 
   /// `isl render ball.isl -s 48x36 …`
   [[nodiscard]] ProcessResult render(std::vector<std::string> options, const ProcessOptions& how = {}) const {
     options.insert(options.begin(), {"render", "ball.isl", "-s", "48x36"});
     return run(options, how);
   }
+
+  // Pictures without room are kept in one of these.
+  const EnvironmentVariable cache_{"XDG_CACHE_HOME", "/dev/null/cache"};
+  const EnvironmentVariable home_{"HOME", "/dev/null"};
 };
 
 /// While this object lives, no file of this process and of those it starts may grow beyond `bytes`.
@@ -59,7 +67,7 @@ TEST_F(RenderOutput, ToStandardOutputIsTheFileAndNothingElse) {
     EXPECT_THAT(piped.err, HasSubstr("isl: standard output, 48x36, "));
     fs::remove(folder() / ("file." + format));
   }
-  EXPECT_THAT(files(), ElementsAre("ball.isl"));
+  EXPECT_THAT(files(), ElementsAre("ball.isl", "kept"));
 }
 
 TEST_F(RenderOutput, ToStandardOutputAndAFileAtOnce) {
@@ -109,7 +117,7 @@ TEST_F(RenderOutput, WithoutRoomTheOldFilesStay) {
   EXPECT_EQ(result.exit_code, 3) << result.err;
   EXPECT_THAT(result.err, HasSubstr("cannot write a.png: File too large"));
   EXPECT_EQ(read("a.png"), "precious");
-  EXPECT_THAT(files(), ElementsAre("a.png", "ball.isl")) << "nothing half-written is left";
+  EXPECT_THAT(files(), ElementsAre("a.png", "ball.isl", "kept")) << "nothing half-written is left";
 }
 
 TEST_F(RenderOutput, AFailureOfOneOutputLeavesTheOthersTheirs) {
@@ -123,6 +131,41 @@ TEST_F(RenderOutput, AFailureOfOneOutputLeavesTheOthersTheirs) {
   EXPECT_THAT(result.err, HasSubstr("a.ppm"));
   EXPECT_EQ(read("a.ppm"), "precious");
   EXPECT_TRUE(read("b.png").starts_with(kPngStart));
+}
+
+TEST_F(RenderOutput, APictureWhoseFolderIsGoneIsKeptElsewhere) {
+  write("ball.isl", std::string(kSmallScene) + "#debug \"read\\n\"\n");
+  write("out/old.txt", "x");
+  cache_.set(folder() / "kept");
+  const ProcessResult result =
+      render({"-o", "out/a.png", "-o", "b.png", "--stats", "out/s.json", "-s", "300x200", "--samples", "64"},
+             {.when_marked = [this](int) { fs::remove_all(folder() / "out"); }, .err_marker = "read\n"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("isl: error: cannot write out/a.png: No such file or directory; it is kept as " +
+                                    (folder() / "kept/isl/a.png").string()));
+  EXPECT_THAT(result.err, HasSubstr("it is kept as " + (folder() / "kept/isl/s.json").string()));
+  EXPECT_TRUE(read("kept/isl/a.png") == read("b.png"));
+}
+
+TEST_F(RenderOutput, APictureForAFullDiskIsKeptElsewhere) {
+  fs::create_directory(folder() / "disk");
+  cache_.set(folder() / "disk/cache");
+  const EnvironmentVariable temporary("TMPDIR", folder() / "kept");
+  // A disk of 64 KiB, which only this shell and its children see.
+  const std::string script =
+      "mount -t tmpfs -o size=64k none disk || exit 77; echo precious > disk/a.ppm; \"$0\" render ball.isl -s 300x200 "
+      "-o disk/a.ppm; "
+      "code=$?; ls -A disk; cat disk/a.ppm; exit $code";
+  ProcessOptions options;
+  options.folder = folder();
+  const ProcessResult result = run_process({"/usr/bin/unshare", "-Urm", "/bin/sh", "-c", script, ISL_PROGRAM}, options);
+  if (result.exit_code == 77 || result.exit_code == 1) GTEST_SKIP() << "this system lets nobody mount: " << result.err;
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cannot write disk/a.ppm: No space left on device; it is kept as " +
+                                    (folder() / "kept/a.ppm").string()));
+  EXPECT_EQ(result.out, "a.ppm\nprecious\n") << "the old file is there, and nothing half-written";
+  ASSERT_EQ(render({"-s", "300x200", "-o", "b.ppm"}).exit_code, 0);
+  EXPECT_TRUE(read("kept/a.ppm") == read("b.ppm"));
 }
 
 TEST_F(RenderOutput, BitsAreThoseAskedFor) {

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace isl::grammar {
+namespace isl {
 
 class Descriptor {
  public:
@@ -27,4 +27,4 @@ class Descriptor {
   int value_ = -1;
 };
 
-}  // namespace isl::grammar
+}  // namespace isl
