@@ -227,6 +227,14 @@ void Context::count_primitive(SourceSpan span, std::size_t bytes) {
   memory.bytes += bytes;
 }
 
+void Context::count_debug(SourceSpan span, std::size_t bytes) {
+  debug_bytes_ += bytes;
+  const std::size_t limit = options.limits.max_debug_bytes;
+  if (debug_bytes_ <= limit) return;
+  stop(span, fmt::format("the scene prints more than {} bytes with `#debug`", limit),
+       "possible infinite loop; `--max-debug` raises the limit");
+}
+
 void Context::charge_texts(SourceSpan span, std::size_t held_before) {
   memory.bytes += loader.bytes_held() - held_before;
   check_memory(span, 0);

@@ -142,6 +142,8 @@ class Context {
     if (depth > scene::kMaxValueDepth) [[unlikely]]
       value_too_deep(span);
   }
+  /// Counts the bytes that the scene is about to print.
+  void count_debug(SourceSpan span, std::size_t bytes);
   /// Counts native recursion, in units of kNestingBytes of stack (interpreter/nesting.h).
   void nest(SourceSpan span, std::size_t units) {
     if ((nesting_ += units) > max_nesting_) [[unlikely]]
@@ -177,6 +179,7 @@ class Context {
   std::uint64_t turns_ = 0;
   std::uint64_t next_look_ = 1;  ///< value of turns_ at the next look
   double primitives_ = 0;
+  std::size_t debug_bytes_ = 0;
   std::size_t nesting_ = 0;
   std::size_t max_nesting_;
 };

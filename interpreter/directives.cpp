@@ -195,6 +195,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   skip_semicolon(context);
   switch (node.level) {
     case grammar::MessageKind::debug:
+      context.count_debug(node.span, text.size());
       if (context.options.print_debug) context.options.print_debug(text);
       break;
     case grammar::MessageKind::warning: context.warn(node.span, text); break;

@@ -28,6 +28,8 @@ struct Limits {
   double max_primitives = 1e7;                          ///< blob components, solids, groups and lights
   std::size_t max_memory_bytes = std::size_t{4} << 30;  ///< approximate size of the scene
   std::size_t max_include_depth = 32;
+  std::size_t max_files = 1000;                         ///< that the scene writes
+  std::size_t max_debug_bytes = std::size_t{16} << 20;  ///< of all texts of #debug
 };
 
 struct EvaluateOptions {

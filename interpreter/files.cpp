@@ -74,8 +74,23 @@ void open_to_read(Context& context, const grammar::Fopen& node, FileValue& file)
   context.charge_texts(node.span, held);
 }
 
+/// Counts a place to write that the scene has not used before. It is remembered to the end, with its names and its
+/// entry among the files of the run.
+void count_place(Context& context, SourceSpan span, std::size_t places_before) {
+  constexpr std::size_t kPlaceBytes = 1024;
+  const std::size_t places = context.loader.access().places_count(), limit = context.options.limits.max_files;
+  if (places == places_before) return;
+  if (places > limit) {
+    context.stop(span, fmt::format("the scene writes more than {} files", limit),
+                 "possible infinite loop; `--max-files` raises the limit");
+  }
+  context.check_memory(span, kPlaceBytes);
+  context.memory.bytes += kPlaceBytes;
+}
+
 void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file) {
   grammar::FileAccess& access = context.loader.access();
+  const std::size_t places_before = access.places_count();
   if (access.may_write()) {
     file.place = access.find_writable(file.name);
   } else if (context.options.lenient) {
@@ -93,6 +108,7 @@ void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file
   if (file.place.problem.error != grammar::AccessError::none) {
     context.fail(node.path->span, file.place.problem.message, file.place.problem.hint);
   }
+  count_place(context, node.span, places_before);
   if (node.mode != word::kw_append) return;
   grammar::TextFile existing = access.read_existing(file.place, kMaxAppendedBytes);
   if (!existing.trouble.empty() && existing.exists) {

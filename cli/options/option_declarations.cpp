@@ -149,6 +149,12 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add(app, "--max-include-depth", "N", "Nested includes [32]", integer_from(1, 1000), [&limit](std::int64_t v) {
     limit.max_include_depth = static_cast<std::size_t>(v);
   })->group(limits);
+  add(app, "--max-files", "N", "Files that the scene writes [1000]", integer_from(0, 10'000'000),
+      [&limit](std::int64_t v) { limit.max_files = static_cast<std::size_t>(v); })
+      ->group(limits);
+  add(app, "--max-debug", "SIZE", "Text that the scene prints with #debug: 64K, 4M [16M]", parse_bytes,
+      [&limit](std::size_t v) { limit.max_debug_bytes = v; })
+      ->group(limits);
 }
 
 void add_quality(CLI::App& app, int& quality, const std::string& group) {

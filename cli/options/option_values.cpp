@@ -35,6 +35,22 @@ std::size_t physical_memory() {
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes);
 }
 
+/// Nothing for zero, for less, and for more than any machine has.
+std::optional<std::size_t> whole_bytes(double bytes) {
+  if (!(bytes > 0 && bytes < 0x1p62)) return std::nullopt;
+  return static_cast<std::size_t>(bytes);
+}
+
+/// `4G`, `512M`, `100K`, or a plain number.
+std::optional<std::size_t> bytes_of(std::string_view text) {
+  double factor = 1;
+  if (text.ends_with('K')) factor = 0x1p10;
+  if (text.ends_with('M')) factor = 0x1p20;
+  if (text.ends_with('G')) factor = 0x1p30;
+  const auto value = number_of<double>(factor == 1 ? text : text.substr(0, text.size() - 1));
+  return value ? whole_bytes(*value * factor) : std::nullopt;
+}
+
 bool is_identifier(std::string_view text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   if (text.empty() || !is_letter(text.front())) return false;
@@ -122,19 +138,19 @@ Parsed<Define> parse_define(std::string_view text) {
   return Define{std::string(name), std::string(value)};
 }
 
+Parsed<std::size_t> parse_bytes(std::string_view text) {
+  const auto value = bytes_of(text);
+  if (value) return *value;
+  return Parsed<std::size_t>::error(fmt::format("expected bytes (4G, 512M, 64K), found `{}`", text));
+}
+
 Parsed<std::size_t> parse_memory(std::string_view text) {
-  const char unit = text.empty() ? '\0' : text.back();
-  const bool plain = unit >= '0' && unit <= '9';
-  const auto value = number_of<double>(plain ? text : text.substr(0, text.empty() ? 0 : text.size() - 1));
-  double factor = 0;
-  switch (unit) {
-    case '%': factor = static_cast<double>(physical_memory()) / 100; break;
-    case 'K': factor = 0x1p10; break;
-    case 'M': factor = 0x1p20; break;
-    case 'G': factor = 0x1p30; break;
-    default: factor = plain ? 1 : 0;
+  std::optional<std::size_t> value = bytes_of(text);
+  if (text.ends_with('%')) {
+    const auto percent = number_of<double>(text.substr(0, text.size() - 1));
+    if (percent) value = whole_bytes(*percent * static_cast<double>(physical_memory()) / 100);
   }
-  if (value && *value > 0 && factor > 0 && *value * factor < 0x1p62) return static_cast<std::size_t>(*value * factor);
+  if (value) return *value;
   return Parsed<std::size_t>::error(
       fmt::format("expected a percentage of the memory (75%) or bytes (4G, 512M), found `{}`", text));
 }

@@ -62,6 +62,8 @@ using Define = std::pair<std::string, std::variant<double, std::string>>;
 /// `NAME=VALUE`: a number where VALUE reads as one, else a string; quotes around a string are taken off.
 [[nodiscard]] Parsed<Define> parse_define(std::string_view text);
 
+/// Bytes: `4G`, `512M`, `100K`, or a plain number.
+[[nodiscard]] Parsed<std::size_t> parse_bytes(std::string_view text);
 /// Bytes: `75%` of this machine's memory, or `4G`, `512M`, `100K`, or a plain number.
 [[nodiscard]] Parsed<std::size_t> parse_memory(std::string_view text);
 

@@ -207,10 +207,44 @@ TEST_F(Writing, TooManyOpenFilesAreRefused) {
   EXPECT_THAT(refusal(text, {"--allow-write", "out"}), HasSubstr("more than 64 files are open at once"));
 }
 
+TEST_F(Writing, EndlessMakingOfFilesEndsAtTheirNumber) {
+  const std::string text =
+      "#declare I = 0; #while (1) #declare I = I + 1;\n"
+      "#fopen F concat(\"f\", str(I, 0, 0)) write #write (F, \"x\") #fclose F #end";
+  for (const std::string& limit : {std::string(), std::string("20")}) {
+    std::vector<std::string> options{"--allow-write", "out"};
+    if (!limit.empty()) options.insert(options.end(), {"--max-files", limit});
+    const std::string said = refusal(text, options);
+    EXPECT_THAT(said, HasSubstr(fmt::format("scene.isl:2:1: error: the scene writes more than {} files",
+                                            limit.empty() ? "1000" : limit)));
+    EXPECT_THAT(said, HasSubstr("`--max-files` raises the limit"));
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder() / "out"), fs::directory_iterator()), 4)
+      << "the folder and the links that were there";
+  EXPECT_THAT(refusal(text, {"--lenient"}), HasSubstr("the scene writes more than 1000 files")) << "in memory, too";
+}
+
+TEST_F(Writing, AsManyFilesAsAreAllowedAreMade) {
+  write("scenes/scene.isl",
+        "#for (I, 1, 1500) #fopen F concat(\"f\", str(I, 0, 0)) write #write (F, I) #fclose F #end");
+  EXPECT_EQ(check_file("scenes/scene.isl", {"--allow-write", "out/inner", "--max-files", "1500"}).exit_code, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder() / "out/inner"), fs::directory_iterator()), 1500);
+  EXPECT_EQ(read("out/inner/f1500"), "1500");
+}
+
 TEST_F(Writing, OneFileMayBeWrittenAgainAndAgain) {
   write("scenes/scene.isl", "#for (I, 1, 3000) #fopen F \"x\" write #write (F, I) #fclose F #end");
   EXPECT_EQ(check_file("scenes/scene.isl", {"--allow-write", "out"}).exit_code, 0);
   EXPECT_EQ(read("out/x"), "3000");
+}
+
+TEST_F(Writing, EndlessTextOfDebugEndsAtItsLength) {
+  const std::string said = refusal("#while (1)\n  #debug \"0123456789\\n\" #end", {"--max-debug", "20K"});
+  EXPECT_THAT(said, HasSubstr("scene.isl:2:3: error: the scene prints more than 20480 bytes with `#debug`"));
+  EXPECT_THAT(said, HasSubstr("`--max-debug` raises the limit"));
+  const auto lines = std::count(said.begin(), said.end(), '\n');
+  EXPECT_GE(lines, 20480 / 11);
+  EXPECT_LE(lines, 20480 / 11 + 10);
 }
 
 TEST_F(Writing, AFolderThatIsNoneIsSaid) {

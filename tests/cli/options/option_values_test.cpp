@@ -133,6 +133,8 @@ TEST(OptionValues, MemoryIsBytesOrAShareOfTheMachine) {
   const std::size_t whole = parse_memory("100%").value();
   EXPECT_NEAR(static_cast<double>(parse_memory("50%").value()), static_cast<double>(whole) / 2, 1);
   for (const char* bad : {"", "M", "%", "0", "-1G", "1T", "1e30"}) EXPECT_FALSE(parse_memory(bad).ok()) << bad;
+  EXPECT_EQ(parse_bytes("64K").value(), 65536u);
+  for (const char* bad : {"", "M", "75%", "0", "-1G", "1T", "1e30"}) EXPECT_FALSE(parse_bytes(bad).ok()) << bad;
 }
 
 TEST(OptionValues, NumbersOutOfRangeAreToldTheirRange) {
