@@ -4,6 +4,7 @@
 #include "cli/accuracy/report.h"
 #include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
+#include "cli/output/console.h"
 #include "cli/output/interrupt.h"
 #include "cli/output/output_files.h"
 #include "cli/output/progress.h"
@@ -133,7 +134,7 @@ ExitCode run(const AccuracyCommand& command) {
     document["outputs"] = {files.page.string(), files.json.string(), files.csv.string()};
     print_document(document);
   } else {
-    fmt::print("{}", table_text(report));
+    print(Stream::output, table_text(report));
   }
   return ExitCode::done;
 }

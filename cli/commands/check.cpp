@@ -1,6 +1,7 @@
 // `isl check`: everything short of rendering; a scene that it accepts can be rendered. It must start and end in a
 // moment, so it loads no image library and compiles no scene.
 #include "cli/commands/commands.h"
+#include "cli/output/console.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "cli/session/used_files.h"
@@ -22,20 +23,21 @@ std::string counted(std::uint64_t count, std::string_view singular) {
 
 std::string vector_text(const Imath::V3d& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); }
 
-void print_text(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
-  print_problems(session);
-  fmt::print("{}: {}", session.display_name(), counted(summary.primitives(), "primitive"));
-  if (summary.fields > 0) fmt::print(", {} in {}", counted(summary.fields, "field"), counted(summary.blobs, "blob"));
-  if (summary.solids > 0) fmt::print(", {}", counted(summary.solids, "solid"));
-  fmt::print(", {}, {}\n", counted(summary.lights, "light"), counted(summary.textures, "texture"));
+std::string text_of(const Session& session, const SceneSummary& summary, const SceneExtent& extent) {
+  std::string text =
+      fmt::format("{}: {}", visible_name(session.display_name()), counted(summary.primitives(), "primitive"));
+  if (summary.fields > 0)
+    text += fmt::format(", {} in {}", counted(summary.fields, "field"), counted(summary.blobs, "blob"));
+  if (summary.solids > 0) text += fmt::format(", {}", counted(summary.solids, "solid"));
+  text += fmt::format(", {}, {}\n", counted(summary.lights, "light"), counted(summary.textures, "texture"));
   if (!extent.box.isEmpty()) {
-    fmt::print("bounding box: {} to {}{}\n", vector_text(extent.box.min), vector_text(extent.box.max),
-               extent.unbounded ? ", without infinite objects" : "");
-    fmt::print("a camera that sees it: {}\n", suggest_camera(extent.box));
+    text += fmt::format("bounding box: {} to {}{}\n", vector_text(extent.box.min), vector_text(extent.box.max),
+                        extent.unbounded ? ", without infinite objects" : "");
+    text += fmt::format("a camera that sees it: {}\n", suggest_camera(extent.box));
   } else if (extent.unbounded) {
-    fmt::print("bounding box: none, because all objects are infinite\n");
+    text += "bounding box: none, because all objects are infinite\n";
   }
-  fmt::print("files:\n{}", files_table(session.used_files()));
+  return text + "files:\n" + files_table(session.used_files());
 }
 
 nlohmann::ordered_json array_of(const Imath::V3d& v) { return {v.x, v.y, v.z}; }
@@ -74,7 +76,8 @@ ExitCode run(const CheckCommand& command) {
   if (command.scene.format == OutputFormat::json) {
     print_json(session, summary, extent);
   } else {
-    print_text(session, summary, extent);
+    print_problems(session);
+    print(Stream::output, text_of(session, summary, extent));
   }
   return ExitCode::done;
 }

@@ -2,6 +2,7 @@
 #include "grammar/dump.h"
 #include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
+#include "cli/output/console.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "renderer/scene/dump_json.h"
@@ -63,7 +64,11 @@ ExitCode run(const DumpCommand& command) {
     print_document({{"diagnostics", problems_as_json(session)}, {"dump", text}});
   } else {
     print_problems(session);
-    fmt::print("{}", text);
+    if (is_text_stage) {
+      print_content(Stream::output, text);
+    } else {
+      print_json(text);
+    }
   }
   return code;
 }

@@ -2,7 +2,7 @@
 // with the reason. Reads and evaluates the scene; traces nothing.
 #include "renderer/effects/plan.h"
 #include "cli/commands/commands.h"
-#include "cli/output/printable_text.h"
+#include "cli/output/console.h"
 #include "cli/session/report.h"
 #include "cli/session/session.h"
 
@@ -25,14 +25,14 @@ std::string place_of(const Session& session, OriginId id) {
   const interpreter::Origin origin = session.scene().origins.resolve(id);
   const auto text = [&](SourceSpan span) {
     const grammar::SourcePosition at = session.sources().position(span.begin);
-    return fmt::format("{}:{}:{}", printable(at.file), at.line, at.column);
+    return fmt::format("{}:{}:{}", visible_name(at.file), at.line, at.column);
   };
   if (origin.span.begin == 0) return {};
   std::string place = text(origin.span);
   if (!origin.chain.empty()) {
     const ExpansionFrame& outermost = origin.chain.back();
     const char* const kind = outermost.kind == ExpansionFrame::Kind::macro ? "macro" : "file";
-    place += fmt::format(", in {} `{}` at {}", kind, printable(outermost.name), text(outermost.call));
+    place += fmt::format(", in {} `{}` at {}", kind, visible_name(outermost.name), text(outermost.call));
   }
   return place;
 }
@@ -54,10 +54,10 @@ void print_rows(std::string_view title, const std::vector<Row>& rows) {
   if (rows.empty()) return;
   std::size_t width = 0;
   for (const Row& row : rows) width = std::max(width, row.name.size());
-  fmt::print("{}\n", title);
+  print(Stream::output, fmt::format("{}\n", title));
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.lines.size(); ++i)
-      fmt::print("  {:<{}}  {}\n", i == 0 ? row.name : "", width, row.lines[i]);
+      print(Stream::output, fmt::format("  {:<{}}  {}\n", i == 0 ? row.name : "", width, row.lines[i]));
   }
 }
 

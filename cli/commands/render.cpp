@@ -4,6 +4,7 @@
 #include "base/content_hash.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/closing_line.h"
+#include "cli/output/console.h"
 #include "cli/output/interrupt.h"
 #include "cli/output/output_files.h"
 #include "cli/output/progress.h"
@@ -135,10 +136,11 @@ void tell_result(const RenderCommand& command, Session& session, const std::vect
                     {"statistics", statistics}});
   } else if (!complete) {
     const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
-    fmt::print(stderr, "isl: interrupted; {}\n",
-               files.empty() ? "no file was written" : "the finished part is in " + names);
+    print(Stream::error,
+          fmt::format("isl: interrupted; {}\n",
+                      files.empty() ? "no file was written" : "the finished part is in " + visible_name(names)));
   } else if (!command.picture.quiet) {
-    fmt::print(stderr, "{}\n", closing_line(names_of(files), image, seconds));
+    print(Stream::error, closing_line(names_of(files), image, seconds) + "\n");
   }
 }
 

@@ -5,6 +5,7 @@
 #include "cli/options/option_declarations.h"
 #include "cli/options/output_options.h"
 #include "cli/options/povray_switches.h"
+#include "cli/output/printable_text.h"
 #include "grammar/suggest.h"
 #include "grammar/text_file.h"
 
@@ -25,8 +26,8 @@ constexpr std::array<std::string_view, 6> kCommands{"render", "check", "plan", "
 constexpr PictureSize kAccuracySize{400, 300};
 
 Finished bad_command_line(std::string_view message, std::string_view hint = {}) {
-  std::string text = fmt::format("isl: error: {}\n", message);
-  if (!hint.empty()) text += fmt::format("  hint: {}\n", hint);
+  std::string text = fmt::format("isl: error: {}\n", visible_name(message));
+  if (!hint.empty()) text += fmt::format("  hint: {}\n", visible_name(hint));
   return {ExitCode::command_line_error, std::move(text)};
 }
 
@@ -154,8 +155,8 @@ std::optional<Finished> read_ini_file(const CLI::App& app, SceneOptions& scene, 
   grammar::TextFile file = grammar::read_text_file(name->file, kMaxBytes);
   if (!file.trouble.empty()) {
     const std::string hint = file.hint.empty() ? "" : fmt::format("  hint: {}\n", file.hint);
-    return Finished{ExitCode::file_error,
-                    fmt::format("isl: error: cannot read `{}`: {}\n{}", name->file.string(), file.trouble, hint)};
+    return Finished{ExitCode::file_error, fmt::format("isl: error: cannot read `{}`: {}\n{}",
+                                                      visible_name(name->file.string()), file.trouble, hint)};
   }
   const auto is_said = [&app](const std::string& option) {
     const CLI::Option* const found = app.get_option_no_throw(option);

@@ -14,7 +14,7 @@ std::string closing_line(const std::vector<std::string>& names, const render::Im
   }
   // Hundredths of a second distinguish short runs and mean nothing for long ones.
   const int digits = seconds < 100 ? 2 : 0;
-  return fmt::format("isl: {}, {}, {:.{}f} s", printable(fmt::format("{}", fmt::join(names, ", "))), size, seconds,
+  return fmt::format("isl: {}, {}, {:.{}f} s", visible_name(fmt::format("{}", fmt::join(names, ", "))), size, seconds,
                      digits);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,21 +20,22 @@ std::string failure(int error) {
   return fmt::format("cannot write to standard output: {}", std::generic_category().message(error));
 }
 
-/// During its lifetime, writing to a pipe without a reader is an error of the call and does not end the process.
-class WithoutPipeSignal {
- public:
-  WithoutPipeSignal() {
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &ignore, &before_);
+/// Writes all bytes and returns 0, or the error. Waits for a slow reader of a pipe that another process made
+/// non-blocking.
+int write_stream(int stream, std::span<const unsigned char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(stream, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    } else if (errno == EAGAIN) {
+      pollfd waiting{stream, POLLOUT, 0};
+      ::poll(&waiting, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
   }
-  ~WithoutPipeSignal() { sigaction(SIGPIPE, &before_, nullptr); }
-  WithoutPipeSignal(const WithoutPipeSignal&) = delete;
-  WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
-
- private:
-  struct sigaction before_ {};
-};
+  return 0;
+}
 
 }  // namespace
 
@@ -52,15 +54,21 @@ std::string why_no_standard_output() {
   return "";
 }
 
-std::string write_standard_output(std::span<const unsigned char> bytes) {
-  const WithoutPipeSignal guard;
-  while (!bytes.empty()) {
-    const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failure(errno);
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+void prepare_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest free number is that of the closed stream. Its mode makes reading or writing an error, as before.
+    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
-  return "";
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+std::string write_standard_output(std::span<const unsigned char> bytes) {
+  const int error = write_stream(STDOUT_FILENO, bytes);
+  return error == 0 ? "" : failure(error);
+}
+
+void write_standard_error(std::span<const unsigned char> bytes) {
+  static_cast<void>(write_stream(STDERR_FILENO, bytes));
 }
 
 }  // namespace isl::cli

@@ -1,5 +1,5 @@
-// A picture on standard output: its option (`-o png:-`), the cases where it is impossible, and the writing. While one
-// is written there, all other output goes elsewhere.
+// The standard streams as files: a picture's option to go there (`-o png:-`), the cases where that is impossible, and
+// the writing of bytes. While a picture is written there, all other output goes elsewhere. Text goes through console.h.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,14 @@ namespace isl::cli {
 /// The reason why nothing can be written there, or "": it is closed, or open for reading only.
 [[nodiscard]] std::string why_no_standard_output();
 
-/// Writes all bytes and returns "", or the error. A reader that has gone away is such an error, no signal.
+/// Called once, before anything is opened or written. A stream that is closed becomes one that refuses to be used, so
+/// that no file of the run gets its number, and with it the messages; a reader that has gone away becomes an error of
+/// the writing, no signal.
+void prepare_standard_streams();
+
+/// Writes all bytes and returns "", or the error.
 [[nodiscard]] std::string write_standard_output(std::span<const unsigned char> bytes);
+/// Ignores errors: there is no place to tell them.
+void write_standard_error(std::span<const unsigned char> bytes);
 
 }  // namespace isl::cli

@@ -1,15 +1,14 @@
 #include "cli/session/diagnostic_printer.h"
 
-#include "cli/output/printable_text.h"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace isl::cli {
 namespace {
@@ -31,14 +30,14 @@ std::string_view word_of(Severity severity) {
   return "error";
 }
 
-/// The colours that compilers use: red, magenta, cyan.
-std::string_view colour_of(Severity severity) {
+/// The colours that compilers use.
+Style colour_of(Severity severity) {
   switch (severity) {
-    case Severity::note: return "\033[1;36m";
-    case Severity::warning: return "\033[1;35m";
+    case Severity::note: return Style::cyan;
+    case Severity::warning: return Style::magenta;
     case Severity::error: break;
   }
-  return "\033[1;31m";
+  return Style::red;
 }
 
 class Printer {
@@ -48,15 +47,15 @@ class Printer {
   void message(Severity severity, SourceSpan span, std::string_view message);
   void hint(std::string_view hint);
   void chain(const std::vector<ExpansionFrame>& frames);
-  [[nodiscard]] std::string take() { return std::move(text_); }
+  [[nodiscard]] SafeText take() { return std::move(text_); }
 
  private:
   template <class... Values>
   void add(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    text_ += SafeText(fmt::format(format, std::forward<Values>(values)...));
   }
-  [[nodiscard]] std::string styled(std::string_view style, std::string_view text) const {
-    return colour_ ? fmt::format("{}{}\033[0m", style, text) : std::string(text);
+  void add_styled(Style style, std::string_view text) {
+    text_ += colour_ ? SafeText::styled(style, text) : SafeText(text);
   }
   [[nodiscard]] std::string place(SourceSpan span) const;
   void excerpt(Severity severity, SourceSpan span);
@@ -64,18 +63,22 @@ class Printer {
 
   const SourceMap& sources_;
   bool colour_;
-  std::string text_;
+  SafeText text_;
 };
 
 std::string Printer::place(SourceSpan span) const {
   const SourcePosition position = sources_.position(span.begin);
-  return fmt::format("{}:{}:{}", printable(position.file), position.line, position.column);
+  return fmt::format("{}:{}:{}", visible_name(position.file), position.line, position.column);
 }
 
 void Printer::message(Severity severity, SourceSpan span, std::string_view message) {
   const bool has_place = sources_.position(span.begin).line != 0;
-  if (has_place) add("{}: ", styled("\033[1m", place(span)));
-  add("{} {}\n", styled(colour_of(severity), fmt::format("{}:", word_of(severity))), printable(message));
+  if (has_place) {
+    add_styled(Style::bold, place(span));
+    add(": ");
+  }
+  add_styled(colour_of(severity), fmt::format("{}:", word_of(severity)));
+  add(" {}\n", message);
   if (has_place) excerpt(severity, span);
 }
 
@@ -107,17 +110,22 @@ void Printer::excerpt(Severity severity, SourceSpan span) {
   if (caret == line.size()) mark("^");  // just after the line
   marks.resize(marks_end);
   const std::size_t number = sources_.position(span.begin).line;
-  add("{:>6} | {}\n{:>6} | {}\n", number, shown, "", styled(colour_of(severity), marks));
+  add("{:>6} | {}\n{:>6} | ", number, shown, "");
+  add_styled(colour_of(severity), marks);
+  add("\n");
 }
 
 void Printer::hint(std::string_view hint) {
-  if (!hint.empty()) add("{:>6} = {} {}\n", "", styled("\033[1m", "hint:"), printable(hint));
+  if (hint.empty()) return;
+  add("{:>6} = ", "");
+  add_styled(Style::bold, "hint:");
+  add(" {}\n", hint);
 }
 
 void Printer::frame(const ExpansionFrame& frame) {
   const std::string_view verb = frame.kind == ExpansionFrame::Kind::macro ? "called" : "included";
   const std::string_view what = frame.kind == ExpansionFrame::Kind::macro ? "macro " : "";
-  add("  in {}`{}`, {} at {}\n", what, printable(frame.name), verb, place(frame.call));
+  add("  in {}`{}`, {} at {}\n", what, visible_name(frame.name), verb, place(frame.call));
 }
 
 void Printer::chain(const std::vector<ExpansionFrame>& frames) {
@@ -133,7 +141,7 @@ nlohmann::json json_place(SourceSpan span, const SourceMap& sources) {
   const SourcePosition begin = sources.position(span.begin);
   if (begin.line == 0) return nullptr;
   const SourcePosition end = sources.position(span.end);
-  return {{"file", printable(begin.file)},
+  return {{"file", valid_utf8(begin.file)},
           {"line", begin.line},
           {"column", begin.column},
           {"end_line", end.line},
@@ -142,7 +150,7 @@ nlohmann::json json_place(SourceSpan span, const SourceMap& sources) {
 
 }  // namespace
 
-std::string format_diagnostic(const Diagnostic& diagnostic, const SourceMap& sources, bool colour) {
+SafeText format_diagnostic(const Diagnostic& diagnostic, const SourceMap& sources, bool colour) {
   Printer printer(sources, colour);
   printer.message(diagnostic.severity, diagnostic.span, diagnostic.message);
   printer.hint(diagnostic.hint);
@@ -151,25 +159,20 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const SourceMap& sou
   return printer.take();
 }
 
-void print(const Diagnostic& diagnostic, const SourceMap& sources, std::FILE* stream, bool colour) {
-  const std::string text = format_diagnostic(diagnostic, sources, colour);
-  std::fwrite(text.data(), 1, text.size(), stream);
-}
-
 nlohmann::json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   nlohmann::json notes = nlohmann::json::array();
   for (const DiagnosticNote& note : diagnostic.notes) {
-    notes.push_back({{"message", printable(note.message)}, {"place", json_place(note.span, sources)}});
+    notes.push_back({{"message", valid_utf8(note.message)}, {"place", json_place(note.span, sources)}});
   }
   nlohmann::json chain = nlohmann::json::array();
   for (const ExpansionFrame& frame : diagnostic.chain) {
     chain.push_back({{"kind", frame.kind == ExpansionFrame::Kind::macro ? "macro" : "include"},
-                     {"name", printable(frame.name)},
+                     {"name", valid_utf8(frame.name)},
                      {"place", json_place(frame.call, sources)}});
   }
   return {{"severity", word_of(diagnostic.severity)},
-          {"message", printable(diagnostic.message)},
-          {"hint", printable(diagnostic.hint)},
+          {"message", valid_utf8(diagnostic.message)},
+          {"hint", valid_utf8(diagnostic.hint)},
           {"place", json_place(diagnostic.span, sources)},
           {"notes", std::move(notes)},
           {"chain", std::move(chain)}};

@@ -1,27 +1,20 @@
 #include "cli/session/report.h"
 
+#include "cli/output/console.h"
 #include "cli/session/diagnostic_printer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 namespace isl::cli {
 
-bool wants_colour(std::FILE* stream) {
-  const char* const no_colour = std::getenv("NO_COLOR");  // https://no-color.org
-  return isatty(fileno(stream)) != 0 && (no_colour == nullptr || *no_colour == '\0');
-}
-
 void print_problems(Session& session) {
-  const bool colour = wants_colour(stderr);
+  const bool colour = wants_colour(Stream::error);
   for (const Diagnostic& diagnostic : session.sink().diagnostics())
-    print(diagnostic, session.sources(), stderr, colour);
+    print(Stream::error, format_diagnostic(diagnostic, session.sources(), colour));
 }
 
 nlohmann::ordered_json problems_as_json(Session& session) {
@@ -33,10 +26,12 @@ nlohmann::ordered_json problems_as_json(Session& session) {
 
 void print_document(const nlohmann::ordered_json& document) {
   // Names of files and texts of scenes may hold any bytes; JSON may not.
-  fmt::print("{}\n", document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  print_json(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void print_error(std::string_view message) { fmt::print(stderr, "isl: error: {}\n", message); }
+void print_error(std::string_view message) {
+  print(Stream::error, fmt::format("isl: error: {}\n", visible_name(message)));
+}
 
 ExitCode finish(OutputWriter writer) {
   const std::vector<std::string> problems = writer.finish();
@@ -48,7 +43,7 @@ ExitCode report_failure(Session& session, ExitCode code) {
   if (session.options().format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)}});
   } else if (code == ExitCode::interrupted) {
-    fmt::print(stderr, "isl: interrupted\n");
+    print(Stream::error, "isl: interrupted\n");
   } else {
     print_problems(session);
   }

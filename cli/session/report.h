@@ -6,13 +6,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <cstdio>
 #include <string_view>
 
 namespace isl::cli {
-
-/// True if colours may be written there: it is a terminal, and NO_COLOR is not set.
-[[nodiscard]] bool wants_colour(std::FILE* stream);
 
 /// Prints every diagnostic of the session so far, in order.
 void print_problems(Session& session);

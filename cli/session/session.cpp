@@ -1,9 +1,9 @@
 #include "cli/session/session.h"
 
 #include "base/check.h"
+#include "cli/output/console.h"
 #include "cli/output/interrupt.h"
 #include "cli/output/stopwatch.h"
-#include "cli/session/scene_text.h"
 #include "cli/session/search_path.h"
 #include "renderer/queries/faint.h"
 #include "renderer/queries/object_queries.h"
@@ -95,7 +95,7 @@ ExitCode Session::evaluate() {
   options.image_width = options_.size.width;
   options.image_height = options_.size.height;
   options.is_size_known = options_.is_size_known;
-  options.print_debug = print_scene_text;
+  options.print_debug = [](std::string_view text) { print_content(Stream::error, text); };
   options.stop = &interrupt_flag();
   render::ObjectQueries queries;
   options.queries = &queries;

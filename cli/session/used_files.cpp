@@ -18,8 +18,8 @@ std::string files_text(std::span<const grammar::UsedFile> files) {
 std::string files_table(std::span<const grammar::UsedFile> files) {
   std::string text;
   for (const grammar::UsedFile& file : files) {
-    text += fmt::format("  {:016x} {}", file.hash, printable(file.name));
-    if (file.shown != file.name) text += fmt::format(" ({})", printable(file.shown.string()));
+    text += fmt::format("  {:016x} {}", file.hash, visible_name(file.name));
+    if (file.shown != file.name) text += fmt::format(" ({})", visible_name(file.shown.string()));
     text += '\n';
   }
   return text;

@@ -76,7 +76,7 @@ interpreter::EvaluateOptions options_of(scene::Queries& queries, const std::atom
 std::string trouble_in(const DiagnosticSink& sink, const grammar::SourceMap& sources) {
   std::string trouble;
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
-    const std::string printed = cli::format_diagnostic(diagnostic, sources, false);
+    const std::string printed = cli::format_diagnostic(diagnostic, sources, false).text();
     const bool has_place = sources.position(diagnostic.span.begin).line != 0;
     if (printed.empty() || diagnostic.message.empty()) trouble += "an empty message\n";
     if (diagnostic.severity == Severity::error && !has_place) trouble += "an error without a place: " + printed;

@@ -41,7 +41,7 @@ StageResult run_eval(const std::filesystem::path& scene) {
   }
   result.is_okay = !sink.has_errors();
   for (const Diagnostic& diagnostic : sink.diagnostics())
-    result.text += cli::format_diagnostic(diagnostic, sources, false);
+    result.text += cli::format_diagnostic(diagnostic, sources, false).text();
   result.text += said;
   if (result.is_okay) {
     result.text += scene::dump_json(

@@ -22,7 +22,7 @@ StageResult run_parse(const std::filesystem::path& scene) {
   for (const grammar::Complaint* complaint : complaints) sink.report(complaint->diagnostic);
   StageResult result{!sink.has_errors(), {}};
   for (const Diagnostic& diagnostic : sink.diagnostics())
-    result.text += cli::format_diagnostic(diagnostic, sources, false);
+    result.text += cli::format_diagnostic(diagnostic, sources, false).text();
   if (result.is_okay && unit != nullptr) result.text += grammar::dump_tree(unit->items, symbols);
   return result;
 }

@@ -26,7 +26,7 @@ TEST(ClosingLine, TellsTheSizeOfACropAndOfTheWhole) {
 }
 
 TEST(ClosingLine, IsOneLineWhateverTheName) {
-  EXPECT_EQ(closing_line({"a\x1b[2J.png"}, picture(4, 3), 1), "isl: a\xEF\xBF\xBD[2J.png, 4x3, 1.00 s");
+  EXPECT_EQ(closing_line({"a\x1b[2J.png"}, picture(4, 3), 1), "isl: a\\x1b[2J.png, 4x3, 1.00 s");
 }
 
 }  // namespace

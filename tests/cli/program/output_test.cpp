@@ -191,14 +191,6 @@ TEST_F(RenderOutput, AClosingLineTellsWhatWasWritten) {
   EXPECT_EQ(render({"--format", "json"}).err, "") << "the document contains it";
 }
 
-TEST_F(RenderOutput, OnATerminalAScenesTextHasNoControlCharacters) {
-  write("ball.isl", "#debug \"\x1b[31mred\\a\\n\"\nsphere { 0, 1 }\n");
-  const ProcessResult seen = run({"check", "ball.isl"}, {.err_terminal = true});
-  EXPECT_THAT(seen.err, StartsWith("\\x1b[31mred\\x07\n"));
-  const ProcessResult piped = run({"check", "ball.isl"});
-  EXPECT_THAT(piped.err, StartsWith("\x1b[31mred\x07\n")) << "unchanged";
-}
-
 TEST_F(RenderOutput, CtrlCSendsNoPartOfAPictureToStandardOutput) {
   write("ball.isl", std::string(kSmallScene) + "#debug \"tracing\\n\"\n");
   const ProcessResult result = run({"render", "ball.isl", "-s", "3000x2000", "--samples", "256", "-o", "png:-"},

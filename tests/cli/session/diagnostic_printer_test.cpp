@@ -23,7 +23,7 @@ class DiagnosticPrinterTest : public testing::Test {
     return {at, at + static_cast<std::uint32_t>(what.size())};
   }
   [[nodiscard]] std::string formatted(const Diagnostic& diagnostic, bool colour = false) const {
-    return format_diagnostic(diagnostic, sources_, colour);
+    return format_diagnostic(diagnostic, sources_, colour).text();
   }
 
   grammar::SourceMap sources_;
@@ -98,6 +98,20 @@ TEST_F(DiagnosticPrinterTest, CutsALineOfAMillionCharacters) {
 TEST_F(DiagnosticPrinterTest, KeepsControlCharactersFromTheTerminal) {
   const std::string text = formatted(error_at(find("\033[2J X", "X"), "wrong \033[31m"));
   EXPECT_THAT(text, Not(HasSubstr("\033")));
+  EXPECT_THAT(text, HasSubstr("wrong \\x1b[31m"));
+  EXPECT_THAT(text, HasSubstr("| \xEF\xBF\xBD[2J X\n       |      ^\n")) << "the line keeps its width";
+}
+
+TEST_F(DiagnosticPrinterTest, KeepsControlsThatTurnTextAroundFromTheTerminal) {
+  Diagnostic diagnostic = error_at(find("\xE2\x80\xAE X", "X"), "wrong \xE2\x80\xAE");
+  diagnostic.hint = "\xE2\x81\xA6";
+  diagnostic.chain.push_back(call_of("F\xC2\x9B\n", diagnostic.span));
+  const std::string text = formatted(diagnostic, true);
+  EXPECT_THAT(text, Not(HasSubstr("\xE2\x80\xAE")));
+  EXPECT_THAT(text, HasSubstr("wrong \\u202e"));
+  EXPECT_THAT(text, HasSubstr("\\u2066"));
+  EXPECT_THAT(text, HasSubstr("macro `F\\x9b\\x0a`"));
+  EXPECT_EQ(to_json(diagnostic, sources_)["message"], "wrong \xE2\x80\xAE") << "JSON is exact";
 }
 
 TEST_F(DiagnosticPrinterTest, ColoursOnlyWhenAsked) {
