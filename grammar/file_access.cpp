@@ -1,5 +1,6 @@
 #include "grammar/file_access.h"
 
+#include "base/system_message.h"
 #include "grammar/similar_file.h"
 
 #include <fcntl.h>
@@ -36,8 +37,6 @@ bool is_absence(const std::error_code& error) {
   return error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory ||
          error == std::errc::filename_too_long;
 }
-
-std::string explain(int code) { return std::generic_category().message(code); }
 
 }  // namespace
 

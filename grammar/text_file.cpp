@@ -1,6 +1,7 @@
 #include "grammar/text_file.h"
 
 #include "base/files/descriptor.h"
+#include "base/system_message.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <array>
 #include <cerrno>
 #include <string_view>
-#include <system_error>
 
 namespace isl::grammar {
 namespace {
@@ -59,8 +59,6 @@ FileStamp stamp_from(const struct stat& status) {
 
 /// The kind of a file that is not regular.
 std::string what_else(mode_t mode) { return S_ISDIR(mode) ? "it is a folder" : "it is not a regular file"; }
-
-std::string explain(int code) { return std::generic_category().message(code); }
 
 std::string too_large(std::size_t max_bytes) { return fmt::format("larger than {} bytes", max_bytes); }
 

@@ -1,6 +1,7 @@
 #include "base/files/staged_file.h"
 
 #include "base/files/temporary_file.h"
+#include "base/system_message.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,15 +10,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
 namespace isl {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string explain(int error) { return std::generic_category().message(error); }
 
 /// A name that no other process and no other call uses.
 std::string new_temporary_name() {

@@ -23,8 +23,6 @@ std::string json_for_script(const nlohmann::ordered_json& document) {
   return text;
 }
 
-std::string length_text(double pixels) { return pixels == 0 ? "0" : fmt::format("{:.2g}", pixels); }
-
 std::string table_rows(const AccuracyReport& report) {
   const std::vector<bool> front = pareto_front(report);
   std::string rows;

@@ -64,14 +64,14 @@ std::vector<std::size_t> all_rungs(const AccuracyReport& report) {
 
 std::string count_text(std::uint64_t count) { return count == 0 ? "-" : fmt::format("{}", count); }
 
-std::string length_text(double pixels) { return pixels == 0 ? "0" : fmt::format("{:.2g}", pixels); }
-
 std::string shadow_text(const render::Measured& measured) {
   if (!measured.shadows) return {};
   return fmt::format(" {:>7} {:>7}", count_text(measured.shadows->leaks), count_text(measured.shadows->false_shadows));
 }
 
 }  // namespace
+
+std::string length_text(double pixels) { return pixels == 0 ? "0" : fmt::format("{:.2g}", pixels); }
 
 std::vector<bool> pareto_front(const AccuracyReport& report) {
   std::vector<bool> front(report.rungs.size());

@@ -29,6 +29,9 @@ inline constexpr double kAdvisedPixels = 0.1;
   return 8 * report.comparison.reference.worst_pixels;
 }
 
+/// A length in pixels, with two digits.
+[[nodiscard]] std::string length_text(double pixels);
+
 /// Rungs of the Pareto front, at least one: no other rung is both at least as quick and at least as exact, and better
 /// in one of the two. Errors are the worst; a setting with missed or false surfaces is less exact than all without.
 /// Times are equal within each other's spread or two hundredths, and so are errors below the resolution;

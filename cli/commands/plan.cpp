@@ -21,7 +21,7 @@ using render::PlannedEffect;
 using render::Request;
 
 /// "scene.isl:12:3, in macro `Tree` at scene.isl:40:1"; empty if there is no statement to name.
-std::string place_of(const Session& session, OriginId id) {
+std::string statement_place(const Session& session, OriginId id) {
   const interpreter::Origin origin = session.scene().origins.resolve(id);
   const auto text = [&](SourceSpan span) {
     const grammar::SourcePosition at = session.sources().position(span.begin);
@@ -39,8 +39,8 @@ std::string place_of(const Session& session, OriginId id) {
 
 std::string statement(const Session& session, const Request& request) {
   std::string text = request.what;
-  if (const std::string place = place_of(session, request.origin); !place.empty()) text += " at " + place;
-  if (const std::string user = place_of(session, request.used_by); !user.empty()) text += ", used at " + user;
+  if (const std::string place = statement_place(session, request.origin); !place.empty()) text += " at " + place;
+  if (const std::string user = statement_place(session, request.used_by); !user.empty()) text += ", used at " + user;
   if (request.count > 1) text += fmt::format(", and {} more", request.count - 1);
   return text;
 }

@@ -1,6 +1,7 @@
 #include "cli/options/ini_options.h"
 
 #include "cli/options/ini_animation.h"
+#include "cli/options/option_values.h"
 #include "cli/options/povray_options.h"
 #include "cli/output/output_files.h"
 #include "grammar/similar_file.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::string_view;
-
-constexpr double kUnbounded = std::numeric_limits<double>::max();
 
 /// POV-Ray's threshold for `Antialias=on` without one.
 constexpr double kPovrayThreshold = 0.3;

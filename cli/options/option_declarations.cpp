@@ -1,6 +1,7 @@
 #include "cli/options/option_declarations.h"
 
 #include "cli/options/aovs.h"
+#include "cli/options/option_values.h"
 #include "cli/output/version.h"
 #include "renderer/effects/effect.h"
 
@@ -12,8 +13,6 @@
 
 namespace isl::cli {
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::max();
 
 constexpr std::string_view kFooter =
     "Exit codes: 0 done, 1 the scene has errors, 2 the command line has errors,\n"

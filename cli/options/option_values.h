@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,9 @@
 #include <vector>
 
 namespace isl::cli {
+
+/// The limit of a number that has none.
+inline constexpr double kUnbounded = std::numeric_limits<double>::max();
 
 /// A value, or the reason why the text is invalid: lower case, no full stop, says what was found.
 template <class T>

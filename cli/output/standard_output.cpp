@@ -1,5 +1,6 @@
 #include "cli/output/standard_output.h"
 
+#include "base/system_message.h"
 #include "renderer/image/image_file.h"
 
 #include <fmt/format.h>
@@ -11,14 +12,11 @@
 #include <cerrno>
 #include <csignal>
 #include <string_view>
-#include <system_error>
 
 namespace isl::cli {
 namespace {
 
-std::string failure(int error) {
-  return fmt::format("cannot write to standard output: {}", std::generic_category().message(error));
-}
+std::string failure(int error) { return fmt::format("cannot write to standard output: {}", explain(error)); }
 
 /// Writes all bytes and returns 0, or the error. Waits for a slow reader of a pipe that another process made
 /// non-blocking.

@@ -52,6 +52,8 @@ struct Builtin {
   Value (*general)(const Arguments&) = nullptr;
 };
 
+[[nodiscard]] inline Value to_value(const scene::Vec3& v) { return {3, {v.x, v.y, v.z}}; }
+
 [[nodiscard]] std::span<const Builtin> float_functions();
 [[nodiscard]] std::span<const Builtin> vector_functions();
 [[nodiscard]] std::span<const Builtin> object_functions();

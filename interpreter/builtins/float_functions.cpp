@@ -104,7 +104,7 @@ Value open_random(const Arguments& a) {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-const Builtin kFunctions[] = {
+const Builtin kFloatFunctions[] = {
     {word::kw_abs, 1, 1, [](double v) { return std::abs(v); }},
     {word::kw_acosh, 1, 1, [](double v) { return std::acosh(v); }},
     {word::kw_asinh, 1, 1, [](double v) { return std::asinh(v); }},
@@ -146,6 +146,6 @@ const Builtin kFunctions[] = {
 
 }  // namespace
 
-std::span<const Builtin> float_functions() { return kFunctions; }
+std::span<const Builtin> float_functions() { return kFloatFunctions; }
 
 }  // namespace isl::interpreter

@@ -18,8 +18,6 @@ using scene::Vec3;
 /// POV-Ray's extent of an infinite side, and of an object without a surface.
 constexpr double kFarthest = 1e10;
 
-Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
-
 scene::Queries& queries(const Arguments& a) {
   if (!a.context().options.queries) a.context().fail(a.span(), "properties of objects are not available here");
   return *a.context().options.queries;
@@ -67,7 +65,7 @@ Value corner(const Arguments& a, double sign) {
   return to_value(result);
 }
 
-const Builtin kFunctions[] = {
+const Builtin kObjectFunctions[] = {
     {word::kw_trace, 3, 5, nullptr, trace},
     {word::kw_inside, 2, 2, nullptr, inside},
     {word::kw_min_extent, 1, 1, nullptr, [](const Arguments& a) { return corner(a, -1); }},
@@ -76,6 +74,6 @@ const Builtin kFunctions[] = {
 
 }  // namespace
 
-std::span<const Builtin> object_functions() { return kFunctions; }
+std::span<const Builtin> object_functions() { return kObjectFunctions; }
 
 }  // namespace isl::interpreter

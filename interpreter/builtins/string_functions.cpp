@@ -87,7 +87,7 @@ Value code_of_character(const Arguments& a) { return Value(static_cast<double>(f
 /// The difference of the first characters that differ, as older strcmp implementations return it.
 Value order(const Arguments& a) { return Value(static_cast<double>(compare_characters(a.string(0), a.string(1)))); }
 
-const Builtin kFunctions[] = {
+const Builtin kStringFunctions[] = {
     {word::kw_asc, 1, 1, nullptr, code_of_character},
     {word::kw_chr, 1, 1, nullptr, character},
     {word::kw_concat, 1, Builtin::kAnyNumber, nullptr, concat},
@@ -108,6 +108,6 @@ const Builtin kFunctions[] = {
 
 }  // namespace
 
-std::span<const Builtin> string_functions() { return kFunctions; }
+std::span<const Builtin> string_functions() { return kStringFunctions; }
 
 }  // namespace isl::interpreter

@@ -33,11 +33,11 @@ Value date_and_time(const Arguments& a) {
   return make_string(a.context(), std::string(text.data(), size), a.span());
 }
 
-constexpr Builtin kFunctions[] = {{word::kw_datetime, 1, 2, nullptr, date_and_time}};
+constexpr Builtin kTimeFunctions[] = {{word::kw_datetime, 1, 2, nullptr, date_and_time}};
 
 }  // namespace
 
-std::span<const Builtin> time_functions() { return kFunctions; }
+std::span<const Builtin> time_functions() { return kTimeFunctions; }
 
 double days_since_2000() {
   const std::chrono::duration<double> since_1970 = std::chrono::system_clock::now().time_since_epoch();

@@ -15,8 +15,6 @@ namespace {
 namespace word = grammar::word;
 using scene::Vec3;
 
-Value to_value(const Vec3& v) { return {3, {v.x, v.y, v.z}}; }
-
 Value normalise(const Arguments& a) {
   const Vec3 v = a.vector(0);
   const double length = std::sqrt(v.dot(v));
@@ -46,7 +44,7 @@ Value turbulence(const Arguments& a) {
   return to_value(values::vector_turbulence(a.vector(3), {.lambda = lambda, .omega = omega, .count = count}));
 }
 
-const Builtin kFunctions[] = {
+const Builtin kVectorFunctions[] = {
     {word::kw_vlength, 1, 1, nullptr,
      [](const Arguments& a) { return Value(std::sqrt(a.vector(0).dot(a.vector(0)))); }},
     {word::kw_vdot, 2, 2, nullptr, [](const Arguments& a) { return Value(a.vector(0).dot(a.vector(1))); }},
@@ -59,6 +57,6 @@ const Builtin kFunctions[] = {
 
 }  // namespace
 
-std::span<const Builtin> vector_functions() { return kFunctions; }
+std::span<const Builtin> vector_functions() { return kVectorFunctions; }
 
 }  // namespace isl::interpreter

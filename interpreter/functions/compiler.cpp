@@ -18,10 +18,11 @@ using grammar::Node;
 using grammar::NodeKind;
 using grammar::Symbol;
 using scene::Opcode;
-using Operand = ProgramBuilder::Operand;
 namespace word = grammar::word;
 
 class Compiler {
+  using Operand = ProgramBuilder::Operand;
+
  public:
   Compiler(Context& context, std::span<const Symbol> parameters, SourceSpan span)
       : context_(context), parameters_(parameters), span_(span), builder_(parameters.size()) {}

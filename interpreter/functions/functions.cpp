@@ -86,8 +86,8 @@ Function make_internal(Context& context, const grammar::FunctionCall& node) {
 
 Function make_block_function(Context& context, const grammar::Function& node, ElementStream& stream) {
   const Element block = stream.take();
-  static constexpr Symbol kBlocks[] = {word::kw_pattern, word::kw_pigment, word::kw_spline, word::kw_transform};
-  if (std::ranges::find(kBlocks, block.word) == std::end(kBlocks)) {
+  static constexpr Symbol kFunctionBlocks[] = {word::kw_pattern, word::kw_pigment, word::kw_spline, word::kw_transform};
+  if (std::ranges::find(kFunctionBlocks, block.word) == std::end(kFunctionBlocks)) {
     context.fail(
         block.word == grammar::kNoSymbol ? block.span : block.word_span,
         fmt::format("expected an expression, or a `pattern`, `pigment`, `spline` or `transform` block, found {}",

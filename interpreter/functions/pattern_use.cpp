@@ -9,7 +9,7 @@ namespace isl::interpreter {
 namespace {
 
 /// "function { image_map }" by kind: the names that functions keep of patterns that cannot be evaluated.
-constexpr std::string_view kFunctions[] = {
+constexpr std::string_view kFunctionOf[] = {
     "",
 #define ISL_PATTERN(name, frequency) "function { " #name " }",
 #include "renderer/scene/patterns.def"
@@ -58,7 +58,7 @@ class Walk {
     // Functions see what asks for a surface as 0.
     const bool is_known = lack == render::PatternLack::nothing || lack == render::PatternLack::surface;
     if (is_known && (!asks_objects || context_.options.queries)) return {};
-    return kFunctions[static_cast<std::size_t>(pattern.kind)];
+    return kFunctionOf[static_cast<std::size_t>(pattern.kind)];
   }
 
   static void add(PatternUse& use, const PatternUse& inner) {

@@ -5,7 +5,7 @@
 namespace isl::render {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kWrong = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -30,8 +30,8 @@ std::span<const MeasuredAov> measured_aovs() {
        .fill =
            [](const RayMeasure& /*found*/, const RayError& error, double* values) {
              const bool is_wrong = error.outcome == RayOutcome::missed || error.outcome == RayOutcome::false_surface;
-             values[0] = is_wrong ? kNever : error.pixels;
-             values[1] = is_wrong ? kNever : error.units;
+             values[0] = is_wrong ? kWrong : error.pixels;
+             values[1] = is_wrong ? kWrong : error.units;
            }},
       // Cells of the grid whose fields were solved.
       {.aov = {.name = "solver_steps",

@@ -21,12 +21,11 @@ double thread_seconds() {
 }
 
 RayMeasure measure(const Tracer& tracer, const Ray& ray) {
-  using Clock = std::chrono::steady_clock;
   Hit hit;
   TraceCounters counters;
-  const Clock::time_point begin = Clock::now();
+  const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   tracer.first_hits(std::span(&ray, 1), std::span(&hit, 1), counters);
-  const std::chrono::duration<float> seconds = Clock::now() - begin;
+  const std::chrono::duration<float> seconds = std::chrono::steady_clock::now() - begin;
   return {.t = hit.is_miss() ? std::numeric_limits<double>::infinity() : hit.t,
           .counters = counters,
           .seconds = seconds.count()};

@@ -10,7 +10,7 @@ namespace isl::render {
 namespace {
 
 /// False for a box that reaches too far for a grid: its instance is kept outside, like an endless one.
-bool is_finite(const Box& box) {
+bool fits_in_grid(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!(std::abs(box.min[axis]) <= kFarthestInGrid && std::abs(box.max[axis]) <= kFarthestInGrid)) return false;
   }
@@ -33,7 +33,7 @@ Box endless_box() {
 
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
   const Box box = local_bounds(scene, instance);
-  if (!instance.is_placed || box.isEmpty() || !is_finite(box)) return box;
+  if (!instance.is_placed || box.isEmpty() || !fits_in_grid(box)) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
@@ -41,7 +41,7 @@ Box world_bounds(const CompiledScene& scene, const Instance& instance) {
     world.extendBy(instance.world_from_object.point(p));
   }
   // A corner that overflows is infinite or NaN; extendBy ignores NaN.
-  return is_finite(world) ? world : endless_box();
+  return fits_in_grid(world) ? world : endless_box();
 }
 
 class BoxClassifier {
@@ -87,7 +87,7 @@ void build_instance_grid(CompiledScene& scene, GridBudget& budget) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Box box = world_bounds(scene, scene.instances[i]);
     if (box.isEmpty()) continue;  // a blob without a surface
-    if (!is_finite(box)) {
+    if (!fits_in_grid(box)) {
       scene.unbounded.push_back(i);
       continue;
     }

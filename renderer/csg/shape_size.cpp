@@ -10,12 +10,11 @@ namespace {
 
 using scene::Database;
 
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 double size_of(const scene::Blob& blob) {
   double size = 0;
   for (const scene::Component& c : blob.components) {
-    size = std::max({size, largest(c.a), largest(c.b), std::abs(c.radius_a), std::abs(c.radius_b)});
+    size =
+        std::max({size, largest_coordinate(c.a), largest_coordinate(c.b), std::abs(c.radius_a), std::abs(c.radius_b)});
   }
   return size;
 }

@@ -1,17 +1,12 @@
 #include "renderer/csg/spread.h"
 
-#include <algorithm>
+#include "renderer/csg/shape_size.h"
+
 #include <cmath>
 
 namespace isl::render {
 
 using scene::Vec3;
-
-namespace {
-
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-}  // namespace
 
 double frobenius_norm(const scene::Matrix& m) {
   double sum = 0;
@@ -29,7 +24,7 @@ Spread spread_through(const scene::Transform& map, const Spread& inner) {
   // No coordinate of a vector is stretched by more than √3 times the norm; distances are multiplied by at most the norm
   // on the way back.
   const double in = std::sqrt(3.0) * frobenius_norm(map.inverse), out = frobenius_norm(map.matrix);
-  return {out * inner.factor * in, out * inner.at(largest(offset))};
+  return {out * inner.factor * in, out * inner.at(largest_coordinate(offset))};
 }
 
 }  // namespace isl::render

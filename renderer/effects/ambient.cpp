@@ -1,6 +1,7 @@
 // Light that comes from everywhere: pigment × finish ambient × ambient_light, whatever stands around. It is replaced by
 // the pigment itself at the lowest qualities, which show no light at all.
 #include "renderer/effects/effect.h"
+#include "renderer/effects/light_requests.h"
 
 namespace isl::render {
 namespace {
@@ -16,8 +17,6 @@ class AmbientStage final : public Stage<SurfaceWork> {
     }
   }
 };
-
-bool shines(const scene::Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; }
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "renderer/effects/not_rendered.h"
 
+#include "renderer/effects/light_requests.h"
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 #include <optional>
@@ -158,8 +159,6 @@ struct FinishRow {
   void (*leave_out)(Finish&);
   int from_quality = 2;
 };
-
-bool shines(const Colour& colour) { return colour.red != 0 || colour.green != 0 || colour.blue != 0; }
 
 // `conserve_energy` and `use_alpha` are not here, because they have no meaning without transparency.
 constexpr FinishRow kFinishRows[] = {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFan = 8;
 /// Far more than a few roundings in double precision.
-constexpr long double kAbove = 1 + 0x1p-49L;
+constexpr long double kBallMargin = 1 + 0x1p-49L;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The smallest ball of its kind around some: the middle of their common box, and the radius that it takes.
@@ -34,7 +34,7 @@ Ball around(const Ball* first, const Ball* last) {
                                  static_cast<long double>(ball->z) - all.z};
     radius = std::max(radius, std::sqrt(squared_length(to)) + ball->radius);
   }
-  all.radius = static_cast<double>(radius * kAbove);
+  all.radius = static_cast<double>(radius * kBallMargin);
   return all;
 }
 
@@ -56,7 +56,7 @@ Ball rounded_ball(const Vector<long double>& centre, long double radius) {
   const Vector<long double> off{centre.x - ball.x, centre.y - ball.y, centre.z - ball.z};
   // The centre itself was computed with a few roundings of 2⁻⁶⁴.
   const long double far = std::sqrt(squared_length(centre));
-  const long double whole = (radius + std::sqrt(squared_length(off)) + far * 0x1p-60L) * kAbove;
+  const long double whole = (radius + std::sqrt(squared_length(off)) + far * 0x1p-60L) * kBallMargin;
   // Beyond this a double's squares overflow. NaN fails the comparison, too.
   if (whole < 1e150L && far < 1e150L) ball.radius = static_cast<double>(whole);
   return ball;
@@ -94,7 +94,7 @@ Ball ball_before(const Vector<long double>& centre, long double radius, const sc
   };
   const Vector<Interval> rest = exact(centre) - Vector<Interval>{image(0), image(1), image(2)};
   const long double off = std::sqrt(squared_length(rest).hi);
-  return rounded_ball(p0, (radius + off) * std::sqrt(size_squared) / (1 - error) * kAbove);
+  return rounded_ball(p0, (radius + off) * std::sqrt(size_squared) / (1 - error) * kBallMargin);
 }
 
 RoughLine::RoughLine(const FieldRay& ray) {
@@ -105,7 +105,7 @@ RoughLine::RoughLine(const FieldRay& ray) {
       to[i] = static_cast<double>(parts[static_cast<std::size_t>(i)]->middle());
       off += (*parts[static_cast<std::size_t>(i)] - Interval(static_cast<long double>(to[i]))).magnitude();
     }
-    return static_cast<double>(off * kAbove);
+    return static_cast<double>(off * kBallMargin);
   };
   origin_error = round(ray.origin, origin);
   direction_error = round(ray.direction, direction);

@@ -9,8 +9,6 @@
 namespace isl::reference {
 namespace {
 
-constexpr long double kAbove = 1 + 0x1p-50L;
-
 Interval around(long double x, long double error) { return {x - error, x + error}; }
 
 long double least_at(long double distance) { return distance > 0 ? distance * distance : 0; }
@@ -30,7 +28,7 @@ ReferenceConvolution::Ball ReferenceConvolution::ball_of(const Vector<Interval>&
   const Vector<long double> middle{p.x.middle() * unit_, p.y.middle() * unit_, p.z.middle() * unit_};
   const Vector<long double> half{p.x.width() / 2, p.y.width() / 2, p.z.width() / 2};
   const long double size = std::sqrt(squared_length(middle)) + 1;
-  return {middle, std::sqrt(squared_length(half)) * unit_ * kAbove + size * 0x1p-60L};
+  return {middle, std::sqrt(squared_length(half)) * unit_ * kWindowMargin + size * 0x1p-60L};
 }
 
 ReferenceConvolution::Sample ReferenceConvolution::at(const Vector<Interval>& p) const {
@@ -61,15 +59,15 @@ FieldRange ReferenceConvolution::over(const Line& line, long double t0, long dou
   Ball ball = ball_of(line.at(t0 + (t1 - t0) / 2));
   const Vector<long double> along{line.direction.x.magnitude(), line.direction.y.magnitude(),
                                   line.direction.z.magnitude()};
-  const long double speed = std::sqrt(squared_length(along)) * unit_ * kAbove, h = (t1 - t0) * kAbove;
-  ball.radius += speed * h / 2 * kAbove;
+  const long double speed = std::sqrt(squared_length(along)) * unit_ * kWindowMargin, h = (t1 - t0) * kWindowMargin;
+  ball.radius += speed * h / 2 * kWindowMargin;
   const long double distance = curve_->distance(ball.centre) - ball.radius;
   if (distance >= 1) return {0, 0};
   const ReferenceWindow::View view = curve_->view(ball.centre, ball.radius, least_at(distance));
-  const long double amplitude = window_.amplitude() * kAbove;
+  const long double amplitude = window_.amplitude() * kWindowMargin;
   const long double slope = amplitude * speed * window_.most_slope(view);
   // f′ cannot be higher than the point where lines of the steepest bend from both ends meet.
-  const long double turn = amplitude * speed * speed * window_.most_bend(view) * h / 2 * kAbove;
+  const long double turn = amplitude * speed * speed * window_.most_bend(view) * h / 2 * kWindowMargin;
   const Interval &a = first.derivative, &b = last.derivative;
   const Interval derivative = common({-slope, slope}, widened((a.lo + b.lo) / 2 - turn, (a.hi + b.hi) / 2 + turn));
   const Interval step(0, h);
@@ -84,8 +82,9 @@ Interval ReferenceConvolution::range(const Vector<Interval>& box) const {
   if (distance >= 1) return 0;
   const ReferenceWindow::View view = curve_->view(ball.centre, ball.radius, least_at(distance));
   const Vector<Interval> middle{box.x.middle(), box.y.middle(), box.z.middle()};
-  const long double change = window_.amplitude() * window_.most_slope(view) * ball.radius * kAbove;
-  return common({0, window_.amplitude() * window_.most(view) * kAbove}, at(middle).value + Interval(-change, change));
+  const long double change = window_.amplitude() * window_.most_slope(view) * ball.radius * kWindowMargin;
+  return common({0, window_.amplitude() * window_.most(view) * kWindowMargin},
+                at(middle).value + Interval(-change, change));
 }
 
 }  // namespace isl::reference

@@ -20,8 +20,6 @@ namespace isl::reference {
 namespace {
 
 constexpr long double kLeastEpsilon = 1e-40L;
-/// Allows for the rounding of bounds.
-constexpr long double kAbove = 1 + 0x1p-50L;
 
 /// Bisects to neighbouring numbers: the place where `is_below` ends.
 template <class IsBelow>
@@ -93,19 +91,19 @@ ReferenceWindow::Value ReferenceWindow::at(long double y, long double to_border)
 long double ReferenceWindow::scale(long double y) const { return is_quartic_ ? 2 : std::sqrt(epsilon_ + y); }
 
 long double ReferenceWindow::most_bend(const View& view) const {
-  if (is_quartic_) return 8 * view.length * kAbove;
+  if (is_quartic_) return 8 * view.length * kWindowMargin;
   const long double p = epsilon_ + view.least;
-  return 24 * std::min(view.length, 1.1781L * std::sqrt(p) * view.spread) / (p * p * p) * kAbove;
+  return 24 * std::min(view.length, 1.1781L * std::sqrt(p) * view.spread) / (p * p * p) * kWindowMargin;
 }
 
 long double ReferenceWindow::most_slope(const View& view) const {
-  if (is_quartic_) return 1.54L * view.length * kAbove;
+  if (is_quartic_) return 1.54L * view.length * kWindowMargin;
   const long double p = epsilon_ + view.least;
-  return 4 * std::min(view.length, 1.3334L * std::sqrt(p) * view.spread) / (p * p * std::sqrt(p)) * kAbove;
+  return 4 * std::min(view.length, 1.3334L * std::sqrt(p) * view.spread) / (p * p * std::sqrt(p)) * kWindowMargin;
 }
 
 long double ReferenceWindow::most(const View& view) const {
-  return view.length * at(view.least, 1 - view.least).value * kAbove;
+  return view.length * at(view.least, 1 - view.least).value * kWindowMargin;
 }
 
 ReferenceWindow::Value ReferenceWindow::line(long double y) const {

@@ -11,6 +11,9 @@
 
 namespace isl::reference {
 
+/// Bounds are widened by this factor, which allows for their own rounding.
+inline constexpr long double kWindowMargin = 1 + 0x1p-50L;
+
 class ReferenceWindow {
  public:
   /// Precondition: mode convolution, shape quartic or cauchy.

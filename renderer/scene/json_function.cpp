@@ -28,9 +28,9 @@ std::string operand(std::uint16_t i) {
   return i < Instruction::kConstants ? fmt::format("r{}", i) : fmt::format("c{}", i - Instruction::kConstants);
 }
 
-class Writer {
+class FunctionWriter {
  public:
-  explicit Writer(const std::vector<FunctionPointer>& functions) : functions_(functions) {
+  explicit FunctionWriter(const std::vector<FunctionPointer>& functions) : functions_(functions) {
     for (std::size_t i = 0; i < functions.size(); ++i) numbers_.emplace(functions[i].get(), i);
   }
 
@@ -87,7 +87,7 @@ class Writer {
 }  // namespace
 
 nlohmann::ordered_json functions_json(const std::vector<FunctionPointer>& functions) {
-  return Writer(functions).write();
+  return FunctionWriter(functions).write();
 }
 
 }  // namespace isl::scene

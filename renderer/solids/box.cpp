@@ -88,7 +88,7 @@ bool is_in_box(const scene::Database&, const scene::Solid& solid, const Vec3& po
   return true;
 }
 
-Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
+Coordinates coordinates_of_box(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
   return box_coordinates(solid.a, solid.b, point);
 }
 
@@ -100,6 +100,6 @@ constinit const SolidType kinds::box{.crossings = box_crossings,
                                      .bounds = box_bounds,
                                      .support = box_support,
                                      .is_inside = is_in_box,
-                                     .coordinates = coordinates};
+                                     .coordinates = coordinates_of_box};
 
 }  // namespace isl::render

@@ -95,7 +95,7 @@ struct ArcLine {
   }
 };
 
-struct Stretch {
+struct OvusStretch {
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 
   /// Restricts the stretch to the t where origin + t·direction is between two bounds.
@@ -117,7 +117,7 @@ Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, co
   const Vec3 origin = given_origin * unit, direction = given_direction * unit;
   const Egg egg(solid.radius_a * unit, solid.radius_b * unit);
   const double widest = egg.widest(), extent = std::max(widest, egg.highest());
-  Stretch stretch;
+  OvusStretch stretch;
   stretch.cut(origin.x, direction.x, -widest, widest);
   stretch.cut(origin.y, direction.y, -egg.bottom_radius, egg.highest());
   stretch.cut(origin.z, direction.z, -widest, widest);

@@ -6,7 +6,7 @@
 namespace isl::render {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                           const SolidDetails&) noexcept {
@@ -21,14 +21,14 @@ Vec3 plane_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const So
   return solid.a;
 }
 
-Box plane_bounds(const scene::Solid&, const SolidDetails&) noexcept { return {Vec3(-kFar), Vec3(kFar)}; }
+Box plane_bounds(const scene::Solid&, const SolidDetails&) noexcept { return {Vec3(-kEndless), Vec3(kEndless)}; }
 
 double plane_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
   // Tolerance for directions that are parallel up to the rounding of rotations.
   constexpr double kParallel = 1e-12;
   const double along = direction.dot(solid.a);
   const bool is_along = along > 0 && reach_across(direction, solid.a) <= kParallel * along;
-  return is_along ? along * solid.radius_a : kFar;
+  return is_along ? along * solid.radius_a : kEndless;
 }
 
 bool is_behind_plane(const scene::Database&, const scene::Solid& solid, const Vec3& point) {

@@ -27,7 +27,7 @@ bool is_in_sphere(const scene::Database&, const scene::Solid& solid, const Vec3&
   return (point - solid.a).length() < solid.radius_a;
 }
 
-Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
+Coordinates coordinates_of_sphere(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
   return sphere_coordinates(point - solid.a);
 }
 
@@ -38,6 +38,6 @@ constinit const SolidType kinds::sphere{.crossings = sphere_crossings,
                                         .bounds = sphere_bounds,
                                         .support = sphere_support,
                                         .is_inside = is_in_sphere,
-                                        .coordinates = coordinates};
+                                        .coordinates = coordinates_of_sphere};
 
 }  // namespace isl::render

@@ -24,18 +24,18 @@ namespace {
 double from_axis(const Vec3& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
 
 /// The stretch of t > 0 in which the line may meet the torus.
-struct Stretch {
+struct TorusStretch {
   double from = 0, to = 0;
   bool comes_from_outside = false;
 };
 
-Stretch stretch_of(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, bool starts_on_surface) {
+TorusStretch stretch_of(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, bool starts_on_surface) {
   const double reach = solid.radius_a + solid.radius_b, dd = direction.dot(direction);
   const double middle = -origin.dot(direction) / dd;
   const double distance = (origin + direction * middle).length();
   if (!(distance < reach)) return {};
   const double half = std::sqrt((reach - distance) * (reach + distance) / dd);
-  Stretch result{middle - half, middle + half};
+  TorusStretch result{middle - half, middle + half};
   if (direction.y != 0) {
     const double a = (-solid.radius_b - origin.y) / direction.y, b = (solid.radius_b - origin.y) / direction.y;
     result.from = std::max(result.from, std::min(a, b));
@@ -103,7 +103,7 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
                           const SolidDetails&) noexcept {
   Crossings result;
   const bool starts_on_surface = start_part == kSide;
-  const Stretch stretch = stretch_of(solid, origin, direction, starts_on_surface);
+  const TorusStretch stretch = stretch_of(solid, origin, direction, starts_on_surface);
   const double length = stretch.to - stretch.from;
   if (!(length > 0)) return result;
   const Vec3 begin = origin + direction * stretch.from;
@@ -165,7 +165,7 @@ bool is_in_torus(const scene::Database&, const scene::Solid& solid, const Vec3& 
   return std::hypot(std::hypot(point.x, point.z) - solid.radius_a, point.y) <= solid.radius_b;
 }
 
-Coordinates coordinates(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
+Coordinates coordinates_of_torus(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
   return torus_coordinates(point, solid.radius_a);
 }
 
@@ -176,6 +176,6 @@ constinit const SolidType kinds::torus{.crossings = torus_crossings,
                                        .bounds = torus_bounds,
                                        .support = torus_support,
                                        .is_inside = is_in_torus,
-                                       .coordinates = coordinates};
+                                       .coordinates = coordinates_of_torus};
 
 }  // namespace isl::render

@@ -71,12 +71,12 @@ struct Reading {
   }
 };
 
-void read_sphere(const Reading& r) {
+void read_sphere_skeleton(const Reading& r) {
   r.c.a = r.point("a point");
   r.radius("a radius");
 }
 
-void read_cylinder(const Reading& r) {
+void read_cylinder_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::segment;
   r.c.a = r.point("a point");
   r.c.b = r.point("the second end");
@@ -84,7 +84,7 @@ void read_cylinder(const Reading& r) {
   r.check_ends();
 }
 
-void read_cone(const Reading& r) {
+void read_cone_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::cone;
   r.c.a = r.point("a point");
   r.c.radius_a = r.positive("the radius at the first end");
@@ -93,7 +93,7 @@ void read_cone(const Reading& r) {
   r.check_ends();
 }
 
-void read_box(const Reading& r) {
+void read_box_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::box;
   const Vec3 p = r.point("a corner of the box"), q = r.point("the opposite corner of the box");
   for (int i = 0; i < 3; ++i) {
@@ -104,7 +104,7 @@ void read_box(const Reading& r) {
 }
 
 /// About the y axis, as POV-Ray's torus.
-void read_torus(const Reading& r) {
+void read_torus_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::circle;
   r.c.b = Vec3(0, 1, 0);
   r.c.radius_b = r.not_negative("the major radius of the torus");
@@ -116,7 +116,7 @@ void read_torus(const Reading& r) {
 }
 
 /// Centre and normal come first, as in POV-Ray's disc; the normal is normalised.
-void read_disc(const Reading& r) {
+void read_disc_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::disc;
   r.c.a = r.point("the centre of the disc");
   r.c.b = r.normal("the normal of the disc");
@@ -151,7 +151,7 @@ bool collapse_flat(const Reading& r, const std::array<Vec3, 3>& corners) {
   return true;
 }
 
-void read_triangle(const Reading& r) {
+void read_triangle_skeleton(const Reading& r) {
   r.c.skeleton = Skeleton::triangle;
   r.c.a = r.point("a corner of the triangle");
   r.c.b = r.point("the second corner");
@@ -164,7 +164,7 @@ void read_triangle(const Reading& r) {
 
 /// As in POV-Ray's plane the normal is normalised, and the distance is not scaled with it. Of a half-space there is no
 /// convolution: the plane itself is the skeleton then.
-void read_plane(const Reading& r) {
+void read_plane_skeleton(const Reading& r) {
   r.c.skeleton = r.is_convolved ? Skeleton::sheet : Skeleton::plane;
   r.c.b = r.normal("the normal of the plane");
   r.c.a = r.c.b * r.number("the distance of the plane from the origin");
@@ -178,13 +178,13 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {word::kw_sphere, false, false, read_sphere},    {word::kw_cylinder, false, true, read_cylinder},
-    {word::kw_cone, true, false, read_cone},         {word::kw_box, true, false, read_box},
-    {word::kw_torus, true, true, read_torus},        {word::kw_disc, true, false, read_disc},
-    {word::kw_triangle, true, false, read_triangle}, {word::kw_plane, true, true, read_plane},
+    {word::kw_sphere, false, false, read_sphere_skeleton},    {word::kw_cylinder, false, true, read_cylinder_skeleton},
+    {word::kw_cone, true, false, read_cone_skeleton},         {word::kw_box, true, false, read_box_skeleton},
+    {word::kw_torus, true, true, read_torus_skeleton},        {word::kw_disc, true, false, read_disc_skeleton},
+    {word::kw_triangle, true, false, read_triangle_skeleton}, {word::kw_plane, true, true, read_plane_skeleton},
 };
 
-constexpr auto kWords = [] {
+constexpr auto kComponentWords = [] {
   std::array<grammar::Symbol, std::size(kRows)> words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = kRows[i].word;
   return words;
@@ -207,9 +207,11 @@ void check_convolution(Context& context, const Element& block, const Row& row, c
 
 }  // namespace
 
-bool is_component_word(grammar::Symbol word) { return std::ranges::find(kWords, word) != kWords.end(); }
+bool is_component_word(grammar::Symbol word) {
+  return std::ranges::find(kComponentWords, word) != kComponentWords.end();
+}
 
-std::span<const grammar::Symbol> component_words() { return kWords; }
+std::span<const grammar::Symbol> component_words() { return kComponentWords; }
 
 Component read_component_shape(ElementStream& stream, const Element& block, const scene::Kernel* kernel,
                                scene::Blob& blob) {

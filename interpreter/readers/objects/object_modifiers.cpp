@@ -31,19 +31,19 @@ struct Flag {
 };
 
 /// As in POV-Ray, these flags can be set but not cleared; only `hollow` has a truth value.
-constexpr Flag kFlags[] = {{word::kw_no_shadow, &Object::no_shadow},
-                           {word::kw_no_image, &Object::no_image},
-                           {word::kw_no_reflection, &Object::no_reflection},
-                           {word::kw_double_illuminate, &Object::double_illuminate}};
+constexpr Flag kObjectFlags[] = {{word::kw_no_shadow, &Object::no_shadow},
+                                 {word::kw_no_image, &Object::no_image},
+                                 {word::kw_no_reflection, &Object::no_reflection},
+                                 {word::kw_double_illuminate, &Object::double_illuminate}};
 
-constexpr ItemWord<ObjectItem> kPlaces[] = {{word::kw_no_image, ObjectItem::no_image},
-                                            {word::kw_no_reflection, ObjectItem::no_reflection},
-                                            {word::kw_double_illuminate, ObjectItem::double_illuminate},
-                                            {word::kw_interior_texture, ObjectItem::interior_texture}};
+constexpr ItemWord<ObjectItem> kObjectPlaces[] = {{word::kw_no_image, ObjectItem::no_image},
+                                                  {word::kw_no_reflection, ObjectItem::no_reflection},
+                                                  {word::kw_double_illuminate, ObjectItem::double_illuminate},
+                                                  {word::kw_interior_texture, ObjectItem::interior_texture}};
 
 bool read_flag(ElementStream& stream, ObjectDraft& draft) {
   const grammar::Symbol name = stream.peek().word;
-  if (const auto* const flag = std::ranges::find(kFlags, name, &Flag::word); flag != std::end(kFlags)) {
+  if (const auto* const flag = std::ranges::find(kObjectFlags, name, &Flag::word); flag != std::end(kObjectFlags)) {
     stream.drop();
     draft.object.*flag->member = true;
     return true;
@@ -175,7 +175,7 @@ bool read_modifier(ElementStream& stream, ObjectDraft& draft) {
     move(stream.context(), span, draft, *transform);
     return true;
   }
-  note_place(stream.context(), stream.peek(), kPlaces, draft.object.said_at);
+  note_place(stream.context(), stream.peek(), kObjectPlaces, draft.object.said_at);
   if (read_surface_modifier(stream, draft, draft.object.parent_from_object)) return true;
   if (stream.peek().is(ElementKind::block)) return read_clips(stream, draft);
   if (!stream.peek().is(ElementKind::word)) return false;

@@ -32,7 +32,7 @@ constexpr ObjectReader kReaders[] = {
     {word::kw_light_group, read_light_group},
 };
 
-constexpr auto kWords = [] {
+constexpr auto kObjectWords = [] {
   std::array<grammar::Symbol, std::size(kReaders)> words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = kReaders[i].word;
   return words;
@@ -56,7 +56,7 @@ void cut_textures_away(ElementStream& stream, ObjectDraft& draft) {
 
 bool is_object_word(grammar::Symbol name) { return find_reader(name) != nullptr; }
 
-std::span<const grammar::Symbol> object_words() { return kWords; }
+std::span<const grammar::Symbol> object_words() { return kObjectWords; }
 
 scene::GroupId add_group(ElementStream& stream, scene::Group group) {
   Context& context = stream.context();

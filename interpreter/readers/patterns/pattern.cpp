@@ -37,7 +37,7 @@ constexpr std::string_view kNames[] = {
 /// every scene.
 using KindByWord = std::vector<PatternKind>;
 const KindByWord& kinds_by_word(Context& context) {
-  static const KindByWord kKinds = [&context] {
+  static const KindByWord kKindByWord = [&context] {
     KindByWord kinds(word::kReservedCount, PatternKind::plain);
     for (std::size_t i = 1; i < scene::kPatternKindCount; ++i) {
       for (const std::string_view name : words_of(PatternKind(i))) {
@@ -48,7 +48,7 @@ const KindByWord& kinds_by_word(Context& context) {
     }
     return kinds;
   }();
-  return kKinds;
+  return kKindByWord;
 }
 
 /// The kind of pattern that the element begins; `plain` for none.
@@ -173,16 +173,16 @@ constexpr grammar::Symbol kKnownModifiers[] = {word::kw_turbulence, word::kw_war
                                                word::kw_phase,      word::kw_scale,          word::kw_rotate,
                                                word::kw_translate,  word::kw_noise_generator};
 
-struct NumberRow {
+struct ModifierRow {
   grammar::Symbol word;
   double Pattern::*value;
 };
 
-constexpr NumberRow kNumbers[] = {{word::kw_frequency, &Pattern::frequency}, {word::kw_phase, &Pattern::phase}};
+constexpr ModifierRow kModifiers[] = {{word::kw_frequency, &Pattern::frequency}, {word::kw_phase, &Pattern::phase}};
 
 bool read_scalar(ElementStream& stream, Pattern& pattern) {
   const grammar::Symbol name = stream.peek().word;
-  if (const auto* const row = std::ranges::find(kNumbers, name, &NumberRow::word); row != std::end(kNumbers)) {
+  if (const auto* const row = std::ranges::find(kModifiers, name, &ModifierRow::word); row != std::end(kModifiers)) {
     stream.drop();
     pattern.*row->value = read_number(stream, fmt::format("a number after `{}`", stream.context().text(name)));
     return true;

@@ -16,7 +16,7 @@ using scene::Vec3;
 namespace word = grammar::word;
 
 /// POV-Ray clamps the number of octaves to this range.
-constexpr double kMinOctaves = 1, kMaxOctaves = 10;
+constexpr double kFewestOctaves = 1, kMostOctaves = 10;
 
 RepeatWarp read_repeat(ElementStream& stream) {
   Context& context = stream.context();
@@ -159,7 +159,7 @@ bool read_turbulence_item(ElementStream& stream, scene::Turbulence& turbulence) 
     case word::kIndex_octaves:
       stream.drop();
       turbulence.octaves =
-          static_cast<int>(std::clamp(read_number(stream, "a number after `octaves`"), kMinOctaves, kMaxOctaves));
+          static_cast<int>(std::clamp(read_number(stream, "a number after `octaves`"), kFewestOctaves, kMostOctaves));
       return true;
     case word::kIndex_omega:
       stream.drop();

@@ -17,13 +17,13 @@ using scene::Finish;
 namespace word = grammar::word;
 
 /// An item that is one number; it may have an `albedo` before it if there is a flag for it.
-struct NumberRow {
+struct FinishRow {
   grammar::Symbol word;
   double Finish::*value;
   bool Finish::*albedo = nullptr;
 };
 
-constexpr NumberRow kNumbers[] = {
+constexpr FinishRow kFinishNumbers[] = {
     {word::kw_diffuse, &Finish::diffuse, &Finish::diffuse_albedo},
     {word::kw_brilliance, &Finish::brilliance},
     {word::kw_phong, &Finish::phong, &Finish::phong_albedo},
@@ -40,48 +40,48 @@ struct ColourRow {
 
 constexpr ColourRow kColours[] = {{word::kw_ambient, &Finish::ambient}, {word::kw_emission, &Finish::emission}};
 
-struct FlagRow {
+struct FinishFlag {
   grammar::Symbol word;
   bool Finish::*value;
 };
 
-constexpr FlagRow kFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy},
-                              {word::kw_use_alpha, &Finish::use_alpha}};
+constexpr FinishFlag kFinishFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy},
+                                       {word::kw_use_alpha, &Finish::use_alpha}};
 
 using scene::FinishItem;
 
 /// `albedo` stands within these items, and `fresnel` and `exponent` within a block of reflection.
-constexpr ItemWord<FinishItem> kPlaces[] = {{word::kw_ambient, FinishItem::ambient},
-                                            {word::kw_emission, FinishItem::emission},
-                                            {word::kw_diffuse, FinishItem::diffuse},
-                                            {word::kw_phong, FinishItem::phong},
-                                            {word::kw_specular, FinishItem::specular},
-                                            {word::kw_metallic, FinishItem::metallic},
-                                            {word::kw_reflection, FinishItem::reflection},
-                                            {word::kw_reflection_exponent, FinishItem::exponent},
-                                            {word::kw_irid, FinishItem::irid},
-                                            {word::kw_crand, FinishItem::crand},
-                                            {word::kw_conserve_energy, FinishItem::conserve_energy},
-                                            {word::kw_use_alpha, FinishItem::use_alpha}};
+constexpr ItemWord<FinishItem> kFinishPlaces[] = {{word::kw_ambient, FinishItem::ambient},
+                                                  {word::kw_emission, FinishItem::emission},
+                                                  {word::kw_diffuse, FinishItem::diffuse},
+                                                  {word::kw_phong, FinishItem::phong},
+                                                  {word::kw_specular, FinishItem::specular},
+                                                  {word::kw_metallic, FinishItem::metallic},
+                                                  {word::kw_reflection, FinishItem::reflection},
+                                                  {word::kw_reflection_exponent, FinishItem::exponent},
+                                                  {word::kw_irid, FinishItem::irid},
+                                                  {word::kw_crand, FinishItem::crand},
+                                                  {word::kw_conserve_energy, FinishItem::conserve_energy},
+                                                  {word::kw_use_alpha, FinishItem::use_alpha}};
 
 constexpr ItemWord<FinishItem> kReflectionPlaces[] = {{word::kw_fresnel, FinishItem::fresnel},
                                                       {word::kw_exponent, FinishItem::exponent}};
 
-constexpr grammar::Symbol kKnown[] = {word::kw_ambient,
-                                      word::kw_emission,
-                                      word::kw_diffuse,
-                                      word::kw_brilliance,
-                                      word::kw_phong,
-                                      word::kw_phong_size,
-                                      word::kw_specular,
-                                      word::kw_roughness,
-                                      word::kw_metallic,
-                                      word::kw_reflection,
-                                      word::kw_reflection_exponent,
-                                      word::kw_irid,
-                                      word::kw_crand,
-                                      word::kw_conserve_energy,
-                                      word::kw_use_alpha};
+constexpr grammar::Symbol kFinishWords[] = {word::kw_ambient,
+                                            word::kw_emission,
+                                            word::kw_diffuse,
+                                            word::kw_brilliance,
+                                            word::kw_phong,
+                                            word::kw_phong_size,
+                                            word::kw_specular,
+                                            word::kw_roughness,
+                                            word::kw_metallic,
+                                            word::kw_reflection,
+                                            word::kw_reflection_exponent,
+                                            word::kw_irid,
+                                            word::kw_crand,
+                                            word::kw_conserve_energy,
+                                            word::kw_use_alpha};
 
 bool is_finish(const Context& context, const Element& element) {
   if (!element.is(ElementKind::value) || element.node->kind != grammar::NodeKind::name) return false;
@@ -110,8 +110,8 @@ bool starts_number(ElementStream& stream) {
 
 bool read_number_row(ElementStream& stream, Finish& finish) {
   const grammar::Symbol name = stream.peek().word;
-  const auto* const row = std::ranges::find(kNumbers, name, &NumberRow::word);
-  if (row == std::end(kNumbers)) return false;
+  const auto* const row = std::ranges::find(kFinishNumbers, name, &FinishRow::word);
+  if (row == std::end(kFinishNumbers)) return false;
   stream.drop();
   if (row->albedo) {
     finish.*row->albedo = stream.peek().is_word(word::kw_albedo);
@@ -216,7 +216,8 @@ bool read_item(ElementStream& stream, Finish& finish) {
     finish.*row->value = read_colour(stream);
     return true;
   }
-  if (const auto* const row = std::ranges::find(kFlags, next.word, &FlagRow::word); row != std::end(kFlags)) {
+  if (const auto* const row = std::ranges::find(kFinishFlags, next.word, &FinishFlag::word);
+      row != std::end(kFinishFlags)) {
     stream.drop();
     finish.*row->value = read_optional_truth(stream);
     return true;
@@ -254,8 +255,8 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
   while (!stream.peek().is(ElementKind::end)) {
     if (is_finish(context, stream.peek()))
       context.fail(stream.peek().span, "put the name of a declared finish first in its block");
-    note_place(context, stream.peek(), kPlaces, finish.said_at);
-    if (!read_item(stream, finish)) refuse(stream, kKnown);
+    note_place(context, stream.peek(), kFinishPlaces, finish.said_at);
+    if (!read_item(stream, finish)) refuse(stream, kFinishWords);
   }
   return finish;
 }

@@ -14,12 +14,12 @@ namespace {
 using scene::Interior;
 namespace word = grammar::word;
 
-struct NumberRow {
+struct InteriorRow {
   grammar::Symbol word;
   double Interior::*value;
 };
 
-constexpr NumberRow kNumbers[] = {
+constexpr InteriorRow kInteriorNumbers[] = {
     {word::kw_ior, &Interior::ior},
     {word::kw_caustics, &Interior::caustics},
     {word::kw_dispersion, &Interior::dispersion},
@@ -28,7 +28,7 @@ constexpr NumberRow kNumbers[] = {
     {word::kw_fade_power, &Interior::fade_power},
 };
 
-constexpr grammar::Symbol kKnown[] = {
+constexpr grammar::Symbol kInteriorWords[] = {
     word::kw_ior,           word::kw_caustics,   word::kw_dispersion, word::kw_dispersion_samples,
     word::kw_fade_distance, word::kw_fade_power, word::kw_fade_color};
 
@@ -38,7 +38,8 @@ bool read_item(ElementStream& stream, Interior& interior) {
   Context& context = stream.context();
   const Element next = stream.peek();
   if (!next.is(ElementKind::word)) return false;
-  if (const auto* const row = std::ranges::find(kNumbers, next.word, &NumberRow::word); row != std::end(kNumbers)) {
+  if (const auto* const row = std::ranges::find(kInteriorNumbers, next.word, &InteriorRow::word);
+      row != std::end(kInteriorNumbers)) {
     stream.drop();
     const SourceSpan span = stream.peek().span;
     interior.*row->value = read_number(stream, fmt::format("a number after `{}`", context.text(next.word)));
@@ -79,7 +80,7 @@ scene::InteriorId read_interior(Context& context, const Element& block) {
     interior = context.database.interiors[index(value.as<InteriorValue>().id)];
   }
   while (!stream.peek().is(ElementKind::end)) {
-    if (!read_item(stream, interior)) refuse(stream, kKnown);
+    if (!read_item(stream, interior)) refuse(stream, kInteriorWords);
   }
   return interior_id(context, interior);
 }

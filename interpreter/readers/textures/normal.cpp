@@ -18,10 +18,10 @@ using scene::NormalId;
 using scene::PatternKind;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_bump_size,  word::kw_bumps,        word::kw_bump_map,
-                                      word::kw_normal_map, word::kw_slope_map,    word::kw_scale,
-                                      word::kw_rotate,     word::kw_translate,    word::kw_turbulence,
-                                      word::kw_accuracy,   word::kw_no_bump_scale};
+constexpr grammar::Symbol kNormalWords[] = {word::kw_bump_size,  word::kw_bumps,        word::kw_bump_map,
+                                            word::kw_normal_map, word::kw_slope_map,    word::kw_scale,
+                                            word::kw_rotate,     word::kw_translate,    word::kw_turbulence,
+                                            word::kw_accuracy,   word::kw_no_bump_scale};
 
 NormalId add_normal(Context& context, Normal&& normal) {
   return add_record<NormalId>(context, context.database.normals, std::move(normal));
@@ -40,7 +40,7 @@ class NormalReader {
     }
     if (starts_pattern(context_, stream_.peek())) read_type();
     while (!stream_.peek().is(ElementKind::end)) {
-      if (!read_modifier()) refuse(stream_, kKnown);
+      if (!read_modifier()) refuse(stream_, kNormalWords);
     }
     if (draft_.pattern.kind == PatternKind::plain) {
       context_.warn(stream_.span(), "a `normal` without a pattern is flat");
@@ -106,7 +106,7 @@ class NormalReader {
         stream.drop();
         normal_.bump_size = read_number(stream, "a number after `bump_size`");
       } else {
-        refuse(stream, kKnown);
+        refuse(stream, kNormalWords);
       }
     }
     draft_.pattern.operands = add_image(context_, std::move(image));

@@ -20,10 +20,10 @@ using scene::PatternKind;
 using scene::Pigment;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_color,     word::kw_rgb,         word::kw_srgb,       word::kw_transmit,
-                                      word::kw_color_map, word::kw_pigment_map, word::kw_turbulence, word::kw_gradient,
-                                      word::kw_checker,   word::kw_image_map,   word::kw_scale,      word::kw_rotate,
-                                      word::kw_translate, word::kw_frequency,   word::kw_phase};
+constexpr grammar::Symbol kPigmentWords[] = {
+    word::kw_color,       word::kw_rgb,        word::kw_srgb,      word::kw_transmit,  word::kw_color_map,
+    word::kw_pigment_map, word::kw_turbulence, word::kw_gradient,  word::kw_checker,   word::kw_image_map,
+    word::kw_scale,       word::kw_rotate,     word::kw_translate, word::kw_frequency, word::kw_phase};
 
 bool is_map_block(const Element& next) {
   return next.is_block(word::kw_color_map) || next.is_block(word::kw_colour_map) || next.is_block(word::kw_pigment_map);
@@ -52,7 +52,7 @@ class PigmentReader {
     }
     if (read_type()) has_type = true;
     while (!stream_.peek().is(ElementKind::end)) {
-      if (!read_modifier(has_type)) refuse(stream_, kKnown);
+      if (!read_modifier(has_type)) refuse(stream_, kPigmentWords);
     }
     return close();
   }

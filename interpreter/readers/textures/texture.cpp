@@ -20,8 +20,8 @@ using scene::Texture;
 using scene::TexturePattern;
 namespace word = grammar::word;
 
-constexpr grammar::Symbol kKnown[] = {word::kw_pigment, word::kw_normal, word::kw_finish,   word::kw_texture_map,
-                                      word::kw_scale,   word::kw_rotate, word::kw_translate};
+constexpr grammar::Symbol kTextureWords[] = {word::kw_pigment, word::kw_normal, word::kw_finish,   word::kw_texture_map,
+                                             word::kw_scale,   word::kw_rotate, word::kw_translate};
 
 Texture with_pattern(Context& context, TexturePattern&& record) {
   return {.pattern =
@@ -42,7 +42,7 @@ class TextureReader {
       return close_pattern();
     }
     while (!stream_.peek().is(ElementKind::end)) {
-      if (!read_item()) refuse(stream_, kKnown);
+      if (!read_item()) refuse(stream_, kTextureWords);
     }
     if (no_bump_scale_) texture_ = without_bump_scale(context_, texture_);
     return uv_mapping ? uv_mapped(context_, texture_) : texture_;

@@ -30,7 +30,7 @@ struct KindWord {
   grammar::Symbol word;
   CameraKind kind;
 };
-constexpr KindWord kKinds[] = {
+constexpr KindWord kCameraKinds[] = {
     {word::kw_perspective, CameraKind::perspective}, {word::kw_orthographic, CameraKind::orthographic},
     {word::kw_fisheye, CameraKind::fisheye},         {word::kw_ultra_wide_angle, CameraKind::ultra_wide_angle},
     {word::kw_omnimax, CameraKind::omnimax},         {word::kw_panoramic, CameraKind::panoramic},
@@ -42,8 +42,8 @@ bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind =
 /// POV-Ray's defaults for the kinds that bend rays, if there is no `angle`.
 constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
 
-constexpr ItemWord<CameraItem> kPlaces[] = {{word::kw_aperture, CameraItem::blur},
-                                            {word::kw_normal, CameraItem::normal}};
+constexpr ItemWord<CameraItem> kCameraPlaces[] = {{word::kw_aperture, CameraItem::blur},
+                                                  {word::kw_normal, CameraItem::normal}};
 
 class CameraReader {
  public:
@@ -104,7 +104,7 @@ class CameraReader {
         word::kw_location, word::kw_look_at,   word::kw_angle,    word::kw_right,       word::kw_up,
         word::kw_sky,      word::kw_direction, word::kw_aperture, word::kw_focal_point, word::kw_blur_samples};
     const Element next = stream_.peek();
-    note_place(context_, next, kPlaces, camera_.said_at);
+    note_place(context_, next, kCameraPlaces, camera_.said_at);
     if (next.is_block(word::kw_normal)) {
       stream_.drop();
       camera_.normal = read_normal(context_, next, camera_.normal);
@@ -139,8 +139,8 @@ class CameraReader {
   }
 
   bool read_kind(grammar::Symbol name) {
-    const auto* const row = std::ranges::find(kKinds, name, &KindWord::word);
-    if (row == std::end(kKinds)) return false;
+    const auto* const row = std::ranges::find(kCameraKinds, name, &KindWord::word);
+    if (row == std::end(kCameraKinds)) return false;
     camera_.said_at[CameraItem::kind] = place_of(context_, stream_.peek());
     stream_.drop();
     camera_.kind = row->kind;

@@ -20,10 +20,10 @@ struct NamedKind {
   grammar::Symbol name;
   SplineKind kind;
 };
-constexpr NamedKind kKinds[] = {{word::kw_linear_spline, SplineKind::linear},
-                                {word::kw_quadratic_spline, SplineKind::quadratic},
-                                {word::kw_cubic_spline, SplineKind::cubic},
-                                {word::kw_natural_spline, SplineKind::natural}};
+constexpr NamedKind kSplineKinds[] = {{word::kw_linear_spline, SplineKind::linear},
+                                      {word::kw_quadratic_spline, SplineKind::quadratic},
+                                      {word::kw_cubic_spline, SplineKind::cubic},
+                                      {word::kw_natural_spline, SplineKind::natural}};
 
 void read_point(ElementStream& stream, scene::Spline& spline) {
   Context& context = stream.context();
@@ -48,8 +48,8 @@ void read_point(ElementStream& stream, scene::Spline& spline) {
 std::optional<SplineKind> accept_spline_kind(ElementStream& stream) {
   const Element next = stream.peek();
   if (!next.is(ElementKind::word)) return std::nullopt;
-  const auto at = std::ranges::find(kKinds, next.word, &NamedKind::name);
-  if (at == std::end(kKinds)) return std::nullopt;
+  const auto at = std::ranges::find(kSplineKinds, next.word, &NamedKind::name);
+  if (at == std::end(kSplineKinds)) return std::nullopt;
   stream.drop();
   return at->kind;
 }

@@ -57,7 +57,7 @@ constexpr Statement kStatements[] = {
 };
 
 /// Returns false if the element is not a block of the top level.
-bool read_block(ElementStream& stream) {
+bool read_top_level_block(ElementStream& stream) {
   const Element block = stream.peek();
   if (!block.is(ElementKind::block)) return false;
   const auto* const statement = std::ranges::find(kStatements, block.word, &Statement::word);
@@ -75,7 +75,7 @@ bool read_block(ElementStream& stream) {
 void read_statement(ElementStream& stream) {
   Context& context = stream.context();
   const Element next = stream.peek();
-  if (read_block(stream)) return;
+  if (read_top_level_block(stream)) return;
   if (next.is(ElementKind::value)) {
     const Value value = stream.take_value();
     if (value.kind() != ValueKind::object) {

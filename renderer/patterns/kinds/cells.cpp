@@ -12,7 +12,7 @@ namespace isl::render {
 namespace {
 
 /// A point closer than this below a cube counts as in it.
-constexpr double kSmall = 1e-10;
+constexpr double kBelowCube = 1e-10;
 
 /// The cube's feature point.
 Vec3 point_in(const Cube& cube) noexcept {
@@ -90,7 +90,7 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
   return nearest;
 }
 
-double cells_at(const PatternPoint& at) noexcept { return *random_numbers(cube_of(at.point + Vec3(kSmall))); }
+double cells_at(const PatternPoint& at) noexcept { return *random_numbers(cube_of(at.point + Vec3(kBelowCube))); }
 
 struct Crackle {
   Vec3 form{-1, 1, 0};  ///< weights of the distances to the nearest three points

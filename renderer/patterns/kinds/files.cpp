@@ -16,13 +16,12 @@ void read_density_file(scene::OperandReader& reader, DensityFile& density, std::
   density.file = reader.file_name("the name of a file");
 }
 
-constexpr PatternHosts kNormals{.pigment = false, .texture = false, .function = false};
 constexpr PatternHosts kPigments{.normal = false, .texture = false, .function = false};
 
 }  // namespace
 
 constinit const PatternInfo pattern_kinds::bump_map{
-    .block = PatternBlock::of_host, .hosts = kNormals, .choice = PatternChoice::own, .lack = PatternLack::file};
+    .block = PatternBlock::of_host, .hosts = kNormalsOnly, .choice = PatternChoice::own, .lack = PatternLack::file};
 constinit const PatternInfo pattern_kinds::density_file{.operands = operands_of<DensityFile, kDensityFile>,
                                                         .read = read_operands<DensityFile, read_density_file>,
                                                         .lack = PatternLack::file};

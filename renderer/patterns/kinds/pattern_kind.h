@@ -66,6 +66,7 @@ inline constexpr PatternColour kBlackToWhite[] = {{0, 0, 0, 0}, {1, 1, 1, 1}};
 struct PatternHosts {
   bool pigment = true, normal = true, texture = true, function = true;
 };
+inline constexpr PatternHosts kNormalsOnly{.pigment = false, .texture = false, .function = false};
 
 /// The collection that a pattern chooses from. `own` is for patterns with colours or textures of their own, such as
 /// images.

@@ -22,8 +22,9 @@
 namespace isl::render {
 namespace {
 
-constexpr double kHeight = std::numbers::sqrt3 / 2;  ///< of a triangle of side 1
-constexpr double kReach = kHeight / 3;  ///< R of triangles, the radius of their inscribed circle, and of hexagons
+constexpr double kTriangleHeight = std::numbers::sqrt3 / 2;  ///< of a triangle of side 1
+constexpr double kInradius =
+    kTriangleHeight / 3;  ///< R of triangles, the radius of their inscribed circle, and of hexagons
 
 struct Pavement {
   int sides = 3;
@@ -99,15 +100,17 @@ struct CornerPoint {
 };
 /// The same about the other edge, which is at 60 degrees from the first.
 CornerPoint about_other_edge(const CornerPoint& p) noexcept {
-  return {0.5 * p.along + kHeight * p.away, kHeight * p.along - 0.5 * p.away};
+  return {0.5 * p.along + kTriangleHeight * p.away, kTriangleHeight * p.along - 0.5 * p.away};
 }
 
 /// The value near a corner of 120 degrees between two borders; `p` is in the frame of the nearer one. The chamfer joins
 /// the middles of the two borders; the arc is part of the circle that touches both there.
 double turned(int form, const CornerPoint& p) noexcept {
-  if (form == 1) return std::clamp(2 - 4 * (0.5 * p.along + kHeight * p.away), 0.0, 1.0);
-  if (form == 2) return std::clamp(1 - (kHeight - std::hypot(p.along - 0.5, p.away - kHeight)) / kReach, 0.0, 1.0);
-  return fading(p.away, kReach);
+  if (form == 1) return std::clamp(2 - 4 * (0.5 * p.along + kTriangleHeight * p.away), 0.0, 1.0);
+  if (form == 2)
+    return std::clamp(1 - (kTriangleHeight - std::hypot(p.along - 0.5, p.away - kTriangleHeight)) / kInradius, 0.0,
+                      1.0);
+  return fading(p.away, kInradius);
 }
 
 /// The value in a sector of 60 degrees at a hollow corner, neither of whose edges is a border. Along both edges the
@@ -117,7 +120,7 @@ double hollow(int interior, const CornerPoint& p) noexcept {
   const double along_other = about_other_edge(p).along;
   if (interior == 1) return fading(std::max(p.along, along_other), kHollowReach);
   if (interior == 2) return fading(std::hypot(p.along, p.away), kHollowReach);
-  return fading((p.along + along_other) / std::numbers::sqrt3, kHollowReach * kHeight);
+  return fading((p.along + along_other) / std::numbers::sqrt3, kHollowReach * kTriangleHeight);
 }
 
 // ---- Triangles ------------------------------------------------------------------------------------------------------
@@ -129,17 +132,17 @@ std::array<bool, 6> edges_around(const PolyformBorders& borders, double i, doubl
 }
 
 double end_of_triangle(int exterior, const CornerPoint& p) noexcept {
-  const double sharp = fading(std::min(p.away, about_other_edge(p).away), kReach);
+  const double sharp = fading(std::min(p.away, about_other_edge(p).away), kInradius);
   // The point relative to the middle of the triangle.
-  const double x = 0.5 - p.along, z = kReach - p.away;
-  if (exterior == 1) return std::min(std::max(sharp, (kHeight * x + 0.5 * z) / kReach), 1.0);
-  if (exterior == 2) return std::min(std::hypot(x, z) / kReach, 1.0);
+  const double x = 0.5 - p.along, z = kInradius - p.away;
+  if (exterior == 1) return std::min(std::max(sharp, (kTriangleHeight * x + 0.5 * z) / kInradius), 1.0);
+  if (exterior == 2) return std::min(std::hypot(x, z) / kInradius, 1.0);
   return sharp;
 }
 
 double triangles(const Pavement& o, const Vec3& p) noexcept {
   // Rhombs of two triangles: columns along x, rows 60 degrees from there.
-  const double v = p.z / kHeight, u = p.x - v / 2, i = std::floor(u), j = std::floor(v), x = u - i, z = v - j;
+  const double v = p.z / kTriangleHeight, u = p.x - v / 2, i = std::floor(u), j = std::floor(v), x = u - i, z = v - j;
   // The nearest corner, and the sector around it in which the triangle lies.
   struct Corner {
     double column, row;
@@ -155,8 +158,9 @@ double triangles(const Pavement& o, const Vec3& p) noexcept {
   const Corner& corner = *std::ranges::min_element(corners, {}, distance);
   std::array<bool, 6> edges = edges_around({o.sides, o.tiles, o.pattern}, i + corner.column, j + corner.row);
   std::ranges::rotate(edges, edges.begin() + static_cast<std::ptrdiff_t>(corner.sector));
-  static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5}, kSin[] = {0, kHeight, kHeight, 0, -kHeight, -kHeight};
-  const double dz = (z - corner.row) * kHeight, dx = x - corner.column + (z - corner.row) / 2;
+  static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
+                          kSin[] = {0, kTriangleHeight, kTriangleHeight, 0, -kTriangleHeight, -kTriangleHeight};
+  const double dz = (z - corner.row) * kTriangleHeight, dx = x - corner.column + (z - corner.row) / 2;
   const double cosine = kCos[corner.sector], sine = kSin[corner.sector];
   CornerPoint point{dx * cosine + dz * sine, dz * cosine - dx * sine};
   if (edges[0] && edges[1]) return end_of_triangle(o.exterior, point);
@@ -173,7 +177,7 @@ double triangles(const Pavement& o, const Vec3& p) noexcept {
 
 /// Two corners of each hexagon lie along x, the left one of the first in the origin. Columns are 1.5 apart, each half a
 /// hexagon higher than the one before.
-Vec3 middle_of(double i, double j) noexcept { return {1 + 1.5 * i, 0, kHeight * (i + 2 * j)}; }
+Vec3 middle_of(double i, double j) noexcept { return {1 + 1.5 * i, 0, kTriangleHeight * (i + 2 * j)}; }
 
 /// The neighbours' places, from 30 degrees on, each 60 degrees further.
 constexpr double kNeighbours[6][2] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
@@ -189,7 +193,7 @@ struct Hexagon {
 };
 
 Hexagon hexagon_at(const Vec3& p) noexcept {
-  const double i = std::round((p.x - 1) / 1.5), j = std::round((p.z / kHeight - i) / 2);
+  const double i = std::round((p.x - 1) / 1.5), j = std::round((p.z / kTriangleHeight - i) / 2);
   const auto distance = [&p](double column, double row) {
     const Vec3 middle = middle_of(column, row);
     return (p.x - middle.x) * (p.x - middle.x) + (p.z - middle.z) * (p.z - middle.z);
@@ -211,7 +215,8 @@ double hexagons(const Pavement& o, const Vec3& p) noexcept {
   const Vec3 middle = middle_of(hexagon.column, hexagon.row);
   // The corner that is nearest: corner k lies at 60 k degrees, between the edges k − 1 and k. Seen from it towards the
   // middle, edge k − 1 is on the left. `ahead` and `left` are the point's offset from the corner.
-  static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5}, kSin[] = {0, kHeight, kHeight, 0, -kHeight, -kHeight};
+  static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
+                          kSin[] = {0, kTriangleHeight, kTriangleHeight, 0, -kTriangleHeight, -kTriangleHeight};
   int k = 0;
   double most = -1;
   for (int i = 0; i < 6; ++i) {
@@ -224,13 +229,13 @@ double hexagons(const Pavement& o, const Vec3& p) noexcept {
   const PolyformBorders borders(o.sides, o.tiles, o.pattern);
   const bool is_left = hexagon.is_border(borders, (k + 5) % 6), is_right = hexagon.is_border(borders, k);
   if (!is_left && !is_right) return 0;
-  const CornerPoint from_left{0.5 * ahead + kHeight * left, kHeight * ahead - 0.5 * left};
-  const CornerPoint from_right{0.5 * ahead - kHeight * left, kHeight * ahead + 0.5 * left};
+  const CornerPoint from_left{0.5 * ahead + kTriangleHeight * left, kTriangleHeight * ahead - 0.5 * left};
+  const CornerPoint from_right{0.5 * ahead - kTriangleHeight * left, kTriangleHeight * ahead + 0.5 * left};
   if (is_left && is_right) return turned(o.form, from_left.away < from_right.away ? from_left : from_right);
   // One border and one edge within the polyform: the third edge of the corner is a border, and the corner hollow. Its
   // half beside the border is as along a straight one.
   const double from_border = is_left ? -left : left;
-  if (from_border <= 0) return fading((is_left ? from_left : from_right).away, kReach);
+  if (from_border <= 0) return fading((is_left ? from_left : from_right).away, kInradius);
   return hollow(o.interior, {ahead, from_border});
 }
 

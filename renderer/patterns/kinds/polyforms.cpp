@@ -20,10 +20,10 @@ struct Range {
   std::size_t first = 0;
   int count = 0;
 };
-constexpr std::size_t kMostSides = 6, kMostTiles = 6;
+constexpr std::size_t kMostSides = 6, kMostTilesOfForm = 6;
 
 constexpr auto kRanges = [] {
-  std::array<std::array<Range, kMostTiles + 1>, kMostSides + 1> ranges{};
+  std::array<std::array<Range, kMostTilesOfForm + 1>, kMostSides + 1> ranges{};
   for (std::size_t i = 0; i < std::size(kPolyforms); ++i) {
     Range& range = ranges[static_cast<std::size_t>(kPolyforms[i].sides)][static_cast<std::size_t>(kPolyforms[i].tiles)];
     if (range.count++ == 0) range.first = i;

@@ -6,8 +6,6 @@ namespace isl::render {
 namespace {
 
 constexpr PatternHosts kSurfaces{.function = false};
-constexpr PatternHosts kNormals{.pigment = false, .texture = false, .function = false};
-
 /// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
 /// decides.
 struct Facets {
@@ -70,7 +68,7 @@ constexpr scene::OperandField kSlope[] = {
 constinit const PatternInfo pattern_kinds::aoi{.hosts = kSurfaces, .lack = PatternLack::surface};
 constinit const PatternInfo pattern_kinds::average{.hosts = kSurfaces, .choice = PatternChoice::mean_of_map};
 constinit const PatternInfo pattern_kinds::facets{
-    .hosts = kNormals, .operands = operands_of<Facets, kFacets>, .lack = PatternLack::surface};
+    .hosts = kNormalsOnly, .operands = operands_of<Facets, kFacets>, .lack = PatternLack::surface};
 constinit const PatternInfo pattern_kinds::slope{.block = PatternBlock::optional,
                                                  .hosts = kSurfaces,
                                                  .operands = operands_of<Slope, kSlope>,
