@@ -1,0 +1,48 @@
+// The limits of one run, as every part of the program that may take long or hold much gets them.
+#pragma once
+
+#include "base/budget.h"
+#include "base/stop_flag.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace isl {
+
+/// Everything pointed to outlives the work. Null: without that limit.
+struct RunLimits {
+  Budget* budget = nullptr;
+  const StopFlag* stop = nullptr;
+  /// The greatest number of steps that patterns and functions may take at one point (base/stop_flag.h).
+  std::uint64_t steps_at_point = StepCounter::kUnlimited;
+};
+
+/// Tells work on several threads whether it may go on: until the budget does not have what a thread asks for, or the
+/// run is stopped. From then on everything is refused, so that all loops end soon. The result is then thrown away.
+class Meter {
+ public:
+  explicit Meter(const RunLimits& run) : run_(run) {}
+  Meter(const Meter&) = delete;
+  Meter& operator=(const Meter&) = delete;
+
+  /// A charge for one of the threads.
+  [[nodiscard]] Charge new_charge() const { return Charge(run_.budget); }
+  /// Called before an allocation: counts the bytes in `charge`. False if the work must end.
+  [[nodiscard]] bool grow(Charge& charge, std::size_t bytes) noexcept {
+    if (!goes_on()) return false;
+    if (charge.grow(bytes)) return true;
+    is_refused_.store(true, std::memory_order_relaxed);
+    return false;
+  }
+  [[nodiscard]] bool goes_on() const noexcept { return !is_refused() && !is_set(run_.stop); }
+  /// True if memory was refused; a run that is stopped refuses nothing.
+  [[nodiscard]] bool is_refused() const noexcept { return is_refused_.load(std::memory_order_relaxed); }
+  [[nodiscard]] const RunLimits& run() const { return run_; }
+
+ private:
+  RunLimits run_;
+  std::atomic<bool> is_refused_ = false;
+};
+
+}  // namespace isl
