@@ -1,14 +1,18 @@
 #include "cli/summary/scene_extent.h"
 
 #include "renderer/extents/extents.h"
+#include "renderer/scene/group_walk.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 namespace isl::cli {
 namespace {
@@ -24,45 +28,48 @@ std::array<Vec3, 8> corners(const Box3d& box) {
   return result;
 }
 
+/// Groups share groups, so a short scene may place more objects than a program can visit: the extent of each group is
+/// found once, in its own space.
 class ExtentBuilder {
  public:
-  ExtentBuilder(const scene::Database& database, SceneExtent& extent)
-      : database_(database), extents_(database), extent_(extent) {}
+  explicit ExtentBuilder(const scene::Database& database)
+      : database_(database), extents_(database), groups_(database.groups.size()) {}
 
-  /// In an unbounded union the bounded objects count: they may stand on a plane. Unions wait in a list, so that depth
-  /// costs no stack.
-  void add(const std::vector<scene::Object>& world) {
-    std::vector<Placed> pending{{&world, {}}};
-    while (!pending.empty()) {
-      const Placed next = pending.back();
-      pending.pop_back();
-      for (const scene::Object& object : *next.objects) {
-        scene::Object placed = object;
-        placed.parent_from_object = then(object.parent_from_object, next.world_from_parent);
-        const Box3d box = extents_.of(placed);
-        if (render::is_finite(box)) {
-          extent_.box.extendBy(box);
-          continue;
-        }
-        const bool is_group = object.kind == scene::Object::Kind::group;
-        if (is_group && database_.groups[object.shape].operation == scene::Operation::unite) {
-          pending.push_back({&database_.groups[object.shape].children, placed.parent_from_object});
-        } else {
-          extent_.unbounded = true;
-        }
+  /// In an unbounded union the bounded objects count: they may stand on a plane.
+  SceneExtent of(const std::vector<scene::Object>& objects) {
+    SceneExtent extent;
+    for (const scene::Object& object : objects) {
+      const Box3d box = extents_.of(object);
+      if (render::is_finite(box)) {
+        extent.box.extendBy(box);
+        continue;
       }
+      const bool is_group = object.kind == scene::Object::Kind::group;
+      if (!is_group || database_.groups[object.shape].operation != scene::Operation::unite) {
+        extent.unbounded = true;
+        continue;
+      }
+      const SceneExtent inner = of_group(object.shape);
+      extent.unbounded = extent.unbounded || inner.unbounded;
+      if (inner.box.isEmpty()) continue;
+      for (const Vec3& corner : corners(inner.box)) extent.box.extendBy(object.parent_from_object.point(corner));
     }
+    return extent;
   }
 
  private:
-  struct Placed {
-    const std::vector<scene::Object>* objects;
-    scene::Transform world_from_parent;
-  };
+  const SceneExtent& of_group(std::uint32_t group) {
+    if (!groups_[group]) {
+      scene::finish_groups(
+          database_, group, [&](std::uint32_t i) { return groups_[i].has_value(); },
+          [&](std::uint32_t i) { groups_[i] = of(database_.groups[i].children); });
+    }
+    return *groups_[group];
+  }
 
   const scene::Database& database_;
   render::Extents extents_;
-  SceneExtent& extent_;
+  std::vector<std::optional<SceneExtent>> groups_;
 };
 
 /// Rounded to a thousandth of the scene's size: a camera's place needs no more.
@@ -74,11 +81,7 @@ std::string vector_text(const Vec3& v, double size) {
 
 }  // namespace
 
-SceneExtent extent_of(const scene::Database& database) {
-  SceneExtent extent;
-  ExtentBuilder(database, extent).add(database.objects);
-  return extent;
-}
+SceneExtent extent_of(const scene::Database& database) { return ExtentBuilder(database).of(database.objects); }
 
 std::string suggest_camera(const Box3d& box) {
   constexpr double kAngleDegrees = 40;  // of the picture's width; its height then covers three quarters of that

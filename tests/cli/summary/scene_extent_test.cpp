@@ -52,6 +52,29 @@ TEST(SceneExtent, OfALimbReachesFromEndToEnd) {
   expect_near(extent.box.max, {1, 4.25, 1});
 }
 
+TEST(SceneExtent, OfUnionsOfUnionsIsFoundOncePerGroup) {
+  // A plane and a ball, then sixty unions of the one before, twice: 2^60 balls at 0, 1, … 60 along x.
+  Database database;
+  database.solids.resize(2);
+  database.solids[0] = {.kind = scene::SolidKind::plane, .a = {0, 1, 0}};
+  database.solids[1] = {.kind = scene::SolidKind::sphere, .radius_a = 1};
+  const auto object = [](Object::Kind kind, std::uint32_t shape, double x) {
+    Object result{.kind = kind, .shape = shape};
+    result.parent_from_object.matrix[3][0] = x;
+    result.parent_from_object.inverse[3][0] = -x;
+    return result;
+  };
+  database.groups.push_back({.children = {object(Object::Kind::solid, 0, 0), object(Object::Kind::solid, 1, 0)}});
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    database.groups.push_back({.children = {object(Object::Kind::group, i, 0), object(Object::Kind::group, i, 1)}});
+  }
+  database.objects.push_back(object(Object::Kind::group, 60, 0));
+  const SceneExtent extent = extent_of(database);
+  EXPECT_TRUE(extent.unbounded);
+  expect_near(extent.box.min, {-1, -1, -1});
+  expect_near(extent.box.max, {61, 1, 1});
+}
+
 TEST(SceneExtent, HoldsWhatComponentsOnlyReachTogether) {
   // Each component alone has no surface (its strength is below the threshold), but two in the same place have one.
   const Component weak{.radius_a = 1, .strength = 0.02};
