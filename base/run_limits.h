@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace isl {
 
@@ -36,6 +37,10 @@ class Meter {
     return false;
   }
   [[nodiscard]] bool goes_on() const noexcept { return !is_refused() && !is_set(run_.stop); }
+  /// Bytes that can still be had.
+  [[nodiscard]] std::size_t left() const noexcept {
+    return run_.budget != nullptr ? run_.budget->left() : std::numeric_limits<std::size_t>::max();
+  }
   /// True if memory was refused; a run that is stopped refuses nothing.
   [[nodiscard]] bool is_refused() const noexcept { return is_refused_.load(std::memory_order_relaxed); }
   [[nodiscard]] const RunLimits& run() const { return run_; }

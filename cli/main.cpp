@@ -1,7 +1,7 @@
 // The program: parses the command line, then runs the command that it names.
 #include "cli/commands/commands.h"
 #include "cli/output/console.h"
-#include "cli/output/interrupt.h"
+#include "cli/output/run_end.h"
 #include "cli/output/standard_output.h"
 
 #include <csignal>
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     isl::cli::prepare_standard_streams();
-    isl::cli::catch_interrupts();
+    isl::cli::catch_signals();
     // A limit on the size of files is handled like a full disk: the write fails, and its message names the file.
     std::signal(SIGXFSZ, SIG_IGN);
     const isl::cli::ExitCode code = isl::cli::run_any(isl::cli::parse_command_line(arguments));

@@ -4,10 +4,11 @@
 // destructor walks it. The arena does not know the types that it stores.
 #pragma once
 
+#include "base/budget.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -25,15 +26,13 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  /// Sets a byte limit: an allocation that would exceed it in total throws std::bad_alloc.
-  void set_limit(std::size_t bytes) { limit_ = bytes; }
-  /// Bytes taken from the system so far.
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  /// Every block is charged to the budget from here on, which outlives the arena: one that it does not have throws
+  /// std::bad_alloc. Precondition: nothing was allocated.
+  void set_budget(Budget* budget) { charge_ = Charge(budget); }
 
   /// Counts bytes that are stored elsewhere but live as long as the arena.
   void charge(std::size_t bytes) {
-    if (bytes > limit_ - std::min(bytes_, limit_)) throw std::bad_alloc();
-    bytes_ += bytes;
+    if (!charge_.grow(bytes)) throw std::bad_alloc();
   }
 
   /// A copy of `value` that lives as long as the arena.
@@ -84,8 +83,7 @@ class Arena {
   std::vector<std::unique_ptr<std::byte[]>> blocks_;
   std::byte* next_ = nullptr;
   std::size_t left_ = 0;
-  std::size_t bytes_ = 0;
-  std::size_t limit_ = std::numeric_limits<std::size_t>::max();
+  Charge charge_;
 };
 
 }  // namespace isl::grammar

@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 /// A chain of `1 + 1 + …` may add this factor to the height of a tree beyond its brackets.
 constexpr std::size_t kHeightPerNesting = 4;
 
+constexpr std::string_view kMoreMemory = "`--max-memory` raises the limit";
+
 }  // namespace
 
 Loader::Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSink& sink, LoaderOptions options)
@@ -32,8 +34,18 @@ Loader::Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSin
       arena_(arena),
       sink_(sink),
       options_(std::move(options)),
-      access_(options_.include_paths, options_.write_folders, options_.outputs) {
-  arena_.set_limit(options_.max_memory_bytes);
+      access_(options_.include_paths, options_.write_folders, options_.outputs),
+      texts_(options_.run.budget) {
+  arena_.set_budget(options_.run.budget);
+}
+
+std::size_t Loader::max_file_bytes() const {
+  return options_.run.budget ? std::min(options_.max_file_bytes, options_.run.budget->left()) : options_.max_file_bytes;
+}
+
+void Loader::explain(TextFile& file, std::size_t max_bytes) const {
+  const bool is_too_large = std::max<std::uint64_t>(file.text.size(), file.stamp.bytes) > max_bytes;
+  if (!file.trouble.empty() && is_too_large && max_bytes < options_.max_file_bytes) file.hint = kMoreMemory;
 }
 
 const Unit* Loader::fail(LoadError error, SourceSpan where, std::string message, std::string hint) {
@@ -53,7 +65,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
     try {
       DiagnosticSink scanned;
       Lexer lexer(map_.text(*span), span->begin, symbols_, arena_, scanned);
-      TokenStream tokens(lexer, scanned, symbols_, complaints, options_.max_nesting);
+      TokenStream tokens(lexer, scanned, symbols_, complaints, options_.max_nesting, options_.run.stop);
       if (Parser(tokens, state).parse() != 0) state.abandon(*span);
     } catch (const ScannerFailure& failure) {
       state.failure(*span, fmt::format("the text cannot be read: {}", failure.what()));
@@ -62,7 +74,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
   } catch (const std::bad_alloc&) {
     return fail(LoadError::too_large, where,
                 fmt::format("`{}` takes more memory than the limit of the scene", map_.position(span->begin).file),
-                "`--max-memory` raises the limit");
+                std::string(kMoreMemory));
   }
   std::vector<const Complaint*> errors = complaints.outside();
   errors.insert(errors.end(), complaints.certain().begin(), complaints.certain().end());
@@ -73,22 +85,23 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
 
 std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {
   const std::size_t bytes = text.size();
-  if (bytes > options_.max_memory_bytes - std::min(text_bytes_, options_.max_memory_bytes)) {
+  if (!texts_.grow(bytes)) {
     problem = {AccessError::refused, "the files of the scene take more memory than its limit",
-               "`--max-memory` raises the limit"};
+               std::string(kMoreMemory)};
     return std::nullopt;
   }
   const std::optional<SourceSpan> span = map_.add(std::move(name), std::move(text));
-  if (span) {
-    text_bytes_ += bytes;
-  } else {
+  if (!span) {
+    texts_.remove(bytes);
     problem = {AccessError::refused, "more than 4 GiB of text were read", {}};
   }
   return span;
 }
 
 const Unit* Loader::load_file(const FoundFile& found, SourceSpan where) {
-  TextFile file = access_.read(found, options_.max_file_bytes);
+  const std::size_t max_bytes = max_file_bytes();
+  TextFile file = access_.read(found, max_bytes);
+  explain(file, max_bytes);
   const std::string name = found.shown.string();
   if (!file.trouble.empty()) {
     return fail(LoadError::not_readable, where, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
@@ -110,11 +123,15 @@ const Unit* Loader::load_scene(const fs::path& file_or_dash) {
   } else {
     access_.set_scene_folder(folder);
   }
-  TextFile file = is_standard_input ? read_standard_input(options_.max_file_bytes)
-                                    : read_text_file(file_or_dash, options_.max_file_bytes);
+  const std::size_t max_bytes = max_file_bytes();
+  TextFile file =
+      is_standard_input ? read_standard_input(max_bytes, options_.run.stop) : read_text_file(file_or_dash, max_bytes);
+  explain(file, max_bytes);
   const std::string name = is_standard_input ? "standard input" : file_or_dash.string();
   if (!file.trouble.empty()) {
-    const LoadError error = file.exists ? LoadError::not_readable : LoadError::not_found;
+    const LoadError error = !file.exists               ? LoadError::not_found
+                            : file.hint == kMoreMemory ? LoadError::too_large
+                                                       : LoadError::not_readable;
     const auto may_list = [](const fs::path&) { return true; };  // the user names this file, not a scene
     if (!file.exists) file.hint = hint_of_similar_file(name, {folder, ""}, may_list);
     return fail(error, {}, fmt::format("cannot read `{}`: {}", name, file.trouble), file.hint);
@@ -182,7 +199,9 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
     span = cached->second.span;
   } else {
     const std::string shown = found.shown.string();
-    TextFile file = access_.read(found, options_.max_file_bytes);
+    const std::size_t max_bytes = max_file_bytes();
+    TextFile file = access_.read(found, max_bytes);
+    explain(file, max_bytes);
     if (!file.trouble.empty()) {
       problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", shown, file.trouble), file.hint};
       return nullptr;
@@ -201,7 +220,9 @@ bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& pr
   if (problem.error != AccessError::none) return false;
   const auto known = used_bytes_.find(found.canonical.string());
   if (known != used_bytes_.end() && known->second == found.stamp) return true;
-  const TextFile file = access_.read_bytes(found, options_.max_file_bytes);
+  const std::size_t max_bytes = max_file_bytes();
+  TextFile file = access_.read_bytes(found, max_bytes);
+  explain(file, max_bytes);
   if (!file.trouble.empty()) {
     problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", found.shown.string(), file.trouble),
                file.hint};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/run_limits.h"
 #include "grammar/arena.h"
 #include "grammar/ast.h"
 #include "grammar/complaint.h"
@@ -57,8 +58,8 @@ struct LoaderOptions {
   /// Limit of simultaneously open brackets and directives. Trees are at most four times as high.
   std::size_t max_nesting = 1000;
   std::size_t max_file_bytes = 256u << 20;
-  /// Byte limits: one for source text, one for syntax trees.
-  std::size_t max_memory_bytes = std::size_t{4} << 30;
+  /// The budget is charged with source texts and syntax trees, and outlives them. Once the flag is set, reading ends.
+  RunLimits run = {};
 };
 
 enum class LoadError { none, not_found, not_readable, too_large, syntax };
@@ -101,9 +102,6 @@ class Loader {
   /// The names that the files of the search path declare; these are read at the first call.
   [[nodiscard]] const LibraryIndex& library();
 
-  /// Bytes of all texts read and of their trees. They are kept for the whole run.
-  [[nodiscard]] std::size_t bytes_held() const { return text_bytes_ + arena_.bytes(); }
-
   /// All complaints about all texts, whether their text is executed or not.
   [[nodiscard]] const std::deque<Complaint>& complaints() const { return complaints_; }
   /// All parsed files.
@@ -132,6 +130,10 @@ class Loader {
   void note_use(std::string name, std::filesystem::path shown, std::string_view content);
   /// Notes a file that was read as an input. False: the run writes it, and `problem` says so.
   bool note_input(const FoundFile& found, const TextFile& file, AccessProblem& problem);
+  /// The size of the largest file that may be read now.
+  [[nodiscard]] std::size_t max_file_bytes() const;
+  /// Adds a hint if a file was refused for its size, and would not be with more memory.
+  void explain(TextFile& file, std::size_t max_bytes) const;
   /// Returns nothing if the limit or the offsets of the source map are used up, and `problem` says so.
   std::optional<SourceSpan> keep_text(std::string name, std::string text, AccessProblem& problem);
 
@@ -149,7 +151,7 @@ class Loader {
   std::unordered_map<std::string, FileStamp> used_bytes_;  ///< by canonical path: files that use_file() has read
   std::vector<UsedFile> used_;
   std::set<std::pair<std::string, std::uint64_t>> used_keys_;  ///< name and hash of each in `used_`
-  std::size_t text_bytes_ = 0;
+  Charge texts_;                                               ///< kept for the whole run
   LoadError last_error_ = LoadError::none;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -62,10 +63,27 @@ std::string what_else(mode_t mode) { return S_ISDIR(mode) ? "it is a folder" : "
 
 std::string too_large(std::size_t max_bytes) { return fmt::format("larger than {} bytes", max_bytes); }
 
+/// Waits until there is something to read. False if `stop` was set meanwhile: reading itself would go on waiting, since
+/// a signal restarts it.
+bool wait_for_input(int descriptor, const StopFlag* stop) {
+  if (stop == nullptr) return true;
+  constexpr int kMillisecondsBetweenLooks = 100;
+  pollfd waiting{descriptor, POLLIN, 0};
+  while (!stop->is_set()) {
+    const int ready = ::poll(&waiting, 1, kMillisecondsBetweenLooks);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // read() tells what is wrong
+  }
+  return false;
+}
+
 /// Reads until the end; the limit also holds for a file that grows meanwhile.
-void read_all(int descriptor, std::size_t max_bytes, TextFile& file) {
+void read_all(int descriptor, std::size_t max_bytes, TextFile& file, const StopFlag* stop = nullptr) {
   std::array<char, 65536> buffer{};
   while (true) {
+    if (!wait_for_input(descriptor, stop)) {
+      file.trouble = "interrupted";
+      return;
+    }
     const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
@@ -98,6 +116,7 @@ void read_open_file(const Descriptor& descriptor, std::size_t max_bytes, TextFil
     file.trouble = too_large(max_bytes);
     return;
   }
+  file.text.reserve(static_cast<std::size_t>(status.st_size) + 1);
   read_all(descriptor.get(), max_bytes, file);
 }
 
@@ -132,9 +151,9 @@ TextFile read_bytes_at(int folder, const std::string& name, std::size_t max_byte
   return file;
 }
 
-TextFile read_standard_input(std::size_t max_bytes) {
+TextFile read_standard_input(std::size_t max_bytes, const StopFlag* stop) {
   TextFile file{.text = {}, .trouble = {}, .hint = {}, .exists = true, .stamp = {}};
-  read_all(STDIN_FILENO, max_bytes, file);
+  read_all(STDIN_FILENO, max_bytes, file, stop);
   look_for_text(file);
   return file;
 }

@@ -1,6 +1,8 @@
 // Reads a source file whole: only a regular file, only up to a size, only if it looks like text. It knows no syntax.
 #pragma once
 
+#include "base/stop_flag.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -36,7 +38,8 @@ struct TextFile {
 /// The same for a file that may hold any bytes.
 [[nodiscard]] TextFile read_bytes_at(int folder, const std::string& name, std::size_t max_bytes);
 
-[[nodiscard]] TextFile read_standard_input(std::size_t max_bytes);
+/// Waits for what a terminal or another program sends, until `stop` is set; it may be null.
+[[nodiscard]] TextFile read_standard_input(std::size_t max_bytes, const StopFlag* stop = nullptr);
 
 [[nodiscard]] FileStamp stamp_of(const std::filesystem::path& file);
 /// The same for `name` in an open folder; for a link, the stamp of the link itself.

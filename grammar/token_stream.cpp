@@ -78,12 +78,18 @@ DiagnosticNote note_of_misspelt(const Token& directive) {
 }  // namespace
 
 TokenStream::TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
-                         std::size_t max_nesting)
-    : lexer_(lexer), scanned_(scanned), symbols_(symbols), complaints_(complaints), max_nesting_(max_nesting) {}
+                         std::size_t max_nesting, const StopFlag* stop)
+    : lexer_(lexer),
+      scanned_(scanned),
+      symbols_(symbols),
+      complaints_(complaints),
+      max_nesting_(max_nesting),
+      steps_(StepCounter::kUnlimited, stop) {}
 
 // ---- From the text --------------------------------------------------------------------------------------------------
 
 Token TokenStream::scan() {
+  if (!steps_.take()) throw ScannerFailure("interrupted");
   Token token = lexer_.next();
   if (scanned_.diagnostics().empty()) return token;
   for (const Diagnostic& diagnostic : scanned_.diagnostics()) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/stop_flag.h"
 #include "grammar/complaints.h"
 #include "grammar/lexer.h"
 #include "grammar/nesting.h"
@@ -22,9 +23,9 @@ namespace isl::grammar {
 
 class TokenStream {
  public:
-  /// `lexer` reports to `scanned`, from which its complaints are moved on.
+  /// `lexer` reports to `scanned`, from which its complaints are moved on. `stop` ends the text early; it may be null.
   TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
-              std::size_t max_nesting);
+              std::size_t max_nesting, const StopFlag* stop = nullptr);
 
   /// The next token; brackets and directives always match. Ends early after too many errors. Throws ScannerFailure.
   [[nodiscard]] Token next();
@@ -76,6 +77,7 @@ class TokenStream {
   const SymbolTable& symbols_;
   Complaints& complaints_;
   std::size_t max_nesting_;
+  StepCounter steps_;
   Nesting nesting_;
   TokenKind taken_ = Parser::token::TOK_END_OF_FILE;  ///< kind of the last token of the text
   std::deque<Arranged> arranged_;                     ///< ready for the parser

@@ -133,8 +133,8 @@ Value make_array(Context& context, const grammar::Array& node) {
     dimensions.push_back(element_count(context, *dimension));
     total *= static_cast<double>(dimensions.back());
   }
-  context.check_memory(node.span,
-                       total > 1e17 ? static_cast<std::size_t>(-1) : static_cast<std::size_t>(total * kElementBytes));
+  constexpr double kMost = 1e17;  // more elements than any machine holds; their bytes can still be counted
+  context.check_memory(node.span, ArrayValue::bytes_of(static_cast<std::size_t>(std::min(total, kMost))));
   Ref<ArrayValue> array = make_shared_value<ArrayValue>(std::move(dimensions), context.scopes.slots(), context.memory);
   if (node.initialised) {
     ElementStream stream(context, node.items, node.span);

@@ -34,12 +34,15 @@ bool is_of_povray(const std::filesystem::path& file) {
 }  // namespace
 
 Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const grammar::Unit& unit,
-                 const EvaluateOptions& options_, DiagnosticSink& sink)
+                 const EvaluateOptions& options_, const RunLimits& run_, MemoryAccount& memory_, DiagnosticSink& sink)
     : loader(loader_),
       symbols(symbols_),
       main_unit(unit),
       options(options_),
+      run(run_),
       words(symbols_),
+      memory(memory_),
+      scopes(&memory_),
       version(!is_of_povray(unit.file)),
       sink_(sink),
       max_nesting_(max_nesting(options_.limits)) {}
@@ -214,7 +217,7 @@ void Context::nested_too_deeply(SourceSpan span, std::size_t units) {
 }
 
 void Context::check_stop(SourceSpan span) {
-  if (options.stop && options.stop->load(std::memory_order_relaxed)) stop(span, "interrupted");
+  if (is_set(run.stop)) stop(span, "interrupted");
 }
 
 void Context::count_primitive(SourceSpan span, std::size_t bytes) {
@@ -224,7 +227,7 @@ void Context::count_primitive(SourceSpan span, std::size_t bytes) {
   }
   if ((static_cast<std::uint64_t>(primitives_) & 255u) == 0) check_stop(span);
   check_memory(span, bytes);
-  memory.bytes += bytes;
+  memory.add(bytes);
 }
 
 void Context::count_debug(SourceSpan span, std::size_t bytes) {
@@ -235,15 +238,9 @@ void Context::count_debug(SourceSpan span, std::size_t bytes) {
        "possible infinite loop; `--max-debug` raises the limit");
 }
 
-void Context::charge_texts(SourceSpan span, std::size_t held_before) {
-  memory.bytes += loader.bytes_held() - held_before;
-  check_memory(span, 0);
-}
-
-void Context::check_memory(SourceSpan span, std::size_t bytes) {
-  const std::size_t limit = options.limits.max_memory_bytes;
-  if (bytes <= limit && memory.bytes <= limit - bytes) return;
-  stop(span, fmt::format("the scene takes more than {:.3g} GB of memory", static_cast<double>(limit) * 1e-9),
+void Context::no_memory_left(SourceSpan span) {
+  stop(span,
+       fmt::format("the scene takes more than {:.3g} GB of memory", static_cast<double>(run.budget->limit()) * 1e-9),
        "`--max-memory` raises the limit");
 }
 

@@ -44,15 +44,16 @@ struct ContextualWords {
 class Context {
  public:
   Context(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
-          const EvaluateOptions& options, DiagnosticSink& sink);
+          const EvaluateOptions& options, const RunLimits& run, MemoryAccount& memory, DiagnosticSink& sink);
 
   grammar::Loader& loader;
   grammar::SymbolTable& symbols;
   const grammar::Unit& main_unit;
   const EvaluateOptions& options;
+  const RunLimits run;
 
   const ContextualWords words;
-  MemoryAccount memory;
+  MemoryAccount& memory;
   Scopes scopes;
   std::vector<Frame> frames;
   std::vector<Slot*> argument_slots;  ///< for macro calls whose arguments are being evaluated
@@ -134,9 +135,12 @@ class Context {
   /// Counts one more component, solid, group or light that takes `bytes`.
   void count_primitive(SourceSpan span, std::size_t bytes);
   /// Called before an allocation of `bytes`.
-  void check_memory(SourceSpan span, std::size_t bytes);
-  /// Counts the bytes of the files that the loader read since it held `held_before` bytes.
-  void charge_texts(SourceSpan span, std::size_t held_before);
+  void check_memory(SourceSpan span, std::size_t bytes) {
+    if (!memory.make_room(bytes)) [[unlikely]]
+      no_memory_left(span);
+  }
+  /// Called now and then by work that takes long: ends the evaluation if the run is stopped.
+  void check_stop(SourceSpan span);
   /// Fails if a value that was just read is deeper than values may be (renderer/scene/value_depth.h).
   void check_value_depth(SourceSpan span, std::uint32_t depth) {
     if (depth > scene::kMaxValueDepth) [[unlikely]]
@@ -165,7 +169,7 @@ class Context {
   [[noreturn]] void value_too_deep(SourceSpan span);
   void look_at_turns(SourceSpan span);
   [[noreturn]] void nested_too_deeply(SourceSpan span, std::size_t units);
-  void check_stop(SourceSpan span);
+  [[noreturn]] void no_memory_left(SourceSpan span);
   /// Records the message at its place; true if the same message was recorded there before.
   [[nodiscard]] bool is_said(Severity severity, SourceSpan span, const std::string& message);
   [[nodiscard]] OriginTable::Chain chain_of(std::uint32_t call);

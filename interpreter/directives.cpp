@@ -119,6 +119,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     if (value.kind() == ValueKind::array) [[unlikely]] {
       if (node.target->kind == NodeKind::index) check_array_nesting(context, value, node.span);
       // Assignment copies an array, as in POV-Ray; all other values are immutable and shared.
+      context.check_memory(node.span, value.as<ArrayValue>().bytes_of_copy());
       slot.value = Value(ValueKind::array, value.as<ArrayValue>().copy());
     } else {
       slot.value = std::move(value);
@@ -178,10 +179,8 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
                  fmt::format("more than {} files include one another", context.options.limits.max_include_depth),
                  "`--max-include-depth` raises the limit");
   }
-  const std::size_t held = context.loader.bytes_held();
   const grammar::Unit* unit = context.loader.load_include(name, node.path->span, context.current_unit());
   if (!unit) throw Stopped{};
-  context.charge_texts(node.span, held);
   const std::uint32_t file = context.origins.keep_name(std::string(name));
   context.push_call(Frame::Kind::include, unit->items, node, *unit, file);
   context.scopes.enter();

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace isl::interpreter {
 namespace {
 
@@ -68,21 +70,39 @@ void run(Context& context, const grammar::Unit& unit) {
   settings.noise_generator = context.noise_generator();
 }
 
-}  // namespace
-
-EvaluatedScene evaluate(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
-                        const EvaluateOptions& options, DiagnosticSink& sink) {
-  EvaluatedScene scene;
-  Context context(loader, symbols, unit, options, sink);
+void evaluate_within(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
+                     const EvaluateOptions& options, const RunLimits& limits, MemoryAccount& memory,
+                     EvaluatedScene& scene, DiagnosticSink& sink) {
+  Context context(loader, symbols, unit, options, limits, memory, sink);
   const bool ran = run_on_stack(stack_bytes(options.limits), [&] { run(context, unit); });
   if (!ran) {
     sink.error({}, fmt::format("the system has no stack for a depth of {}", options.limits.max_depth),
                "a smaller `--max-depth` needs less");
-    return scene;
+    return;
   }
   prune(context.database);
   scene.database = std::move(context.database);
   scene.origins = std::move(context.origins);
+}
+
+}  // namespace
+
+std::uint64_t steps_at_point(const Limits& limits) {
+  constexpr double kMost = 1e18;  // no run takes as many
+  return static_cast<std::uint64_t>(std::min(limits.max_turns, kMost));
+}
+
+EvaluatedScene evaluate(grammar::Loader& loader, grammar::SymbolTable& symbols, const grammar::Unit& unit,
+                        const EvaluateOptions& options, DiagnosticSink& sink) {
+  EvaluatedScene scene;
+  Budget own(options.limits.max_memory_bytes);
+  RunLimits limits = options.run;
+  if (limits.budget == nullptr) limits.budget = &own;
+  limits.steps_at_point = steps_at_point(options.limits);
+  MemoryAccount memory(limits.budget);
+  evaluate_within(loader, symbols, unit, options, limits, memory, scene, sink);
+  // The values are gone; the scene's own memory is left.
+  if (options.run.budget != nullptr) scene.charge = std::move(memory);
   return scene;
 }
 

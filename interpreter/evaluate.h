@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/run_limits.h"
 #include "grammar/ast.h"
 #include "grammar/loader.h"
 #include "grammar/symbols.h"
@@ -10,7 +11,6 @@
 #include "renderer/scene/database.h"
 #include "renderer/scene/queries.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -47,13 +47,18 @@ struct EvaluateOptions {
   std::function<void(std::string_view)> print_debug;
   /// Answers `trace`, `inside`, `min_extent` and `max_extent`; if it is null they are errors.
   scene::Queries* queries = nullptr;
-  /// Polled now and then; when it turns true the evaluation ends with an error. May be null.
-  const std::atomic<bool>* stop = nullptr;
+  /// When its flag is set, the evaluation ends with an error. Its budget is charged with all that `limits` counts; if
+  /// there is none, evaluate() makes one of limits.max_memory_bytes. Its steps are those of `limits`.
+  RunLimits run;
 };
+
+/// The steps that patterns and functions may take at one point.
+[[nodiscard]] std::uint64_t steps_at_point(const Limits& limits);
 
 struct EvaluatedScene {
   scene::Database database;
   OriginTable origins;
+  Charge charge;  ///< of both, if EvaluateOptions::run has a budget
 };
 
 /// Executes `unit`. User errors go to `sink`; if there is one, the database holds all that could be read but must not

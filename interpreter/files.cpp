@@ -34,9 +34,9 @@ std::string name_of_file(Context& context, const Node& path) {
 /// The text stays in memory, which counts it, until the scene has been read.
 void write_out(Context& context, FileValue& file) {
   grammar::FileAccess& access = context.loader.access();
-  context.memory.bytes -= file.written.size() + access.written_bytes();
+  context.memory.remove(file.written.size() + access.written_bytes());
   access.write(file.place, file.name, std::move(file.written), file.opened_at);
-  context.memory.bytes += access.written_bytes();
+  context.memory.add(access.written_bytes());
 }
 
 void close(Context& context, FileValue& file) {
@@ -68,10 +68,8 @@ void check_open(Context& context, const FileValue& file, SourceSpan span) {
 
 void open_to_read(Context& context, const grammar::Fopen& node, FileValue& file) {
   grammar::AccessProblem problem;
-  const std::size_t held = context.loader.bytes_held();
   file.reader = context.loader.open_data(file.name, context.current_unit(), problem);
   if (!file.reader) context.fail(node.path->span, problem.message, problem.hint);
-  context.charge_texts(node.span, held);
 }
 
 /// Counts a place to write that the scene has not used before. It is remembered to the end, with its names and its
@@ -85,7 +83,7 @@ void count_place(Context& context, SourceSpan span, std::size_t places_before) {
                  "possible infinite loop; `--max-files` raises the limit");
   }
   context.check_memory(span, kPlaceBytes);
-  context.memory.bytes += kPlaceBytes;
+  context.memory.add(kPlaceBytes);
 }
 
 void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file) {
@@ -116,7 +114,7 @@ void open_to_write(Context& context, const grammar::Fopen& node, FileValue& file
                  fmt::format("cannot append to `{}`: {}", grammar::shown_name(file.name), existing.trouble));
   }
   context.check_memory(node.span, existing.text.size());
-  context.memory.bytes += existing.text.size();
+  context.memory.add(existing.text.size());
   file.written = std::move(existing.text);
 }
 
@@ -251,7 +249,7 @@ void write_file(Context& context, const grammar::Write& node) {
       // All bytes that a run writes count, not only those of open files: disks are finite too.
       context.check_memory(node.span, context.files.bytes_written + bytes.size());
       context.files.bytes_written += bytes.size();
-      context.memory.bytes += bytes.size();
+      context.memory.add(bytes.size());
       file->written += bytes;
       stream.accept_comma();
     }

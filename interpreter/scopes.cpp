@@ -8,7 +8,10 @@ namespace isl::interpreter {
 using grammar::Symbol;
 
 SlotPool::~SlotPool() {
-  while (free_) delete std::exchange(free_, free_->next_free);
+  while (free_) {
+    delete std::exchange(free_, free_->next_free);
+    if (account_ != nullptr) account_->remove(kSlotBytes);
+  }
 }
 
 void SlotPool::release_elements(const std::vector<Slot*>& elements) {

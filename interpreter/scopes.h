@@ -3,6 +3,7 @@
 // remembers what each binding hides, and restores it when the scope ends.
 #pragma once
 
+#include "base/budget.h"
 #include "base/check.h"
 #include "grammar/symbols.h"
 #include "interpreter/value.h"
@@ -21,13 +22,14 @@ struct Slot {
   };
 };
 
-/// Bytes of a slot and a pointer to it: one element of an array.
-inline constexpr std::size_t kElementBytes = sizeof(Slot) + sizeof(void*);
+/// Bytes of a slot, with what the allocator adds to a small piece of memory.
+inline constexpr std::size_t kSlotBytes = sizeof(Slot) + 16;
 
 /// Slots are many and short-lived: they are recycled rather than freed.
 class SlotPool {
  public:
-  SlotPool() = default;
+  /// `account` counts the slots, those that wait for their next use too.
+  explicit SlotPool(Charge* account = nullptr) : account_(account) {}
   SlotPool(const SlotPool&) = delete;
   SlotPool& operator=(const SlotPool&) = delete;
   ~SlotPool();
@@ -49,11 +51,12 @@ class SlotPool {
   Slot* free_ = nullptr;   ///< the first free slot
   Slot* dying_ = nullptr;  ///< the first slot that is no longer used and whose array is still to be destroyed
   bool is_destroying_ = false;
+  Charge* account_;  ///< may be null
 };
 
 class Scopes {
  public:
-  Scopes() = default;
+  explicit Scopes(Charge* account = nullptr) : slots_(account) {}
   Scopes(const Scopes&) = delete;
   Scopes& operator=(const Scopes&) = delete;
   ~Scopes();
@@ -115,6 +118,7 @@ inline Slot* SlotPool::make() {
   Slot* slot = free_;
   if (!slot) [[unlikely]] {
     slot = new Slot;
+    if (account_ != nullptr) account_->add(kSlotBytes);
   } else {
     free_ = slot->next_free;
   }

@@ -45,12 +45,34 @@ ArrayValue::ArrayValue(std::vector<std::size_t> dimensions_, SlotPool& pool_, Me
   for (const std::size_t size : dimensions) count *= size;
   elements.resize(count);
   for (Slot*& element : elements) element = pool.make();
-  account.bytes += count * kElementBytes;
+  account.add(own_bytes(count));
 }
 
 ArrayValue::~ArrayValue() {
   pool.release_elements(elements);
-  account.bytes -= elements.size() * kElementBytes;
+  account.remove(own_bytes(elements.size()));
+}
+
+std::size_t ArrayValue::own_bytes(std::size_t elements) {
+  // An array has lists of its dimensions and elements, and the allocator adds up to 16 bytes to each: many small arrays
+  // are mostly that.
+  return sizeof(ArrayValue) + 2 * sizeof(std::size_t) + 3 * 16 + elements * sizeof(Slot*);
+}
+
+std::size_t ArrayValue::bytes_of(std::size_t elements) { return own_bytes(elements) + elements * kSlotBytes; }
+
+std::size_t ArrayValue::bytes_of_copy() const {
+  std::size_t bytes = 0;
+  std::vector<const ArrayValue*> pending{this};  // a list instead of recursion, so that depth costs no stack
+  while (!pending.empty()) {
+    const ArrayValue& next = *pending.back();
+    pending.pop_back();
+    bytes += bytes_of(next.elements.size());
+    for (const Slot* const element : next.elements) {
+      if (element->value.kind() == ValueKind::array) pending.push_back(&element->value.as<ArrayValue>());
+    }
+  }
+  return bytes;
 }
 
 Ref<ArrayValue> ArrayValue::copy() const {

@@ -1,6 +1,7 @@
 // The non-numeric values that a Value points to. Immutable once made, except for the elements of arrays.
 #pragma once
 
+#include "base/budget.h"
 #include "grammar/ast.h"
 #include "grammar/loader.h"
 #include "interpreter/scopes.h"
@@ -16,16 +17,14 @@
 
 namespace isl::interpreter {
 
-/// Bytes that live values hold, against the scene's memory limit.
-struct MemoryAccount {
-  std::size_t bytes = 0;
-};
+/// Bytes that the scene and its live values hold. Context::check_memory() makes room before something large is made.
+using MemoryAccount = Charge;
 
 struct StringValue final : Shared {
   StringValue(std::string text_, MemoryAccount& account_) : text(std::move(text_)), account(account_) {
-    account.bytes += text.size() + sizeof(StringValue);
+    account.add(text.size() + sizeof(StringValue));
   }
-  ~StringValue() override { account.bytes -= text.size() + sizeof(StringValue); }
+  ~StringValue() override { account.remove(text.size() + sizeof(StringValue)); }
 
   const std::string text;
   MemoryAccount& account;
@@ -37,6 +36,10 @@ struct ArrayValue final : Shared {
   ArrayValue(std::vector<std::size_t> dimensions, SlotPool& pool, MemoryAccount& account);
   ~ArrayValue() override;
 
+  /// Bytes of an array of so many elements, with their slots, without the values that they point to.
+  [[nodiscard]] static std::size_t bytes_of(std::size_t elements);
+  /// Bytes of a copy of the array.
+  [[nodiscard]] std::size_t bytes_of_copy() const;
   /// A copy with elements of its own (arrays in elements are copied too), as assignment makes in POV-Ray.
   [[nodiscard]] Ref<ArrayValue> copy() const;
 
@@ -44,6 +47,10 @@ struct ArrayValue final : Shared {
   std::vector<Slot*> elements;
   SlotPool& pool;
   MemoryAccount& account;
+
+ private:
+  /// The same without the slots, which their pool counts.
+  [[nodiscard]] static std::size_t own_bytes(std::size_t elements);
 };
 
 struct MacroValue final : Shared {
@@ -144,9 +151,9 @@ struct CameraValue final : Shared {
 struct FunctionValue final : Shared {
   FunctionValue(scene::FunctionPointer function_, std::size_t bytes_, MemoryAccount& account_)
       : function(std::move(function_)), bytes(bytes_), account(account_) {
-    account.bytes += bytes;
+    account.add(bytes);
   }
-  ~FunctionValue() override { account.bytes -= bytes; }
+  ~FunctionValue() override { account.remove(bytes); }
 
   const scene::FunctionPointer function;
   const std::size_t bytes;
@@ -156,9 +163,9 @@ struct FunctionValue final : Shared {
 struct SplineValue final : Shared {
   SplineValue(std::shared_ptr<const scene::Spline> spline_, MemoryAccount& account_)
       : spline(std::move(spline_)), account(account_) {
-    account.bytes += bytes();
+    account.add(bytes());
   }
-  ~SplineValue() override { account.bytes -= bytes(); }
+  ~SplineValue() override { account.remove(bytes()); }
   [[nodiscard]] std::size_t bytes() const { return spline->points.size() * sizeof(scene::SplinePoint); }
 
   const std::shared_ptr<const scene::Spline> spline;

@@ -44,7 +44,7 @@ class Rendering {
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
                             options.width, options.height),
-                 options.alpha, film_),
+                 options.alpha, film_, options.run),
         progress_(options.progress) {}
 
   void run() {
@@ -83,12 +83,14 @@ class Rendering {
     result.statistics.undecided_pixels = film_.count(window_, Certainty::undecided);
     result.statistics.refuted_pixels = film_.count(window_, Certainty::refuted);
     result.complete = !skipped_;
+    result.share = skipped_ ? progress_.share() : 1;
+    result.refusal = sampler_.refusal();
     return result;
   }
 
  private:
   [[nodiscard]] bool stopped() {
-    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) skipped_ = true;
+    if (is_set(options_.run.stop)) skipped_ = true;
     return skipped_;
   }
 
@@ -100,7 +102,7 @@ class Rendering {
     parallel_for(tiles.size(), [&](std::size_t i) {
       if (stopped()) return;
       trace_tile(tiles[i], first, last, wanted);
-      progress_.step();
+      if (!skipped_) progress_.step();
     });
   }
 
@@ -122,7 +124,7 @@ class Rendering {
 
   void flush(Workspace& workspace) {
     if (workspace.samples.empty()) return;
-    sampler_.trace(workspace.samples, workspace);
+    if (!sampler_.trace(workspace.samples, workspace)) skipped_ = true;
     workspace.samples.clear();
   }
 

@@ -2,13 +2,13 @@
 // writes the picture with image/image_file.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/effects/plan.h"
 #include "renderer/film/tiles.h"
 #include "renderer/image/image.h"
 #include "renderer/integrator/sampler.h"
 #include "renderer/trace/tracer.h"
 
-#include <atomic>
 #include <functional>
 #include <optional>
 
@@ -33,7 +33,7 @@ struct RenderOptions {
   /// Called from time to time with the share that is done (0 to 1, never falling), on a rendering thread, one call at a
   /// time.
   std::function<void(double)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< once it is true, rendering ends early with the tiles begun
+  RunLimits run;  ///< once its flag is set, rendering ends early with the batches that are finished
 };
 
 /// Total number of rays of a pixel that differs from a neighbour.
@@ -52,7 +52,10 @@ struct RenderStatistics {
 struct RenderResult {
   Image image;
   RenderStatistics statistics;
-  bool complete = true;  ///< false if rendering was stopped: pixels of tiles not begun are transparent black
+  bool complete = true;  ///< false if rendering was stopped: pixels without samples are transparent black
+  double share = 1;      ///< of the work that was done, as the progress bar counts it
+  /// The reason why the scene cannot be rendered within the limits of the run. The picture is then meaningless.
+  std::optional<scene::Refusal> refusal;
 };
 
 /// Equal databases, tracer options and options (except threads, tile_order, progress) give the same image, bit for bit.

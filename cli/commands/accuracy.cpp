@@ -5,9 +5,9 @@
 #include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/console.h"
-#include "cli/output/interrupt.h"
 #include "cli/output/output_files.h"
 #include "cli/output/progress.h"
+#include "cli/output/run_end.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "renderer/accuracy/comparison.h"
@@ -57,9 +57,12 @@ std::string command_text(const AccuracyCommand& command) {
 }
 
 render::Comparison measure(const AccuracyCommand& command, const std::vector<Rung>& rungs,
-                           const scene::Database& database) {
+                           const scene::Database& database, const RunLimits& limits) {
   std::vector<render::TracerOptions> settings;
   for (const Rung& rung : rungs) settings.push_back(rung.tracer);
+  for (render::TracerOptions& setting : settings) setting.run = limits;
+  render::TracerOptions reference = exact_rung(command, database).tracer;
+  reference.run = limits;
   const auto base = std::ranges::find_if(rungs, [](const Rung& rung) { return rung.setting.is_default(); });
   ProgressBar bar(isatty(STDERR_FILENO) != 0 ? stderr : nullptr);
   render::ComparisonOptions options;
@@ -69,20 +72,23 @@ render::Comparison measure(const AccuracyCommand& command, const std::vector<Run
   options.rounds = command.repeats;
   options.shadows = command.shadows;
   options.progress = [&bar](double done) { bar.update(done); };
-  options.stop = &interrupt_flag();
-  return render::compare(database, exact_rung(command, database).tracer, settings,
-                         static_cast<std::size_t>(base - rungs.begin()), options);
+  options.run = limits;
+  return render::compare(database, reference, settings, static_cast<std::size_t>(base - rungs.begin()), options);
 }
 
 /// The picture as `isl render` makes it by default.
-render::Image picture_of(const AccuracyCommand& command, const scene::Database& database) {
+render::RenderResult picture_of(const AccuracyCommand& command, const scene::Database& database,
+                                const RunLimits& limits) {
   RenderCommand render;
   render.scene = command.scene;
   render.picture.threads = command.threads;
   render.picture.unblended = command.unblended;
-  const RenderSettings settings = render_settings(render, database);
+  RenderSettings settings = render_settings(render, database);
+  settings.tracer.run = settings.render.run = limits;
   const render::Tracer tracer(database, settings.tracer);
-  return render::render(database, tracer, settings.render).image;
+  render::RenderResult result = render::render(database, tracer, settings.render);
+  if (tracer.refusal()) result.refusal = tracer.refusal();
+  return result;
 }
 
 }  // namespace
@@ -114,12 +120,16 @@ ExitCode run(const AccuracyCommand& command) {
       return ExitCode::file_error;
     }
   }
-  report.comparison = measure(command, report.rungs, drawable.database());
-  if (!report.comparison.complete) return report_failure(session, ExitCode::interrupted);
+  report.comparison = measure(command, report.rungs, drawable.database(), session.limits());
+  if (report.comparison.refusal) return refuse(session, *report.comparison.refusal);
+  if (!report.comparison.complete) return report_failure(session, exit_code_of(stop_flag().reason()));
+  const render::RenderResult picture = picture_of(command, drawable.database(), session.limits());
+  if (picture.refusal) return refuse(session, *picture.refusal);
+  if (!picture.complete) return report_failure(session, exit_code_of(stop_flag().reason()));
 
   nlohmann::ordered_json document = table_json(report);
   const std::string json_text = document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  const AccuracyPictures pictures = accuracy_pictures(report, picture_of(command, drawable.database()));
+  const AccuracyPictures pictures = accuracy_pictures(report, picture.image);
   if (!pictures.problem.empty()) {
     print_error(fmt::format("cannot write {}: {}", files.page.string(), pictures.problem));
     return ExitCode::file_error;

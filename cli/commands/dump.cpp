@@ -3,6 +3,7 @@
 #include "cli/commands/commands.h"
 #include "cli/options/render_settings.h"
 #include "cli/output/console.h"
+#include "cli/output/run_end.h"
 #include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "renderer/scene/dump_json.h"
@@ -28,18 +29,27 @@ std::string database_text(const Session& session) {
   return scene::dump_json(session.scene().database, [&session](OriginId id) { return place_of(session, id); });
 }
 
-std::string grid_text(const DumpCommand& command, const scene::Database& database) {
-  const RenderSettings settings = render_settings({command.scene, {}}, database);
-  return render::Tracer(database, settings.tracer).grid_json() + "\n";
+/// What can be dumped, or why it cannot.
+struct Dump {
+  std::string text;
+  std::optional<scene::Refusal> refusal;
+};
+
+Dump grid_text(const DumpCommand& command, const scene::Database& database, const RunLimits& limits) {
+  RenderSettings settings = render_settings({command.scene, {}}, database);
+  settings.tracer.run = limits;
+  const render::Tracer tracer(database, settings.tracer);
+  return {tracer.grid_json() + "\n", tracer.refusal()};
 }
 
 /// Precondition: `drawable` is given for the grid.
-std::string text_of(const DumpCommand& command, Session& session, const DrawableScene* drawable) {
+Dump dump_of(const DumpCommand& command, Session& session, const DrawableScene* drawable) {
   switch (command.stage) {
-    case DumpStage::tokens: return grammar::dump_tokens(session.sources(), session.unit().span, session.symbols());
-    case DumpStage::ast: return grammar::dump_tree(session.unit().items, session.symbols());
-    case DumpStage::database: return database_text(session);
-    case DumpStage::grid: return grid_text(command, drawable->database());
+    case DumpStage::tokens:
+      return {grammar::dump_tokens(session.sources(), session.unit().span, session.symbols()), {}};
+    case DumpStage::ast: return {grammar::dump_tree(session.unit().items, session.symbols()), {}};
+    case DumpStage::database: return {database_text(session), {}};
+    case DumpStage::grid: return grid_text(command, drawable->database(), session.limits());
   }
   return {};
 }
@@ -56,10 +66,12 @@ ExitCode run(const DumpCommand& command) {
   std::optional<DrawableScene> drawable;
   if (command.stage == DumpStage::grid) drawable.emplace(session, PictureOptions().quality);
   if (drawable && drawable->is_refused()) return report_failure(session, ExitCode::scene_error);
+  const auto [text, refusal] = dump_of(command, session, drawable ? &*drawable : nullptr);
+  if (refusal) return refuse(session, *refusal);
+  if (stop_flag().is_set()) return report_failure(session, exit_code_of(stop_flag().reason()));
   if (code == ExitCode::done) {
     if (const ExitCode written = finish(OutputWriter(session.outputs())); written != ExitCode::done) return written;
   }
-  const std::string text = text_of(command, session, drawable ? &*drawable : nullptr);
   if (command.scene.format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)}, {"dump", text}});
   } else {

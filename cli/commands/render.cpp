@@ -5,9 +5,9 @@
 #include "cli/options/render_settings.h"
 #include "cli/output/closing_line.h"
 #include "cli/output/console.h"
-#include "cli/output/interrupt.h"
 #include "cli/output/output_files.h"
 #include "cli/output/progress.h"
+#include "cli/output/run_end.h"
 #include "cli/output/stopwatch.h"
 #include "cli/output/version.h"
 #include "cli/session/drawable.h"
@@ -16,6 +16,7 @@
 #include "cli/summary/statistics.h"
 #include "cli/summary/view_check.h"
 #include "renderer/accuracy/measured_layers.h"
+#include "renderer/film/film.h"
 #include "renderer/image/layer_picture.h"
 #include "renderer/render.h"
 #include "renderer/trace/tracer.h"
@@ -25,7 +26,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,13 +97,40 @@ struct Picture {
   render::RenderResult result;
   double compile_seconds = 0;
   std::size_t grid_bytes = 0;
+  double share = 1;  ///< of the work that was done
+  std::optional<scene::Refusal> refusal;
 };
 
-Picture make_picture(const RenderCommand& command, RenderSettings settings, const scene::Database& database) {
+/// Takes the memory that the picture needs until it is in its file, before anything is read.
+std::optional<OutputProblem> take_picture_memory(const RenderCommand& command, Charge& charge) {
+  const auto& [width, height] = command.scene.size;
+  render::PixelRect rect{0, 0, width, height};
+  if (command.picture.crop) {
+    // Besides the window, the film has a pixel on every side of it.
+    const auto& [x0, y0, x1, y1] = *command.picture.crop;
+    rect = {std::max(x0 - 1, 0), std::max(y0 - 1, 0), std::min(x1 + 1, width), std::min(y1 + 1, height)};
+  }
+  const std::size_t pixels = rect.area();
+  const std::size_t bytes =
+      render::picture_bytes(pixels, command.picture.layers) + render::measuring_bytes(pixels, command.picture.layers);
+  if (charge.grow(bytes)) return std::nullopt;
+  return OutputProblem{
+      ExitCode::command_line_error,
+      fmt::format("--size {}x{}: a picture of this size, with its layers, takes {:.3g} GB of memory, more than the "
+                  "limit of {:.3g} GB; `--max-memory` raises the limit",
+                  width, height, static_cast<double>(bytes) * 1e-9,
+                  static_cast<double>(command.scene.limits.max_memory_bytes) * 1e-9)};
+}
+
+Picture make_picture(const RenderCommand& command, RenderSettings settings, const scene::Database& database,
+                     const RunLimits& limits) {
   Picture picture;
+  settings.tracer.run = settings.render.run = limits;
   const Stopwatch compiling;
   const render::Tracer tracer(database, settings.tracer);
   picture.compile_seconds = compiling.seconds();
+  picture.refusal = tracer.refusal();
+  if (picture.refusal) return picture;
   picture.grid_bytes = tracer.grid_bytes();
 
   const bool shows_bar = isatty(STDERR_FILENO) != 0 && !command.picture.quiet;
@@ -109,13 +139,14 @@ Picture make_picture(const RenderCommand& command, RenderSettings settings, cons
   const bool measures = render::any_measured(settings.render.aovs);
   const double render_share = measures ? 0.7 : 1;
   settings.render.progress = [&](double done) { bar.update(render_share * done); };
-  settings.render.stop = &interrupt_flag();
   picture.result = render::render(database, tracer, settings.render);
-  if (measures) {
-    const bool complete = render::measure_layers(
-        database, settings.tracer, tracer, settings.render.aovs, settings.render.threads, settings.render.stop,
+  picture.refusal = picture.result.refusal;
+  picture.share = render_share * picture.result.share;
+  if (measures && !picture.refusal) {
+    picture.refusal = render::measure_layers(
+        database, settings.tracer, tracer, settings.render.aovs, settings.render.threads,
         [&](double done) { bar.update(render_share + (1 - render_share) * done); }, picture.result.image);
-    picture.result.complete = picture.result.complete && complete;
+    if (is_set(limits.stop)) picture.result.complete = false;
   }
   return picture;
 }
@@ -137,7 +168,7 @@ void tell_result(const RenderCommand& command, Session& session, const std::vect
   } else if (!complete) {
     const std::string names = fmt::format("{}", fmt::join(names_of(files), ", "));
     print(Stream::error,
-          fmt::format("isl: interrupted; {}\n",
+          fmt::format("isl: {}; {}\n", text_of(stop_flag().reason()),
                       files.empty() ? "no file was written" : "the finished part is in " + visible_name(names)));
   } else if (!command.picture.quiet) {
     print(Stream::error, closing_line(names_of(files), image, seconds) + "\n");
@@ -164,6 +195,8 @@ ExitCode run(const RenderCommand& command) {
   if (const OutputProblem problem = claim_places(command, files, session.outputs()); !problem.none()) {
     return tell(problem);
   }
+  Charge picture_memory(session.limits().budget);
+  if (const auto problem = take_picture_memory(command, picture_memory)) return tell(*problem);
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const DrawableScene drawable(session, command.picture.quality);
   if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
@@ -173,13 +206,18 @@ ExitCode run(const RenderCommand& command) {
 
   const scene::Database& database = drawable.database();
   const RenderSettings settings = render_settings(command, database);
-  const Picture picture = make_picture(command, settings, database);
+  const Picture picture = make_picture(command, settings, database, session.limits());
+  if (picture.refusal) return refuse(session, *picture.refusal);
   const bool complete = picture.result.complete;
   if (!complete) files = partial_names(files);
   const render::Image& image = picture.result.image;
   const Stopwatch writing;
   render::ImageFileOptions options = file_options(command, settings, session);
   options.threads = picture.result.statistics.threads;
+  if (!complete) {
+    options.metadata.push_back({"isl:Partial", fmt::format("{}; {:.0f} % of the picture was rendered",
+                                                           text_of(stop_flag().reason()), 100 * picture.share)});
+  }
   OutputWriter writer(session.outputs());
   for (const fs::path& file : files) writer.add(file, image, options);
   for (const LayerFile& layer : layer_files(files, command.picture.layers)) {
@@ -200,7 +238,7 @@ ExitCode run(const RenderCommand& command) {
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
-  return complete ? ExitCode::done : ExitCode::interrupted;
+  return complete ? ExitCode::done : exit_code_of(stop_flag().reason());
 }
 
 }  // namespace isl::cli

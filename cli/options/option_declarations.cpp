@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::string_view kFooter =
     "Exit codes: 0 done, 1 the scene has errors, 2 the command line has errors,\n"
-    "            3 a file could not be read or written, 130 interrupted";
+    "            3 a file could not be read or written, 130 interrupted,\n"
+    "            75 ended by SIGTERM, SIGHUP or --max-time";
 
 /// An option whose text `parse` turns into a value for `store`; if it is given twice, the last one counts.
 template <class Parse, class Store>
@@ -135,15 +136,18 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add(app, "--max-depth", "N", "Nested macro calls and blocks [1000]", integer_from(1, 100'000),
       [&limit](std::int64_t v) { limit.max_depth = static_cast<std::size_t>(v); })
       ->group(limits);
-  add(app, "--max-turns", "N", "Turns of all loops, and macro calls [1e9]", number_from(0, kUnbounded),
-      [&limit](double v) { limit.max_turns = v; })
+  add(app, "--max-turns", "N", "Turns of all loops, and macro calls; steps of a pattern or function at a point [1e9]",
+      number_from(0, kUnbounded), [&limit](double v) { limit.max_turns = v; })
       ->group(limits);
   add(app, "--max-primitives", "N", "Solids, blob components, groups and lights [1e7]", number_from(0, kUnbounded),
       [&limit](double v) { limit.max_primitives = v; })
       ->group(limits);
   add(app, "--max-memory", "SIZE",
-      "Memory of the scene, its texts and its output: 4G, or a percentage of the machine's [75%]", parse_memory,
+      "Memory of the run, its texts, scene and pictures: 4G, or a percentage of the machine's [75%]", parse_memory,
       [&limit](std::size_t v) { limit.max_memory_bytes = v; })
+      ->group(limits);
+  add(app, "--max-time", "SECONDS", "Time of the run; a picture's finished part is written when it is over [no limit]",
+      number_from(0, kUnbounded), [&scene](double v) { scene.max_seconds = v; })
       ->group(limits);
   add(app, "--max-include-depth", "N", "Nested includes [32]", integer_from(1, 1000), [&limit](std::int64_t v) {
     limit.max_include_depth = static_cast<std::size_t>(v);

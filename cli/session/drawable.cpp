@@ -41,7 +41,8 @@ Diagnostic complaint(const Session& session, const render::Request& request, boo
 
 }  // namespace
 
-DrawableScene::DrawableScene(Session& session, int quality) : whole_(session.scene().database) {
+DrawableScene::DrawableScene(Session& session, int quality)
+    : whole_(session.scene().database), copied_(session.limits().budget) {
   const SceneOptions& options = session.options();
   const render::Plan plan = render::plan_of(whole_, {.quality = quality, .without = options.without});
   for (const render::PlannedEffect& refused : plan.refused) {
@@ -52,6 +53,12 @@ DrawableScene::DrawableScene(Session& session, int quality) : whole_(session.sce
   }
   is_refused_ = !plan.refused.empty() && !options.lenient;
   if (is_refused_ || !render::must_leave_out(plan)) return;
+  if (!copied_.grow(session.scene().charge.bytes())) {
+    session.sink().error({}, "a copy of the scene without what is not rendered takes more memory than the limit leaves",
+                         "`--max-memory` raises the limit");
+    is_refused_ = true;
+    return;
+  }
   reduced_ = whole_;
   render::leave_out(plan, *reduced_);
 }

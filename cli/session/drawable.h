@@ -23,6 +23,7 @@ class DrawableScene {
  private:
   const scene::Database& whole_;
   std::optional<scene::Database> reduced_;  ///< a copy without the features that cannot be drawn, if there are any
+  Charge copied_;                           ///< its memory
   bool is_refused_ = false;
 };
 

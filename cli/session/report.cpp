@@ -1,6 +1,7 @@
 #include "cli/session/report.h"
 
 #include "cli/output/console.h"
+#include "cli/output/run_end.h"
 #include "cli/session/diagnostic_printer.h"
 
 #include <fmt/format.h>
@@ -42,12 +43,23 @@ ExitCode finish(OutputWriter writer) {
 ExitCode report_failure(Session& session, ExitCode code) {
   if (session.options().format == OutputFormat::json) {
     print_document({{"diagnostics", problems_as_json(session)}});
-  } else if (code == ExitCode::interrupted) {
-    print(Stream::error, "isl: interrupted\n");
+  } else if (code == ExitCode::interrupted || code == ExitCode::ended) {
+    print(Stream::error, fmt::format("isl: {}\n", text_of(stop_flag().reason())));
   } else {
     print_problems(session);
   }
   return code;
+}
+
+ExitCode refuse(Session& session, const scene::Refusal& refusal) {
+  const interpreter::Origin origin = session.scene().origins.resolve(refusal.origin);
+  Diagnostic error{Severity::error, origin.span, refusal.message, refusal.hint, {}, origin.chain};
+  if (session.options().format == OutputFormat::text) {
+    print(Stream::error, format_diagnostic(error, session.sources(), wants_colour(Stream::error)));
+  }
+  session.sink().report(std::move(error));
+  if (session.options().format == OutputFormat::json) print_document({{"diagnostics", problems_as_json(session)}});
+  return ExitCode::scene_error;
 }
 
 }  // namespace isl::cli

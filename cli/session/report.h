@@ -3,6 +3,7 @@
 
 #include "cli/output/output_files.h"
 #include "cli/session/session.h"
+#include "renderer/scene/refusal.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -27,5 +28,9 @@ void print_error(std::string_view message);
 
 /// Ends a command whose scene could not be read or evaluated: reports the problems in the requested format.
 ExitCode report_failure(Session& session, ExitCode code);
+
+/// Ends a command whose scene takes more than the run allows: reports that at its place. The problems of the text were
+/// printed before, or are in the same document.
+ExitCode refuse(Session& session, const scene::Refusal& refusal);
 
 }  // namespace isl::cli

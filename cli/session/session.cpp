@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 #include "cli/output/console.h"
-#include "cli/output/interrupt.h"
+#include "cli/output/run_end.h"
 #include "cli/output/stopwatch.h"
 #include "cli/session/search_path.h"
 #include "renderer/queries/faint.h"
@@ -19,12 +19,15 @@ namespace isl::cli {
 
 Session::Session(const SceneOptions& options)
     : options_(options),
+      budget_(options.limits.max_memory_bytes),
+      limits_{&budget_, &stop_flag(), interpreter::steps_at_point(options.limits)},
       loader_(sources_, symbols_, arena_, sink_,
               {.include_paths = include_search_path(options.include_paths, options.system_libraries),
                .write_folders = options.write_folders,
                .outputs = outputs_,
-               .max_memory_bytes = options.limits.max_memory_bytes}) {
+               .run = limits_}) {
   note_inputs();
+  if (options.max_seconds) end_after(*options.max_seconds);
   if (options.ini) tell(*options.ini);
 }
 
@@ -72,6 +75,7 @@ ExitCode Session::load() {
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();
+  if (stop_flag().is_set()) return exit_code_of(stop_flag().reason());
   // No tree means that there was no text to parse (missing, not readable, not text), or more than the limit allows.
   if (unit_ == nullptr && loader_.last_error() != grammar::LoadError::too_large) return ExitCode::file_error;
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
@@ -96,14 +100,14 @@ ExitCode Session::evaluate() {
   options.image_height = options_.size.height;
   options.is_size_known = options_.is_size_known;
   options.print_debug = [](std::string_view text) { print_content(Stream::error, text); };
-  options.stop = &interrupt_flag();
-  render::ObjectQueries queries;
+  options.run = limits_;
+  render::ObjectQueries queries(limits_);
   options.queries = &queries;
 
   const Stopwatch stopwatch;
   scene_ = interpreter::evaluate(loader_, symbols_, *unit_, options, sink_);
   evaluate_seconds_ = stopwatch.seconds();
-  if (interrupt_flag()) return ExitCode::interrupted;
+  if (stop_flag().is_set()) return exit_code_of(stop_flag().reason());
   if (!sink_.has_errors()) check_result();
   return sink_.has_errors() ? ExitCode::scene_error : ExitCode::done;
 }

@@ -3,6 +3,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files/output_set.h"
+#include "base/run_limits.h"
 #include "cli/options/options.h"
 #include "cli/output/exit_code.h"
 #include "grammar/arena.h"
@@ -27,7 +28,8 @@ class Session {
   /// Parses the scene's file and reports its errors, except those in branches and bodies, which only execution reaches.
   ExitCode load_text();
 
-  /// Parses the scene's file and executes it, which reports the errors that it reaches; `interrupted` after Ctrl-C.
+  /// Parses the scene's file and executes it, which reports the errors that it reaches; the code of the stop flag's
+  /// reason if that was set meanwhile.
   ExitCode evaluate();
 
   /// Precondition: one of the above got as far as a unit, evaluate() as far as a database.
@@ -35,6 +37,8 @@ class Session {
   [[nodiscard]] const interpreter::EvaluatedScene& scene() const;
 
   [[nodiscard]] const SceneOptions& options() const { return options_; }
+  /// The memory, time and steps that are left to this run. Everything that works on the scene gets them.
+  [[nodiscard]] const RunLimits& limits() const { return limits_; }
   [[nodiscard]] DiagnosticSink& sink() { return sink_; }
   [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
   [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
@@ -66,6 +70,8 @@ class Session {
 
   const SceneOptions& options_;
   std::shared_ptr<OutputSet> outputs_ = std::make_shared<OutputSet>();
+  Budget budget_;
+  RunLimits limits_;
   grammar::SourceMap sources_;
   grammar::SymbolTable symbols_;
   grammar::Arena arena_;

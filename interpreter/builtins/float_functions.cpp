@@ -98,7 +98,7 @@ Value next_random(const Arguments& a) {
 
 Value open_random(const Arguments& a) {
   a.context().check_memory(a.span(), sizeof(std::uint32_t));
-  a.context().memory.bytes += sizeof(std::uint32_t);
+  a.context().memory.add(sizeof(std::uint32_t));
   return Value(a.context().random.open(values::to_integer(a.number(0))));
 }
 

@@ -31,6 +31,13 @@ const scene::Object& object(const Arguments& a) {
   return object;
 }
 
+/// Ends the evaluation if the last question has no answer.
+void check_answer(const Arguments& a) {
+  a.context().check_stop(a.span());
+  const std::optional<scene::Refusal> refusal = queries(a).refusal();
+  if (refusal) a.context().stop(a.span(), refusal->message, refusal->hint);
+}
+
 Value trace(const Arguments& a) {
   Context& context = a.context();
   const scene::Object& target = object(a);
@@ -45,6 +52,7 @@ Value trace(const Arguments& a) {
     a.fail(4, fmt::format("expected a variable with a number for the certainty, found {}", describe(certain->value)));
   }
   const auto [hit, is_certain] = queries(a).trace(context.database, target, origin, direction);
+  check_answer(a);
   if (normal) normal->value = to_value(hit ? hit->normal : Vec3(0));
   if (certain) certain->value = Value(is_certain ? 1.0 : 0.0);
   return to_value(hit ? hit->position : Vec3(0));
@@ -52,7 +60,9 @@ Value trace(const Arguments& a) {
 
 Value inside(const Arguments& a) {
   const scene::Object& target = object(a);
-  return Value(queries(a).inside(a.context().database, target, a.vector(1)) ? 1.0 : 0.0);
+  const bool is_in = queries(a).inside(a.context().database, target, a.vector(1));
+  check_answer(a);
+  return Value(is_in ? 1.0 : 0.0);
 }
 
 /// A corner of the box; `sign` is −1 for the least.

@@ -27,8 +27,11 @@ constexpr std::size_t kEvaluationUnits = Function::kMaxFrame * sizeof(double) / 
 class Surroundings final : public render::PatternSurroundings {
  public:
   explicit Surroundings(const Context& context) : context_(context) {}
-  [[nodiscard]] bool is_inside(const scene::Object& object, const scene::Vec3& point) const override {
-    return context_.options.queries->inside(context_.database, object, point);
+  [[nodiscard]] bool is_inside(const scene::Object& object, const scene::Vec3& point,
+                               StepCounter& steps) const override {
+    const bool is_in = context_.options.queries->inside(context_.database, object, point);
+    if (context_.options.queries->refusal()) steps.spend();
+    return is_in;
   }
 
  private:
@@ -80,11 +83,10 @@ Value call(Context& context, const grammar::Call& call, const FunctionValue& val
   const NestingGuard guard(context, call.span, kEvaluationUnits * (1 + function.pattern_depth));
   const Surroundings surroundings(context);
   const render::Patterns patterns(context.database, &surroundings);
-  values::Environment environment(values::noise_generator_of(context.noise_generator()),
-                                  static_cast<std::uint64_t>(std::min(context.options.limits.max_turns, 1e18)),
-                                  &patterns);
+  values::Environment environment(values::noise_generator_of(context.noise_generator()), context.run, &patterns);
   const auto terms = values::evaluate(function, arguments.span(), environment);
   if (environment.is_spent()) {
+    context.check_stop(call.span);
     context.stop(call.span,
                  fmt::format("this function takes more than {:g} turns and calls", context.options.limits.max_turns),
                  "`--max-turns` raises the limit");

@@ -43,18 +43,28 @@ class Contest {
         parts_(kPartsOfReference + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {
     for (const std::uint32_t ray : order_) batch_rays_.push_back(rays_[ray]);
     for (const TracerOptions& setting : settings) tracers_.emplace_back(database, setting);
+    for (const Tracer& tracer : tracers_) {
+      if (!result_.refusal) result_.refusal = tracer.refusal();
+    }
     times_.resize(settings.size());
     result_.settings.resize(settings.size());
-    ReferenceHits(database, exact).find(rays_, truth_, options_.stop, part(kPartsOfReference));
+    if (result_.refusal) return;
+    const ReferenceHits reference(database, exact);
+    result_.refusal = reference.refusal();
+    if (result_.refusal) return;
+    reference.find(rays_, truth_, options_.run.stop, part(kPartsOfReference));
     if (stopped()) return;
     result_.reference = summarise_reference(rays_, truth_, pixel_angle_);
     if (!options.shadows) return;
     const Tracer tracer(database, exact);
-    shadow_rays_ = shadow_rays(database, tracer, rays_, options.stop);
-    shadow_truth_ = occlusions_of(tracer, shadow_rays_, options.stop);
+    result_.refusal = tracer.refusal();
+    if (result_.refusal) return;
+    shadow_rays_ = shadow_rays(database, tracer, rays_, options.run.stop);
+    shadow_truth_ = occlusions_of(tracer, shadow_rays_, options.run.stop);
   }
 
   Comparison run() {
+    if (result_.refusal) return std::move(result_);
     for (std::size_t i = 0; i < tracers_.size() && !stopped(); ++i) examine(i);
     const Clock::time_point begin = Clock::now();
     for (int round = 0; round < options_.rounds && !stopped(); ++round) run_round(round, seconds_since(begin));
@@ -65,7 +75,7 @@ class Contest {
   }
 
  private:
-  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] bool stopped() const { return is_set(options_.run.stop); }
 
   /// The progress function of the next `count` of the parts that the whole consists of.
   [[nodiscard]] TellProgress part(std::size_t count = 1) {
@@ -79,8 +89,8 @@ class Contest {
   void examine(std::size_t i) {
     Measured& measured = result_.settings[i];
     measured.rays.resize(rays_.size());
-    measure_each(tracers_[i], rays_, measured.rays, options_.stop, part());
-    const std::vector<double> places = hits_of(tracers_[i], batch_rays_, options_.stop);
+    measure_each(tracers_[i], rays_, measured.rays, options_.run.stop, part());
+    const std::vector<double> places = hits_of(tracers_[i], batch_rays_, options_.run.stop);
     for (std::size_t k = 0; k < order_.size(); ++k) measured.rays[order_[k]].t = places[k];
     measured.errors.reserve(rays_.size());
     for (std::size_t r = 0; r < rays_.size(); ++r) {
@@ -88,14 +98,14 @@ class Contest {
     }
     measured.summary = summarise_errors(measured.errors, options_.width);
     if (!options_.shadows) return;
-    measured.shadows = summarise_shadows(occlusions_of(tracers_[i], shadow_rays_, options_.stop), shadow_truth_);
+    measured.shadows = summarise_shadows(occlusions_of(tracers_[i], shadow_rays_, options_.run.stop), shadow_truth_);
   }
 
   /// The cost of the camera rays and, if asked for, of their shadow rays.
   [[nodiscard]] BatchCost cost_of_all(std::size_t i, const TellProgress& tell) const {
-    BatchCost cost = cost_of(tracers_[i], batch_rays_, options_.stop, tell);
+    BatchCost cost = cost_of(tracers_[i], batch_rays_, options_.run.stop, tell);
     if (shadow_rays_.empty()) return cost;
-    const BatchCost shadows = shadow_cost_of(tracers_[i], shadow_rays_, options_.stop);
+    const BatchCost shadows = shadow_cost_of(tracers_[i], shadow_rays_, options_.run.stop);
     cost.processor_seconds += shadows.processor_seconds;
     cost.counters += shadows.counters;
     return cost;

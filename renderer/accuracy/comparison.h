@@ -6,6 +6,7 @@
 // Odd rounds take the settings backwards.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/accuracy/ray_errors.h"
 #include "renderer/accuracy/reference_hits.h"
 #include "renderer/accuracy/shadow_rays.h"
@@ -24,7 +25,7 @@ struct ComparisonOptions {
   double seconds = 60;
   bool shadows = false;  ///< also traces the shadow rays of what the exact solver meets
   TellProgress progress;
-  const std::atomic<bool>* stop = nullptr;
+  RunLimits run;  ///< its flag ends the comparison early
 };
 
 /// The results and costs of one setting.
@@ -47,6 +48,9 @@ struct Comparison {
   ReferenceSummary reference;
   bool complete = true;  ///< false if it was stopped; the other members are then meaningless
   double seconds = 0;    ///< total time by the wall clock
+  /// The reason why a setting or the truth takes more memory than the run allows; the other members are then
+  /// meaningless.
+  std::optional<scene::Refusal> refusal;
 };
 
 /// Measures every one of `settings` against the truth; times are relative to settings[base]. `exact` are the options of

@@ -35,11 +35,17 @@ std::vector<const MeasuredAov*> asked_of(const Aovs& aovs) {
 
 bool any_measured(const Aovs& aovs) { return !asked_of(aovs).empty(); }
 
-bool measure_layers(const scene::Database& database, const TracerOptions& options, const Tracer& tracer,
-                    const Aovs& aovs, int threads, const std::atomic<bool>* stop, const TellProgress& tell,
-                    Image& image) {
+std::size_t measuring_bytes(std::size_t pixels, const Aovs& aovs) {
+  return any_measured(aovs) ? pixels * (sizeof(Ray) + sizeof(RayMeasure) + sizeof(ReferenceHit) + sizeof(RayError)) : 0;
+}
+
+std::optional<scene::Refusal> measure_layers(const scene::Database& database, const TracerOptions& options,
+                                             const Tracer& tracer, const Aovs& aovs, int threads,
+                                             const TellProgress& tell, Image& image) {
   const std::vector<const MeasuredAov*> rows = asked_of(aovs);
-  if (rows.empty()) return true;
+  if (rows.empty()) return std::nullopt;
+  const StopFlag* const stop = options.run.stop;
+  std::optional<scene::Refusal> refusal;
   const std::vector<Ray> rays =
       rays_of(database.camera.value_or(scene::default_camera(image.full_width, image.full_height)), image);
   std::vector<RayMeasure> found(rays.size());
@@ -53,9 +59,13 @@ bool measure_layers(const scene::Database& database, const TracerOptions& option
   with_threads(threads > 0 ? threads : default_thread_count(), [&] {
     measure_each(tracer, rays, found, stop, told(0, first_share));
     if (!wants_errors) return;
+    const ReferenceHits reference(database, options);
+    refusal = reference.refusal();
+    if (refusal) return;
     truth.resize(rays.size());
-    ReferenceHits(database, options).find(rays, truth, stop, told(first_share, 1 - first_share));
+    reference.find(rays, truth, stop, told(first_share, 1 - first_share));
   });
+  if (refusal) return refusal;
   std::vector<RayError> errors(rays.size());
   for (std::size_t i = 0; wants_errors && i < rays.size(); ++i) {
     errors[i] = error_of(rays[i], found[i], truth[i], options.pixel_angle);
@@ -67,7 +77,7 @@ bool measure_layers(const scene::Database& database, const TracerOptions& option
       layer.round(i);
     }
   }
-  return stop == nullptr || !stop->load();
+  return std::nullopt;
 }
 
 }  // namespace isl::render

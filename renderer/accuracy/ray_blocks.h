@@ -15,20 +15,19 @@ inline constexpr std::size_t kBlock = 1024;
 
 /// Calls work(first, count) for blocks of at most `size` of `total` rays on all threads, until `stop` is set.
 template <class Work>
-void in_blocks(std::size_t total, std::size_t size, const std::atomic<bool>* stop, const TellProgress& tell,
-               const Work& work) {
+void in_blocks(std::size_t total, std::size_t size, const StopFlag* stop, const TellProgress& tell, const Work& work) {
   const std::size_t blocks = (total + size - 1) / size;
   Progress progress(tell);
   progress.begin_stage(1, blocks);
   parallel_for(blocks, [&](std::size_t block) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+    if (is_set(stop)) return;
     const std::size_t first = block * size;
     work(first, std::min(size, total - first));
     progress.step();
   });
 }
 template <class Work>
-void in_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell, const Work& work) {
+void in_blocks(std::size_t total, const StopFlag* stop, const TellProgress& tell, const Work& work) {
   in_blocks(total, kBlock, stop, tell, work);
 }
 

@@ -55,15 +55,15 @@ std::vector<std::uint32_t> batch_order(int width, int height) {
   return order;
 }
 
-void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
-                  const std::atomic<bool>* stop, const TellProgress& tell) {
+void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures, const StopFlag* stop,
+                  const TellProgress& tell) {
   ISL_CHECK(rays.size() == measures.size(), "{} {}", rays.size(), measures.size());
   in_blocks(rays.size(), stop, tell, [&](std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i) measures[i] = measure(tracer, rays[i]);
   });
 }
 
-std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop) {
+std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop) {
   std::vector<double> places(rays.size());
   in_blocks(rays.size(), stop, {}, [&](std::size_t first, std::size_t count) {
     std::array<Hit, kBlock> hits;
@@ -80,8 +80,7 @@ namespace {
 
 /// `trace` gets the thread's share of the cost, the first ray and the number of rays.
 template <class Trace>
-BatchCost cost_of_blocks(std::size_t total, const std::atomic<bool>* stop, const TellProgress& tell,
-                         const Trace& trace) {
+BatchCost cost_of_blocks(std::size_t total, const StopFlag* stop, const TellProgress& tell, const Trace& trace) {
   PerThread<BatchCost> shares;
   in_blocks(total, stop, tell, [&](std::size_t first, std::size_t count) {
     BatchCost& share = shares.local();
@@ -99,15 +98,14 @@ BatchCost cost_of_blocks(std::size_t total, const std::atomic<bool>* stop, const
 
 }  // namespace
 
-BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop,
-                  const TellProgress& tell) {
+BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop, const TellProgress& tell) {
   return cost_of_blocks(rays.size(), stop, tell, [&](BatchCost& share, std::size_t first, std::size_t count) {
     std::array<Hit, kBlock> hits;
     tracer.first_hits(rays.subspan(first, count), std::span(hits).first(count), share.counters);
   });
 }
 
-BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays, const std::atomic<bool>* stop) {
+BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop) {
   return cost_of_blocks(rays.size(), stop, {}, [&](BatchCost& share, std::size_t first, std::size_t count) {
     std::array<std::uint8_t, kBlock> occluded;
     tracer.occlusions(rays.subspan(first, count), std::span(occluded).first(count), share.counters);

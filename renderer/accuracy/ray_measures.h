@@ -2,10 +2,10 @@
 // batches, as rendering traces them. Knows nothing of references or pictures.
 #pragma once
 
+#include "base/stop_flag.h"
 #include "renderer/scene/camera.h"
 #include "renderer/trace/tracer.h"
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -33,11 +33,11 @@ using TellProgress = std::function<void(double)>;
 /// measures[i] becomes the measure of rays[i], on as many threads as loops have here (base/parallel.h). Once `stop` is
 /// true, the rest stays as it is.
 void measure_each(const Tracer& tracer, std::span<const Ray> rays, std::span<RayMeasure> measures,
-                  const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
+                  const StopFlag* stop = nullptr, const TellProgress& tell = {});
 
 /// The t of each ray's hit, infinite for a miss, as found in batches.
 [[nodiscard]] std::vector<double> hits_of(const Tracer& tracer, std::span<const Ray> rays,
-                                          const std::atomic<bool>* stop = nullptr);
+                                          const StopFlag* stop = nullptr);
 
 struct BatchCost {
   double processor_seconds = 0;  ///< sum over all threads, so that other load on the machine hardly counts
@@ -45,11 +45,10 @@ struct BatchCost {
 };
 
 /// The cost of finding the first hits of all rays in batches, as rendering traces them.
-[[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays,
-                                const std::atomic<bool>* stop = nullptr, const TellProgress& tell = {});
+[[nodiscard]] BatchCost cost_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop = nullptr,
+                                const TellProgress& tell = {});
 
 /// The cost of testing whether shadow rays are occluded, likewise.
-[[nodiscard]] BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays,
-                                       const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] BatchCost shadow_cost_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop = nullptr);
 
 }  // namespace isl::render

@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 #include "renderer/accuracy/ray_blocks.h"
-#include "renderer/csg/csg_builder.h"
+#include "renderer/csg/expansion.h"
 #include "renderer/reference/reference_tracer.h"
 
 #include <algorithm>
@@ -15,30 +15,52 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The objects of a scene, each with its place in the world: the blobs that stand for themselves, and all others.
+/// The objects of a scene, each with its place in the world: the blobs that stand for themselves, and all others. The
+/// unions that are open are a list instead of recursion, so that depth costs no stack.
 class Sorted {
  public:
-  explicit Sorted(const scene::Database& database) : database_(database) {
-    for (const scene::Object& object : database.objects) add(object, {});
+  Sorted(const scene::Database& database, const Expansion& expansion) : database_(database), expansion_(expansion) {
+    for (const scene::Object& object : database.objects) {
+      add(object, {});
+      while (!open_.empty()) {
+        OpenUnion& innermost = open_.back();
+        if (innermost.next == innermost.children->size()) {
+          open_.pop_back();
+        } else {
+          const scene::Object& child = (*innermost.children)[innermost.next++];
+          add(child, scene::Object(innermost.own));  // a copy, because opening the child moves the list
+        }
+      }
+    }
   }
 
   std::vector<scene::Object> blobs, others;
 
  private:
+  struct OpenUnion {
+    const std::vector<scene::Object>* children;
+    scene::Object own;
+    std::size_t next = 0;
+  };
+
   void add(const scene::Object& object, const scene::Object& above) {
     if (object.no_image || above.no_image) return;  // camera rays do not meet it
+    // Unions of unions of nothing are as many as those of something.
+    if (expansion_.instances(object, above.inverse) == 0) return;
     scene::Object own = object;
     own.parent_from_object = then(object.parent_from_object, above.parent_from_object);
     own.inverse = above.inverse != object.inverse;
     const bool is_whole = needs_csg(database_, object, above.inverse);
     if (object.kind == scene::Object::Kind::group && !is_whole) {
-      for (const scene::Object& child : database_.groups[object.shape].children) add(child, own);
+      open_.push_back({&database_.groups[object.shape].children, std::move(own)});
     } else {
       (object.kind == scene::Object::Kind::blob && !is_whole ? blobs : others).push_back(std::move(own));
     }
   }
 
   const scene::Database& database_;
+  const Expansion& expansion_;
+  std::vector<OpenUnion> open_;
 };
 
 reference::FieldRay ray_in(const scene::Matrix& object_from_world, const Ray& ray) {
@@ -58,10 +80,14 @@ reference::Ball world_bounds(const reference::Ball& ball, const scene::Matrix& o
 ReferenceHits::ReferenceHits(const scene::Database& database, const TracerOptions& options) {
   using reference::ReferenceField;
   const auto drawn = options.unblended ? ReferenceField::Drawn::unblended : ReferenceField::Drawn::as_recorded;
-  Sorted sorted(database);
+  charge_ = Charge(options.run.budget);
+  const Expansion expansion(database);
+  if (!take_memory(database, expansion)) return;
+  Sorted sorted(database, expansion);
   std::map<std::uint32_t, std::shared_ptr<const ReferenceField>> fields;
   std::vector<reference::Ball> bounds;
   for (const scene::Object& object : sorted.blobs) {
+    if (is_set(options.run.stop)) return;
     std::shared_ptr<const ReferenceField>& field = fields[object.shape];
     if (!field) field = std::make_shared<const ReferenceField>(database, database.blobs[object.shape], drawn);
     const scene::Matrix& object_from_world = object.parent_from_object.inverse;
@@ -75,6 +101,24 @@ ReferenceHits::ReferenceHits(const scene::Database& database, const TracerOption
   TracerOptions exact = options;
   exact.solver = SolverName::exact;
   others_.emplace(rest, exact);
+  refusal_ = others_->refusal();
+}
+
+bool ReferenceHits::take_memory(const scene::Database& database, const Expansion& expansion) {
+  double bytes = 0;
+  // Objects are in a list that grows to twice its size, and those that are no blobs in a copy of the database.
+  for (const scene::Object& object : database.objects)
+    bytes +=
+        expansion.instances(object, false) * (3 * sizeof(scene::Object) + sizeof(Placed) + 2 * sizeof(reference::Ball));
+  // The form of its skeleton, that of its kernel and its matrix are pieces of their own.
+  constexpr double kOfComponent = sizeof(reference::ReferenceComponent) + 512;
+  for (const scene::Blob& blob : database.blobs)
+    bytes += static_cast<double>(blob.components.size()) * (kOfComponent + sizeof(scene::Component));
+  constexpr double kMost = 0x1p62;
+  if (charge_.grow(static_cast<std::size_t>(std::min(bytes, kMost)))) return true;
+  refusal_ = {"the truth that errors are measured against would take more memory than the limit leaves",
+              "`--max-memory` raises the limit"};
+  return false;
 }
 
 ReferenceHit ReferenceHits::first_hit(const Ray& ray) const {
@@ -108,7 +152,7 @@ ReferenceHit ReferenceHits::first_hit(const Ray& ray) const {
   return nearest;
 }
 
-void ReferenceHits::find(std::span<const Ray> rays, std::span<ReferenceHit> hits, const std::atomic<bool>* stop,
+void ReferenceHits::find(std::span<const Ray> rays, std::span<ReferenceHit> hits, const StopFlag* stop,
                          const TellProgress& tell) const {
   ISL_CHECK(rays.size() == hits.size(), "{} {}", rays.size(), hits.size());
   // A ray takes up to some milliseconds here, so tasks are small and look at `stop` often enough.

@@ -4,7 +4,9 @@
 // apart.
 #pragma once
 
+#include "base/budget.h"
 #include "renderer/accuracy/ray_measures.h"
+#include "renderer/csg/expansion.h"
 #include "renderer/reference/ball_tree.h"
 #include "renderer/reference/reference_field.h"
 
@@ -33,15 +35,19 @@ struct ReferenceHit {
 /// Immutable; every member may be called from many threads.
 class ReferenceHits {
  public:
-  /// Takes what it needs of the database: that may go.
+  /// Takes what it needs of the database: that may go. Charges the budget of the options' run.
   ReferenceHits(const scene::Database& database, const TracerOptions& options);
+
+  /// The reason why the truth takes more memory than the run allows; there is then nothing to meet. If the run is
+  /// stopped meanwhile, there is nothing to meet either.
+  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return refusal_; }
 
   /// Precondition: the ray does not start on a surface.
   [[nodiscard]] ReferenceHit first_hit(const Ray& ray) const;
 
   /// hits[i] becomes the hit of rays[i], on as many threads as loops have here. Once `stop` is true, the rest stays as
   /// it is.
-  void find(std::span<const Ray> rays, std::span<ReferenceHit> hits, const std::atomic<bool>* stop = nullptr,
+  void find(std::span<const Ray> rays, std::span<ReferenceHit> hits, const StopFlag* stop = nullptr,
             const TellProgress& tell = {}) const;
 
  private:
@@ -52,6 +58,11 @@ class ReferenceHits {
     reference::Ball bounds;
   };
 
+  /// False if the sorted objects take more memory than is left.
+  [[nodiscard]] bool take_memory(const scene::Database& database, const Expansion& expansion);
+
+  Charge charge_;  ///< of all but `others_`
+  std::optional<scene::Refusal> refusal_;
   std::vector<Placed> blobs_;
   reference::BallTree bounds_;
   std::optional<Tracer> others_;  ///< all that is no blob of its own; empty if there is nothing else

@@ -26,7 +26,7 @@ void add_shadow_rays(const scene::Database& database, const Tracer& tracer, cons
 }  // namespace
 
 std::vector<Ray> shadow_rays(const scene::Database& database, const Tracer& reference, std::span<const Ray> rays,
-                             const std::atomic<bool>* stop) {
+                             const StopFlag* stop) {
   std::vector<std::vector<Ray>> of_block((rays.size() + kBlock - 1) / kBlock);
   in_blocks(rays.size(), stop, {}, [&](std::size_t first, std::size_t count) {
     SurfacePoint point;
@@ -39,8 +39,7 @@ std::vector<Ray> shadow_rays(const scene::Database& database, const Tracer& refe
   return all;
 }
 
-std::vector<std::uint8_t> occlusions_of(const Tracer& tracer, std::span<const Ray> rays,
-                                        const std::atomic<bool>* stop) {
+std::vector<std::uint8_t> occlusions_of(const Tracer& tracer, std::span<const Ray> rays, const StopFlag* stop) {
   std::vector<std::uint8_t> occluded(rays.size());
   in_blocks(rays.size(), stop, {}, [&](std::size_t first, std::size_t count) {
     TraceCounters counters;

@@ -12,11 +12,11 @@ namespace isl::render {
 
 /// One ray for each point that `rays` meet and each light in front of it that throws shadows, in this order.
 [[nodiscard]] std::vector<Ray> shadow_rays(const scene::Database& database, const Tracer& reference,
-                                           std::span<const Ray> rays, const std::atomic<bool>* stop = nullptr);
+                                           std::span<const Ray> rays, const StopFlag* stop = nullptr);
 
 /// For each ray, 1 if something stands in its way, else 0.
 [[nodiscard]] std::vector<std::uint8_t> occlusions_of(const Tracer& tracer, std::span<const Ray> rays,
-                                                      const std::atomic<bool>* stop = nullptr);
+                                                      const StopFlag* stop = nullptr);
 
 struct ShadowSummary {
   std::uint64_t rays = 0;

@@ -7,6 +7,12 @@
 #include "renderer/grid/blob_grid.h"
 #include "renderer/rays/ray.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
 namespace isl::render {
 namespace {
 
@@ -21,8 +27,12 @@ unsigned hidden_from(const scene::Object& object) {
 /// instead of recursion, so that depth costs no stack.
 class Flattener {
  public:
-  Flattener(const scene::Database& database, CompiledScene& compiled)
-      : database_(database), compiled_(compiled), csg_(database) {}
+  Flattener(const scene::Database& database, const Expansion& expansion, Meter& meter, CompiledScene& compiled)
+      : database_(database),
+        expansion_(expansion),
+        meter_(meter),
+        compiled_(compiled),
+        csg_(database, expansion, meter, compiled.charge) {}
 
   /// State that an object hands down to its children.
   struct Inherited {
@@ -44,6 +54,7 @@ class Flattener {
         const scene::Object& child = (*innermost.children)[innermost.next++];
         add(child, Inherited(innermost.own));  // a copy, because opening the child moves the list
       }
+      if (!meter_.goes_on()) open_.clear();
     }
   }
 
@@ -58,6 +69,8 @@ class Flattener {
 
   /// Makes the object's instance, or opens it if it is a union.
   void add(const scene::Object& object, const Inherited& above) {
+    // Unions of unions of nothing are as many as those of something.
+    if (!meter_.goes_on() || expansion_.instances(object, above.is_inverse) == 0) return;
     Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
                   static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
                   above.is_inverse != object.inverse};
@@ -67,6 +80,7 @@ class Flattener {
       own.texture = object.texture;
       own.texture_space = kOwnSpace;
       if (is_union && !database_.texture(object.texture).is_plain()) {
+        if (!meter_.grow(compiled_.charge, 2 * sizeof(scene::Transform))) return;
         own.texture_space = static_cast<TextureSpace>(compiled_.texture_spaces.size());
         compiled_.texture_spaces.push_back(own.world_from_parent);
       }
@@ -90,6 +104,8 @@ class Flattener {
   }
 
   const scene::Database& database_;
+  const Expansion& expansion_;
+  Meter& meter_;
   CompiledScene& compiled_;
   CsgBuilder csg_;
   std::vector<OpenUnion> open_;
@@ -105,6 +121,147 @@ void set_spread(const scene::Database& database, const CompiledScene& compiled, 
   if (instance.is_placed) instance.spread = spread_through(instance.world_from_object, instance.spread);
 }
 
+/// Bytes of what prepare_details() makes.
+std::size_t detail_bytes(const scene::Database& database) {
+  std::size_t bytes = 0;
+#define ISL_SOLID_DETAIL(word, Type, column) \
+  bytes += database.column.size() * sizeof(decltype(SolidDetails::column)::value_type);
+#include "renderer/scene/solids.def"
+  for (const scene::Polynomial& polynomial : database.polynomials)
+    bytes += polynomial.coefficients.size() * sizeof(double);
+  for (const scene::Polygon& polygon : database.polygons) bytes += 2 * polygon.points.size() * sizeof(PlanePoint);
+  return bytes;
+}
+
+/// Compiles step by step, until a step is refused.
+class Compiler {
+ public:
+  Compiler(const scene::Database& database, const CompileOptions& options)
+      : database_(database),
+        options_(options),
+        meter_(options.run),
+        expansion_(database),
+        grids_(options.most_grid_bytes) {
+    scene_.charge = meter_.new_charge();
+  }
+
+  CompiledScene run() {
+    take_solids();
+    if (meter_.goes_on()) flatten();
+    if (meter_.goes_on()) compile_blobs();
+    if (meter_.goes_on()) {
+      for (Instance& instance : scene_.instances) set_spread(database_, scene_, instance);
+      at_ = most_placed_at_;
+      wanted_ = [this] { return fmt::format("the grid over {:.4g} objects, most of them placed here,", placed_); };
+      build_instance_grid(scene_, grids_, meter_);
+      hold(scene_.grid.bytes());
+    }
+    if (meter_.goes_on()) return std::move(scene_);
+    CompiledScene none;
+    if (meter_.is_refused()) none.refusal = refusal();
+    return none;
+  }
+
+ private:
+  bool hold(std::size_t bytes) { return meter_.grow(scene_.charge, bytes); }
+
+  [[nodiscard]] scene::Refusal refusal() const {
+    return {fmt::format("{} would take more memory than the limit of {:.3g} GB leaves", wanted_(),
+                        static_cast<double>(meter_.run().budget->limit()) * 1e-9),
+            "`--max-memory` raises the limit", at_};
+  }
+
+  void take_solids() {
+    wanted_ = [this] { return fmt::format("the {} solids up to here", database_.solids.size()); };
+    if (!database_.objects.empty()) at_ = database_.objects.back().origin;
+    // A scene of one sphere takes a grid of 64 cells and a few small lists.
+    constexpr std::size_t kLeast = sizeof(CompiledScene) + 2048;
+    if (!hold(kLeast + database_.solids.size() * sizeof(scene::Solid) + detail_bytes(database_))) return;
+    scene_.solids = database_.solids;
+    scene_.details = prepare_details(database_);
+    scene_.coordinate_textures = scene::CoordinateTextures(database_);
+  }
+
+  /// The instances are counted first, so that nothing is expanded that is too much.
+  void flatten() {
+    wanted_ = [this] { return fmt::format("the {:.4g} objects placed up to here", placed_); };
+    double most = 0;
+    for (const scene::Object& object : database_.objects) {
+      at_ = object.origin;
+      const double more = expansion_.instances(object, false);
+      placed_ += more;
+      if (more > most) most_placed_at_ = object.origin;
+      most = std::max(most, more);
+      const double bytes = more * sizeof(Instance);
+      constexpr double kMost = 0x1p62;
+      if (!hold(static_cast<std::size_t>(std::min(bytes, kMost)))) break;
+    }
+    if (!meter_.goes_on()) return;
+    scene_.instances.reserve(static_cast<std::size_t>(placed_));
+    Flattener flattener(database_, expansion_, meter_, scene_);
+    wanted_ = [this] { return fmt::format("the {:.4g} parts of this object", parts_); };
+    for (const scene::Object& object : database_.objects) {
+      at_ = object.origin;
+      parts_ = expansion_.tree_of(object).leaves;
+      flattener.add(object);
+      if (!meter_.goes_on()) break;
+    }
+    flattener.finish();
+  }
+
+  /// A blob that is declared and never placed costs nothing.
+  void compile_blobs() {
+    std::vector<OriginId> used_at(database_.blobs.size());
+    std::vector<bool> is_used(database_.blobs.size(), false);
+    const auto use = [&](std::uint32_t blob, OriginId origin) {
+      if (!is_used[blob]) used_at[blob] = origin;
+      is_used[blob] = true;
+    };
+    std::vector<OriginId> tree_used_at(scene_.trees.size());
+    for (const Instance& instance : scene_.instances) {
+      if (instance.kind == scene::Object::Kind::blob) use(instance.shape, instance.origin);
+      if (instance.kind == scene::Object::Kind::group) tree_used_at[instance.shape] = instance.origin;
+    }
+    for (std::size_t i = 0; i < scene_.trees.size(); ++i) {
+      for (const CsgLeaf& leaf : scene_.trees[i].leaves) {
+        if (leaf.kind == scene::Object::Kind::blob) use(leaf.shape, tree_used_at[i]);
+      }
+    }
+    scene_.blobs.resize(database_.blobs.size());
+    for (std::uint32_t i = 0; i < database_.blobs.size() && meter_.goes_on(); ++i) {
+      at_ = used_at[i];
+      if (is_used[i]) compile_blob(i);
+    }
+  }
+
+  void compile_blob(std::uint32_t i) {
+    CompiledBlob& blob = scene_.blobs[i];
+    const scene::Blob& record = database_.blobs[i];
+    wanted_ = [&record] { return fmt::format("the {} components of this blob", record.components.size()); };
+    Charge working = meter_.new_charge();
+    if (!meter_.grow(working, most_table_bytes(record))) return;
+    blob.size = shape_size(database_, scene::Object::Kind::blob, i);
+    blob.components = compile_components(database_, record, options_.unblended);
+    working = meter_.new_charge();
+    if (!hold(blob.components.bytes())) return;
+    wanted_ = [&record] { return fmt::format("the grid of this blob of {} components", record.components.size()); };
+    blob.grid = build_blob_grid(blob.components, options_.cells, grids_, &meter_);
+    hold(blob.grid.bytes());
+  }
+
+  const scene::Database& database_;
+  const CompileOptions& options_;
+  Meter meter_;
+  Expansion expansion_;
+  GridBudget grids_;
+  CompiledScene scene_;
+  double placed_ = 0;                    ///< instances that the objects make, as far as they are counted
+  double parts_ = 0;                     ///< solids and blobs of the object that is being flattened
+  OriginId most_placed_at_{};            ///< the statement that places more objects than any other
+  OriginId at_{};                        ///< the statement whose object is being compiled
+  std::function<std::string()> wanted_;  ///< names what asks for memory
+};
+
 }  // namespace
 
 std::size_t CompiledScene::grid_bytes() const {
@@ -115,35 +272,7 @@ std::size_t CompiledScene::grid_bytes() const {
 }
 
 CompiledScene compile(const scene::Database& database, const CompileOptions& options) {
-  CompiledScene compiled;
-  compiled.solids = database.solids;
-  compiled.details = prepare_details(database);
-  compiled.coordinate_textures = scene::CoordinateTextures(database);
-  Flattener flattener(database, compiled);
-  for (const scene::Object& object : database.objects) flattener.add(object);
-  flattener.finish();
-
-  // A blob that is declared and never placed costs nothing.
-  std::vector<bool> is_used(database.blobs.size(), false);
-  for (const Instance& instance : compiled.instances) {
-    if (instance.kind == scene::Object::Kind::blob) is_used[instance.shape] = true;
-  }
-  for (const CsgTree& tree : compiled.trees) {
-    for (const CsgLeaf& leaf : tree.leaves) {
-      if (leaf.kind == scene::Object::Kind::blob) is_used[leaf.shape] = true;
-    }
-  }
-  GridBudget budget(options.most_grid_bytes);
-  compiled.blobs.resize(database.blobs.size());
-  for (std::size_t i = 0; i < database.blobs.size(); ++i) {
-    if (!is_used[i]) continue;
-    compiled.blobs[i].size = shape_size(database, scene::Object::Kind::blob, static_cast<std::uint32_t>(i));
-    compiled.blobs[i].components = compile_components(database, database.blobs[i], options.unblended);
-    compiled.blobs[i].grid = build_blob_grid(compiled.blobs[i].components, options.cells, budget);
-  }
-  for (Instance& instance : compiled.instances) set_spread(database, compiled, instance);
-  build_instance_grid(compiled, budget);
-  return compiled;
+  return Compiler(database, options).run();
 }
 
 }  // namespace isl::render

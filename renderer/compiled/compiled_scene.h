@@ -2,6 +2,7 @@
 // an instance, and a top-level grid stands over the instances. Immutable; one struct on one screen.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/compiled/paper_tables.h"
 #include "renderer/csg/csg_tree.h"
 #include "renderer/fields/component_table.h"
@@ -9,9 +10,11 @@
 #include "renderer/grid/grid.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/scene/database.h"
+#include "renderer/scene/refusal.h"
 #include "renderer/solids/solid_details.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace isl::render {
@@ -57,6 +60,10 @@ struct CompiledScene {
   std::vector<std::uint32_t> bounded;    ///< all other instances
   Grid grid;                             ///< grid over the bounded instances
   Box bounds;                            ///< bounds of the bounded instances
+  Charge charge;                         ///< of all this
+  /// The reason why the scene takes more memory than the run allows. A scene that is refused, or was stopped while it
+  /// was compiled, has no instances.
+  std::optional<scene::Refusal> refusal;
 
   [[nodiscard]] std::size_t grid_bytes() const;
 };
@@ -65,6 +72,7 @@ struct CompileOptions {
   CellRule cells = CellRule::ranges;
   bool unblended = false;                                                 ///< every blob is drawn unblended
   std::size_t most_grid_bytes = std::numeric_limits<std::size_t>::max();  ///< limit of all grids together
+  RunLimits run = {};
 };
 
 [[nodiscard]] CompiledScene compile(const scene::Database& database, const CompileOptions& options);

@@ -81,10 +81,13 @@ class BoxClassifier {
 
 }  // namespace
 
-void build_instance_grid(CompiledScene& scene, GridBudget& budget) {
+void build_instance_grid(CompiledScene& scene, GridBudget& budget, Meter& meter) {
+  Charge working = meter.new_charge();
+  if (!meter.grow(working, scene.instances.size() * (sizeof(Box) + 2 * sizeof(std::uint32_t)))) return;
   std::vector<Box> boxes(scene.instances.size());
   scene.bounds = {};
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (!meter.goes_on()) return;
     const Box box = world_bounds(scene, scene.instances[i]);
     if (box.isEmpty()) continue;  // a blob without a surface
     if (!fits_in_grid(box)) {
@@ -96,8 +99,9 @@ void build_instance_grid(CompiledScene& scene, GridBudget& budget) {
     scene.bounded.push_back(i);
   }
   BoxClassifier classifier(boxes);
-  GridBuilder builder(classifier, budget.limit(scene.bounded.size()));
+  GridBuilder builder(classifier, limit_of(budget, scene.bounded.size(), &meter), &meter);
   scene.grid = builder.build(scene.bounds, scene.bounded);
+  if (!meter.goes_on()) return;
   scene.grid.shrink_to_fit();
   budget.spend(scene.bounded.size(), builder.cost());
 }

@@ -6,7 +6,7 @@
 namespace isl::render {
 
 /// Fills `unbounded`, `bounded`, `bounds` and `grid` from the instances. The grid costs at most what `budget`
-/// allows, and is charged to it.
-void build_instance_grid(CompiledScene& scene, GridBudget& budget);
+/// allows, and is charged to it. It is empty once `meter` has refused.
+void build_instance_grid(CompiledScene& scene, GridBudget& budget, Meter& meter);
 
 }  // namespace isl::render

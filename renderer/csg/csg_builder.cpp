@@ -26,6 +26,12 @@ CsgNode::Kind kind_of(Operation operation, bool is_inverse) {
   return is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all;
 }
 
+std::size_t bytes_of(const Expansion::Size& size) {
+  const double bytes = (size.groups + 1) * (sizeof(CsgNode) + sizeof(std::uint32_t)) + size.leaves * sizeof(CsgLeaf);
+  constexpr double kMost = 0x1p62;
+  return static_cast<std::size_t>(std::min(bytes, kMost));
+}
+
 /// Widens a box by more than rounding moves a ray, so that a leaf is wrongly excluded at most for rays that touch it
 /// only by a rounding.
 Box widened(Box box) {
@@ -40,15 +46,6 @@ Box widened(Box box) {
 }
 
 }  // namespace
-
-bool needs_csg(const scene::Database& database, const Object& object, bool is_inverse) {
-  if (object.clip != scene::kNoGroup) return true;
-  if (object.kind != Object::Kind::group) return false;
-  const Group& group = database.groups[object.shape];
-  // A group with one child is that child, whatever its operation.
-  if (group.children.size() <= 1) return false;
-  return group.operation != Operation::unite || is_inverse != object.inverse;
-}
 
 /// State that an object inherits from its parent.
 struct CsgBuilder::Above {
@@ -71,7 +68,8 @@ struct CsgBuilder::Level {
   std::size_t next = 0;     ///< child
 };
 
-CsgBuilder::CsgBuilder(const scene::Database& database) : database_(database), extents_(database) {}
+CsgBuilder::CsgBuilder(const scene::Database& database, const Expansion& expansion, Meter& meter, Charge& charge)
+    : database_(database), expansion_(expansion), meter_(meter), charge_(charge), extents_(database) {}
 CsgBuilder::~CsgBuilder() = default;
 
 std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
@@ -84,6 +82,10 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   alone.clip = object.clip;
   alone.inverse = object.inverse;
   CsgTree tree;
+  const Expansion::Size size = expansion_.tree_of(alone);
+  if (!meter_.grow(charge_, bytes_of(size))) return place->second;
+  tree.nodes.reserve(static_cast<std::size_t>(size.groups) + 1);
+  tree.leaves.reserve(static_cast<std::size_t>(size.leaves));
   tree.nodes.push_back({});
   add(tree, alone, {.parent = 0, .is_inverse = is_inverse});
   while (!open_.empty()) {
@@ -97,6 +99,7 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
     Above own = level.above;  // a copy, because adding the child moves the list
     own.is_inverse = level.is_inverse != is_taken_away;
     add(tree, level.group->children[level.next++], own);
+    if (!meter_.goes_on()) open_.clear();
   }
   tree.bounds = widened(extents_.of(alone));
   tree.holding_at_rest.assign(tree.nodes.size(), 0);
@@ -111,6 +114,7 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
 }
 
 void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
+  if (!meter_.goes_on()) return;
   Above own = above;
   own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
   if (object.texture != scene::kNoTexture) {
@@ -118,6 +122,7 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
     own.texture_space = kOwnSpace;
     if (object.kind == Object::Kind::group && !database_.texture(object.texture).is_plain()) {
       own.texture_space = static_cast<TextureSpace>(tree.texture_spaces.size());
+      if (!meter_.grow(charge_, 2 * sizeof(scene::Transform))) return;
       tree.texture_spaces.push_back(own.group_from_parent);
     }
   }

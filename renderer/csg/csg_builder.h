@@ -1,7 +1,9 @@
 // Compiles the database's groups to CSG trees.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/csg/csg_tree.h"
+#include "renderer/csg/expansion.h"
 #include "renderer/extents/extents.h"
 
 #include <map>
@@ -10,14 +12,11 @@
 
 namespace isl::render {
 
-/// True if an object is more than its parts side by side: combined by an operation, clipped, or a union turned inside
-/// out. `is_inverse`: the object's parent is inverse.
-[[nodiscard]] bool needs_csg(const scene::Database& database, const scene::Object& object, bool is_inverse);
-
 /// Makes the CSG trees of a scene, each distinct tree once.
 class CsgBuilder {
  public:
-  explicit CsgBuilder(const scene::Database& database);
+  /// `meter` refuses trees that would take too much memory; they are then incomplete. `charge` counts their bytes.
+  CsgBuilder(const scene::Database& database, const Expansion& expansion, Meter& meter, Charge& charge);
   ~CsgBuilder();
 
   /// Index of the object's tree in what take_trees() will return. The tree does not depend on the object's own
@@ -36,6 +35,9 @@ class CsgBuilder {
   [[nodiscard]] Imath::Box3d box_of_leaf(const CsgLeaf& leaf);
 
   const scene::Database& database_;
+  const Expansion& expansion_;
+  Meter& meter_;
+  Charge& charge_;
   Extents extents_;
   /// The key is the kind, the shape, the clip, the object's own inverse, and its parent's.
   std::map<std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool, bool>, std::uint32_t> known_;

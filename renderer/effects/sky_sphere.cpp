@@ -7,6 +7,7 @@
 //   - before, Π f + Π t of the layers below, and Π c f + Π t of the background: layers are dimmed but not coloured.
 #include "renderer/effects/effect.h"
 
+#include <optional>
 #include <ranges>
 
 namespace isl::render {
@@ -20,6 +21,7 @@ class SkyStage final : public Stage<MissWork> {
   explicit SkyStage(const StageContext& context)
       : sky_(*context.database.sky_sphere),
         textures_(context.textures),
+        refusals_(context.refusals),
         emission_(rgb(sky_.emission)),
         is_old_(context.database.settings.language_version < 3.7),
         is_moved_(sky_.world_from_sky != scene::kIdentity) {
@@ -34,7 +36,9 @@ class SkyStage final : public Stage<MissWork> {
       Layers above;
       Rgb colour(0);
       for (const scene::Pigment& pigment : sky_.pigments | std::views::reverse) {
-        const scene::Colour layer = textures_.pigment_colour(pigment, place);
+        const std::optional<scene::Colour> found = textures_.pigment_colour(pigment, place);
+        if (!found) return refusals_.report("this sky_sphere", sky_.origin);
+        const scene::Colour& layer = *found;
         const Rgb light = rgb(layer) * emission_ * (1 - layer.filter - layer.transmit);
         colour += is_old_ ? light * above.dimming() : light * above.through;
         above.add(layer);
@@ -67,6 +71,7 @@ class SkyStage final : public Stage<MissWork> {
 
   const scene::SkySphere& sky_;
   const PointTextures& textures_;
+  PointRefusals& refusals_;
   Rgb emission_;
   bool is_old_;
   bool is_moved_;

@@ -5,6 +5,7 @@
 
 #include "renderer/paths/path.h"
 #include "renderer/shading/lighting.h"
+#include "renderer/shading/point_refusals.h"
 #include "renderer/shading/point_textures.h"
 #include "renderer/trace/tracer.h"
 
@@ -19,6 +20,7 @@ struct StageContext {
   const scene::Database& database;
   const Tracer& tracer;
   const PointTextures& textures;
+  PointRefusals& refusals;
 };
 
 /// Segments that were traced, before anything at their ends is shaded. Media along them change factors and add light.

@@ -128,6 +128,30 @@ std::size_t ComponentTable::bytes() const {
   return of_rows(x, y, z, scale, amplitude, texture, source, branch, maps) + std::apply(of_rows, shapes);
 }
 
+namespace {
+
+constexpr std::size_t kLargestShape = [] {
+  std::size_t largest = 0;
+#define ISL_SKELETON(word, Type, record) largest = std::max(largest, sizeof(Type));
+#include "renderer/scene/skeletons.def"
+#undef ISL_SKELETON
+  return largest;
+}();
+
+}  // namespace
+
+std::size_t most_table_bytes(const scene::Blob& blob) {
+  constexpr std::size_t kRow = 5 * sizeof(double) + sizeof(scene::TextureId) + 2 * sizeof(std::uint32_t);
+  std::size_t shapes = 0, maps = 0;
+  for (const scene::Component& c : blob.components) {
+    shapes += c.skeleton != scene::Skeleton::point;
+    maps += c.transform != scene::kIdentity;
+  }
+  // Shapes and maps grow to twice their size, and are held twice while they move.
+  return blob.components.size() * (sizeof(Prepared) + kRow) +
+         3 * (shapes * kLargestShape + maps * sizeof(scene::Transform));
+}
+
 ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob, bool unblended) {
   const bool is_unblended = unblended || blob.is_unblended;
   std::vector<Prepared> prepared;

@@ -86,6 +86,9 @@ struct ComponentTable {
   }
 };
 
+/// Upper bound of the bytes that compile_components() holds while it makes the table of a blob.
+[[nodiscard]] std::size_t most_table_bytes(const scene::Blob& blob);
+
 /// `database` resolves kernels and transforms. Components of strength 0 are left out: they add nothing.
 /// `unblended`: the blob is drawn unblended, even if its record does not say so.
 [[nodiscard]] ComponentTable compile_components(const scene::Database& database, const scene::Blob& blob,

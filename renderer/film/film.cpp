@@ -21,6 +21,19 @@ Layer cropped(const Layer& layer, const PixelRect& rect, const PixelRect& window
 
 }  // namespace
 
+std::size_t picture_bytes(std::size_t pixels, const Aovs& aovs) {
+  std::size_t layer_values = 0;
+  for (const Aov* const aov : aovs) layer_values += aov->channels.size();
+  // The film is there until the picture is developed from it, and the first pass as displayed takes less than that.
+  const std::size_t film =
+      4 * sizeof(double) + sizeof(std::uint32_t) + sizeof(Certainty) + layer_values * sizeof(double);
+  const std::size_t image = (4 + layer_values) * sizeof(double);
+  // A file is encoded from planes of floats; its bytes and the encoder's are at most as many. Beside a picture there
+  // may be one of a layer, in false colours.
+  const std::size_t encoding = 2 * (4 + layer_values) * sizeof(float) + (aovs.empty() ? 0 : 4 * sizeof(double));
+  return pixels * (image + std::max(film, encoding));
+}
+
 Film::Film(const PixelRect& rect, const Aovs& aovs)
     : rect_(rect), sums_(4 * rect.area()), counts_(rect.area()), certainties_(rect.area()) {
   const auto is_asked = [&](const Aov& aov) { return std::ranges::find(aovs, &aov) != aovs.end(); };

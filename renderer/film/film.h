@@ -10,6 +10,9 @@
 
 namespace isl::render {
 
+/// Bytes that a picture takes at most at a time on its way from the film to a file, with the layers in `aovs`.
+[[nodiscard]] std::size_t picture_bytes(std::size_t pixels, const Aovs& aovs);
+
 class Film {
  public:
   /// Covers `rect` of the picture. Every pixel starts without samples: transparent black. Of `aovs` those of surfaces

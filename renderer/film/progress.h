@@ -27,6 +27,11 @@ class Progress {
     report(start_ + (end_ - start_) * static_cast<double>(done) / static_cast<double>(units_));
   }
 
+  /// The share done. No thread counts units meanwhile.
+  [[nodiscard]] double share() const {
+    return units_ == 0 ? end_ : start_ + (end_ - start_) * static_cast<double>(done_) / static_cast<double>(units_);
+  }
+
   /// Reports that everything is done. One thread calls it, after the others.
   void finish() { report(1); }
 

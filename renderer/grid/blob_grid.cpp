@@ -39,7 +39,7 @@ Box where_fields_are_numbers(Box box) {
 
 }  // namespace
 
-Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& budget) {
+Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& budget, Meter* meter) {
   std::vector<std::uint32_t> endless_items;
   for (const FieldGroup& group : table.groups) {
     if (!scene::is_endless(group.skeleton)) continue;
@@ -57,8 +57,9 @@ Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& bud
   std::vector<std::uint32_t> items(table.size());
   std::iota(items.begin(), items.end(), 0u);
   FieldClassifier classifier(table, rule);
-  GridBuilder builder(classifier, budget.limit(items.size()));
+  GridBuilder builder(classifier, limit_of(budget, items.size(), meter), meter);
   Grid grid = builder.build(bounds, items, !endless_items.empty());
+  if (meter != nullptr && !meter->goes_on()) return {};
   budget.spend(items.size(), builder.cost());
   add_beyond(classifier, std::move(endless_items), grid);
   grid.shrink_to_fit();

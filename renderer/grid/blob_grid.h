@@ -2,6 +2,7 @@
 // threshold nothing can be seen; where its lower bound stays above, everything is inside; only the rest is ever solved.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/grid.h"
 #include "renderer/grid/grid_budget.h"
@@ -17,7 +18,9 @@ enum class CellRule : std::uint8_t {
               ///< because its error moves the surface into cells where the true field has none.
 };
 
-/// The grid costs at most what `budget` allows, and is charged to it.
-[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& budget);
+/// The grid costs at most what `budget` allows, and is charged to it. It is empty once `meter` has refused; null:
+/// without limit.
+[[nodiscard]] Grid build_blob_grid(const ComponentTable& table, CellRule rule, GridBudget& budget,
+                                   Meter* meter = nullptr);
 
 }  // namespace isl::render

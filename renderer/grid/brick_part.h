@@ -83,6 +83,14 @@ struct BrickPart {
     tests = 0;
     longest_list = 0;
   }
+  /// Bytes that the part takes, with the places that wait for more.
+  [[nodiscard]] std::size_t held_bytes() const {
+    return list_bytes() + finished.capacity() * sizeof(Finished) + open.capacity() * sizeof(OpenCell) +
+           kept.capacity() * sizeof(std::uint32_t);
+  }
+  [[nodiscard]] std::size_t list_bytes() const {
+    return items.capacity() * sizeof(std::uint32_t) + choices.capacity() * sizeof(ItemList);
+  }
   /// Bytes of the lists, if no open cell is divided.
   [[nodiscard]] std::size_t bytes() const {
     std::size_t bytes = items.size() * sizeof(std::uint32_t) + choices.size() * sizeof(ItemList);
@@ -112,11 +120,16 @@ struct BrickCube {
 /// The items of each cell of a brick.
 using DealtItems = std::array<std::vector<std::uint32_t>, kBrickCells>;
 
-/// Deals items out to the cells of a brick that their boxes reach. `boxes` is indexed by item. An item whose box is not
-/// a number reaches every cell.
+[[nodiscard]] inline std::size_t held_bytes(const DealtItems& dealt) {
+  std::size_t places = 0;
+  for (const std::vector<std::uint32_t>& list : dealt) places += list.capacity();
+  return places * sizeof(std::uint32_t);
+}
+
+/// Deals items out to the cells of a brick that their boxes reach, after those that are there. `boxes` is indexed by
+/// item. An item whose box is not a number reaches every cell.
 inline void deal_out(const BrickCube& cube, std::span<const std::uint32_t> items, std::span<const Box> boxes,
                      DealtItems& dealt) {
-  for (std::vector<std::uint32_t>& list : dealt) list.clear();
   double begin[3][kBrickSide], end[3][kBrickSide];  // of the enlarged cells
   for (std::uint32_t i = 0; i < kBrickSide; ++i) {
     const Box cell = enlarged_cell(cube.corner(i * (1 + kBrickSide + kBrickSide * kBrickSide)), cube.cell_size);

@@ -1,6 +1,8 @@
 // Limits of the cost of grids. Cells that would exceed them stay undivided, which is right and slower to trace.
 #pragma once
 
+#include "base/run_limits.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -41,5 +43,14 @@ class GridBudget {
   GridCost pool_{std::size_t{256} << 20, 24'000'000};
   std::size_t bytes_left_;
 };
+
+/// What a grid of so many items may cost: at most an eighth of the memory that is left, too, because its lists are
+/// there twice while they grow, beside those of two levels of open cells and of the cells on trial. `meter` may be
+/// null.
+[[nodiscard]] inline GridCost limit_of(const GridBudget& budget, std::size_t items, const Meter* meter) {
+  GridCost limit = budget.limit(items);
+  if (meter != nullptr) limit.bytes = std::min(limit.bytes, meter->left() / 8);
+  return limit;
+}
 
 }  // namespace isl::render

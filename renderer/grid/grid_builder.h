@@ -21,12 +21,14 @@
 #pragma once
 
 #include "base/parallel.h"
+#include "base/run_limits.h"
 #include "renderer/grid/brick_part.h"
 #include "renderer/grid/grid.h"
 #include "renderer/grid/grid_budget.h"
 #include "renderer/grid/top_brick.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,8 +38,10 @@ namespace isl::render {
 template <class Classifier>
 class GridBuilder {
  public:
-  GridBuilder(const Classifier& classifier, const GridCost& limit)
-      : classifier_(classifier), maker_(classifier), limit_(limit) {}
+  /// `meter` is charged with the grid's memory while it is built. Once it refuses, the grid is empty. Null: without
+  /// limit.
+  GridBuilder(const Classifier& classifier, const GridCost& limit, Meter* meter = nullptr)
+      : classifier_(classifier), maker_(classifier), limit_(limit), meter_(meter) {}
 
   /// `bounds` holds everything that has an end; its coordinates are within kFarthestInGrid. `items` are all item
   /// numbers, ascending. `has_endless`: some items have no end, so that every cell of the top brick must be classified,
@@ -46,14 +50,18 @@ class GridBuilder {
     cost_ = {};
     is_full_ = false;
     if (bounds.isEmpty() || items.empty()) return {};
+    charge_ = new_charge();
+    if (!may_hold(charge_, (items.back() + std::size_t{1}) * sizeof(Box))) return {};
     grid_ = top_brick_about(bounds, has_endless);
     boxes_ = widened_boxes(classifier_, items);
     Level level = top_brick(items);
     double size = grid_.cell_size;
-    for (int depth = 0; !level.open.empty(); ++depth) {
+    for (int depth = 0; !level.open.empty() && goes_on(); ++depth) {
       size *= 1.0 / kBrickSide;
       level = divided(level, size, depth + 1 < kMaxGridDepth);
     }
+    const std::size_t occupied_bytes = grid_.cells.size() / kBrickCells * sizeof(std::uint64_t);
+    if (!may_hold(charge_, growth_of(grid_.items, grid_.items.size() + Grid::kListTail) + occupied_bytes)) return {};
     finish();
     return std::move(grid_);
   }
@@ -66,44 +74,48 @@ class GridBuilder {
   struct Level {
     std::vector<OpenCell> open;
     std::vector<std::uint32_t> kept;  ///< their items
+    Charge charge;
   };
 
   static constexpr std::size_t kBrickBytes = kBrickCells * sizeof(Cell) + sizeof(std::uint64_t);
 
   [[nodiscard]] Level top_brick(std::span<const std::uint32_t> items) {
     const BrickCube cube{grid_.box.min, grid_.cell_size};
+    Level level{.open = {}, .kept = {}, .charge = new_charge()};
     DealtItems dealt;
-    deal_out(cube, items, boxes_, dealt);
-    std::vector<BrickPart> parts(kBrickCells);
+    Charge working = new_charge();
+    if (!deal(cube, items, dealt, working)) return level;
+    std::vector<Trial> cells(kBrickCells);
     parallel_for(kBrickCells, [&](std::size_t i) {
       const auto index = static_cast<std::uint32_t>(i);
-      std::vector<std::uint32_t> kept;
-      if (is_in_use(grid_, index))
-        maker_.add(parts[i], index, cube.corner(index), cube.cell_size, dealt[i], true, kept);
+      if (!is_in_use(grid_, index)) return;
+      cells[i].charge = new_charge();
+      if (may_add_children(cells[i], dealt[i].size(), 1)) add_child(cells[i], index, cube, dealt[i], true);
     });
-    Level level;
     const std::uint32_t first = add_brick();
-    for (const BrickPart& part : parts) join(part, first, false, level);
+    for (const Trial& cell : cells) join(cell.part, first, false, level);
     return level;
   }
 
   /// Divides the cells of a level, as far as that gains anything and the limit allows it. Returns the next level.
   [[nodiscard]] Level divided(Level& level, double cell_size, bool may_divide) {
     if (cost_.bytes + bytes_if_all_are_divided(level) > limit_.bytes) put_dearest_first(level);
-    Level next;
+    Level next{.open = {}, .kept = {}, .charge = new_charge()};
     std::vector<Trial> trials;
-    for (std::size_t begin = 0; begin < level.open.size();) {
+    for (std::size_t begin = 0; begin < level.open.size() && goes_on();) {
       const bool is_spent = cost_.tests >= limit_.tests;
       const bool is_full = is_full_;
       const std::span<const OpenCell> batch = batch_from(level, begin);
-      if (trials.size() < batch.size()) trials.resize(batch.size());
+      while (trials.size() < batch.size()) trials.emplace_back().charge = new_charge();
       parallel_for(batch.size(), [&](std::size_t i) {
+        if (!goes_on()) return;
         const OpenCell& cell = batch[i];
         const std::span items = items_of(cell, level);
         const bool may_try = !is_spent && (!is_full || cell.entries > cell.count);
         if (!may_try || !divide(cell, items, cell_size, may_divide, trials[i])) stay(cell, items, cell_size, trials[i]);
+        if (meter_ != nullptr) trials[i].count();
       });
-      for (std::size_t i = 0; i < batch.size(); ++i) settle(batch[i], level, cell_size, trials[i], next);
+      for (std::size_t i = 0; i < batch.size() && goes_on(); ++i) settle(batch[i], level, cell_size, trials[i], next);
       begin += batch.size();
     }
     return next;
@@ -116,6 +128,17 @@ class GridBuilder {
     BrickPart part;
     DealtItems dealt;
     std::vector<std::uint32_t> kept;
+    Charge charge;
+
+    [[nodiscard]] std::size_t held_bytes() const {
+      return part.held_bytes() + render::held_bytes(dealt) + kept.capacity() * sizeof(std::uint32_t);
+    }
+    /// Counts what is held, instead of what might have been needed.
+    void count() {
+      const std::size_t held = held_bytes();
+      charge.add(held);
+      charge.remove(charge.bytes() - held);
+    }
   };
 
   /// True if dividing the cell is worth it.
@@ -123,11 +146,14 @@ class GridBuilder {
               Trial& trial) const {
     trial.part.clear();
     const BrickCube cube{cell.low, cell_size};
-    deal_out(cube, items, boxes_, trial.dealt);
+    if (!deal(cube, items, trial.dealt, trial.charge)) return false;
+    std::size_t dealt = 0;
+    for (const std::vector<std::uint32_t>& list : trial.dealt) dealt += list.size();
+    if (!may_add_children(trial, dealt, kBrickCells)) return false;
     const bool must_gain = cell.must_gain && cell.is_stalled;
     const double most = kGain * kMetShare * cell.cost;
-    for (std::uint32_t i = 0; i < kBrickCells; ++i) {
-      maker_.add(trial.part, i, cube.corner(i), cell_size, trial.dealt[i], may_divide, trial.kept);
+    for (std::uint32_t i = 0; i < kBrickCells && goes_on(); ++i) {
+      add_child(trial, i, cube, trial.dealt[i], may_divide);
       if (must_gain && trial.part.cost >= most) break;
     }
     trial.tests = trial.part.tests;
@@ -139,7 +165,9 @@ class GridBuilder {
   void stay(const OpenCell& cell, std::span<const std::uint32_t> items, double cell_size, Trial& trial) const {
     trial.is_brick = false;
     trial.part.clear();
+    const std::size_t before = trial.part.list_bytes();
     maker_.add_leaf(trial.part, 0, enlarged_cell(cell.low, cell_size * kBrickSide), items);
+    if (!may_hold(trial.charge, trial.part.list_bytes() - before)) trial.part.clear();
   }
 
   /// Joins a trial's result to the grid, if the limit allows it. Where items are in many branches, a cell may need more
@@ -167,6 +195,7 @@ class GridBuilder {
   /// Adds a brick of empty cells and returns the index of its first one.
   std::uint32_t add_brick() {
     const auto first = static_cast<std::uint32_t>(grid_.cells.size());
+    if (!may_hold(charge_, growth_of(grid_.cells, first + kBrickCells))) return 0;
     grid_.cells.resize(first + kBrickCells);
     cost_.bytes += kBrickBytes;
     return first;
@@ -176,6 +205,11 @@ class GridBuilder {
   void join(const BrickPart& part, std::uint32_t first, bool is_stalled, Level& level) {
     const auto first_item = static_cast<std::uint32_t>(grid_.items.size());
     const auto first_choice = static_cast<std::uint32_t>(grid_.choices.size());
+    const std::size_t more = growth_of(grid_.items, grid_.items.size() + part.items.size()) +
+                             growth_of(grid_.choices, grid_.choices.size() + part.choices.size());
+    const std::size_t more_of_level = growth_of(level.open, level.open.size() + part.open.size()) +
+                                      growth_of(level.kept, level.kept.size() + part.kept.size());
+    if (!may_hold(charge_, more) || !may_hold(level.charge, more_of_level)) return;
     for (auto [index, cell] : part.finished) {
       if (cell.kind() == CellKind::leaf) cell.first += first_item;
       if (cell.kind() == CellKind::choice) cell.first += first_choice;
@@ -194,6 +228,55 @@ class GridBuilder {
     cost_.bytes += part.bytes();
   }
 
+  // ---- Memory -------------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] Charge new_charge() const { return meter_ != nullptr ? meter_->new_charge() : Charge(); }
+  /// False once memory was refused or the run is stopped: what is made from then on is thrown away.
+  [[nodiscard]] bool goes_on() const { return meter_ == nullptr || meter_->goes_on(); }
+  [[nodiscard]] bool may_hold(Charge& charge, std::size_t bytes) const {
+    return bytes == 0 ? goes_on() : meter_ == nullptr || meter_->grow(charge, bytes);
+  }
+  /// Bytes that a vector takes more to hold `count` elements. It grows to twice its size; while its elements move,
+  /// their old places and the new ones in use are as many bytes.
+  template <class T>
+  [[nodiscard]] static std::size_t growth_of(const std::vector<T>& list, std::size_t count) {
+    return count <= list.capacity() ? 0 : (std::max(2 * list.capacity(), count) - list.capacity()) * sizeof(T);
+  }
+
+  /// Deals the items out, as many at a time as little memory is needed for in any case.
+  [[nodiscard]] bool deal(const BrickCube& cube, std::span<const std::uint32_t> items, DealtItems& dealt,
+                          Charge& charge) const {
+    constexpr std::size_t kTogether = 4096;
+    for (std::vector<std::uint32_t>& list : dealt) list.clear();
+    while (!items.empty()) {
+      const std::span<const std::uint32_t> next = items.first(std::min(items.size(), kTogether));
+      items = items.subspan(next.size());
+      // Every item may reach every cell, and lists grow to twice their size.
+      const std::size_t before = held_bytes(dealt);
+      const std::size_t most = before + 2 * kBrickCells * next.size() * sizeof(std::uint32_t);
+      if (!may_hold(charge, most)) return false;
+      deal_out(cube, next, boxes_, dealt);
+      if (meter_ != nullptr) charge.remove(most - (held_bytes(dealt) - before));
+    }
+    return true;
+  }
+  /// True if there is memory for `count` children with so many items, but for the lists of those that are leaves.
+  [[nodiscard]] bool may_add_children(Trial& trial, std::size_t items, std::size_t count) const {
+    using Finished = BrickPart::Finished;
+    return may_hold(trial.charge,
+                    2 * (2 * items * sizeof(std::uint32_t) + count * (sizeof(OpenCell) + sizeof(Finished))));
+  }
+  /// Adds a child. The lists of a leaf are counted once they are there, because their bound may be far from what they
+  /// take where there are many branches.
+  void add_child(Trial& trial, std::uint32_t index, const BrickCube& cube, std::span<const std::uint32_t> items,
+                 bool may_divide) const {
+    const std::size_t before = trial.part.list_bytes();
+    maker_.add(trial.part, index, cube.corner(index), cube.cell_size, items, may_divide, trial.kept);
+    if (!may_hold(trial.charge, trial.part.list_bytes() - before)) trial.part.clear();
+  }
+
+  // ---- Limits -------------------------------------------------------------------------------------------------------
+
   /// An estimate: as many items in the new cells as rays meet in the old ones.
   [[nodiscard]] static std::size_t bytes_if_all_are_divided(const Level& level) {
     return level.open.size() * kBrickBytes + level.kept.size() * (std::size_t{kMetShare} * sizeof(std::uint32_t));
@@ -204,11 +287,15 @@ class GridBuilder {
     });
   }
 
-  /// The next cells that are tried together: at most kBatch, and not many more than the limit of tests allows.
+  /// The next cells that are tried together: at most kBatch, and not many more than the limit of tests and a part of
+  /// the memory that is left allow.
   [[nodiscard]] std::span<const OpenCell> batch_from(const Level& level, std::size_t begin) const {
     std::size_t end = begin, tests = 0;
     const std::size_t left = cost_.tests < limit_.tests ? limit_.tests - cost_.tests : limit_.tests;
-    while (end < level.open.size() && end - begin < kBatch && tests < left)
+    // A test is that of an item in a cell, where it may be in a list that grows to twice its size.
+    const std::size_t memory_left = meter_ != nullptr ? meter_->left() / (4 * 2 * sizeof(std::uint32_t)) : kNoLimit;
+    const std::size_t most = std::max<std::size_t>(std::min(left, memory_left), 1);
+    while (end < level.open.size() && end - begin < kBatch && tests < most)
       tests += kBrickCells * level.open[end++].count;
     return std::span(level.open).subspan(begin, end - begin);
   }
@@ -231,11 +318,14 @@ class GridBuilder {
   static constexpr int kMetShare = 16;
   /// Cells that are tried together: enough for many threads, few enough for their results to stay in the cache.
   static constexpr std::size_t kBatch = 256;
+  static constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
   const Classifier& classifier_;
   CellMaker<Classifier> maker_;
   GridCost limit_;
   GridCost cost_;
+  Meter* meter_;
+  Charge charge_;  ///< of the grid and the boxes
   Grid grid_;
   std::vector<Box> boxes_;  ///< by item
   bool is_full_ = false;

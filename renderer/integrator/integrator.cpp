@@ -16,11 +16,13 @@ constexpr std::size_t kLongestShadowQueue = 8192;
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
 /// True if the camera stands in something that keeps fog out. Precondition: there is fog.
-bool is_in_solid(const scene::Database& database) {
+bool is_in_solid(const scene::Database& database, const RunLimits& run) {
   const PatternInsides insides(database);
+  StepCounter steps(run.steps_at_point, run.stop);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
-  return std::ranges::any_of(
-      database.objects, [&](const scene::Object& object) { return !object.hollow && insides.is_inside(object, eye); });
+  return std::ranges::any_of(database.objects, [&](const scene::Object& object) {
+    return !object.hollow && insides.is_inside(object, eye, steps);
+  });
 }
 
 template <class Work>
@@ -31,9 +33,9 @@ void add(MakeStage<Work> make, const StageContext& context, std::vector<std::uni
 }  // namespace
 
 Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan,
-                       bool transparent_background)
-    : database_(database), tracer_(tracer), textures_(database) {
-  const StageContext context{database, tracer, textures_};
+                       bool transparent_background, const RunLimits& run)
+    : database_(database), tracer_(tracer), run_(run), refusals_(run), textures_(database, run) {
+  const StageContext context{database, tracer, textures_, refusals_};
   for (const PlannedEffect& planned : plan.called_for) {
     const StageMakers& make = planned.effect->stages;
     add(make.along, context, along_);
@@ -44,7 +46,7 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     add(make.spawn, context, spawn_);
     shadows_ |= make.shadows;
   }
-  if (!along_.empty()) camera_in_solid_ = is_in_solid(database);
+  if (!along_.empty()) camera_in_solid_ = is_in_solid(database, run);
   const scene::Colour& background = database.settings.background;
   if (transparent_background) {
     background_alpha_ = 0;
@@ -53,7 +55,11 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
   }
 }
 
-void Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
+bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
+  if (memory.counts.camera == 0) {
+    memory.texture_bytes = Charge(run_.budget);
+    memory.queue_bytes = Charge(run_.budget);
+  }
   PathBatch& batch = memory.levels.front().batch;
   batch.entries.assign(batch.rays.size(), {.in_solid = camera_in_solid_});
   for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
@@ -62,6 +68,7 @@ void Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
   memory.certainties.assign(batch.size(), Certainty::certified);
   memory.counts.camera += batch.size();
   run_level(0, memory, observer);
+  return !is_over();
 }
 
 void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const {
@@ -75,10 +82,17 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
     AlongWork work{batch, memory.colours};
     run(along_, work);
   }
+  if (is_over()) return give_up(level, memory);
   see_background(level, batch, memory);
   shade_surfaces(level, memory, observer);
   trace_shadows(memory);
+  if (is_over()) return give_up(level, memory);
   trace_children(level, memory);
+}
+
+void Integrator::give_up(std::size_t level, PathMemory& memory) {
+  memory.levels[level].children.clear();
+  memory.shadows.clear();
 }
 
 void Integrator::see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const {
@@ -109,12 +123,13 @@ void Integrator::shade_surfaces(std::size_t level, PathMemory& memory, SurfaceOb
     memory.block.paths.push_back(i);
     if (memory.block.paths.size() < kBlockSize) continue;
     fill_block(at.batch, memory, observer);
+    if (is_over()) return;
     shade_block(level, memory);
     memory.block.clear();
   }
   if (memory.block.paths.empty()) return;
   fill_block(at.batch, memory, observer);
-  shade_block(level, memory);
+  if (!is_over()) shade_block(level, memory);
 }
 
 void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const {
@@ -126,7 +141,8 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
     if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
-    textures_.append(surface, memory.textures);
+    if (!textures_.append(surface, memory.textures, memory.texture_bytes))
+      return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
     ShadingPoint& point =
         memory.block.points.emplace_back(surface.position, turned_to_viewer(surface.normal, ray.direction),
@@ -149,6 +165,7 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
   run(own_light_, own);
   if (!diffuse_.empty() || !shine_.empty()) {
     for (const scene::Light& light : database_.lights) {
+      if (is_over()) return;
       light_block(at.batch, light, memory);
       if (memory.shadows.size() >= kLongestShadowQueue) trace_shadows(memory);
     }
@@ -160,6 +177,19 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
     const std::size_t before = at.children.size();
     spawn_[i]->run(work);
     memory.counts.spawned[i] += at.children.size() - before;
+  }
+  charge_children(level, memory);
+}
+
+void Integrator::charge_children(std::size_t level, PathMemory& memory) const {
+  PathMemory::Level& at = memory.levels[level];
+  if (at.children.size() <= at.children_counted) return;
+  // A list grows to twice its size.
+  constexpr std::size_t kSegment = 2 * (sizeof(Ray) + sizeof(PathEntry));
+  if (memory.queue_bytes.grow((at.children.size() - at.children_counted) * kSegment)) {
+    at.children_counted = at.children.size();
+  } else {
+    refusals_.report("this object", tracer_.origin_of(at.batch.hits[memory.block.paths.back()]));
   }
 }
 
@@ -214,6 +244,7 @@ void Integrator::trace_children(std::size_t level, PathMemory& memory) const {
     for (std::size_t first = 0; first < children.size(); first += kBatchSize) {
       const std::size_t last = std::min(children.size(), first + kBatchSize);
       next.clear();
+      if (is_over()) return;
       for (std::size_t i = first; i < last; ++i) next.push(children.rays[i], children.entries[i]);
       run_level(level + 1, memory, nullptr);
     }

@@ -32,6 +32,7 @@ struct PathMemory {
   struct Level {
     PathBatch batch;
     ChildQueues children;
+    std::size_t children_counted = 0;  ///< of these segments the memory is charged
   };
   std::deque<Level> levels{1};  ///< 0 is the camera's; a level stays where it is while deeper ones are made
   std::vector<Rgb> colours;     ///< by sample, in the scene's working space
@@ -42,6 +43,8 @@ struct PathMemory {
   SurfaceBlock block;
   SurfacePoint surface;
   std::vector<LitTexture> textures;  ///< the textures of the block's points
+  Charge queue_bytes;                ///< of the segments that wait, at all levels
+  Charge texture_bytes;              ///< of `textures`
   std::vector<std::uint32_t> texture_ends;
   std::array<LitPoint, kBlockSize> lit;
   Shine shine;
@@ -63,17 +66,23 @@ class SurfaceObserver {
 /// The state that all batches of a rendering share; immutable. Everything that it refers to must outlive it.
 class Integrator {
  public:
-  Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background);
+  Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background,
+             const RunLimits& run = {});
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
   /// Traces memory.camera_rays(). Afterwards memory.colours[i] and memory.alphas[i] are what ray number i sees, and
   /// memory.certainties[i] how sure that is.
-  /// `observer` may be null.
-  void trace(PathMemory& memory, SurfaceObserver* observer) const;
+  /// `observer` may be null. False if the run was stopped or refused meanwhile: the colours are then meaningless.
+  [[nodiscard]] bool trace(PathMemory& memory, SurfaceObserver* observer) const;
+
+  /// Why the rendering cannot go on, once trace() has returned false; null if it was stopped.
+  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return refusals_.refusal(); }
 
  private:
   void run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
+  /// Drops the segments and shadow rays that wait, so that the next batch begins without them.
+  static void give_up(std::size_t level, PathMemory& memory);
   void see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const;
   void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
@@ -81,6 +90,12 @@ class Integrator {
   void light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const;
   void trace_shadows(PathMemory& memory) const;
   void trace_children(std::size_t level, PathMemory& memory) const;
+  /// Charges the memory of the segments that wait at a level. A surface of many mirrors, seen in many mirrors, makes
+  /// millions of them.
+  void charge_children(std::size_t level, PathMemory& memory) const;
+
+  /// True if the rest of a batch need not be traced.
+  [[nodiscard]] bool is_over() const noexcept { return is_set(run_.stop) || refusals_.is_set(); }
 
   template <class Work>
   using Stages = std::vector<std::unique_ptr<const Stage<Work>>>;
@@ -91,6 +106,8 @@ class Integrator {
 
   const scene::Database& database_;
   const Tracer& tracer_;
+  RunLimits run_;
+  mutable PointRefusals refusals_;
   PointTextures textures_;
   Stages<AlongWork> along_;
   Stages<MissWork> miss_;

@@ -22,17 +22,18 @@ class LayerKeeper final : public SurfaceObserver {
 
 }  // namespace
 
-void Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace) const {
+bool Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace) const {
   PathMemory& paths = workspace.paths;
   std::vector<Ray>& rays = paths.camera_rays();
   rays.clear();
   for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
   LayerKeeper keeper(samples, working_space_, film_);
-  integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr);
+  if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     film_.add_sample(samples[i].pixel, working_space_.to_linear(paths.colours[i]), paths.alphas[i]);
     if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
+  return true;
 }
 
 }  // namespace isl::render

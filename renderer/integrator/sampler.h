@@ -32,15 +32,17 @@ struct Workspace {
 class Sampler {
  public:
   Sampler(const scene::Database& database, const Tracer& tracer, const Plan& plan, const CameraRays& camera,
-          bool transparent_background, Film& film)
-      : integrator_(database, tracer, plan, transparent_background),
+          bool transparent_background, Film& film, const RunLimits& run = {})
+      : integrator_(database, tracer, plan, transparent_background, run),
         camera_(camera),
         working_space_(database.settings),
         film_(film) {}
 
   /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
-  /// a time.
-  void trace(std::span<const CameraSample> samples, Workspace& workspace) const;
+  /// a time. False if the run was stopped or refused meanwhile: the film gets none of them.
+  [[nodiscard]] bool trace(std::span<const CameraSample> samples, Workspace& workspace) const;
+
+  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
 
  private:
   Integrator integrator_;

@@ -15,6 +15,9 @@ using scene::PatternKind;
 using scene::Pigment;
 using values::Environment;
 
+/// Entries of a map that are looked through in the time of a step.
+constexpr std::size_t kEntriesOfStep = 256;
+
 /// The point in the pattern's own space.
 Vec3 point_of(const Database& database, const Pattern& pattern, const Vec3& point, const Environment& environment) {
   const bool is_on_surface = pattern.uv_mapping && environment.coordinates() != nullptr;
@@ -46,6 +49,7 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   if (!environment.take_step()) return {};
   const Vec3 p = point_of(world_.database, record.pattern, point, environment);
   const scene::PigmentMap& map = world_.database.pigment_maps[index(record.map)];
+  if (!environment.steps().take(map.size() / kEntriesOfStep)) return {};
   if (info_of(record.pattern.kind).choice == PatternChoice::mean_of_map) return average(map, p, environment);
   const double value = in_wave(raw_value(record.pattern, p, environment), record.pattern);
   const auto interval = find_in(map, value);
@@ -56,7 +60,10 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
 
 Colour Patterns::average(const scene::PigmentMap& map, const Vec3& p, Environment& environment) const noexcept {
   WeightedMean mean;
-  for (const scene::PigmentEntry& entry : map) mean.add(pigment_colour(entry.pigment, p, environment), entry.value);
+  for (const scene::PigmentEntry& entry : map) {
+    if (environment.is_spent()) return {};
+    mean.add(pigment_colour(entry.pigment, p, environment), entry.value);
+  }
   return mean.colour();
 }
 

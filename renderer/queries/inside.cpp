@@ -17,18 +17,22 @@ using scene::Solid;
 
 namespace {
 
+/// Components of a blob that are evaluated in the time of a step.
+constexpr std::size_t kComponentsOfStep = 64;
+
 /// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; open surfaces have
 /// neither, so that a negation is handed down to the leaves. The operations that are being evaluated are a list instead
 /// of recursion, so that depth costs no stack.
 class Membership {
  public:
-  Membership(const Database& database, const std::vector<KernelConstants>& kernels)
-      : database_(database), kernels_(kernels) {}
+  Membership(const Database& database, const std::vector<KernelConstants>& kernels, StepCounter& steps)
+      : database_(database), kernels_(kernels), steps_(steps) {}
 
   /// `point` is in the space that the object is placed into.
   [[nodiscard]] bool holds(const Object& object, bool is_inverse, const Vec3& point) {
     ask(object, is_inverse, point);
     while (!open_.empty()) {
+      if (steps_.is_spent()) return false;
       Operator& innermost = open_.back();
       if (answer_ != innermost.wants_all || innermost.next == innermost.count) {
         open_.pop_back();
@@ -68,6 +72,7 @@ class Membership {
   }
 
   void ask(const Object& object, bool is_inverse, const Vec3& point) {
+    if (!steps_.take()) return;
     const Vec3 p = object.parent_from_object.inverse_point(point);
     if (object.clip == scene::kNoGroup) return ask_shape(object, is_inverse != object.inverse, p);
     // The outside of a clipped object is outside the shape or outside the clip.
@@ -91,7 +96,8 @@ class Membership {
         return;
       }
       case Object::Kind::blob:
-        answer_ = is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
+        answer_ = steps_.take(database_.blobs[object.shape].components.size() / kComponentsOfStep) &&
+                  is_inside(database_, kernels_, database_.blobs[object.shape], point) != is_inverse;
         return;
       case Object::Kind::group: return ask(database_.groups[object.shape], is_inverse, point);
     }
@@ -100,6 +106,7 @@ class Membership {
 
   const Database& database_;
   const std::vector<KernelConstants>& kernels_;
+  StepCounter& steps_;
   std::vector<Operator> open_;
   bool answer_ = false;  ///< of what was asked last
 };
@@ -123,8 +130,8 @@ bool is_inside(const Database& database, const std::vector<KernelConstants>& ker
 }
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const Object& object,
-               const Vec3& point) {
-  return Membership(database, kernels).holds(object, false, point);
+               const Vec3& point, StepCounter& steps) {
+  return Membership(database, kernels, steps).holds(object, false, point);
 }
 
 }  // namespace isl::render

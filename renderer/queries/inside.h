@@ -2,6 +2,7 @@
 // hold for every object of the language. The tests of solids are in solids/solid.h.
 #pragma once
 
+#include "base/stop_flag.h"
 #include "renderer/fields/kernels/kernel_constants.h"
 #include "renderer/scene/database.h"
 #include "renderer/solids/solid.h"
@@ -17,8 +18,9 @@ namespace isl::render {
 
 /// `point` is in the space that the object is placed into. A clip also removes the inside that it cuts off. Sheets
 /// (solids/solid.h) hold nothing, inverse or not, as in POV-Ray: of a solid minus a triangle nothing is left but the
-/// triangle.
+/// triangle. Every object that is asked takes a step, and every few components of a blob do, because groups that hold a
+/// group twice, sixty deep, have more leaves than can be asked. When the steps are spent, the answer is meaningless.
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
-                             const scene::Object& object, const scene::Vec3& point);
+                             const scene::Object& object, const scene::Vec3& point, StepCounter& steps);
 
 }  // namespace isl::render

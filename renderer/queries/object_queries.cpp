@@ -5,18 +5,23 @@
 #include "renderer/queries/subset.h"
 #include "renderer/trace/tracer.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 namespace isl::render {
 
 /// The tracer refers to the database.
 struct ObjectQueries::TracedShape {
-  TracedShape(const scene::Database& scene, const scene::Object& object, const TracerOptions& options)
-      : database(subset(scene, object)), tracer(database, options) {}
+  TracedShape(scene::Database alone, Charge alone_bytes, const TracerOptions& options)
+      : database(std::move(alone)), charge(std::move(alone_bytes)), tracer(database, options) {}
 
   scene::Database database;
+  Charge charge;  ///< of the database
   Tracer tracer;
 };
 
-ObjectQueries::ObjectQueries() = default;
+ObjectQueries::ObjectQueries(const RunLimits& run) : run_(run) {}
 ObjectQueries::~ObjectQueries() = default;
 
 /// Kernels are added as a scene is read, so only new ones are prepared. Another database means another scene.
@@ -31,24 +36,36 @@ void ObjectQueries::follow(const scene::Database& database) {
     kernels_.push_back(kernel_constants(database.kernels[i]));
 }
 
-const Tracer& ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
+const Tracer* ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
   std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
-  if (!shape) {
-    TracerOptions options;
-    options.solver = SolverName::exact;
-    shape = std::make_unique<TracedShape>(database, object, options);
+  if (shape) return &shape->tracer;
+  TracerOptions options;
+  options.solver = SolverName::exact;
+  options.run = run_;
+  Charge copied(run_.budget);
+  std::optional<scene::Database> alone = subset(database, object, copied);
+  if (!alone) {
+    refusal_ = {"a copy of this object would take more memory than the limit leaves",
+                "`--max-memory` raises the limit"};
+    return nullptr;
   }
-  return shape->tracer;
+  auto made = std::make_unique<TracedShape>(std::move(*alone), std::move(copied), options);
+  refusal_ = made->tracer.refusal();
+  if (refusal_) return nullptr;
+  shape = std::move(made);
+  return &shape->tracer;
 }
 
 scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const scene::Object& object,
                                         const Vec3& origin, const Vec3& direction) {
-  const Tracer& tracer = tracer_of(database, object);
-  const NextSurface next = next_surface(tracer, object.parent_from_object, origin, direction);
+  refusal_.reset();
+  const Tracer* const tracer = tracer_of(database, object);
+  if (tracer == nullptr) return {std::nullopt, false};
+  const NextSurface next = next_surface(*tracer, object.parent_from_object, origin, direction);
   if (next.hit.is_miss()) return {std::nullopt, next.is_certain};
   SurfacePoint point;
-  tracer.surface_at(next.ray, next.hit, point);
+  tracer->surface_at(next.ray, next.hit, point);
   return {scene::TracedPoint{object.parent_from_object.point(point.position),
                              object.parent_from_object.normal(point.normal).normalized()},
           next.is_certain && !point.is_refuted};
@@ -56,11 +73,20 @@ scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const s
 
 bool ObjectQueries::inside(const scene::Database& database, const scene::Object& object, const Vec3& point) {
   follow(database);
-  return is_inside(database, kernels_, object, point);
+  refusal_.reset();
+  StepCounter steps(run_.steps_at_point, run_.stop);
+  const bool is_in = is_inside(database, kernels_, object, point, steps);
+  if (steps.is_spent()) {
+    refusal_ = {fmt::format("this object has parts that take more than {:g} steps to ask",
+                            static_cast<double>(run_.steps_at_point)),
+                "`--max-turns` raises the limit"};
+  }
+  return is_in;
 }
 
 Imath::Box3d ObjectQueries::extent(const scene::Database& database, const scene::Object& object) {
   follow(database);
+  refusal_.reset();
   return extents_->of(object);
 }
 

@@ -2,6 +2,7 @@
 // prepared once and always exactly.
 #pragma once
 
+#include "base/run_limits.h"
 #include "renderer/extents/extents.h"
 #include "renderer/fields/kernels/kernel_constants.h"
 #include "renderer/scene/queries.h"
@@ -19,7 +20,8 @@ class Tracer;
 /// Serves one database, which may grow between questions.
 class ObjectQueries final : public scene::Queries {
  public:
-  ObjectQueries();
+  /// The shapes that are prepared charge the budget of `run`; a question takes at most its steps at a point.
+  explicit ObjectQueries(const RunLimits& run = {});
   ~ObjectQueries() override;
 
   [[nodiscard]] scene::TraceAnswer trace(const scene::Database& database, const scene::Object& object,
@@ -27,14 +29,18 @@ class ObjectQueries final : public scene::Queries {
   [[nodiscard]] bool inside(const scene::Database& database, const scene::Object& object,
                             const scene::Vec3& point) override;
   [[nodiscard]] Imath::Box3d extent(const scene::Database& database, const scene::Object& object) override;
+  [[nodiscard]] std::optional<scene::Refusal> refusal() const override { return refusal_; }
 
  private:
   /// The parts of an object that decide its surface in its own space.
   using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
   struct TracedShape;
-  const Tracer& tracer_of(const scene::Database& database, const scene::Object& object);
+  /// Null if it was refused.
+  const Tracer* tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
 
+  RunLimits run_;
+  std::optional<scene::Refusal> refusal_;      ///< of the last question
   const scene::Database* database_ = nullptr;  ///< the database that the rest was made from
   std::vector<KernelConstants> kernels_;
   std::optional<Extents> extents_;

@@ -13,8 +13,9 @@ class PatternInsides final : public PatternSurroundings {
     kernels_.reserve(database.kernels.size());
     for (const scene::Kernel& kernel : database.kernels) kernels_.push_back(kernel_constants(kernel));
   }
-  [[nodiscard]] bool is_inside(const scene::Object& object, const scene::Vec3& point) const override {
-    return render::is_inside(database_, kernels_, object, point);
+  [[nodiscard]] bool is_inside(const scene::Object& object, const scene::Vec3& point,
+                               StepCounter& steps) const override {
+    return render::is_inside(database_, kernels_, object, point, steps);
   }
 
  private:

@@ -13,9 +13,9 @@ using scene::Object;
 /// Copies records and gives them new numbers. Records that are shared stay shared.
 class Copier {
  public:
-  explicit Copier(const scene::Database& from) : from_(from) { to_.kernels = from.kernels; }
+  Copier(const scene::Database& from, Charge& charge) : from_(from), charge_(charge) { to_.kernels = from.kernels; }
 
-  scene::Database copy(const Object& object) {
+  std::optional<scene::Database> copy(const Object& object) {
     Object root = bare(object);
     root.parent_from_object = {};
     root.shape = shape(root);
@@ -24,6 +24,8 @@ class Copier {
     // Groups hold groups. A list holds those whose children are still to be copied, so that depth costs no stack.
     for (std::size_t next = 0; next < pending_.size(); ++next) {
       std::vector<Object> children;
+      hold(2 * from_.groups[pending_[next]].children.size() * sizeof(Object));
+      if (is_refused_) return std::nullopt;
       for (const Object& child : from_.groups[pending_[next]].children) {
         Object copied = bare(child);
         copied.shape = shape(copied);
@@ -32,10 +34,14 @@ class Copier {
       }
       to_.groups[next].children = std::move(children);
     }
+    if (is_refused_) return std::nullopt;
     return std::move(to_);
   }
 
  private:
+  /// Counts the memory of a copy before it is made.
+  void hold(std::size_t bytes) { is_refused_ = is_refused_ || !charge_.grow(bytes); }
+
   static Object bare(const Object& object) {
     Object result;
     result.kind = object.kind;
@@ -71,6 +77,9 @@ class Copier {
   std::uint32_t blob(std::uint32_t i) {
     const auto [place, is_new] = blobs_.try_emplace(i, static_cast<std::uint32_t>(to_.blobs.size()));
     if (!is_new) return place->second;
+    const std::size_t parts = from_.blobs[i].components.size();
+    hold(parts * (sizeof(scene::Component) + sizeof(scene::Transform) + sizeof(scene::Vec3) + 2 * sizeof(OriginId)));
+    if (is_refused_) return 0;
     scene::Blob& copied = to_.blobs.emplace_back(from_.blobs[i]);
     for (scene::Component& c : copied.components) {
       c.texture = scene::kNoTexture;
@@ -82,6 +91,7 @@ class Copier {
   }
 
   std::uint32_t solid(std::uint32_t i) {
+    hold(2 * sizeof(scene::Solid));
     scene::Solid& copied = to_.solids.emplace_back(from_.solids[i]);
     for_each_edge(copied, [this]<class Id>(Id& detail) {
       constexpr auto records = std::get<scene::column_of<Id>()>(scene::kColumns).records;
@@ -92,6 +102,8 @@ class Copier {
   }
 
   const scene::Database& from_;
+  Charge& charge_;
+  bool is_refused_ = false;
   scene::Database to_;
   std::unordered_map<std::uint32_t, std::uint32_t> groups_, blobs_;  ///< new numbers, by number in from_
   std::vector<std::uint32_t> pending_;                               ///< groups of from_, in the order of to_'s
@@ -99,6 +111,8 @@ class Copier {
 
 }  // namespace
 
-scene::Database subset(const scene::Database& database, const Object& object) { return Copier(database).copy(object); }
+std::optional<scene::Database> subset(const scene::Database& database, const Object& object, Charge& charge) {
+  return Copier(database, charge).copy(object);
+}
 
 }  // namespace isl::render

@@ -2,12 +2,16 @@
 // scene.
 #pragma once
 
+#include "base/budget.h"
 #include "renderer/scene/database.h"
+
+#include <optional>
 
 namespace isl::render {
 
 /// A database that holds only `object`, in the object's own space, for rays alone: without textures, and without the
-/// flags that hide it from some rays.
-[[nodiscard]] scene::Database subset(const scene::Database& database, const scene::Object& object);
+/// flags that hide it from some rays. `charge` counts its memory; nullopt if that is refused.
+[[nodiscard]] std::optional<scene::Database> subset(const scene::Database& database, const scene::Object& object,
+                                                    Charge& charge);
 
 }  // namespace isl::render

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/scene/database.h"
+#include "renderer/scene/refusal.h"
 
 #include <ImathBox.h>
 
@@ -36,6 +37,8 @@ class Queries {
   /// A box that contains the surface: empty if there is no surface, with infinite sides if it is infinite or no bound
   /// is known.
   [[nodiscard]] virtual Imath::Box3d extent(const Database& database, const Object& object) = 0;
+  /// The reason why an answer could not be found, if the last question has none: it is then meaningless.
+  [[nodiscard]] virtual std::optional<Refusal> refusal() const { return std::nullopt; }
 };
 
 }  // namespace isl::scene

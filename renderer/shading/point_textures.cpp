@@ -4,8 +4,7 @@
 #include "renderer/patterns/map_interval.h"
 #include "renderer/solids/solid.h"
 
-#include <cstdint>
-#include <limits>
+#include <algorithm>
 
 namespace isl::render {
 namespace {
@@ -24,68 +23,94 @@ Coordinates PointTextures::coordinates_of(const SurfacePlace& place, const Vec3&
   return skeleton_coordinates(database_, database_.blobs[place.shape], place.component, place.point, world);
 }
 
-void PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit) const {
+struct PointTextures::Making {
+  values::Environment environment;
+  std::vector<LitTexture>& lit;
+  Charge& charge;
+
+  /// Maps whose entries have maps choose so many textures that their number is limited by memory alone.
+  void push(const LitTexture& texture) {
+    if (lit.size() == lit.capacity()) [[unlikely]] {
+      const std::size_t capacity = std::max<std::size_t>(2 * lit.capacity(), 64);
+      if (!charge.grow((capacity - lit.capacity()) * sizeof(LitTexture))) {
+        environment.steps().spend();
+        return;
+      }
+      lit.reserve(capacity);
+    }
+    lit.push_back(texture);
+  }
+};
+
+bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge) const {
+  const std::size_t first = lit.size();
+  Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge};
+  Vec3 coordinates;
   for (const TextureShare& share : point.textures) {
-    values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
-    Vec3 coordinates;
+    making.environment.set_coordinates(nullptr);
     if (coordinate_textures_.has(share.texture)) {
       coordinates = coordinates_of(share.surface, point.position).point();
-      environment.set_coordinates(&coordinates);
+      making.environment.set_coordinates(&coordinates);
     }
-    add(share.texture, share.weight, share.place, environment, lit);
+    add(share.texture, share.weight, share.place, making);
   }
+  if (!making.environment.is_spent()) [[likely]]
+    return true;
+  lit.resize(first);
+  return false;
 }
 
-scene::Colour PointTextures::pigment_colour(const scene::Pigment& pigment, const Vec3& point) const {
-  values::Environment environment(noise_generator_, std::numeric_limits<std::uint64_t>::max(), &patterns_);
-  return patterns_.pigment_colour(pigment, point, environment);
+std::optional<scene::Colour> PointTextures::pigment_colour(const scene::Pigment& pigment, const Vec3& point) const {
+  values::Environment environment(noise_generator_, run_, &patterns_);
+  const scene::Colour colour = patterns_.pigment_colour(pigment, point, environment);
+  if (environment.is_spent()) return std::nullopt;
+  return colour;
 }
 
-void PointTextures::add(scene::TextureId id, double weight, const Vec3& point, values::Environment& environment,
-                        std::vector<LitTexture>& lit) const {
+void PointTextures::add(scene::TextureId id, double weight, const Vec3& point, Making& making) const {
   const scene::Texture& texture = database_.texture(id);
-  if (texture.pattern == scene::kNoTexturePattern) return add_layers(id, weight, point, environment, lit);
-  add_chosen(database_.texture_patterns[scene::index(texture.pattern)], weight, place_of(texture, point, environment),
-             environment, lit);
+  if (texture.pattern == scene::kNoTexturePattern) return add_layers(id, weight, point, making);
+  add_chosen(database_.texture_patterns[scene::index(texture.pattern)], weight,
+             place_of(texture, point, making.environment), making);
 }
 
 void PointTextures::add_chosen(const scene::TexturePattern& choice, double weight, const Vec3& point,
-                               values::Environment& environment, std::vector<LitTexture>& lit) const {
+                               Making& making) const {
+  if (making.environment.is_spent()) return;
   const scene::TextureMap& map = database_.texture_maps[scene::index(choice.map)];
-  const PatternPlace place = patterns_.look_up(choice.pattern, point, environment);
+  const PatternPlace place = patterns_.look_up(choice.pattern, point, making.environment);
   if (info_of(choice.pattern.kind).choice == PatternChoice::mean_of_map) {
     double total = 0;
     for (const scene::TextureEntry& entry : map) total += entry.value;
     for (const scene::TextureEntry& entry : map)
-      add(entry.texture, weight * (entry.value / total), place.point, environment, lit);
+      add(entry.texture, weight * (entry.value / total), place.point, making);
     return;
   }
   const auto interval = find_in(map, place.value);
   if (interval.first != interval.second)
-    add(interval.first->texture, weight * (1 - interval.fraction), place.point, environment, lit);
+    add(interval.first->texture, weight * (1 - interval.fraction), place.point, making);
   const double second = interval.first == interval.second ? 1 : interval.fraction;
-  add(interval.second->texture, weight * second, place.point, environment, lit);
+  add(interval.second->texture, weight * second, place.point, making);
 }
 
-void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& point, values::Environment& environment,
-                               std::vector<LitTexture>& lit) const {
+void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& point, Making& making) const {
   Rgb let_through(1);
   for (scene::TextureId id = top;;) {
     const scene::Texture& layer = database_.texture(id);
     const Material& material = materials_[id];
     if (layer.below == scene::kNoTexture && !material.is_patterned) {
-      lit.push_back({&material, material.pigment, material.pigment, weight, let_through});
+      making.push({&material, material.pigment, material.pigment, weight, let_through});
       return;
     }
     const scene::Colour colour =
         material.is_patterned
-            ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, environment), environment)
+            ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, making.environment), making.environment)
             : database_.colour(layer.pigment);
     if (layer.below == scene::kNoTexture) {
-      lit.push_back({&material, rgb(colour), rgb(colour), weight, let_through});
+      making.push({&material, rgb(colour), rgb(colour), weight, let_through});
       return;
     }
-    lit.push_back({&material, rgb(colour) * (1 - colour.filter - colour.transmit), rgb(colour), weight, let_through});
+    making.push({&material, rgb(colour) * (1 - colour.filter - colour.transmit), rgb(colour), weight, let_through});
     let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
     if (let_through == Rgb(0)) return;
     id = layer.below;

@@ -10,6 +10,8 @@
 #include "renderer/trace/surface_check.h"
 #include "renderer/trace/trace_entry_points.h"
 
+#include <algorithm>
+
 namespace isl::render {
 namespace {
 
@@ -30,6 +32,17 @@ struct Tracer::Impl {
   SolverSettings settings;
   const TraceEntryPoints* entry_points = nullptr;
   const TraceLoops* loops = nullptr;  ///< the loops of entry_points, or a baseline's
+  const StopFlag* stop = nullptr;
+  std::size_t rays_between_looks = 0;  ///< at the flag; a multiple of the rays in a packet
+
+  /// Calls trace(first, count) for all rays, in parts between which the flag is looked at. The published solver keeps
+  /// records of a whole batch, which therefore is not divided.
+  template <class Trace>
+  void in_parts(std::size_t rays, const Trace& trace) const {
+    if (stop == nullptr || is_published(settings.name)) return trace(0, rays);
+    for (std::size_t first = 0; first < rays && !stop->is_set(); first += rays_between_looks)
+      trace(first, std::min(rays_between_looks, rays - first));
+  }
 
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
   /// `other` is used where the shape has none of its own. `step` is that of FoundPlace.
@@ -68,6 +81,16 @@ struct Tracer::Impl {
 
 namespace {
 
+/// Rays between two looks at the flag: a ray takes time in proportion to the longest list that it may meet, which is a
+/// thousand in usual scenes, where a packet takes some microseconds, and 10⁶ where everything overlaps.
+std::size_t rays_between_looks(const CompiledScene& scene) {
+  constexpr std::size_t kItems = std::size_t{1} << 18;
+  std::size_t longest = std::max<std::size_t>(scene.grid.longest_list, scene.unbounded.size());
+  for (const CompiledBlob& blob : scene.blobs) longest = std::max<std::size_t>(longest, blob.grid.longest_list);
+  for (const CsgTree& tree : scene.trees) longest = std::max(longest, tree.leaves.size());
+  return std::max(kItems / std::max<std::size_t>(longest, 1) / kPacket * kPacket, kPacket);
+}
+
 /// The texture of an instance, as the only one of a surface.
 TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
   const TextureSpace space = instance.texture_space;
@@ -94,12 +117,15 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
-  impl_->scene =
-      compile(database, {.cells = cells, .unblended = options.unblended, .most_grid_bytes = options.most_grid_bytes});
+  impl_->scene = compile(
+      database,
+      {.cells = cells, .unblended = options.unblended, .most_grid_bytes = options.most_grid_bytes, .run = options.run});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
     for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
   }
+  impl_->stop = options.run.stop;
+  impl_->rays_between_looks = rays_between_looks(impl_->scene);
   impl_->entry_points = trace_entry_points(options.simd);
   ISL_CHECK(impl_->entry_points != nullptr, "no vector target '{}'", options.simd);
   impl_->loops = &impl_->entry_points->loops;
@@ -119,12 +145,18 @@ bool Tracer::has_simd_target(const std::string& name) { return trace_entry_point
 
 void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
-  impl_->loops->first_hits(impl_->scene, impl_->settings, kind, rays, hits, thread_memory(), counters);
+  impl_->in_parts(rays.size(), [&](std::size_t first, std::size_t count) {
+    impl_->loops->first_hits(impl_->scene, impl_->settings, kind, rays.subspan(first, count),
+                             hits.subspan(first, count), thread_memory(), counters);
+  });
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
   ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
-  impl_->loops->occlusions(impl_->scene, impl_->settings, rays, occluded, thread_memory(), counters);
+  impl_->in_parts(rays.size(), [&](std::size_t first, std::size_t count) {
+    impl_->loops->occlusions(impl_->scene, impl_->settings, rays.subspan(first, count), occluded.subspan(first, count),
+                             thread_memory(), counters);
+  });
 }
 
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
@@ -178,6 +210,10 @@ Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const
                               }};
   return face_of(impl_->scene, hit, point, reach, gradient);
 }
+
+const std::optional<scene::Refusal>& Tracer::refusal() const { return impl_->scene.refusal; }
+
+OriginId Tracer::origin_of(const Hit& hit) const { return impl_->scene.instances[hit.instance].origin; }
 
 std::size_t Tracer::grid_bytes() const { return impl_->scene.grid_bytes(); }
 

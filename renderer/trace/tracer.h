@@ -8,9 +8,11 @@
 #include "renderer/rays/trace_counters.h"
 #include "renderer/rays/tracer_options.h"
 #include "renderer/scene/database.h"
+#include "renderer/scene/refusal.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -27,9 +29,13 @@ class Tracer {
   ~Tracer();
   Tracer(Tracer&&) noexcept;
 
+  /// The reason why the scene takes more memory than the run allows; null if it does not. A scene that is refused, or
+  /// whose run was stopped while it was compiled, has nothing in it.
+  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const;
+
   /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
   /// solver, only the thread that found the hits may ask for their surfaces (surface_at), and only until it asks for
-  /// hits again.
+  /// hits again. If the run is stopped meanwhile, the rest stays as it is.
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
                   RayKind kind = RayKind::image) const;
 
@@ -42,6 +48,9 @@ class Tracer {
     TraceCounters unread;
     surface_at(ray, hit, point, unread);
   }
+
+  /// The statement that made the object of a hit, which is no miss.
+  [[nodiscard]] OriginId origin_of(const Hit& hit) const;
 
   /// The face that was hit, at a point of the surface or near it, and how far rounding may have moved it. `reach` is
   /// the point's (trace/face.h).

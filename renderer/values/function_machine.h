@@ -4,13 +4,13 @@
 #pragma once
 
 #include "base/check.h"
+#include "base/run_limits.h"
 #include "renderer/scene/function.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/pattern_source.h"
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace isl::values {
@@ -18,12 +18,12 @@ namespace isl::values {
 /// The state that an evaluation needs besides the function, one for each thread.
 class Environment {
  public:
-  /// `steps` limits the turns of `sum` and `prod`, the calls and the patterns within all evaluations. When the steps
-  /// are spent, the rest is skipped and the result is meaningless. `patterns` evaluates functions of patterns and
-  /// pigments; it is null if there are none.
-  explicit Environment(NoiseGenerator noise_generator, std::uint64_t steps = std::numeric_limits<std::uint64_t>::max(),
+  /// `run` limits the turns of `sum` and `prod`, the calls, the patterns and the turns of their own long loops within
+  /// all evaluations. When the steps are spent or the run is stopped, the rest is skipped and the result is
+  /// meaningless. `patterns` evaluates functions of patterns and pigments; it is null if there are none.
+  explicit Environment(NoiseGenerator noise_generator, const RunLimits& run = {},
                        const PatternSource* patterns = nullptr)
-      : noise_generator_(noise_generator), steps_(steps), patterns_(patterns) {}
+      : noise_generator_(noise_generator), steps_(run.steps_at_point, run.stop), patterns_(patterns) {}
 
   [[nodiscard]] NoiseGenerator noise_generator() const noexcept { return noise_generator_; }
   [[nodiscard]] const PatternSource& patterns() const noexcept {
@@ -31,12 +31,10 @@ class Environment {
     return *patterns_;
   }
   /// Counts one more turn, call or pattern; false if no steps are left.
-  [[nodiscard]] bool take_step() noexcept {
-    if (steps_ == 0) return false;
-    --steps_;
-    return true;
-  }
-  [[nodiscard]] bool is_spent() const noexcept { return steps_ == 0; }
+  [[nodiscard]] bool take_step() noexcept { return steps_.take(); }
+  [[nodiscard]] bool is_spent() const noexcept { return steps_.is_spent(); }
+  /// The counter itself, for work that takes many steps at once.
+  [[nodiscard]] StepCounter& steps() noexcept { return steps_; }
   /// (u, v, 0) of the surface point that is evaluated, for patterns with `uv_mapping`. If it is null, they take the
   /// point itself. It belongs to the caller of set_coordinates.
   [[nodiscard]] const scene::Vec3* coordinates() const noexcept { return coordinates_; }
@@ -44,7 +42,7 @@ class Environment {
 
  private:
   NoiseGenerator noise_generator_;
-  std::uint64_t steps_;
+  StepCounter steps_;
   const PatternSource* patterns_;
   const scene::Vec3* coordinates_ = nullptr;
 };

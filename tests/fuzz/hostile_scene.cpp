@@ -15,7 +15,6 @@
 #include "renderer/trace/tracer.h"
 #include "tests/fuzz/hostile_text.h"
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -32,7 +31,7 @@ constexpr std::uint64_t kMostDrawn = 100000;
 /// Sets a flag when time is up, unless it is destroyed before.
 class Watchdog {
  public:
-  explicit Watchdog(std::atomic<bool>& flag) : thread_([this, &flag] { watch(flag); }) {}
+  explicit Watchdog(StopFlag& flag) : thread_([this, &flag] { watch(flag); }) {}
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
   ~Watchdog() {
@@ -45,10 +44,10 @@ class Watchdog {
   }
 
  private:
-  void watch(std::atomic<bool>& flag) {
+  void watch(StopFlag& flag) {
     std::unique_lock lock(mutex_);
     const auto limit = std::chrono::duration<double>(kSecondsAllowed);
-    if (!changed_.wait_for(lock, limit, [this] { return is_over_; })) flag = true;
+    if (!changed_.wait_for(lock, limit, [this] { return is_over_; })) flag.set(StopReason::time_over);
   }
 
   std::mutex mutex_;
@@ -57,7 +56,7 @@ class Watchdog {
   std::thread thread_;
 };
 
-interpreter::EvaluateOptions options_of(scene::Queries& queries, const std::atomic<bool>& stop, bool lenient) {
+interpreter::EvaluateOptions options_of(scene::Queries& queries, const StopFlag& stop, bool lenient) {
   interpreter::EvaluateOptions options;
   options.limits = {.max_depth = 100,
                     .max_turns = 20000,
@@ -68,7 +67,7 @@ interpreter::EvaluateOptions options_of(scene::Queries& queries, const std::atom
   options.image_width = kWidth;
   options.image_height = kHeight;
   options.queries = &queries;
-  options.stop = &stop;
+  options.run.stop = &stop;
   return options;
 }
 
@@ -100,7 +99,7 @@ void summarise(const scene::Database& database) {
   if (database.camera) static_cast<void>(cli::may_see(*database.camera, extent.box));
 }
 
-void draw(scene::Database& database, const std::atomic<bool>& stop) {
+void draw(scene::Database& database, const StopFlag& stop) {
   render::leave_out(render::plan_of(database), database);
   render::TracerOptions tracing;
   tracing.pixel_angle = render::pixel_angle(database.camera.value_or(scene::Camera{}), kWidth, kHeight);
@@ -110,7 +109,7 @@ void draw(scene::Database& database, const std::atomic<bool>& stop) {
   drawing.height = kHeight;
   drawing.threads = 1;
   drawing.samples = 1;
-  drawing.stop = &stop;
+  drawing.run.stop = &stop;
   static_cast<void>(render::render(database, tracer, drawing));
 }
 
@@ -119,16 +118,16 @@ void draw(scene::Database& database, const std::atomic<bool>& stop) {
 SceneVerdict try_scene(std::string_view text, const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& search_path, bool lenient) {
   remember_for_crash(text);
-  std::atomic<bool> stop = false;
+  StopFlag stop;
   SceneVerdict verdict;
   {
     const Watchdog watchdog(stop);
+    Budget budget(std::size_t{512} << 20);  // of texts and trees; the evaluation has one of its own
     grammar::SourceMap sources;
     grammar::SymbolTable symbols;
     grammar::Arena arena;
     DiagnosticSink sink;
-    grammar::Loader loader(sources, symbols, arena, sink,
-                           {.include_paths = search_path, .max_memory_bytes = std::size_t{512} << 20});
+    grammar::Loader loader(sources, symbols, arena, sink, {.include_paths = search_path, .run = {&budget, &stop}});
     const grammar::Unit* const unit = loader.load_text((folder / "scene.pov").string(), std::string(text));
     if (!unit) return {.trouble = "the text was not read at all"};
     if (!sink.has_errors()) {
@@ -145,7 +144,7 @@ SceneVerdict try_scene(std::string_view text, const std::filesystem::path& folde
     }
     verdict.trouble = trouble_in(sink, sources);
   }
-  verdict.is_slow = stop;
+  verdict.is_slow = stop.is_set();
   return verdict;
 }
 

@@ -99,9 +99,10 @@ TEST(Limits, RecordsOfTexturesCount) {
 }
 
 TEST(Limits, AnInterruptEndsALoop) {
-  const std::atomic<bool> stop = true;
+  StopFlag stop;
+  stop.set(StopReason::interrupt);
   EvaluateOptions options;
-  options.stop = &stop;
+  options.run.stop = &stop;
   EXPECT_EQ(EvaluatedText("#while (1) #end", options).messages(), "error: interrupted\n");
   EXPECT_EQ(EvaluatedText("#macro F() #end #macro G() F() F() #end #while (1) G() #end", options).messages(),
             "error: interrupted\n");

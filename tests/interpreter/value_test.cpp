@@ -16,9 +16,9 @@ TEST(Value, CopiesShareAndTheLastOneFrees) {
     EXPECT_EQ(&a.as<StringValue>(), &b.as<StringValue>());
     a = Value(1.0);
     EXPECT_EQ(b.as<StringValue>().text, "text");
-    EXPECT_GT(account.bytes, 0u);
+    EXPECT_GT(account.bytes(), 0u);
   }
-  EXPECT_EQ(account.bytes, 0u);
+  EXPECT_EQ(account.bytes(), 0u);
 }
 
 TEST(Value, AssigningToItselfAndMovingKeepTheContents) {
@@ -30,7 +30,25 @@ TEST(Value, AssigningToItselfAndMovingKeepTheContents) {
   b = Value(2.0);
   b = Value(3, {1, 2, 3});
   EXPECT_EQ(b.term_count(), 3);
-  EXPECT_EQ(account.bytes, 0u);
+  EXPECT_EQ(account.bytes(), 0u);
+}
+
+TEST(Value, ArraysCountWhatTheyTake) {
+  MemoryAccount account;
+  {
+    SlotPool pool(&account);
+    {
+      const Ref<ArrayValue> outer = make_shared_value<ArrayValue>(std::vector<std::size_t>{1000}, pool, account);
+      for (Slot* const element : outer->elements) {
+        element->value =
+            Value(ValueKind::array, make_shared_value<ArrayValue>(std::vector<std::size_t>{1}, pool, account));
+      }
+      EXPECT_EQ(account.bytes(), outer->bytes_of_copy());
+      // An array of one number takes five pieces of memory.
+      EXPECT_GE(account.bytes(), 1000 * (sizeof(ArrayValue) + 2 * sizeof(Slot) + 2 * sizeof(Slot*)));
+    }
+    EXPECT_EQ(account.bytes(), 2000 * kSlotBytes) << "slots wait for their next use";
+  }
 }
 
 TEST(Value, AnArraysCopyHasElementsOfItsOwn) {

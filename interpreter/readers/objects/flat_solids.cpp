@@ -2,6 +2,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/readers/objects/solid_draft.h"
 #include "interpreter/readers/words/arguments.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -129,6 +130,7 @@ void read_polygon(ElementStream& stream, ObjectDraft& draft) {
   std::vector<Vec3> points;
   while (points.size() < count) {
     stream.accept_comma();
+    make_room_to_append(context, stream.span(), points);
     points.push_back(read_vector(stream, "a point of the polygon"));
   }
   points = closed(stream, points);

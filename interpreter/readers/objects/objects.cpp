@@ -3,6 +3,7 @@
 #include "interpreter/readers/textures/texture.h"
 #include "interpreter/readers/words/arguments.h"
 #include "interpreter/readers/words/supported.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +61,8 @@ std::span<const grammar::Symbol> object_words() { return kObjectWords; }
 
 scene::GroupId add_group(ElementStream& stream, scene::Group group) {
   Context& context = stream.context();
-  context.count_primitive(stream.span(), sizeof(scene::Group) + group.children.size() * sizeof(scene::Object) +
+  context.count_primitive(stream.span(), kHeldWhileMoving * sizeof(scene::Group) +
+                                             group.children.size() * sizeof(scene::Object) +
                                              group.lights.size() * sizeof(scene::Light) + kOriginBytes);
   context.database.groups.push_back(std::move(group));
   return scene::GroupId{static_cast<std::uint32_t>(context.database.groups.size() - 1)};
@@ -72,7 +74,7 @@ void set_group(ElementStream& stream, ObjectDraft& draft, scene::Group group) {
 }
 
 void count_copy(Context& context, const ObjectValue& value, SourceSpan span) {
-  context.count_primitive(span, sizeof(scene::Object) + kOriginBytes);
+  context.count_primitive(span, kHeldWhileMoving * sizeof(scene::Object) + kOriginBytes);
   for (std::size_t i = 0; i < value.lights.size(); ++i) context.count_primitive(span, sizeof(scene::Light));
 }
 

@@ -2,6 +2,7 @@
 
 #include "interpreter/expressions.h"
 #include "interpreter/readers/words/arguments.h"
+#include "interpreter/records.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,8 @@ namespace isl::interpreter {
 
 void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& solid, std::size_t detail_bytes) {
   Context& context = stream.context();
-  context.count_primitive(stream.span(), sizeof(scene::Solid) + sizeof(scene::Object) + kOriginBytes + detail_bytes);
+  constexpr std::size_t kRecords = kHeldWhileMoving * (sizeof(scene::Solid) + sizeof(scene::Object));
+  context.count_primitive(stream.span(), kRecords + kOriginBytes + detail_bytes);
   draft.object.kind = scene::Object::Kind::solid;
   draft.object.shape = static_cast<std::uint32_t>(context.database.solids.size());
   context.database.solids.push_back(solid);

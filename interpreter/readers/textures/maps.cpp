@@ -41,6 +41,7 @@ std::optional<decltype(Declared::id)> read_entries(Context& context, const Eleme
       continue;
     }
     const Element entry = stream.take();
+    make_room_to_append(context, entry.span, map);
     ElementStream inside(context, entry);
     read_entry(inside, map);
     expect_end(inside);

@@ -3,6 +3,7 @@
 #include "interpreter/arithmetic.h"
 #include "interpreter/deprecated_names.h"
 #include "interpreter/readers/words/arguments.h"
+#include "interpreter/records.h"
 #include "renderer/values/spline.h"
 
 #include <fmt/format.h>
@@ -67,9 +68,10 @@ std::shared_ptr<const scene::Spline> read_spline(Context& context, const Element
   }
   if (const auto kind = accept_spline_kind(stream)) spline->kind = *kind;
   while (!stream.peek().is(ElementKind::end)) {
+    make_room_to_append(context, stream.span(), spline->points);
     read_point(stream, *spline);
-    context.check_memory(block.span, spline->points.size() * sizeof(scene::SplinePoint));
   }
+  context.check_memory(block.span, spline->points.size() * sizeof(scene::SplinePoint));
   if (spline->points.empty()) context.fail(block.word_span, "a spline needs at least one point");
   values::finish(*spline);
   return spline;

@@ -114,7 +114,9 @@ constexpr PatternInfo list_of(std::span<const PatternColour> colours, double (*v
 double object_at(const PatternPoint& at) noexcept {
   const std::uint32_t object = std::get_if<scene::ObjectOperands>(&at.pattern.operands)->object;
   if (object == scene::kNone) return 0;
-  return at.world.surroundings->is_inside(at.world.database.pattern_objects[object], at.point) ? 1 : 0;
+  return at.world.surroundings->is_inside(at.world.database.pattern_objects[object], at.point, at.environment.steps())
+             ? 1
+             : 0;
 }
 
 }  // namespace

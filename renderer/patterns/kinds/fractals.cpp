@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace isl::render {
 namespace {
@@ -104,12 +105,20 @@ double interior(const Fractal& o, Complex z, double least_norm) {
   }
 }
 
+/// Turns of an orbit's loop that are counted together. They take at most a few microseconds, as other steps do
+/// (base/stop_flag.h).
+constexpr double kTurnsCounted = 256;
+
 template <class Step>
-double orbit(const Fractal& o, Complex z, double least_norm, const Step& step) {
-  for (double i = 0; i < o.iterations; ++i) {
-    z = step.next(z);
-    least_norm = std::min(least_norm, z.norm());
-    if (step.has_ended(z)) return exterior(o, i, z);
+double orbit(const Fractal& o, Complex z, double least_norm, const Step& step, StepCounter& steps) {
+  for (double i = 0; i < o.iterations;) {
+    const double end = std::min(i + kTurnsCounted, o.iterations);
+    for (; i < end; ++i) {
+      z = step.next(z);
+      least_norm = std::min(least_norm, z.norm());
+      if (step.has_ended(z)) return exterior(o, i, z);
+    }
+    if (!steps.take(static_cast<std::uint64_t>(kTurnsCounted))) return 0;
   }
   return interior(o, z, least_norm);
 }
@@ -118,11 +127,13 @@ double fractal_at(const PatternPoint& at) noexcept {
   const Fractal& o = at.operands<Fractal>();
   const Complex point{at.point.x, at.point.y};
   const Complex c = o.is_julia ? Complex{o.real, o.imaginary} : point;
-  if (o.magnet == 0) return orbit(o, point, point.norm(), PowerStep{c, o.exponent});
+  StepCounter& steps = at.environment.steps();
+  if (o.magnet == 0) return orbit(o, point, point.norm(), PowerStep{c, o.exponent}, steps);
   // The start of a magnet's Mandelbrot set is 0 and does not count as near to it.
   const Complex start = o.is_julia ? point : Complex{0, 0};
   const double least_norm = o.is_julia ? point.norm() : kMagnetBailout;
-  return o.magnet == 1 ? orbit(o, start, least_norm, Magnet1Step{c}) : orbit(o, start, least_norm, Magnet2Step(c));
+  return o.magnet == 1 ? orbit(o, start, least_norm, Magnet1Step{c}, steps)
+                       : orbit(o, start, least_norm, Magnet2Step(c), steps);
 }
 
 // ---- Operands -------------------------------------------------------------------------------------------------------

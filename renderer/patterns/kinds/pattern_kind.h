@@ -24,8 +24,9 @@ using scene::Vec3;
 class PatternSurroundings {
  public:
   virtual ~PatternSurroundings() = default;
-  /// `point` is in the space that the object is placed into.
-  [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point) const = 0;
+  /// `point` is in the space that the object is placed into. When the steps are spent, the answer is meaningless.
+  [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point,
+                                       StepCounter& steps) const = 0;
 };
 
 /// The part of an evaluation that is the same for all patterns of a database.

@@ -45,12 +45,18 @@ std::span<const WaveSource> wave_sources(int count) noexcept {
   return std::span(kAll).first(static_cast<std::size_t>(std::min(count, kMaxWaves)));
 }
 
+/// Counts a step for every eight sources: together they take as long as another pattern.
+bool take_steps(const PatternPoint& at, std::size_t sources) noexcept {
+  return at.environment.steps().take(static_cast<std::uint64_t>(sources / 8));
+}
+
 /// 0.2 · (2.5 + mean of sin(2π(distance · frequency · fᵢ + phase)) / fᵢ) over the sources, each of its own frequency
 /// fᵢ.
 double waves_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const scene::Pattern& pattern = at.pattern;
   const std::span<const WaveSource> sources = wave_sources(at.world.number_of_waves);
+  if (!take_steps(at, sources.size())) return 0;
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
   for (const WaveSource& source : sources) {
@@ -65,6 +71,7 @@ double ripples_at(const PatternPoint& at) noexcept {
   const Vec3& p = at.point;
   const scene::Pattern& pattern = at.pattern;
   const std::span<const WaveSource> sources = wave_sources(at.world.number_of_waves);
+  if (!take_steps(at, sources.size())) return 0;
   const double frequency = values::to_single(pattern.frequency), phase = values::to_single(pattern.phase);
   double sum = 0;
   for (const WaveSource& source : sources) sum += cycloidal((p - source.position).length() * frequency + phase);

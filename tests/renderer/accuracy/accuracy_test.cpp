@@ -219,7 +219,7 @@ Image layers_of(SolverName solver, const PixelRect& window) {
   image.window = window;
   Aovs aovs;
   for (const MeasuredAov& row : measured_aovs()) aovs.push_back(&row.aov);
-  EXPECT_TRUE(measure_layers(database, options, tracer, aovs, 0, nullptr, {}, image));
+  EXPECT_FALSE(measure_layers(database, options, tracer, aovs, 0, {}, image).has_value());
   return image;
 }
 
@@ -270,9 +270,10 @@ TEST(ShadowSummaries, TellLeaksFromFalseShadows) {
 TEST(Comparisons, EndWhenStopped) {
   const scene::Database database = two_balls();
   const TracerOptions exact = options_of(SolverName::exact, database);
-  const std::atomic<bool> stop = true;
+  StopFlag stop;
+  stop.set(StopReason::interrupt);
   ComparisonOptions options;
-  options.stop = &stop;
+  options.run.stop = &stop;
   EXPECT_FALSE(compare(database, exact, {exact}, 0, options).complete);
 }
 

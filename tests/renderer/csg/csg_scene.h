@@ -48,7 +48,8 @@ class CsgScene {
   [[nodiscard]] bool inside(const Vec3& point) const {
     std::vector<KernelConstants> kernels;
     for (const scene::Kernel& kernel : database.kernels) kernels.push_back(kernel_constants(kernel));
-    return is_inside(database, kernels, database.objects[0], point);
+    StepCounter steps;
+    return is_inside(database, kernels, database.objects[0], point, steps);
   }
 
   scene::Database database;

@@ -270,11 +270,13 @@ TEST(Render, tells_its_progress_and_ends_at_one) {
 }
 
 TEST(Render, stops_when_told_and_returns_what_is_done) {
-  std::atomic<bool> stop = false;
+  StopFlag stop;
   RenderOptions options = small(200, 150);
   options.threads = 1;
-  options.stop = &stop;
-  options.progress = [&](double share) { stop = stop || share > 0.1; };
+  options.run.stop = &stop;
+  options.progress = [&](double share) {
+    if (share > 0.1) stop.set(StopReason::interrupt);
+  };
   const RenderResult result = rendered(povray_solids(), options);
   EXPECT_FALSE(result.complete);
   const std::size_t done = static_cast<std::size_t>(

@@ -69,7 +69,8 @@ Seen seen_at(const scene::Database& database, double x, double y) {
   Seen seen;
   if (hit.is_miss()) return seen;
   tracer.surface_at(ray, hit, seen.point);
-  PointTextures(database).append(seen.point, seen.lit);
+  Charge unlimited;
+  EXPECT_TRUE(PointTextures(database).append(seen.point, seen.lit, unlimited));
   return seen;
 }
 

@@ -119,7 +119,7 @@ TEST(Patterns, InfinitiesAndNansDoNoHarm) {
 
 class Inside final : public PatternSurroundings {
  public:
-  [[nodiscard]] bool is_inside(const scene::Object& object, const Vec3& point) const override {
+  [[nodiscard]] bool is_inside(const scene::Object& object, const Vec3& point, StepCounter&) const override {
     return object.shape == 7 && point.length() < 1;
   }
 };
@@ -143,7 +143,7 @@ TEST(Patterns, AFunctionAsAPatternMayBeAPatternItself) {
   function.frame_size = 3;
   database.functions.push_back(std::make_shared<const scene::Function>(function));
   const Patterns patterns(database);
-  Environment environment(NoiseGenerator::range_corrected, 100, &patterns);
+  Environment environment(NoiseGenerator::range_corrected, {}, &patterns);
   const Pattern pattern = pattern_of(PatternKind::function, scene::FunctionOperands{scene::FunctionId{0}});
   EXPECT_EQ(patterns.pattern_value(pattern, {1.5, 0.5, 0.5}, environment), 1);
   EXPECT_EQ(patterns.pattern_value(pattern, {0.5, 0.5, 0.5}, environment), 0);
@@ -158,11 +158,30 @@ TEST(Patterns, ACountOfStepsEndsThem) {
     database.pigments[i].map = scene::PigmentMapId{i};
   }
   const Patterns patterns(database);
-  Environment enough(NoiseGenerator::range_corrected, 3), too_few(NoiseGenerator::range_corrected, 1);
+  Environment enough(NoiseGenerator::range_corrected, {.steps_at_point = 3});
+  Environment too_few(NoiseGenerator::range_corrected, {.steps_at_point = 1});
   EXPECT_EQ(patterns.pigment_colour({.pattern = scene::PigmentId{0}}, Vec3(0), enough).red, 0.5);
   EXPECT_FALSE(enough.is_spent());
   static_cast<void>(patterns.pigment_colour({.pattern = scene::PigmentId{0}}, Vec3(0), too_few));
   EXPECT_TRUE(too_few.is_spent());
+}
+
+TEST(Patterns, AStoppedRunEndsThem) {
+  Database database;
+  // Each map has the one before twice: 2^60 looks in all.
+  database.pigment_maps.resize(60);
+  database.pigments.resize(60);
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    database.pigments[i].pattern = pattern_of(PatternKind::average);
+    database.pigments[i].map = scene::PigmentMapId{i};
+    const scene::Pigment next = i + 1 < 60 ? scene::Pigment{.pattern = scene::PigmentId{i + 1}} : scene::Pigment{{0.5}};
+    database.pigment_maps[i] = {{1, next}, {1, next}};
+  }
+  StopFlag stop;
+  stop.set(StopReason::interrupt);
+  Environment environment(NoiseGenerator::range_corrected, {.stop = &stop});
+  static_cast<void>(Patterns(database).pigment_colour({.pattern = scene::PigmentId{0}}, Vec3(0), environment));
+  EXPECT_TRUE(environment.is_spent());
 }
 
 TEST(Patterns, ThreadsMayShareThem) {

@@ -62,7 +62,11 @@ class InsideObject : public testing::Test {
     Object object;
     object.kind = Object::Kind::group;
     object.shape = 0;
-    return is_inside(database_, {}, object, point);
+    return holds(object, point);
+  }
+  [[nodiscard]] bool holds(const Object& object, const Vec3& point) {
+    StepCounter steps;
+    return is_inside(database_, {}, object, point, steps);
   }
   Database database_;
   std::vector<Object> pair_ = std::vector<Object>(2);
@@ -90,12 +94,12 @@ TEST_F(InsideObject, FollowsTransformsAndClips) {
   Object object = pair_[0];
   object.parent_from_object.matrix[3][1] = 5;
   object.parent_from_object.inverse[3][1] = -5;
-  EXPECT_TRUE(is_inside(database_, {}, object, {0, 5.5, 0}));
-  EXPECT_FALSE(is_inside(database_, {}, object, Vec3(0)));
+  EXPECT_TRUE(holds(object, {0, 5.5, 0}));
+  EXPECT_FALSE(holds(object, Vec3(0)));
   database_.groups = {{.operation = Operation::intersect, .children = {pair_[1]}}};
   object.clip = scene::GroupId{0};
-  EXPECT_TRUE(is_inside(database_, {}, object, {0.5, 5, 0}));
-  EXPECT_FALSE(is_inside(database_, {}, object, {-0.5, 5, 0})) << "clipped away";
+  EXPECT_TRUE(holds(object, {0.5, 5, 0}));
+  EXPECT_FALSE(holds(object, {-0.5, 5, 0})) << "clipped away";
 }
 
 TEST(Inside, OfABlobIsWhereTheSumReachesTheThreshold) {

@@ -35,7 +35,8 @@ class Point {
     SurfacePoint point;
     point.position = position;
     point.textures = {{texture, 1, position}};
-    textures_.append(point, lit_);
+    Charge charge;
+    EXPECT_TRUE(textures_.append(point, lit_, charge));
     shading_ = {position, {0, 0, -1}, {0, 0, 1}, lit_};
   }
   [[nodiscard]] const std::vector<LitTexture>& lit() const { return lit_; }

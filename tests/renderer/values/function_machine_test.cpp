@@ -74,10 +74,10 @@ TEST(FunctionMachine, LoopsUntilTheEndIsPassed) {
 }
 
 TEST(FunctionMachine, StopsWhenItsStepsAreSpent) {
-  Environment environment(NoiseGenerator::range_corrected, 100);
+  Environment environment(NoiseGenerator::range_corrected, {.steps_at_point = 100});
   static_cast<void>(call(sum_to(), {std::numeric_limits<double>::infinity()}, &environment));
   EXPECT_TRUE(environment.is_spent());
-  Environment enough(NoiseGenerator::range_corrected, 100);
+  Environment enough(NoiseGenerator::range_corrected, {.steps_at_point = 100});
   EXPECT_EQ(call(sum_to(), {50}, &enough), 1275);
   EXPECT_FALSE(enough.is_spent());
 }

@@ -1,0 +1,68 @@
+#include "renderer/csg/expansion.h"
+
+namespace isl::render {
+
+using scene::Group;
+using scene::Object;
+
+bool needs_csg(const scene::Database& database, const Object& object, bool is_inverse) {
+  if (object.clip != scene::kNoGroup) return true;
+  if (object.kind != Object::Kind::group) return false;
+  const Group& group = database.groups[object.shape];
+  // A group with one child is that child, whatever its operation.
+  if (group.children.size() <= 1) return false;
+  return group.operation != scene::Operation::unite || is_inverse != object.inverse;
+}
+
+/// A group may be counted once the groups that it holds are. A list of those that wait takes the place of recursion, so
+/// that depth costs no stack.
+Expansion::Expansion(const scene::Database& database) : database_(database), trees_(database.groups.size()) {
+  for (std::vector<double>& counts : instances_) counts.resize(database.groups.size());
+  std::vector<std::uint32_t> waiting;
+  const auto wait_for = [&](std::uint32_t group) {
+    if (!trees_[group]) waiting.push_back(group);
+  };
+  for (std::uint32_t group = 0; group < database.groups.size(); ++group) {
+    wait_for(group);
+    while (!waiting.empty()) {
+      const std::uint32_t next = waiting.back();
+      if (trees_[next]) {  // it waited for several groups
+        waiting.pop_back();
+        continue;
+      }
+      const std::size_t before = waiting.size();
+      for (const Object& child : database.groups[next].children) {
+        if (child.kind == Object::Kind::group) wait_for(child.shape);
+        if (child.clip != scene::kNoGroup) wait_for(index(child.clip));
+      }
+      if (waiting.size() > before) continue;
+      waiting.pop_back();
+      count(next);
+    }
+  }
+}
+
+void Expansion::count(std::uint32_t group) {
+  Size tree{1, 0};
+  for (const Object& child : database_.groups[group].children) {
+    tree += tree_of(child);
+    for (const bool is_inverse : {false, true}) instances_[is_inverse][group] += instances(child, is_inverse);
+  }
+  trees_[group] = tree;
+}
+
+double Expansion::instances(const Object& object, bool is_inverse) const {
+  if (object.kind != Object::Kind::group || needs_csg(database_, object, is_inverse)) return 1;
+  return instances_[is_inverse != object.inverse][object.shape];
+}
+
+Expansion::Size Expansion::tree_of(const Object& object) const {
+  Size size = object.kind == Object::Kind::group ? *trees_[object.shape] : Size{0, 1};
+  if (object.clip != scene::kNoGroup) {
+    size += *trees_[index(object.clip)];
+    size.groups += 1;
+  }
+  return size;
+}
+
+}  // namespace isl::render

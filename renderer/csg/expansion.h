@@ -1,0 +1,47 @@
+// How many parts an object has when it is placed: groups hold groups, so sixty unions of two make 10¹⁸ objects out of a
+// few lines. Each group is counted once, so that the count is known before anything is expanded.
+#pragma once
+
+#include "renderer/scene/database.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace isl::render {
+
+/// True if an object is more than its parts side by side: combined by an operation, clipped, or a union turned inside
+/// out. `is_inverse`: the object's parent is inverse.
+[[nodiscard]] bool needs_csg(const scene::Database& database, const scene::Object& object, bool is_inverse);
+
+/// Counts the parts of the objects of a database, which does not change meanwhile. Numbers are doubles, because no
+/// integer holds them.
+class Expansion {
+ public:
+  explicit Expansion(const scene::Database& database);
+
+  /// The number of instances that a placed object becomes. `is_inverse`: the object's parent is inverse.
+  [[nodiscard]] double instances(const scene::Object& object, bool is_inverse) const;
+
+  /// The nodes and leaves of a CSG tree.
+  struct Size {
+    double groups = 0, leaves = 0;
+
+    Size& operator+=(const Size& other) {
+      groups += other.groups;
+      leaves += other.leaves;
+      return *this;
+    }
+  };
+  /// The size of the object's CSG tree.
+  [[nodiscard]] Size tree_of(const scene::Object& object) const;
+
+ private:
+  void count(std::uint32_t group);
+
+  const scene::Database& database_;
+  std::vector<std::optional<Size>> trees_;        ///< by group, with its own node
+  std::array<std::vector<double>, 2> instances_;  ///< of a union's children, by group: upright and inverse
+};
+
+}  // namespace isl::render
