@@ -1,47 +1,40 @@
 #include "tests/limits/attack_fixture.h"
 
-#include <sys/resource.h>
+#include <fmt/format.h>
 
 namespace isl::test {
 namespace {
-
-/// Lowers this process's soft limit of memory while it lives, and a program started meanwhile inherits it. Sanitizers
-/// reserve terabytes of addresses, so they run without the limit.
-class AddressSpaceLimit {
- public:
-  explicit AddressSpaceLimit(std::size_t bytes) {
-    getrlimit(RLIMIT_AS, &before_);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_AS, &limit);
-#else
-    static_cast<void>(bytes);
-#endif
-  }
-  ~AddressSpaceLimit() { setrlimit(RLIMIT_AS, &before_); }
-  AddressSpaceLimit(const AddressSpaceLimit&) = delete;
-  AddressSpaceLimit& operator=(const AddressSpaceLimit&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 /// The size of twenty errors of a few lines each, and a hundred warnings.
 constexpr std::size_t kMaxOutputBytes = 100'000;
 
 }  // namespace
 
-ProcessResult AttackTest::check_file(const std::string& name, std::vector<std::string> options) {
-  std::vector<std::string> arguments{"check", name, "--max-memory", "300M"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
+ProcessResult AttackTest::attack(const std::filesystem::path& where, std::vector<std::string> command,
+                                 const std::string& name, const std::vector<std::string>& options) {
+  const std::string as = command.front();
+  command.insert(command.end(), {name, "--max-memory", fmt::format("{}M", kMaxMemoryMegabytes)});
+  command.insert(command.end(), options.begin(), options.end());
   ProcessOptions process;
+  process.folder = where;
   process.limit = kTimeBound;
-  const AddressSpaceLimit limit(kAddressSpaceBytes);
-  ProcessResult result = run(arguments, process);
-  EXPECT_LT(result.exit_code, 128) << "crashed, or took longer than " << kTimeBound.count() << " s";
-  EXPECT_LT(result.out.size() + result.err.size(), kMaxOutputBytes);
+  ProcessResult result = run(command, process);
+  EXPECT_LT(result.exit_code, 128) << as << ": crashed, or took longer than " << kTimeBound.count() << " s";
+  // A rendering's standard output is the picture.
+  EXPECT_LT(result.err.size() + (as == "render" ? 0 : result.out.size()), kMaxOutputBytes) << as;
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their own memory is a multiple of the program's
+  EXPECT_LT(result.peak_bytes, (kMaxMemoryMegabytes + kBeyondMegabytes) << 20) << as << "\n" << result.err;
+#endif
   return result;
+}
+
+ProcessResult AttackTest::check_file(const std::string& name, std::vector<std::string> options) {
+  // A scene may write files, so the rendering gets a copy of the folder as it is now.
+  const std::filesystem::path copy = folder().string() + ".rendered";
+  EXPECT_EQ(run_process({"/bin/cp", "-a", folder().string(), copy.string()}).exit_code, 0);
+  rendered_exit_code_ = attack(copy, {"render", "-s", "16x12", "-q", "-o", "ppm:-"}, name, options).exit_code;
+  std::filesystem::remove_all(copy);
+  return attack(folder(), {"check"}, name, options);
 }
 
 ProcessResult AttackTest::check(std::string_view text, std::vector<std::string> options) {
@@ -51,6 +44,7 @@ ProcessResult AttackTest::check(std::string_view text, std::vector<std::string> 
 std::string AttackTest::refusal(std::string_view text, std::vector<std::string> options) {
   const ProcessResult result = check(text, std::move(options));
   EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_EQ(rendered_exit_code_, 1) << "rendered";
   return result.err;
 }
 

@@ -1,4 +1,4 @@
-// Runs the program on a hostile scene within bounds of time and memory that the system enforces.
+// Runs the program on a hostile scene, and measures that it stays within bounds of time and memory.
 #pragma once
 
 #include "tests/cli/program/program_fixture.h"
@@ -15,18 +15,25 @@ class AttackTest : public ProgramTest {
   /// No attack may take longer; most end in a fraction of a second. The bound is generous, because test machines are
   /// busy.
   static constexpr std::chrono::seconds kTimeBound{60};
-  /// Address space of the program. Its own memory limit is set to a tenth of it, because texts, their trees and values
-  /// are counted separately.
-  static constexpr std::size_t kAddressSpaceBytes = std::size_t{3} << 30;
+  /// The limit that check() gives the program, and what it may take beyond: its own code, the libraries, and what the
+  /// allocator holds back.
+  static constexpr std::size_t kMaxMemoryMegabytes = 300, kBeyondMegabytes = 150;
 
-  /// Runs `isl check` on the text as scene.isl. Fails the test if it took too long, crashed or printed pages of
-  /// messages.
+  /// Runs `isl check` on the text as scene.isl, and `isl render` in a copy of the folder. Fails the test if one of them
+  /// took too long or too much memory, crashed or printed pages of messages. Returns the result of `isl check`.
   [[nodiscard]] ProcessResult check(std::string_view text, std::vector<std::string> options = {});
   /// Does the same with an existing file.
   [[nodiscard]] ProcessResult check_file(const std::string& name, std::vector<std::string> options = {});
 
-  /// The message for a scene that must be refused, with exit code 1.
+  /// The message for a scene that must be refused, with exit code 1, whether it is checked or rendered.
   [[nodiscard]] std::string refusal(std::string_view text, std::vector<std::string> options = {});
+
+ private:
+  /// Runs `isl command… name options…` within the bounds.
+  ProcessResult attack(const std::filesystem::path& where, std::vector<std::string> command, const std::string& name,
+                       const std::vector<std::string>& options);
+
+  int rendered_exit_code_ = 0;  ///< of the last rendering
 };
 
 [[nodiscard]] std::string repeated(std::string_view text, std::size_t count);

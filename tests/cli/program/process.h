@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,6 +15,7 @@ struct ProcessResult {
   std::string out;     ///< also what a terminal received
   std::string err;
   std::chrono::duration<double> seconds{0};
+  std::size_t peak_bytes = 0;  ///< the most memory that it had at a time
 };
 
 struct ProcessOptions {
