@@ -66,13 +66,13 @@ class Charge {
     used_ += bytes;
     return true;
   }
-  /// True if the next bytes can be added. Whoever allocates them calls add().
+  /// True if the next bytes can be added. Their owner then calls add().
   [[nodiscard]] bool make_room(std::size_t bytes) noexcept {
     if (used_ <= taken_ && bytes <= taken_ - used_) [[likely]]
       return true;
     return budget_ == nullptr || take(bytes);
   }
-  /// Counts bytes that are allocated in any case. What make_room() did not provide for is taken at its next call.
+  /// Counts bytes that are allocated in any case. Bytes beyond the room made are taken at the next call of make_room().
   void add(std::size_t bytes) noexcept { used_ += bytes; }
   /// Counts bytes as freed. Some stay with this charge, because they will be needed again.
   void remove(std::size_t bytes) noexcept {

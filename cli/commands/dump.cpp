@@ -29,7 +29,7 @@ std::string database_text(const Session& session) {
   return scene::dump_json(session.scene().database, [&session](OriginId id) { return place_of(session, id); });
 }
 
-/// What can be dumped, or why it cannot.
+/// A stage as text, or the reason why there is none.
 struct Dump {
   std::string text;
   std::optional<scene::Refusal> refusal;

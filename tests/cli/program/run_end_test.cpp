@@ -32,7 +32,7 @@ std::string begin() { return std::string(kView) + "#debug \"begin\\n\"\n"; }
 
 std::vector<Phase> phases() {
   constexpr std::string_view kSaid = " } #debug \"begin\\n\"";
-  const std::string balls = "#for (I, 1, 3e4) sphere { <rand(R), rand(R), rand(R)> * 99, rand(R) * 50, 1 } #end";
+  const std::string balls = "#for (I, 1, 1e5) sphere { <rand(R), rand(R), rand(R)> * 99, rand(R) * 50, 1 } #end";
   return {
       {"a loop", begin() + "#while (1) #end", {"--max-turns", "1e18"}, false},
       {"a function",
