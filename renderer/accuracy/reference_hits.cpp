@@ -45,7 +45,7 @@ class Sorted {
 
   void add(const scene::Object& object, const scene::Object& above) {
     if (object.no_image || above.no_image) return;  // camera rays do not meet it
-    // Unions of unions of nothing are as many as those of something.
+    // Groups of empty groups are as many as others.
     if (expansion_.instances(object, above.inverse) == 0) return;
     scene::Object own = object;
     own.parent_from_object = then(object.parent_from_object, above.parent_from_object);

@@ -69,7 +69,7 @@ class Flattener {
 
   /// Makes the object's instance, or opens it if it is a union.
   void add(const scene::Object& object, const Inherited& above) {
-    // Unions of unions of nothing are as many as those of something.
+    // Groups of empty groups are as many as others.
     if (!meter_.goes_on() || expansion_.instances(object, above.is_inverse) == 0) return;
     Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
                   static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
@@ -202,7 +202,8 @@ class Compiler {
     wanted_ = [this] { return fmt::format("the {:.4g} parts of this object", parts_); };
     for (const scene::Object& object : database_.objects) {
       at_ = object.origin;
-      parts_ = expansion_.tree_of(object).leaves;
+      const Expansion::Size size = expansion_.tree_of(object);
+      parts_ = size.leaves + size.groups;
       flattener.add(object);
       if (!meter_.goes_on()) break;
     }
@@ -256,7 +257,7 @@ class Compiler {
   GridBudget grids_;
   CompiledScene scene_;
   double placed_ = 0;                    ///< instances that the objects make, as far as they are counted
-  double parts_ = 0;                     ///< solids and blobs of the object that is being flattened
+  double parts_ = 0;                     ///< of the object that is being flattened, groups included
   OriginId most_placed_at_{};            ///< the statement that places more objects than any other
   OriginId at_{};                        ///< the statement whose object is being compiled
   std::function<std::string()> wanted_;  ///< names what asks for memory

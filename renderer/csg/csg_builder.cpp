@@ -155,8 +155,11 @@ void CsgBuilder::open_group(CsgTree& tree, Level& level) {
   const Group& group = *level.group;
   level.is_inverse = level.above.is_inverse;
   level.is_open = true;
-  // An empty group is the empty set, whatever its operation: a union without children holds nowhere.
-  const Operation operation = group.children.empty() ? Operation::unite : group.operation;
+  // An empty group is the empty set, whatever its operation: a union without children holds nowhere. Groups of empty
+  // groups are as many as others.
+  const bool is_nothing = expansion_.is_nothing(static_cast<std::uint32_t>(&group - database_.groups.data()));
+  if (is_nothing) level.next = group.children.size();
+  const Operation operation = is_nothing ? Operation::unite : group.operation;
   const CsgNode::Kind kind = kind_of(operation, level.is_inverse);
   // A difference whose first object is a difference is one difference, and so on. So a chain of them, however long, is
   // one node, and an event does not climb it.

@@ -1,5 +1,7 @@
 #include "renderer/csg/expansion.h"
 
+#include <algorithm>
+
 namespace isl::render {
 
 using scene::Group;
@@ -16,7 +18,8 @@ bool needs_csg(const scene::Database& database, const Object& object, bool is_in
 
 /// A group may be counted once the groups that it holds are. A list of those that wait takes the place of recursion, so
 /// that depth costs no stack.
-Expansion::Expansion(const scene::Database& database) : database_(database), trees_(database.groups.size()) {
+Expansion::Expansion(const scene::Database& database)
+    : database_(database), is_nothing_(database.groups.size()), trees_(database.groups.size()) {
   for (std::vector<double>& counts : instances_) counts.resize(database.groups.size());
   std::vector<std::uint32_t> waiting;
   const auto wait_for = [&](std::uint32_t group) {
@@ -43,8 +46,13 @@ Expansion::Expansion(const scene::Database& database) : database_(database), tre
 }
 
 void Expansion::count(std::uint32_t group) {
+  const std::vector<Object>& children = database_.groups[group].children;
   Size tree{1, 0};
-  for (const Object& child : database_.groups[group].children) {
+  is_nothing_[group] = std::ranges::all_of(children, [this](const Object& child) {
+    return child.kind == Object::Kind::group && !child.inverse && is_nothing_[child.shape];
+  });
+  for (const Object& child : children) {
+    if (is_nothing_[group]) break;
     tree += tree_of(child);
     for (const bool is_inverse : {false, true}) instances_[is_inverse][group] += instances(child, is_inverse);
   }
@@ -52,7 +60,9 @@ void Expansion::count(std::uint32_t group) {
 }
 
 double Expansion::instances(const Object& object, bool is_inverse) const {
-  if (object.kind != Object::Kind::group || needs_csg(database_, object, is_inverse)) return 1;
+  if (object.kind != Object::Kind::group) return 1;
+  if (is_nothing_[object.shape]) return 0;  // turned inside out it is everything, which has no surface either
+  if (needs_csg(database_, object, is_inverse)) return 1;
   return instances_[is_inverse != object.inverse][object.shape];
 }
 

@@ -20,10 +20,14 @@ class Expansion {
  public:
   explicit Expansion(const scene::Database& database);
 
-  /// The number of instances that a placed object becomes. `is_inverse`: the object's parent is inverse.
+  /// True for a group that is the empty set because nothing is in it but such groups. It need not be expanded.
+  [[nodiscard]] bool is_nothing(std::uint32_t group) const { return is_nothing_[group]; }
+
+  /// The number of instances that a placed object becomes: none if there is no surface in it. `is_inverse`: the
+  /// object's parent is inverse.
   [[nodiscard]] double instances(const scene::Object& object, bool is_inverse) const;
 
-  /// The nodes and leaves of a CSG tree.
+  /// At most the nodes and leaves of a CSG tree.
   struct Size {
     double groups = 0, leaves = 0;
 
@@ -40,6 +44,7 @@ class Expansion {
   void count(std::uint32_t group);
 
   const scene::Database& database_;
+  std::vector<bool> is_nothing_;                  ///< by group
   std::vector<std::optional<Size>> trees_;        ///< by group, with its own node
   std::array<std::vector<double>, 2> instances_;  ///< of a union's children, by group: upright and inverse
 };

@@ -57,6 +57,19 @@ TEST_F(Memory, OfInstancesIsCountedBeforeTheyAreMade) {
   EXPECT_THAT(render(doubled("union")).err, HasSubstr("scene.isl:3:1: error: the 1.153e+18 objects placed up to here"));
 }
 
+TEST_F(Memory, OfGroupsOfNothingIsNone) {
+  for (const std::string_view operation : {"union", "merge", "intersection", "difference"}) {
+    const std::string nothing = fmt::format(
+        "#declare U = union {{ }}\n#for (I, 1, 60) #declare U = {} {{ object {{ U }} object {{ U }} }} #end\n",
+        operation);
+    for (const std::string_view placed : {"object { U }", "difference { sphere { 0, 1 } object { U } }",
+                                          "sphere { 0, 1 clipped_by { object { U inverse } } }"}) {
+      const ProcessResult result = render(nothing + std::string(placed), {"-s", "4x3", "-o", "b.png"});
+      EXPECT_EQ(result.exit_code, 0) << operation << ": " << placed << "\n" << result.err;
+    }
+  }
+}
+
 TEST_F(Memory, OfTreesIsCountedBeforeTheyAreMade) {
   expect_refusal(doubled("intersection"));
   expect_refusal(doubled("merge"));
