@@ -57,8 +57,9 @@ class Rendering {
     trace_tiles(film_.rect(), 0, 1, [](const Pixel&) { return true; });
     if (stopped()) return;
     DisplayedPass displayed(film_.rect());
-    parallel_for(static_cast<std::size_t>(film_.rect().height()),
-                 [&](std::size_t row) { displayed.fill_row(film_, film_.rect().y0 + static_cast<int>(row)); });
+    parallel_for(static_cast<std::size_t>(film_.rect().height()), [&](std::size_t row) {
+      if (!stopped()) displayed.fill_row(film_, film_.rect().y0 + static_cast<int>(row));
+    });
     progress_.begin_stage(1, tiles_of(window_, options_.tile_order).size());
     trace_tiles(window_, 1, pattern_.size(),
                 [&](const Pixel& pixel) { return displayed.is_rough(pixel.x, pixel.y, options_.aa); });
@@ -150,7 +151,8 @@ RenderResult render(const scene::Database& database, const Tracer& tracer, const
   with_threads(threads, [&] { rendering.run(); });
   rendering.finish();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  RenderResult result = rendering.result();
+  RenderResult result;
+  with_threads(threads, [&] { result = rendering.result(); });
   result.statistics.seconds = elapsed.count();
   result.statistics.threads = threads;
   result.statistics.plan = std::move(plan);

@@ -1,6 +1,7 @@
 #include "renderer/film/film.h"
 
 #include "base/check.h"
+#include "base/parallel.h"
 
 #include <algorithm>
 
@@ -66,7 +67,7 @@ std::array<double, 4> Film::mean(std::size_t pixel) const {
   return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count};
 }
 
-Image Film::develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) const {
+Image Film::develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) {
   ISL_CHECK(window.empty() ||
                 (window.x0 >= rect_.x0 && window.y0 >= rect_.y0 && window.x1 <= rect_.x1 && window.y1 <= rect_.y1),
             "window outside the film");
@@ -75,13 +76,19 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
   image.full_height = full_height;
   image.window = window;
   image.has_alpha = has_alpha;
-  image.rgba.reserve(4 * window.area());
-  for (int y = window.y0; y < window.y1; ++y) {
+  std::vector<double> means = window == rect_ ? std::move(sums_) : std::vector<double>(4 * window.area());
+  const double* const sums = window == rect_ ? means.data() : sums_.data();
+  const std::size_t rows = window.empty() ? 0 : static_cast<std::size_t>(window.height());
+  parallel_for(rows, [&](std::size_t row) {
+    const int y = window.y0 + static_cast<int>(row);
     for (int x = window.x0; x < window.x1; ++x) {
-      const std::array<double, 4> value = mean(rect_.index(x, y));
-      image.rgba.insert(image.rgba.end(), value.begin(), value.end());
+      const std::size_t pixel = rect_.index(x, y);
+      const double count = std::max(counts_[pixel], 1u);
+      for (std::size_t i = 0; i < 4; ++i) means[4 * window.index(x, y) + i] = sums[4 * pixel + i] / count;
     }
-  }
+  });
+  image.rgba = std::move(means);
+  sums_ = {};
   for (const SurfaceLayer& surface : surfaces_) image.layers.push_back(cropped(surface.layer, rect_, window));
   const auto add_whole_numbers = [&](const Aov& aov, const auto& numbers) {
     Layer layer(aov, 0);

@@ -42,8 +42,10 @@ class Film {
   /// True if the film has layers that set_surface() fills.
   [[nodiscard]] bool keeps_surfaces() const { return !surfaces_.empty(); }
 
-  /// The part `window` (within rect()) as a picture of a whole of the given size.
-  [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) const;
+  /// The part `window` (within rect()) as a picture of a whole of the given size, made on as many threads as loops have
+  /// here. Gives up the sums of colours, of which there is no mean() afterwards: where the window is all of the film,
+  /// the picture takes their place, because a large one takes a noticeable time to move.
+  [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha);
 
  private:
   PixelRect rect_;

@@ -1,6 +1,7 @@
 #include "renderer/image/image_file.h"
 
 #include "base/check.h"
+#include "base/parallel.h"
 #include "renderer/image/display_codes.h"
 
 #include <fmt/format.h>
@@ -38,9 +39,16 @@ class PlaneSet {
   void fill(IslSampleType type, const ValueOf& value_of) {
     std::vector<unsigned char>& memory = memory_.emplace_back(pixels_ * sizeof(Value));
     Value* values = reinterpret_cast<Value*>(memory.data());
-    for (std::size_t pixel = 0; pixel < pixels_; ++pixel) values[pixel] = static_cast<Value>(value_of(pixel));
+    parallel_for((pixels_ + kTogether - 1) / kTogether, [&](std::size_t part) {
+      const std::size_t end = std::min((part + 1) * kTogether, pixels_);
+      for (std::size_t pixel = part * kTogether; pixel < end; ++pixel)
+        values[pixel] = static_cast<Value>(value_of(pixel));
+    });
     planes_.push_back({names_.back().c_str(), type, values});
   }
+
+  /// Pixels that one task converts: enough that its start does not count.
+  static constexpr std::size_t kTogether = std::size_t{1} << 16;
 
   std::size_t pixels_;
   std::deque<std::string> names_;  ///< deques, because the planes point at their elements
@@ -129,7 +137,7 @@ EncodedFile encode_image(const Image& image, std::string_view format, const Imag
   if (image.window.empty()) return {{}, "the picture has no pixels: its window is empty"};
   const bool with_alpha = image.has_alpha && has_alpha_channel(format);
   PlaneSet planes(image.window.area());
-  add_planes(planes, image, format, with_alpha, options);
+  with_threads(std::max(options.threads, 1), [&] { add_planes(planes, image, format, with_alpha, options); });
   std::vector<IslText> texts;
   for (const auto& [name, value] : options.metadata) texts.push_back({name.c_str(), value.c_str()});
   const std::string format_name(format);
