@@ -45,7 +45,7 @@ BlobWalk::BlobWalk(const scene::Database& database) : database_(database), field
 std::vector<double> BlobWalk::found_on(const LineOfSight& line, WalkCounts& counts) {
   std::vector<double> found;
   for (scene::Vec3 from = line.origin; found.size() < kMost;) {
-    const auto next = queries_.trace(database_, database_.objects[0], from, line.direction);
+    const auto next = queries_.trace(database_, database_.objects[0], from, line.direction).point;
     if (!next) return found;
     found.push_back((next->position - line.origin).dot(line.direction));
     if (found.size() > 1 && found.back() < found[found.size() - 2]) ++counts.unsorted;
