@@ -17,9 +17,9 @@ ProcessResult AttackTest::attack(const std::filesystem::path& where, std::vector
   command.insert(command.end(), options.begin(), options.end());
   ProcessOptions process;
   process.folder = where;
-  process.limit = kTimeBound;
+  process.limit = time_bound_;
   ProcessResult result = run(command, process);
-  EXPECT_LT(result.exit_code, 128) << as << ": crashed, or took longer than " << kTimeBound.count() << " s";
+  EXPECT_LT(result.exit_code, 128) << as << ": crashed, or took longer than " << time_bound_.count() << " s";
   // A rendering's standard output is the picture.
   EXPECT_LT(result.err.size() + (as == "render" ? 0 : result.out.size()), kMaxOutputBytes) << as;
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their own memory is a multiple of the program's

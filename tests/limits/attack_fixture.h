@@ -28,6 +28,9 @@ class AttackTest : public ProgramTest {
   /// The message for a scene that must be refused, with exit code 1, whether it is checked or rendered.
   [[nodiscard]] std::string refusal(std::string_view text, std::vector<std::string> options = {});
 
+  /// A test whose attacks are many seconds of work on an idle machine may set it higher.
+  std::chrono::seconds time_bound_ = kTimeBound;
+
  private:
   /// Runs `isl command… name options…` within the bounds.
   ProcessResult attack(const std::filesystem::path& where, std::vector<std::string> command, const std::string& name,

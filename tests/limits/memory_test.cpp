@@ -89,6 +89,7 @@ TEST_F(Memory, OfPicturesIsToldBeforeTheSceneIsRead) {
       {"-s", "65536x65536"},
       {"-s", "65536x65536", "--samples", "1"},
       {"-s", "2500x2000", "--aov", "cost,error"},
+      {"-s", "2500x2000", "--aov", "depth,position,normal,albedo", "-o", "a.exr"},
       {"-s", "65536x65536", "--crop", "100,100,20000,20000"},
   };
   for (const std::vector<std::string>& asked : options) {
@@ -105,6 +106,7 @@ TEST_F(Memory, OfValuesCounts) {
   expect_refusal("#declare A = array[1e7] #for (I, 0, 1e7 - 1) #declare A[I] = array[1] {I} #end");
   expect_refusal("#declare S = \"x\"; #for (I, 1, 60) #declare S = concat(S, S); #end");
   expect_refusal("#declare S = spline { #for (I, 0, 1e9) I, <I, 0, 0> #end }");
+  expect_refusal("#macro F(N, A) #local B = array[100000] F(N + 1, B) #end F(0, 0)");
 }
 
 TEST_F(Memory, OfWhatASceneHoldsCounts) {
