@@ -16,9 +16,8 @@ constexpr std::size_t kLongestShadowQueue = 8192;
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
 /// True if the camera stands in something that keeps fog out. Precondition: there is fog.
-bool is_in_solid(const scene::Database& database, const RunLimits& run) {
+bool is_in_solid(const scene::Database& database, StepCounter& steps) {
   const PatternInsides insides(database);
-  StepCounter steps(run.steps_at_point, run.stop);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
   return std::ranges::any_of(database.objects, [&](const scene::Object& object) {
     return !object.hollow && insides.is_inside(object, eye, steps);
@@ -46,7 +45,11 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     add(make.spawn, context, spawn_);
     shadows_ |= make.shadows;
   }
-  if (!along_.empty()) camera_in_solid_ = is_in_solid(database, run);
+  if (!along_.empty()) {
+    StepCounter steps(run.steps_at_point, run.stop);
+    camera_in_solid_ = is_in_solid(database, steps);
+    if (steps.is_spent()) refusals_.report_camera();
+  }
   const scene::Colour& background = database.settings.background;
   if (transparent_background) {
     background_alpha_ = 0;

@@ -1,4 +1,5 @@
-// Tells that the patterns at one point took more steps or memory than the run allows, which ends a rendering.
+// Tells that the patterns at one point, or its place in the objects, took more steps or memory than the run allows,
+// which ends a rendering.
 #pragma once
 
 #include "base/run_limits.h"
@@ -22,6 +23,15 @@ class PointRefusals {
     first_.report({fmt::format("the textures of {} take more than {:g} steps at a point, or more memory than is left",
                                thing, static_cast<double>(run_.steps_at_point)),
                    "`--max-turns` and `--max-memory` raise the limits", origin});
+  }
+  /// Called when the steps did not suffice to find whether the camera is in an object.
+  void report_camera() {
+    if (isl::is_set(run_.stop)) return;
+    first_.report({fmt::format("the objects have parts that take more than {:g} steps to ask whether the camera is in "
+                               "one of them",
+                               static_cast<double>(run_.steps_at_point)),
+                   "`--max-turns` raises the limit",
+                   {}});
   }
   /// True if the rest of the rendering is in vain.
   [[nodiscard]] bool is_set() const noexcept { return first_.is_set(); }

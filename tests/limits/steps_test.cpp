@@ -14,14 +14,18 @@ constexpr std::string_view kView = "camera { location <0, 0, -4> look_at 0 } lig
 
 class Steps : public AttackTest {
  protected:
-  /// Renders the scene; it must be refused at a place of its text.
-  void expect_refusal(const std::string& text, const std::vector<std::string>& options = {"--max-turns", "1e6"}) {
+  [[nodiscard]] ProcessResult render(const std::string& text, const std::vector<std::string>& options) {
     std::vector<std::string> command{"render", write("scene.isl", std::string(kView) + text), "-q", "-s", "32x24", "-o",
                                      "a.png"};
     command.insert(command.end(), options.begin(), options.end());
     ProcessOptions process;
     process.limit = kTimeBound;
-    const ProcessResult result = run(command, process);
+    return run(command, process);
+  }
+
+  /// Renders the scene; it must be refused at a place of its text.
+  void expect_refusal(const std::string& text, const std::vector<std::string>& options = {"--max-turns", "1e6"}) {
+    const ProcessResult result = render(text, options);
     EXPECT_EQ(result.exit_code, 1) << text << "\n" << result.err;
     EXPECT_THAT(result.err, AllOf(HasSubstr("scene.isl:2:"), HasSubstr("error:"), HasSubstr("`--max-turns`"))) << text;
     EXPECT_FALSE(exists("a.png"));
@@ -74,6 +78,12 @@ TEST_F(Steps, OfInsidesAreCounted) {
       "#declare U = sphere { 9, 1 } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end ";
   expect_refusal(std::string(kUnion) + "#declare A = inside(U, 0);");
   expect_refusal(std::string(kUnion) + "sphere { 0, 1 pigment { object { U rgb 1 rgb 0 } } }");
+  const ProcessResult camera = render(
+      "#declare U = union { } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end "
+      "fog { distance 9 rgb 1 } object { U }",
+      {"--max-turns", "1e6"});
+  EXPECT_EQ(camera.exit_code, 1) << camera.err;
+  EXPECT_THAT(camera.err, HasSubstr("to ask whether the camera is in one of them"));
 }
 
 }  // namespace
