@@ -45,6 +45,10 @@ std::optional<scene::Refusal> measure_layers(const scene::Database& database, co
   const std::vector<const MeasuredAov*> rows = asked_of(aovs);
   if (rows.empty()) return std::nullopt;
   const StopFlag* const stop = options.run.stop;
+  if (is_set(stop)) {  // the rays of a large picture alone take more than a moment
+    for (const MeasuredAov* const row : rows) image.layers.emplace_back(row->aov, image.window.area());
+    return std::nullopt;
+  }
   std::optional<scene::Refusal> refusal;
   const std::vector<Ray> rays =
       rays_of(database.camera.value_or(scene::default_camera(image.full_width, image.full_height)), image);
