@@ -148,16 +148,17 @@ class Compiler {
   CompiledScene run() {
     take_solids();
     if (meter_.goes_on()) flatten();
-    if (meter_.goes_on()) compile_blobs();
-    if (meter_.goes_on()) {
+    if (meter_.goes_on() && !refusal_) compile_blobs();
+    if (meter_.goes_on() && !refusal_) {
       for (Instance& instance : scene_.instances) set_spread(database_, scene_, instance);
       at_ = most_placed_at_;
       wanted_ = [this] { return fmt::format("the grid over {:.4g} objects, most of them placed here,", placed_); };
       build_instance_grid(scene_, grids_, meter_);
       hold(scene_.grid.bytes());
     }
-    if (meter_.goes_on()) return std::move(scene_);
+    if (meter_.goes_on() && !refusal_) return std::move(scene_);
     CompiledScene none;
+    none.refusal = refusal_;
     if (meter_.is_refused()) none.refusal = refusal();
     return none;
   }
@@ -185,7 +186,7 @@ class Compiler {
   /// The instances are counted first, so that nothing is expanded that is too much.
   void flatten() {
     wanted_ = [this] { return fmt::format("the {:.4g} objects placed up to here", placed_); };
-    double most = 0;
+    double most = 0, visits = 0;
     for (const scene::Object& object : database_.objects) {
       at_ = object.origin;
       const double more = expansion_.instances(object, false);
@@ -195,8 +196,16 @@ class Compiler {
       const double bytes = more * sizeof(Instance);
       constexpr double kMost = 0x1p62;
       if (!hold(static_cast<std::size_t>(std::min(bytes, kMost)))) break;
+      visits += expansion_.visits(object, false);
+      const auto most_steps = static_cast<double>(options_.run.steps_at_point);
+      if (visits > most_steps && !refusal_) {
+        refusal_ = {
+            fmt::format("the objects up to here, with the unions around them, take more than {:g} steps to place",
+                        most_steps),
+            "`--max-turns` raises the limit", at_};
+      }
     }
-    if (!meter_.goes_on()) return;
+    if (!meter_.goes_on() || refusal_) return;
     scene_.instances.reserve(static_cast<std::size_t>(placed_));
     Flattener flattener(database_, expansion_, meter_, scene_);
     wanted_ = [this] { return fmt::format("the {:.4g} parts of this object", parts_); };
@@ -256,11 +265,12 @@ class Compiler {
   Expansion expansion_;
   GridBudget grids_;
   CompiledScene scene_;
-  double placed_ = 0;                    ///< instances that the objects make, as far as they are counted
-  double parts_ = 0;                     ///< of the object that is being flattened, groups included
-  OriginId most_placed_at_{};            ///< the statement that places more objects than any other
-  OriginId at_{};                        ///< the statement whose object is being compiled
-  std::function<std::string()> wanted_;  ///< names what asks for memory
+  double placed_ = 0;                      ///< instances that the objects make, as far as they are counted
+  double parts_ = 0;                       ///< of the object that is being flattened, groups included
+  OriginId most_placed_at_{};              ///< the statement that places more objects than any other
+  std::optional<scene::Refusal> refusal_;  ///< for its steps
+  OriginId at_{};                          ///< the statement whose object is being compiled
+  std::function<std::string()> wanted_;    ///< names what asks for memory
 };
 
 }  // namespace

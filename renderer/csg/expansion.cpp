@@ -20,7 +20,9 @@ bool needs_csg(const scene::Database& database, const Object& object, bool is_in
 /// that depth costs no stack.
 Expansion::Expansion(const scene::Database& database)
     : database_(database), is_nothing_(database.groups.size()), trees_(database.groups.size()) {
-  for (std::vector<double>& counts : instances_) counts.resize(database.groups.size());
+  for (auto* const counts : {&instances_, &visits_}) {
+    for (std::vector<double>& of_groups : *counts) of_groups.resize(database.groups.size());
+  }
   std::vector<std::uint32_t> waiting;
   const auto wait_for = [&](std::uint32_t group) {
     if (!trees_[group]) waiting.push_back(group);
@@ -54,7 +56,10 @@ void Expansion::count(std::uint32_t group) {
   for (const Object& child : children) {
     if (is_nothing_[group]) break;
     tree += tree_of(child);
-    for (const bool is_inverse : {false, true}) instances_[is_inverse][group] += instances(child, is_inverse);
+    for (const bool is_inverse : {false, true}) {
+      instances_[is_inverse][group] += instances(child, is_inverse);
+      visits_[is_inverse][group] += visits(child, is_inverse);
+    }
   }
   trees_[group] = tree;
 }
@@ -64,6 +69,12 @@ double Expansion::instances(const Object& object, bool is_inverse) const {
   if (is_nothing_[object.shape]) return 0;  // turned inside out it is everything, which has no surface either
   if (needs_csg(database_, object, is_inverse)) return 1;
   return instances_[is_inverse != object.inverse][object.shape];
+}
+
+double Expansion::visits(const Object& object, bool is_inverse) const {
+  const bool is_opened = object.kind == Object::Kind::group && instances(object, is_inverse) != 0 &&
+                         !needs_csg(database_, object, is_inverse);
+  return is_opened ? 1 + visits_[is_inverse != object.inverse][object.shape] : 1;
 }
 
 Expansion::Size Expansion::tree_of(const Object& object) const {

@@ -27,6 +27,10 @@ class Expansion {
   /// object's parent is inverse.
   [[nodiscard]] double instances(const scene::Object& object, bool is_inverse) const;
 
+  /// The number of objects that are visited to place it, groups included: a long chain of unions around one object is
+  /// one instance.
+  [[nodiscard]] double visits(const scene::Object& object, bool is_inverse) const;
+
   /// At most the nodes and leaves of a CSG tree.
   struct Size {
     double groups = 0, leaves = 0;
@@ -47,6 +51,7 @@ class Expansion {
   std::vector<bool> is_nothing_;                  ///< by group
   std::vector<std::optional<Size>> trees_;        ///< by group, with its own node
   std::array<std::vector<double>, 2> instances_;  ///< of a union's children, by group: upright and inverse
+  std::array<std::vector<double>, 2> visits_;     ///< likewise
 };
 
 }  // namespace isl::render

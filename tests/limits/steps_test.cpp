@@ -73,6 +73,12 @@ TEST_F(Steps, OfSumsAreCounted) {
   expect_refusal(std::string(kSums) + "sphere { 0, 1 pigment { function { F(x, y, z) } } }");
 }
 
+TEST_F(Steps, OfUnionsAroundObjectsAreCounted) {
+  expect_refusal(
+      "#declare U = sphere { 0, 1 } #for (I, 1, 5000) #declare U = union { object { U } } #end "
+      "#for (I, 1, 15) #declare U = union { object { U } object { U translate x } } #end object { U }");
+}
+
 TEST_F(Steps, OfInsidesAreCounted) {
   constexpr std::string_view kUnion =
       "#declare U = sphere { 9, 1 } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end ";
