@@ -1,0 +1,110 @@
+// Makes instances of placed objects: unions are placed part by part, other groups become CSG trees.
+#pragma once
+
+#include "base/run_limits.h"
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/csg/csg_builder.h"
+#include "renderer/csg/expansion.h"
+#include "renderer/rays/ray.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+
+/// The kinds of rays that an object is hidden from, as bits.
+[[nodiscard]] inline unsigned hidden_from(const scene::Object& object) {
+  const auto bit = [](bool is_hidden, RayKind kind) { return is_hidden ? static_cast<unsigned>(kind) : 0; };
+  return bit(object.no_image, RayKind::image) | bit(object.no_reflection, RayKind::reflection) |
+         bit(object.no_shadow, RayKind::shadow);
+}
+
+/// Walks the tree of objects, composing transforms and handing textures down. The unions that are open are a list
+/// instead of recursion, so that depth costs no stack.
+class Flattener {
+ public:
+  Flattener(const scene::Database& database, const Expansion& expansion, Meter& meter, CompiledScene& compiled)
+      : database_(database),
+        expansion_(expansion),
+        meter_(meter),
+        compiled_(compiled),
+        csg_(database, expansion, meter, compiled.charge) {}
+
+  /// State that an object hands down to its children.
+  struct Inherited {
+    scene::Transform world_from_parent{};
+    scene::TextureId texture = scene::kNoTexture;
+    TextureSpace texture_space = kOuterSpace;
+    std::uint8_t hidden_from = 0;
+    bool is_inverse = false;
+  };
+
+  /// Adds an object of the world.
+  void add(const scene::Object& object) {
+    add(object, {});
+    while (!open_.empty()) {
+      OpenUnion& innermost = open_.back();
+      if (innermost.next == innermost.children->size()) {
+        open_.pop_back();
+      } else {
+        const scene::Object& child = (*innermost.children)[innermost.next++];
+        add(child, Inherited(innermost.own));  // a copy, because opening the child moves the list
+      }
+      if (!meter_.goes_on()) open_.clear();
+    }
+  }
+
+  void finish() { compiled_.trees = csg_.take_trees(); }
+
+ private:
+  struct OpenUnion {
+    const std::vector<scene::Object>* children;
+    Inherited own;
+    std::size_t next = 0;
+  };
+
+  /// Makes the object's instance, or opens it if it is a union.
+  void add(const scene::Object& object, const Inherited& above) {
+    // Groups of empty groups are as many as others.
+    if (!meter_.goes_on() || expansion_.instances(object, above.is_inverse) == 0) return;
+    Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
+                  static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
+                  above.is_inverse != object.inverse};
+    const bool is_csg = needs_csg(database_, object, above.is_inverse);
+    const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
+    if (object.texture != scene::kNoTexture) {
+      own.texture = object.texture;
+      own.texture_space = kOwnSpace;
+      if (is_union && !database_.texture(object.texture).is_plain()) {
+        if (!meter_.grow(compiled_.charge, 2 * sizeof(scene::Transform))) return;
+        own.texture_space = static_cast<TextureSpace>(compiled_.texture_spaces.size());
+        compiled_.texture_spaces.push_back(own.world_from_parent);
+      }
+    }
+    if (is_union) {
+      open_.push_back({&database_.groups[object.shape].children, own});
+      return;
+    }
+    const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
+    compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind,
+                                   own.hidden_from,
+                                   is_placed,
+                                   own.is_inverse && !is_csg,
+                                   is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,
+                                   own.texture,
+                                   own.texture_space,
+                                   own.world_from_parent,
+                                   object.origin,
+                                   0,
+                                   {}});
+  }
+
+  const scene::Database& database_;
+  const Expansion& expansion_;
+  Meter& meter_;
+  CompiledScene& compiled_;
+  CsgBuilder csg_;
+  std::vector<OpenUnion> open_;
+};
+
+}  // namespace isl::render
