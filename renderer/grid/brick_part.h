@@ -99,23 +99,25 @@ struct BrickPart {
   }
 };
 
+/// A cell's box, enlarged on every side so that the rounding of a ray's position never decides which items a point
+/// sees: by 2⁻²⁰ of its size, or by Grid::rounding if that is more.
+[[nodiscard]] inline Box enlarged_cell(const Vec3& low, double size, double rounding) {
+  const Vec3 margin(std::max(size * 0x1p-20, rounding));
+  return Box(low - margin, low + Vec3(size) + margin);
+}
+
 /// A cube that is divided into the cells of a brick.
 struct BrickCube {
   Vec3 low;
   double cell_size;
+  double rounding;  ///< Grid::rounding
 
   [[nodiscard]] Vec3 corner(std::uint32_t index) const {
     const std::uint32_t row = index / kBrickSide, layer = row / kBrickSide;
     return low + Vec3(double(index % kBrickSide), double(row % kBrickSide), double(layer)) * cell_size;
   }
+  [[nodiscard]] Box box(std::uint32_t index) const { return enlarged_cell(corner(index), cell_size, rounding); }
 };
-
-/// A cell's box, enlarged by 2⁻²⁰ of its size on every side, so that the rounding of a ray's position (a few units in
-/// the last place of the grid's extent) never decides which items a point sees.
-[[nodiscard]] inline Box enlarged_cell(const Vec3& low, double size) {
-  const Vec3 margin(size * 0x1p-20);
-  return Box(low - margin, low + Vec3(size) + margin);
-}
 
 /// The items of each cell of a brick.
 using DealtItems = std::array<std::vector<std::uint32_t>, kBrickCells>;
@@ -132,7 +134,7 @@ inline void deal_out(const BrickCube& cube, std::span<const std::uint32_t> items
                      DealtItems& dealt) {
   double begin[3][kBrickSide], end[3][kBrickSide];  // of the enlarged cells
   for (std::uint32_t i = 0; i < kBrickSide; ++i) {
-    const Box cell = enlarged_cell(cube.corner(i * (1 + kBrickSide + kBrickSide * kBrickSide)), cube.cell_size);
+    const Box cell = cube.box(i * (1 + kBrickSide + kBrickSide * kBrickSide));
     for (int axis = 0; axis < 3; ++axis) {
       begin[axis][i] = cell.min[axis];
       end[axis][i] = cell.max[axis];
@@ -163,19 +165,19 @@ class CellMaker {
   explicit CellMaker(const Classifier& classifier) : classifier_(classifier) {}
 
   /// Adds a cell that holds some of `items`; if it may be divided, as an open one. `kept` is working memory.
-  void add(BrickPart& part, std::uint32_t index, const Vec3& low, double size, std::span<const std::uint32_t> items,
+  void add(BrickPart& part, std::uint32_t index, const BrickCube& cube, std::span<const std::uint32_t> items,
            bool may_divide, std::vector<std::uint32_t>& kept) const {
     if (items.empty()) return;
     part.tests += items.size();
-    const Box box = enlarged_cell(low, size);
+    const Box box = cube.box(index);
     const CellKind kind = classifier_.classify(box, items, kept);
     if (kind == CellKind::empty) return;
     if (kind != CellKind::leaf) return part.finished.push_back({index, Cell::make(kind)});
     const double cost = classifier_.cost(kept);
     part.cost += cost;
-    const Division division = may_divide ? classifier_.division(size, kept) : Division::none;
+    const Division division = may_divide ? classifier_.division(cube.cell_size, kept) : Division::none;
     if (division == Division::none) return add_leaf(part, index, box, kept);
-    part.open.push_back({low, part.kept.size(), static_cast<std::uint32_t>(kept.size()), index,
+    part.open.push_back({cube.corner(index), part.kept.size(), static_cast<std::uint32_t>(kept.size()), index,
                          classifier_.most_entries(kept), cost, division == Division::lists, false});
     part.kept.insert(part.kept.end(), kept.begin(), kept.end());
   }

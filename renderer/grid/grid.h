@@ -61,6 +61,7 @@ struct Grid {
   Box bounds;                           ///< bounds of the content; empty if there is none
   Box box;                              ///< bounds of the top brick's cells in use
   double cell_size = 0;                 ///< side of the top brick's cells, the same on every axis
+  double rounding = 0;                  ///< no plane between cells is off by more where a ray in the box meets it
   int dimensions[3] = {0, 0, 0};        ///< number of cells in use, 1 to 4 an axis; the others are empty
   std::vector<Cell> cells;              ///< bricks of 64, x fastest; the first is the top
   std::vector<std::uint64_t> occupied;  ///< one bit for each cell of a brick, set if the cell is not empty

@@ -58,7 +58,7 @@ class GridBuilder {
     double size = grid_.cell_size;
     for (int depth = 0; !level.open.empty() && goes_on(); ++depth) {
       size *= 1.0 / kBrickSide;
-      level = divided(level, size, depth + 1 < kMaxGridDepth);
+      level = divided(level, size, depth + 1 < kMaxGridDepth && size > kLeastCell * grid_.rounding);
     }
     const std::size_t occupied_bytes = grid_.cells.size() / kBrickCells * sizeof(std::uint64_t);
     if (!may_hold(charge_, growth_of(grid_.items, grid_.items.size() + Grid::kListTail) + occupied_bytes)) return {};
@@ -77,10 +77,12 @@ class GridBuilder {
     Charge charge;
   };
 
+  /// Smaller cells, in units of Grid::rounding, are not divided: their parts would mostly be margin.
+  static constexpr double kLeastCell = 64;
   static constexpr std::size_t kBrickBytes = kBrickCells * sizeof(Cell) + sizeof(std::uint64_t);
 
   [[nodiscard]] Level top_brick(std::span<const std::uint32_t> items) {
-    const BrickCube cube{grid_.box.min, grid_.cell_size};
+    const BrickCube cube{grid_.box.min, grid_.cell_size, grid_.rounding};
     Level level{.open = {}, .kept = {}, .charge = new_charge()};
     DealtItems dealt;
     Charge working = new_charge();
@@ -145,7 +147,7 @@ class GridBuilder {
   bool divide(const OpenCell& cell, std::span<const std::uint32_t> items, double cell_size, bool may_divide,
               Trial& trial) const {
     trial.part.clear();
-    const BrickCube cube{cell.low, cell_size};
+    const BrickCube cube{cell.low, cell_size, grid_.rounding};
     if (!deal(cube, items, trial.dealt, trial.charge)) return false;
     std::size_t dealt = 0;
     for (const std::vector<std::uint32_t>& list : trial.dealt) dealt += list.size();
@@ -166,7 +168,7 @@ class GridBuilder {
     trial.is_brick = false;
     trial.part.clear();
     const std::size_t before = trial.part.list_bytes();
-    maker_.add_leaf(trial.part, 0, enlarged_cell(cell.low, cell_size * kBrickSide), items);
+    maker_.add_leaf(trial.part, 0, enlarged_cell(cell.low, cell_size * kBrickSide, grid_.rounding), items);
     if (!may_hold(trial.charge, trial.part.list_bytes() - before)) trial.part.clear();
   }
 
@@ -271,7 +273,7 @@ class GridBuilder {
   void add_child(Trial& trial, std::uint32_t index, const BrickCube& cube, std::span<const std::uint32_t> items,
                  bool may_divide) const {
     const std::size_t before = trial.part.list_bytes();
-    maker_.add(trial.part, index, cube.corner(index), cube.cell_size, items, may_divide, trial.kept);
+    maker_.add(trial.part, index, cube, items, may_divide, trial.kept);
     if (!may_hold(trial.charge, trial.part.list_bytes() - before)) trial.part.clear();
   }
 

@@ -29,6 +29,12 @@ namespace isl::render {
     half[axis] = 0.5 * grid.cell_size * grid.dimensions[axis];
   }
   grid.box = Box(bounds.center() - half, bounds.center() + half);
+  // A walk (grid_walk-inl.h) adds up a cell's corner relative to the ray's origin, level by level, and divides its
+  // distance by the direction: some 20 roundings of 2⁻⁵³ of numbers up to twice the largest coordinate.
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(grid.box.min[axis]), std::abs(grid.box.max[axis])});
+  grid.rounding = 0x1p-47 * farthest;
   return grid;
 }
 
