@@ -209,7 +209,7 @@ FieldOnRay::Magnitude FieldOnRay::magnitude_at(long double t) const {
   return magnitude;
 }
 
-bool FieldOnRay::stays_within(long double bound, long double t0, long double t1) const {
+bool FieldOnRay::stays_within(const Interval& band, long double t0, long double t1) const {
   struct Range {
     long double t0, t1;
   };
@@ -220,9 +220,12 @@ bool FieldOnRay::stays_within(long double bound, long double t0, long double t1)
     const Range range = open.back();
     open.pop_back();
     const Active near = active(everything, range.t0, range.t1);
-    if (over(near, range.t0, range.t1).value.magnitude() <= bound) continue;
+    const Interval values = over(near, range.t0, range.t1).value;
+    if (values.lo >= band.lo && values.hi <= band.hi) continue;
     const long double cut = range.t0 + (range.t1 - range.t0) / 2;
-    if (step > 10000 || !(range.t0 < cut && cut < range.t1) || at(near, cut).value.mignitude() > bound) return false;
+    const Interval value = at(near, cut).value;
+    const bool is_beyond = value.lo > band.hi || value.hi < band.lo;
+    if (step > 10000 || is_beyond || !(range.t0 < cut && cut < range.t1)) return false;
     open.push_back({range.t0, cut});
     open.push_back({cut, range.t1});
   }

@@ -27,8 +27,8 @@ class FieldOnRay {
   [[nodiscard]] long double begin() const { return begin_; }
   [[nodiscard]] long double end() const { return end_; }
 
-  /// True if |F| ≤ bound is certain on all of [t0, t1].
-  [[nodiscard]] bool stays_within(long double bound, long double t0, long double t1) const;
+  /// True if it is certain that F is in `band` on all of [t0, t1].
+  [[nodiscard]] bool stays_within(const Interval& band, long double t0, long double t1) const;
 
   [[nodiscard]] long double threshold() const { return threshold_.middle(); }
   /// Searches the level set F = offset instead of F = 0.

@@ -45,7 +45,7 @@ struct Judged {
       const long double size = exact_length(ray.origin);
       const long double band = std::max({rounding_band(on_ray, size, t0), rounding_band(on_ray, size, (t0 + t1) / 2),
                                          rounding_band(on_ray, size, t1)});
-      if (on_ray.stays_within(band, t0, t1)) return true;
+      if (on_ray.stays_within({-band, band}, t0, t1)) return true;
     }
     return false;
   }

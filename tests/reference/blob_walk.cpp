@@ -63,7 +63,8 @@ bool BlobWalk::stays_near(const FieldOnRay& field, const LineOfSight& line, long
     const long double least = 0x1p-43L * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + size_);
     return share * least * field.magnitude_at(t).gradients;
   };
-  return field.stays_within(std::max({band(t0), band(t0 + (t1 - t0) / 2), band(t1)}), t0, t1);
+  const long double most = std::max({band(t0), band(t0 + (t1 - t0) / 2), band(t1)});
+  return field.stays_within({-most, most}, t0, t1);
 }
 
 bool BlobWalk::walk(const LineOfSight& line, WalkCounts& counts) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isl::reference {
 namespace {
@@ -31,11 +32,35 @@ scene::Vec3 size_of(const scene::Database& database, const scene::Blob& blob, co
   return mapped;
 }
 
+/// Σ|∂f/∂x||x| over the axes of the component's own space, where the coordinates in the blob's space are `at_most`.
+long double moved_by_one_unit(const Vector<long double>& gradient, const long double (&at_most)[3],
+                              const scene::Transform* transform) {
+  const long double slopes[3] = {gradient.x, gradient.y, gradient.z};
+  long double moved = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (transform == nullptr) {
+      moved += std::abs(slopes[i]) * at_most[i];
+      continue;
+    }
+    long double slope = 0, size = std::abs(static_cast<long double>(transform->inverse[3][i]));
+    for (int j = 0; j < 3; ++j) {
+      slope += slopes[j] * static_cast<long double>(transform->matrix[i][j]);
+      size += at_most[j] * std::abs(static_cast<long double>(transform->inverse[j][i]));
+    }
+    moved += std::abs(slope) * size;
+  }
+  return moved;
+}
+
 }  // namespace
 
 RoundingRule::RoundingRule(const scene::Database& database) : field_(database, database.blobs.front()) {
   const scene::Blob& blob = database.blobs.front();
-  for (const scene::Component& component : blob.components) sizes_.push_back(size_of(database, blob, component));
+  for (const scene::Component& component : blob.components) {
+    sizes_.push_back(size_of(database, blob, component));
+    const bool is_mapped = component.transform != scene::kIdentity;
+    transforms_.push_back(is_mapped ? &database.transforms[index(component.transform)] : nullptr);
+  }
 }
 
 long double RoundingRule::band(const FieldOnRay& field, const render::Ray& ray, long double t) const {
@@ -48,9 +73,10 @@ long double RoundingRule::band(const FieldOnRay& field, const render::Ray& ray, 
     const auto coordinate = [&](double origin, long double along, double own) {
       return std::max({std::abs(static_cast<long double>(origin)), std::abs(t * along), static_cast<long double>(own)});
     };
-    moved += std::abs(sample.gradient.x) * coordinate(ray.origin.x, d.x, sizes_[i].x) +
-             std::abs(sample.gradient.y) * coordinate(ray.origin.y, d.y, sizes_[i].y) +
-             std::abs(sample.gradient.z) * coordinate(ray.origin.z, d.z, sizes_[i].z);
+    const long double at_most[3] = {coordinate(ray.origin.x, d.x, sizes_[i].x),
+                                    coordinate(ray.origin.y, d.y, sizes_[i].y),
+                                    coordinate(ray.origin.z, d.z, sizes_[i].z)};
+    moved += moved_by_one_unit(sample.gradient, at_most, transforms_[i]);
   }
   const long double terms = static_cast<long double>(at.count) + 16;
   return 0x1p-52L * (8 * moved + terms * (at.values + std::abs(field.threshold())) + 4 * at.sensitivities);
@@ -61,6 +87,21 @@ long double RoundingRule::excess(const render::Ray& ray, double found) const {
   return field.at(field.all(), found).value.magnitude() / band(field, ray, found);
 }
 
+bool RoundingRule::agree(const FieldOnRay& field, const render::Ray& ray, const Crossing* crossing,
+                         const std::optional<double>& found, bool is_inside) const {
+  constexpr long double kAnything = std::numeric_limits<long double>::infinity();
+  const long double to = found ? *found : field.end();
+  if (found && crossing != nullptr && std::abs(to - crossing->t) <= crossing->slack + 0x1p-53L * to) return true;
+  const bool is_late = crossing != nullptr && crossing->t < to;
+  const long double from = is_late ? std::min(crossing->t + crossing->slack, to) : to;
+  // Behind a missed surface other components may allow more than the place where it was missed.
+  const long double most =
+      found ? std::max({band(field, ray, from), band(field, ray, from + (to - from) / 2), band(field, ray, to)})
+            : band(field, ray, from);
+  if (!is_late) return field.stays_within({-most, most}, to, to);
+  return field.stays_within(is_inside ? Interval{-most, kAnything} : Interval{-kAnything, most}, from, to);
+}
+
 RoundingRule::Judged RoundingRule::judge(const render::Ray& ray, const std::optional<double>& found) const {
   const RayRoots roots = roots_along(field_, field_ray(ray), {});
   const bool is_hit = !roots.crossings.empty();
@@ -68,17 +109,8 @@ RoundingRule::Judged RoundingRule::judge(const render::Ray& ray, const std::opti
     return {Verdict::undecided, is_hit};
   if (!is_hit && !found) return {Verdict::agrees, is_hit};
   const FieldOnRay field(field_, field_ray(ray));
-  long double from, to;
-  if (!is_hit) {
-    from = to = *found;
-  } else {
-    from = roots.crossings.front().t;
-    to = found ? *found : roots.crossings.size() > 1 ? roots.crossings[1].t : field.end();
-  }
-  if (from > to) std::swap(from, to);
-  const long double allowed =
-      std::max({band(field, ray, from), band(field, ray, from + (to - from) / 2), band(field, ray, to)});
-  if (field.stays_within(allowed, from, to)) return {Verdict::agrees, is_hit};
+  if (agree(field, ray, is_hit ? &roots.crossings.front() : nullptr, found, roots.starts_inside))
+    return {Verdict::agrees, is_hit};
   return {!is_hit ? Verdict::invented : found ? Verdict::misplaced : Verdict::missed, is_hit};
 }
 

@@ -20,12 +20,9 @@ namespace {
 constexpr int kExponents[] = {6, 9, 12, 15};
 constexpr int kLines = 12;
 
-/// The whole rule holds once no solver stops at a length in proportion to the blob any more, nor at its tolerance.
-/// Today some do: below 10⁻¹¹ of the extent surfaces are missed, and above it places are off by more than rounding.
-/// Until then only misses and inventions count, where the detail is not below 10⁻⁹ of the extent; `inclusion` misses
-/// even there.
-constexpr bool kHoldsEverywhere = false;
-constexpr int kHoldsUpTo = 9;
+/// Rays that rounding misplaces by more than the rule allows, as a share of all: the field of a convolved circle where
+/// it is hard and thin, and of a cone where ten roundings of its coordinates meet. Of 110,000 rays nine are known.
+constexpr double kMostMisplaced = 2e-3;
 
 struct Certified {
   const char* name;
@@ -110,12 +107,9 @@ TEST_P(EveryScale, KeepsEveryHitToEightUnits) {
       print(where, total);
       for (const auto& [name, counts] : bad) print("  " + name, counts);
       EXPECT_GT(total.hits, total.rays / 4) << where << ": the rays must meet something";
-      if (kHoldsEverywhere) {
-        EXPECT_LE(total.undecided, total.rays / 1000) << where;
-        EXPECT_EQ(total.all_wrong(), 0) << where;
-      } else if (exponent <= kHoldsUpTo && GetParam().solver != render::SolverName::inclusion) {
-        EXPECT_EQ(total.wrong[0] + total.wrong[1], 0) << where;
-      }
+      EXPECT_LE(total.undecided, total.rays / 1000) << where;
+      EXPECT_EQ(total.wrong[0] + total.wrong[1], 0) << where;
+      EXPECT_LE(total.wrong[2], total.rays * kMostMisplaced) << where;
     }
   }
 }
@@ -136,7 +130,6 @@ std::vector<render::Ray> view_of_the_origin(double half_width, int side) {
 }
 
 TEST(SmallBesideLarge, ABallKeepsItsAreaHoweverFarAnotherIs) {
-  if (!kHoldsEverywhere) GTEST_SKIP();
   for (const double far : {1e4, 1e5, 1e6}) {
     for (const Certified& certified : kCertified) {
       const scene::Database database = one_blob(quartic(500), {point({0, 0, 0}, 1e-6), point({far, 0, 0}, 1)});
@@ -149,7 +142,6 @@ TEST(SmallBesideLarge, ABallKeepsItsAreaHoweverFarAnotherIs) {
 }
 
 TEST(SmallBesideLarge, AFlatBallIsHitOnItsSurface) {
-  if (!kHoldsEverywhere) GTEST_SKIP();
   for (const double stretch : {1e3, 1e5, 1e6}) {
     for (const Certified& certified : kCertified) {
       scene::Database database = one_blob(gaussian(4), {point({0, 0, 0}, 1)});

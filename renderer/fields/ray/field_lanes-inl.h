@@ -34,7 +34,8 @@ class FieldLanes {
   /// F − T and its derivative along the ray.
   struct FieldAt {
     Number value, slope;
-    Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|: the scales of the rounding errors
+    Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|, the scales of the rounding errors of plain fields
+    Number slope_terms;           ///< the scale of the rounding error of `slope`; a convolution's exceeds its slope
   };
   /// Bounds of the error of F's cubic Hermite interpolant p over an interval: |F − p| ≤ value, |F′ − p′| ≤ slope.
   struct Remainder {
@@ -68,13 +69,15 @@ class FieldLanes {
   [[nodiscard]] HWY_INLINE Number noise(const Number& t, const FieldAt& f) const {
     return relative_noise_ * f.magnitude + threshold_noise_ + Number(0x1p-51) * abs(t) * f.steepness;
   }
-  [[nodiscard]] HWY_INLINE Number slope_noise(const FieldAt& f) const { return relative_noise_ * f.steepness; }
+  [[nodiscard]] HWY_INLINE Number slope_noise(const FieldAt& f) const { return relative_noise_ * f.slope_terms; }
 
   [[nodiscard]] HWY_INLINE FieldAt at(const Number& t) const {
     ValuesAt values{Octet(t)};
     visit_lanes(m_, values);
     const FieldSums& sums = values.sums;
-    return {total(sums.value) - Number(threshold_), total(sums.slope), total(sums.magnitude), total(sums.steepness)};
+    const Number steepness = total(sums.steepness);
+    return {total(sums.value) - Number(threshold_), total(sums.slope), total(sums.magnitude), steepness,
+            steepness + total(sums.slope_excess)};
   }
 
   /// F″ at t (one-sided where a border of a support or of a piece falls on t).

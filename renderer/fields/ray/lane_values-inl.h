@@ -47,8 +47,9 @@ template <class Kernel, class Shapes>
 /// Σf and Σf′, and the scales of their rounding errors, Σ|f| and Σ|f′|.
 struct FieldSums {
   Octet value, slope, magnitude, steepness;
+  Octet slope_excess;  ///< what the rounding errors of convolved slopes are in proportion to, besides `steepness`
 
-  HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0) {}
+  HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0), slope_excess(0.0) {}
 
   HWY_INLINE void add(const FieldTerm& f) {
     value = value + f.value;
@@ -61,7 +62,8 @@ struct FieldSums {
     value = value + p.value;
     slope = slope + p.slope;
     magnitude = magnitude + p.value_terms;
-    steepness = steepness + p.slope_terms;
+    steepness = steepness + abs(p.slope);
+    slope_excess = slope_excess + p.slope_terms;
   }
 };
 
