@@ -96,11 +96,12 @@ ReferenceHits::ReferenceHits(const scene::Database& database, const TracerOption
   }
   bounds_ = reference::BallTree(bounds);
   if (sorted.others.empty()) return;
-  scene::Database rest = database;
-  rest.objects = std::move(sorted.others);
+  auto rest = std::make_unique<scene::Database>(database);
+  rest->objects = std::move(sorted.others);
+  rest_ = std::move(rest);
   TracerOptions exact = options;
   exact.solver = SolverName::exact;
-  others_.emplace(rest, exact);
+  others_.emplace(*rest_, exact);
   refusal_ = others_->refusal();
 }
 

@@ -65,7 +65,9 @@ class ReferenceHits {
   std::optional<scene::Refusal> refusal_;
   std::vector<Placed> blobs_;
   reference::BallTree bounds_;
-  std::optional<Tracer> others_;  ///< all that is no blob of its own; empty if there is nothing else
+  /// All that is no blob of its own, and the tracer that needs it; empty if there is nothing else.
+  std::unique_ptr<const scene::Database> rest_;
+  std::optional<Tracer> others_;
 };
 
 /// How much of a picture's truth is known.
