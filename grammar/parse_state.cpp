@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -69,9 +70,12 @@ Tree ParseState::binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree l
   return make<Binary>(NodeKind::binary, span, highest({left.height, right.height}), op, left.node, right.node, op_span);
 }
 
-Tree ParseState::conditional(SourceSpan span, Tree condition, Tree yes, Tree no) {
-  return make<Conditional>(NodeKind::conditional, span, highest({condition.height, yes.height, no.height}),
+Tree ParseState::conditional(std::uint32_t end, const ChoiceList& choices, Tree no) {
+  for (const auto& [begin, condition, yes] : std::views::reverse(choices)) {
+    no = make<Conditional>(NodeKind::conditional, {begin, end}, highest({condition.height, yes.height, no.height}),
                            condition.node, yes.node, no.node);
+  }
+  return no;
 }
 
 Tree ParseState::parenthesised(SourceSpan span, Tree condition) {

@@ -49,7 +49,8 @@ class ParseState {
   Tree vector(SourceSpan span, const TreeList& coordinates);
   Tree unary(SourceSpan span, UnaryOp op, Tree operand);
   Tree binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree left, Tree right);
-  Tree conditional(SourceSpan span, Tree condition, Tree yes, Tree no);
+  /// Each choice stands in the `no` of the one before; the text ends at `end`.
+  Tree conditional(std::uint32_t end, const ChoiceList& choices, Tree no);
   /// The condition itself, except that a lone variable becomes a value (ast.h, Argument).
   Tree parenthesised(SourceSpan span, Tree condition);
 

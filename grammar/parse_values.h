@@ -37,6 +37,13 @@ struct CaseList {
   std::uint32_t height = 0;
 };
 
+/// The parts of a chain `condition ? yes : condition ? yes : …`.
+struct Choice {
+  std::uint32_t begin;  ///< offset of the condition
+  Tree condition, yes;
+};
+using ChoiceList = std::vector<Choice>;
+
 using SymbolList = std::vector<Symbol>;
 
 /// `function (a, b)`; if it has a mistake, the node that represents it.

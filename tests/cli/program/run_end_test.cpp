@@ -23,7 +23,7 @@ constexpr std::string_view kView = "camera { location <0, 0, -4> look_at 0 } lig
 
 struct Phase {
   std::string name;
-  std::string scene;  ///< takes minutes, and says "begin" where it begins to
+  std::string scene;  ///< takes ten seconds or more, and says "begin" where it begins to
   std::vector<std::string> options;
   bool has_picture = true;
 };
@@ -32,7 +32,9 @@ std::string begin() { return std::string(kView) + "#debug \"begin\\n\"\n"; }
 
 std::vector<Phase> phases() {
   constexpr std::string_view kSaid = " } #debug \"begin\\n\"";
-  const std::string balls = "#for (I, 1, 1e5) sphere { <rand(R), rand(R), rand(R)> * 99, rand(R) * 50, 1 } #end";
+  const std::string threads =
+      "#for (I, 1, 4e5) cylinder { <rand(R), rand(R), rand(R)> * 99, <rand(R), rand(R), rand(R)> * 99, rand(R), 1 } "
+      "#end";
   return {
       {"a loop", begin() + "#while (1) #end", {"--max-turns", "1e18"}, false},
       {"a function",
@@ -44,7 +46,10 @@ std::vector<Phase> phases() {
                  "#declare A = inside(U, 0);",
        {"--max-turns", "1e18"},
        false},
-      {"compiling", std::string(kView) + "#declare R = seed(1); blob { threshold 1 " + balls + kSaid.data(), {}, true},
+      {"compiling",
+       std::string(kView) + "#declare R = seed(1); blob { threshold 1 " + threads + kSaid.data(),
+       {},
+       true},
       {"tracing",
        std::string(kView) +
            "#declare R = seed(1); blob { threshold 0.9 #for (I, 1, 300) sphere { <rand(R), rand(R), 0>, 1, 0.1 } #end" +
