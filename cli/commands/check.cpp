@@ -23,7 +23,7 @@ std::string counted(std::uint64_t count, std::string_view singular) {
 
 std::string vector_text(const Imath::V3d& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); }
 
-std::string text_of(const Session& session, const SceneSummary& summary, const SceneExtent& extent) {
+std::string summary_text(const Session& session, const SceneSummary& summary, const SceneExtent& extent) {
   std::string text =
       fmt::format("{}: {}", visible_name(session.display_name()), counted(summary.primitives(), "primitive"));
   if (summary.fields > 0)
@@ -77,7 +77,7 @@ ExitCode run(const CheckCommand& command) {
     print_json(session, summary, extent);
   } else {
     print_problems(session);
-    print(Stream::output, text_of(session, summary, extent));
+    print(Stream::output, summary_text(session, summary, extent));
   }
   return ExitCode::done;
 }

@@ -175,6 +175,18 @@ void tell_result(const RenderCommand& command, Session& session, const std::vect
   }
 }
 
+/// Prints how many pixels are not certain. True if there are any.
+bool tell_uncertain(const RenderCommand& command, const render::RenderStatistics& statistics) {
+  const std::string line = uncertain_line(statistics);
+  if (line.empty()) return false;
+  if (command.picture.strict) {
+    print_error(line);
+  } else if (command.scene.format == OutputFormat::text) {
+    print(Stream::error, fmt::format("isl: warning: {}\n", line));
+  }
+  return true;
+}
+
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
@@ -238,7 +250,9 @@ ExitCode run(const RenderCommand& command) {
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
-  return complete ? ExitCode::done : exit_code_of(stop_flag().reason());
+  const bool is_uncertain = tell_uncertain(command, picture.result.statistics);
+  if (!complete) return exit_code_of(stop_flag().reason());
+  return is_uncertain && command.picture.strict ? ExitCode::scene_error : ExitCode::done;
 }
 
 }  // namespace isl::cli

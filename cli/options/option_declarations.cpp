@@ -213,6 +213,8 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
   app.add_option("--stats", picture.statistics, "Write times and counts to this file as JSON")
       ->type_name("FILE.json")
       ->group(group);
+  app.add_flag("--strict", picture.strict, "Exit with 1 if a pixel could be off by more than the tolerance")
+      ->group(group);
   app.add_flag("-q,--quiet", picture.quiet, "Print no progress bar and no closing line")->group(group);
 }
 

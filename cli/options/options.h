@@ -65,6 +65,7 @@ struct PictureOptions {
   render::Aovs layers;     ///< of --aov, each once, in the order of all_aovs()
   std::optional<std::array<int, 4>> crop;
   std::filesystem::path statistics;  ///< "": none
+  bool strict = false;               ///< pixels that are not certain are an error
   bool quiet = false;
 };
 

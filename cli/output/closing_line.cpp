@@ -18,4 +18,14 @@ std::string closing_line(const std::vector<std::string>& names, const render::Im
                      digits);
 }
 
+std::string uncertain_line(const render::RenderStatistics& statistics) {
+  const std::uint64_t undecided = statistics.undecided_pixels, refuted = statistics.refuted_pixels;
+  const std::uint64_t all = undecided + refuted;
+  if (all == 0) return {};
+  return fmt::format(
+      "{} {} could be off by more than the tolerance ({} undecided, {} refuted); `--aov uncertified` shows "
+      "which",
+      all, all == 1 ? "pixel" : "pixels", undecided, refuted);
+}
+
 }  // namespace isl::cli

@@ -177,6 +177,26 @@ TEST_F(RenderCommand, StatisticsHaveTheShapeOfTheManual) {
   EXPECT_EQ(stats.at("samples_per_pixel"), 3.0);
 }
 
+TEST_F(RenderCommand, TellsHowManyPixelsAreUncertainAndFailsIfItIsStrict) {
+  EXPECT_THAT(render({"--strict"}).err, Not(HasSubstr("could be off")));
+  // Seen from inside the large ball, its surface and the small cone in it are closer than the ball's rounding.
+  write("ball.isl",
+        "camera { location <0.001, 0.001, 0.001> look_at 0 angle 0.001 }\n"
+        "blob { threshold 1 kernel \"cubic\" hardness 3 sphere { <0, 0, 3e7>, 3e7 }\n"
+        "  cone { -1e-9, 1e-8, 1e-9, 2e-8 strength 3 } }\n");
+  const ProcessResult result = render({"--stats", "stats.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const json stats = json::parse(read("stats.json"));
+  const int undecided = stats.at("solver").at("undecided_pixels"), refuted = stats.at("solver").at("refuted_pixels");
+  EXPECT_GT(undecided, 0);
+  EXPECT_THAT(result.err,
+              HasSubstr(std::to_string(undecided + refuted) + " pixels could be off by more than the tolerance"));
+  const ProcessResult strict = render({"--strict", "-q"});
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_THAT(strict.err, HasSubstr("error: "));
+  EXPECT_TRUE(exists("ball.png"));
+}
+
 TEST_F(RenderCommand, TheCommandLineGoesBeforeTheScene) {
   write("ball.isl", "global_settings { solver \"paper:3\" tolerance \"0.5px\" }\n" + std::string(kSmallScene));
   const ProcessResult by_scene = render({"--stats", "scene.json"});
