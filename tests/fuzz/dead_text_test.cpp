@@ -124,7 +124,7 @@ std::uint64_t setting(const char* name, std::uint64_t otherwise) {
 }
 
 /// Places that are never executed, and the text behind each.
-constexpr std::string_view kPlaces[] = {
+constexpr std::string_view kDeadPlaces[] = {
     "#if (0)\n{}\n#end\n#debug \"on\"",
     "#if (1) #else\n{}\n#end\n#debug \"on\"",
     "#ifdef (Nothing)\n{}\n#end\n#debug \"on\"",
@@ -139,7 +139,7 @@ constexpr std::string_view kPlaces[] = {
 TEST(DeadText, IsNeverTold) {
   const std::uint64_t seed = setting("ISL_DEAD_TEXT_SEED", 1), count = setting("ISL_DEAD_TEXTS", 5000);
   for (std::uint64_t i = seed; i < seed + count; ++i) {
-    const std::string_view place = kPlaces[i % std::size(kPlaces)];
+    const std::string_view place = kDeadPlaces[i % std::size(kDeadPlaces)];
     const std::string scene = fmt::format(fmt::runtime(place), DeadText(i).next());
     const EvaluatedText text(scene);
     ASSERT_EQ(text.messages(), "") << "seed " << i << ":\n" << scene;

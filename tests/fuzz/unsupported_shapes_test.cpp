@@ -27,7 +27,7 @@ std::vector<std::string> unsupported_shapes() {
 /// The text within the braces is not read, whether or not it is right for the shape.
 constexpr std::string_view kShape = "{} {{ 4, <0, 1>, \"a\" scale 2 }}";
 
-constexpr std::string_view kPlaces[] = {
+constexpr std::string_view kShapePlaces[] = {
     "@",
     "object {{ @ translate x }}",
     "union {{ sphere {{ 0, 1 }} @ }}",
@@ -69,7 +69,7 @@ TEST(UnsupportedShapes, AreRefusedByNameWhereverAnObjectMayStand) {
   const std::vector<std::string> shapes = unsupported_shapes();
   ASSERT_GT(shapes.size(), 5u);
   for (const std::string& shape : shapes) {
-    for (const std::string_view where : kPlaces) {
+    for (const std::string_view where : kShapePlaces) {
       const std::string scene = place(shape, where);
       render::ObjectQueries queries;
       interpreter::EvaluateOptions options;

@@ -10,13 +10,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr std::string_view kView = "camera { location <0, 0, -4> look_at 0 } light_source { -5, 1 }\n";
+constexpr std::string_view kStepsView = "camera { location <0, 0, -4> look_at 0 } light_source { -5, 1 }\n";
 
 class Steps : public AttackTest {
  protected:
   [[nodiscard]] ProcessResult render(const std::string& text, const std::vector<std::string>& options) {
-    std::vector<std::string> command{"render", write("scene.isl", std::string(kView) + text), "-q", "-s", "32x24", "-o",
-                                     "a.png"};
+    std::vector<std::string> command{
+        "render", write("scene.isl", std::string(kStepsView) + text), "-q", "-s", "32x24", "-o", "a.png"};
     command.insert(command.end(), options.begin(), options.end());
     ProcessOptions process;
     process.limit = kTimeBound;

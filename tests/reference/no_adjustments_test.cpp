@@ -26,9 +26,9 @@ struct SweptScene {
 SweptScene swept_scene(std::uint64_t seed) {
   RandomSource random(seed);
   const double scale = decades(random, 1e-6, 1e6), radius = scale * decades(random, 0.003, 0.5);
-  constexpr int kShapes = std::size(scene::kKernelWords);
-  const int kernel = random.below(kShapes + 1);
-  const scene::Kernel used = kernel == kShapes
+  constexpr int kKernels = std::size(scene::kKernelWords);
+  const int kernel = random.below(kKernels + 1);
+  const scene::Kernel used = kernel == kKernels
                                  ? kPovRay
                                  : scene::Kernel{static_cast<scene::KernelShape>(kernel), scene::RadiusMeaning::surface,
                                                  decades(random, 0.25, 100)};

@@ -15,10 +15,10 @@ using scene::Vec3;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-render::TracerOptions exact() { return with(render::SolverName::exact, {1e-12, false}); }
+render::TracerOptions exact_solver() { return with(render::SolverName::exact, {1e-12, false}); }
 
 std::vector<double> walk(const scene::Database& database, const Vec3& origin, const Vec3& direction) {
-  return TracerUnderTest(database, exact()).walk(origin, direction);
+  return TracerUnderTest(database, exact_solver()).walk(origin, direction);
 }
 
 void expect_roots(const std::vector<double>& found, const std::vector<double>& expected, double tolerance) {

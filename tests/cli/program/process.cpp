@@ -62,7 +62,7 @@ void prepare_output(Pipe& out, const ProcessOptions& options) {
 /// Reads all available bytes; closes the pipe at the end of the file.
 void drain(Pipe& pipe, std::string& text) {
   std::array<char, 65536> buffer{};
-  const ssize_t count = read(pipe.ends[0], buffer.data(), buffer.size());
+  const ssize_t count = ::read(pipe.ends[0], buffer.data(), buffer.size());
   if (count > 0) {
     text.append(buffer.data(), static_cast<std::size_t>(count));
   } else {

@@ -29,7 +29,7 @@ Image picture(const PixelRect& window, int full_width, int full_height) {
   return image;
 }
 
-void add_layers(Image& image) {
+void add_layers_to_compare(Image& image) {
   const auto fill = [&](const Aov& aov, double scale, double first) {
     Layer& layer = test::add_layer(image, aov);
     for (std::size_t i = 0; i < layer.values.size(); ++i) layer.values[i] = scale * static_cast<double>(i) + first;
@@ -92,7 +92,7 @@ TEST(OiioAgreement, exr_of_every_kind) {
         Image image = picture(window, 40, 30);
         image.has_alpha = has_alpha;
         expect_agreement(image, "exr", {.metadata = kOptions.metadata, .exr_float = is_float});
-        add_layers(image);
+        add_layers_to_compare(image);
         expect_agreement(image, "exr", {.metadata = kOptions.metadata, .exr_float = is_float});
       }
     }

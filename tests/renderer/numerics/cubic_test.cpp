@@ -9,10 +9,10 @@
 namespace isl::render {
 namespace {
 
-using Bernstein = std::array<double, 4>;
+using BernsteinCubic = std::array<double, 4>;
 
 /// −(u − p)(u − q)(u − r) · sign in Bernstein form, by blossoming.
-Bernstein with_roots(double p, double q, double r, double sign) {
+BernsteinCubic with_roots(double p, double q, double r, double sign) {
   const auto blossom = [&](double a, double b, double c) {
     const double terms = (a - p) * (b - q) * (c - r) + (a - p) * (b - r) * (c - q) + (a - q) * (b - p) * (c - r) +
                          (a - q) * (b - r) * (c - p) + (a - r) * (b - p) * (c - q) + (a - r) * (b - q) * (c - p);
@@ -21,10 +21,10 @@ Bernstein with_roots(double p, double q, double r, double sign) {
   return {blossom(0, 0, 0), blossom(0, 0, 1), blossom(0, 1, 1), blossom(1, 1, 1)};
 }
 
-double first_crossing(const Bernstein& b) { return first_crossing_of_cubic(b[0], b[1], b[2], b[3]); }
+double first_crossing(const BernsteinCubic& b) { return first_crossing_of_cubic(b[0], b[1], b[2], b[3]); }
 
 TEST(Cubic, FindsTheFirstOfThreeRoots) {
-  const Bernstein b = with_roots(0.2, 0.5, 0.9, 1);
+  const BernsteinCubic b = with_roots(0.2, 0.5, 0.9, 1);
   ASSERT_LT(b[0], 0);
   EXPECT_NEAR(first_crossing(b), 0.2, 1e-14);
 }
@@ -50,7 +50,7 @@ TEST(Cubic, HasNoCrossingWhereItStaysBelow) {
 }
 
 TEST(Cubic, CrossingsDoNotDependOnTheScaleOfValues) {
-  const Bernstein b = with_roots(0.3, 0.31, 0.8, 1);
+  const BernsteinCubic b = with_roots(0.3, 0.31, 0.8, 1);
   const double u = first_crossing(b);
   for (const double scale : {0x1p300, 0x1p-300}) {
     EXPECT_EQ(first_crossing({b[0] * scale, b[1] * scale, b[2] * scale, b[3] * scale}), u);
@@ -58,7 +58,7 @@ TEST(Cubic, CrossingsDoNotDependOnTheScaleOfValues) {
 }
 
 TEST(Cubic, FirstGuessIsCloseToTheRoot) {
-  const Bernstein b = with_roots(0.37, 3, 4, 1);
+  const BernsteinCubic b = with_roots(0.37, 3, 4, 1);
   EXPECT_NEAR(root_of_rising_cubic(b[0], b[1], b[2], b[3]), 0.37, 1e-6);
 }
 

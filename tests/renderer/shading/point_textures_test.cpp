@@ -48,7 +48,7 @@ class Point {
   ShadingPoint shading_;
 };
 
-void expect_colour(const Rgb& colour, double red, double green, double blue) {
+void expect_point_colour(const Rgb& colour, double red, double green, double blue) {
   EXPECT_NEAR(colour.x, red, 1e-4);
   EXPECT_NEAR(colour.y, green, 1e-4);
   EXPECT_NEAR(colour.z, blue, 1e-4);
@@ -65,12 +65,12 @@ TEST(PointTextures, LayersLetLightThroughAsPovraysDo) {
     const TextureId top = add_layers(database, colours, {.ambient = {1, 1, 1}, .diffuse = 0});
     return ambient_colour(Point(database, top).shading());
   };
-  expect_colour(shown({{1, 0.5, 0.25, 0.5, 0}}), 0.9, 0.425, 0.2);
-  expect_colour(shown({{1, 0.5, 0.25, 0, 0.5}}), 0.9, 0.6, 0.425);
-  expect_colour(shown({{1, 0.5, 0.25, 0.3, 0.4}}), 0.86, 0.535, 0.36);
-  expect_colour(shown({{0.9, 0.5, 0.25, 0.5, 0}, {0.6, 0.5, 0.9, 0.7, 0}}), 0.5202, 0.2988, 0.396);
-  expect_colour(shown({{0.9, 0.5, 0.25, 0.5, 0.2}, {0.6, 0.5, 0.9, 0.3, 0.4}}), 0.6382, 0.4058, 0.4509);
-  expect_colour(shown({{0.9, 0.5, 0.25, 0.5, 0.8}}), 0.73, 0.585, 0.48);
+  expect_point_colour(shown({{1, 0.5, 0.25, 0.5, 0}}), 0.9, 0.425, 0.2);
+  expect_point_colour(shown({{1, 0.5, 0.25, 0, 0.5}}), 0.9, 0.6, 0.425);
+  expect_point_colour(shown({{1, 0.5, 0.25, 0.3, 0.4}}), 0.86, 0.535, 0.36);
+  expect_point_colour(shown({{0.9, 0.5, 0.25, 0.5, 0}, {0.6, 0.5, 0.9, 0.7, 0}}), 0.5202, 0.2988, 0.396);
+  expect_point_colour(shown({{0.9, 0.5, 0.25, 0.5, 0.2}, {0.6, 0.5, 0.9, 0.3, 0.4}}), 0.6382, 0.4058, 0.4509);
+  expect_point_colour(shown({{0.9, 0.5, 0.25, 0.5, 0.8}}), 0.73, 0.585, 0.48);
 }
 
 // The same layers with light_source { <2, 3, -10> rgb <1, .9, .8> } and `finish { ambient 0 diffuse .5 phong .4
@@ -87,8 +87,8 @@ TEST(PointTextures, HighlightsOfLayersAreAddedUp) {
     light.colour = {1, 0.9, 0.8};
     return lit_by(light, Point(database, top, {-0.025, 0.025, 0}).shading());
   };
-  expect_colour(lit({}), 0.7305, 0.6151, 0.5091);
-  expect_colour(lit({{1, 0.5, 0.25, 0.5, 0}}), 0.9546, 0.5783, 0.394);
+  expect_point_colour(lit({}), 0.7305, 0.6151, 0.5091);
+  expect_point_colour(lit({{1, 0.5, 0.25, 0.5, 0}}), 0.9546, 0.5783, 0.394);
   EXPECT_NEAR(lit({{0.9, 0.5, 0.25, 0.5, 0}, {1, 0.5, 0.25, 0, 0.6}}).y, 0.7504, 1e-4);
 }
 

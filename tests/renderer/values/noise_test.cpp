@@ -10,7 +10,8 @@ namespace {
 
 using scene::Vec3;
 
-constexpr NoiseGenerator kAll[] = {NoiseGenerator::original, NoiseGenerator::range_corrected, NoiseGenerator::perlin};
+constexpr NoiseGenerator kGenerators[] = {NoiseGenerator::original, NoiseGenerator::range_corrected,
+                                          NoiseGenerator::perlin};
 
 // The numbers are those that POV-Ray 3.7 prints for f_noise_generator and vturbulence.
 TEST(Noise, IsPovraysToTheLastDigit) {
@@ -25,7 +26,7 @@ TEST(Noise, IsPovraysToTheLastDigit) {
 }
 
 TEST(Noise, IsContinuousAcrossTheLattice) {
-  for (const NoiseGenerator generator : kAll) {
+  for (const NoiseGenerator generator : kGenerators) {
     for (int i = -3; i <= 3; ++i) {
       const double below = noise({i - 1e-9, 0.4, 0.7}, generator), above = noise({i + 1e-9, 0.4, 0.7}, generator);
       EXPECT_NEAR(below, above, 1e-7);
@@ -42,7 +43,7 @@ TEST(Noise, StaysWithinZeroAndOneWhateverThePoint) {
                                   -1e300,
                                   std::numeric_limits<double>::infinity(),
                                   std::numeric_limits<double>::quiet_NaN()};
-  for (const NoiseGenerator generator : kAll) {
+  for (const NoiseGenerator generator : kGenerators) {
     for (const double x : kExtremes) {
       for (const double y : kExtremes) {
         const double value = noise({x, y, 0.5}, generator);

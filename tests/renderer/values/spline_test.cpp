@@ -10,7 +10,7 @@ namespace {
 using scene::Spline;
 using scene::SplineKind;
 
-constexpr SplineKind kAll[] = {SplineKind::linear, SplineKind::quadratic, SplineKind::cubic, SplineKind::natural};
+constexpr SplineKind kKinds[] = {SplineKind::linear, SplineKind::quadratic, SplineKind::cubic, SplineKind::natural};
 
 Spline parabola() {
   Spline spline;
@@ -21,7 +21,7 @@ Spline parabola() {
 
 TEST(Splines, PassThroughTheirPoints) {
   const Spline spline = parabola();
-  for (const SplineKind kind : kAll) {
+  for (const SplineKind kind : kKinds) {
     for (const double t : {1.0, 2.0, 3.0}) {
       EXPECT_DOUBLE_EQ(evaluate(spline, kind, t)[0], t * t);
       EXPECT_DOUBLE_EQ(evaluate(spline, kind, t)[1], -t);
@@ -51,7 +51,7 @@ TEST(Splines, CubicRunsBetweenTheInnerPoints) {
 
 TEST(Splines, NotANumberGivesANumber) {
   const Spline spline = parabola();
-  for (const SplineKind kind : kAll) {
+  for (const SplineKind kind : kKinds) {
     const double value = evaluate(spline, kind, std::numeric_limits<double>::quiet_NaN())[0];
     EXPECT_EQ(value, value);
   }
@@ -61,10 +61,10 @@ TEST(Splines, FewPointsAreEnough) {
   Spline spline;
   insert(spline, 1, {3, 4});
   finish(spline);
-  for (const SplineKind kind : kAll) EXPECT_EQ(evaluate(spline, kind, 7)[0], 3);
+  for (const SplineKind kind : kKinds) EXPECT_EQ(evaluate(spline, kind, 7)[0], 3);
   insert(spline, 2, {5, 4});
   finish(spline);
-  for (const SplineKind kind : kAll) EXPECT_EQ(evaluate(spline, kind, 1.5)[0], 4);
+  for (const SplineKind kind : kKinds) EXPECT_EQ(evaluate(spline, kind, 1.5)[0], 4);
 }
 
 TEST(Splines, APointAgainTakesItsPlaceExceptAtTheEnd) {

@@ -40,7 +40,7 @@ KernelDefinition definition_of(const scene::Kernel& kernel, double border) {
 
 /// The relative error of the samples themselves: near the surface of a hard kernel Q − 1 has lost three of a double's
 /// digits.
-constexpr double kRounding = 1e-12;
+constexpr double kKernelRounding = 1e-12;
 
 class KernelBounds : public testing::TestWithParam<scene::Kernel> {
  protected:
@@ -110,12 +110,12 @@ TEST_P(KernelBounds, HoldTheSecondAndFourthDerivativeAlongARay) {
         const long double slope = 2 * kKappa * d[1], bend = 4 * kKappa * u * d[2];
         // The border itself is rounded; towards it the second derivative of a sheet vanishes.
         const long double moved = 0x1p-51L * (v0 + u) * kKappa * (6 * d[2] + 4 * u * std::abs(d[3]));
-        const long double slack = kRounding * (std::abs(slope) + bend) + moved;
+        const long double slack = kKernelRounding * (std::abs(slope) + bend) + moved;
         ASSERT_GE(slope + bend, low - slack) << where();
         ASSERT_LE(slope + bend, high + slack) << where();
         if (!smooth) continue;
         const long double fourth_here = 4 * kKappa * kKappa * (3 * d[2] + 12 * u * d[3] + 4 * u * u * d[4]);
-        ASSERT_LE(std::abs(fourth_here), fourth * (1 + kRounding)) << where();
+        ASSERT_LE(std::abs(fourth_here), fourth * (1 + kKernelRounding)) << where();
       }
     });
   });
@@ -132,7 +132,7 @@ TEST_P(KernelBounds, HoldTheDerivativesOfTheKernelFromAnyPlaceOn) {
         const long double v = least + (static_cast<long double>(constants_.support) - least) * i / 100;
         const Derivatives d = at(v);
         for (int order = 1; order <= 4; ++order)
-          ASSERT_LE(std::abs(d[order]), bound[order - 1] * (1 + kRounding))
+          ASSERT_LE(std::abs(d[order]), bound[order - 1] * (1 + kKernelRounding))
               << "order " << order << ", " << least << ' ' << v;
       }
     }
@@ -147,7 +147,7 @@ TEST_P(KernelBounds, CurvatureIsTheSecondDerivative) {
       const double curvature = first_lane(kernel.curvature(lanes::Octet(v)));
       // A bound that overflows a double may be infinite.
       if (curvature == static_cast<double>(expected)) continue;
-      ASSERT_LE(std::abs(curvature - expected), kRounding * expected) << v;
+      ASSERT_LE(std::abs(curvature - expected), kKernelRounding * expected) << v;
     }
   });
 }
