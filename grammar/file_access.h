@@ -4,8 +4,8 @@
 // Reading: the scene's folder, its working tree, the folders of the search path, and all that lies below them
 // (readable_folders.h). Writing: below the folders that the user allowed. A name is resolved (links, `..`, absolute
 // paths) before it is judged, and the judged file is the opened one: the walk from the allowed folder follows no link.
-// What a scene writes stays in memory, where the scene can read it again, until it has been read without errors; then
-// it joins the run's other outputs (base/files/output_set.h).
+// The text that a scene writes stays in memory, where the scene can read it again, until it has been read without
+// errors; then it joins the run's other outputs (base/files/output_set.h).
 #pragma once
 
 #include "base/files/output_set.h"

@@ -35,7 +35,7 @@ std::size_t physical_memory() {
   return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes);
 }
 
-/// Nothing for zero, for less, and for more than any machine has.
+/// Returns nothing if the size is zero, negative, or more than any machine has.
 std::optional<std::size_t> whole_bytes(double bytes) {
   if (!(bytes > 0 && bytes < 0x1p62)) return std::nullopt;
   return static_cast<std::size_t>(bytes);

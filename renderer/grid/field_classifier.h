@@ -92,7 +92,7 @@ class FieldClassifier {
     return support_bounds(table_, table_.group_of(item), item);
   }
 
-  /// What a ray pays for a leaf with this list, in points.
+  /// The cost of a leaf with this list to a ray, in points.
   [[nodiscard]] double cost(std::span<const std::uint32_t> kept) const {
     double cost = 0;
     for (const std::uint32_t item : kept) cost += is_limb_[item] ? limb_cost_ : 1;

@@ -44,7 +44,7 @@ class GridBudget {
   std::size_t bytes_left_;
 };
 
-/// What a grid of so many items may cost: at most an eighth of the memory that is left, too, because its lists are
+/// The limit of a grid of so many items. It is also at most an eighth of the memory that is left, because its lists are
 /// there twice while they grow, beside those of two levels of open cells and of the cells on trial. `meter` may be
 /// null.
 [[nodiscard]] inline GridCost limit_of(const GridBudget& budget, std::size_t items, const Meter* meter) {

@@ -66,7 +66,7 @@ class GridBuilder {
     return std::move(grid_);
   }
 
-  /// What the last grid cost.
+  /// The cost of the grid that was built last.
   [[nodiscard]] const GridCost& cost() const { return cost_; }
 
  private:

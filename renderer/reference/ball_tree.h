@@ -9,7 +9,7 @@
 // the direction, u = 2⁻⁵³. The distance |w × d|/|d| is off by
 //   16u|w|            for the subtraction, the products, the sum and the roots,
 //   e_o + e_d|w|/|d|  if origin and direction themselves are off by e_o and e_d.
-// Where squares overflow, the comparison is one of infinities or NaN, and the ball is kept.
+// If squares overflow, infinities or NaN are compared, and the ball is kept.
 #pragma once
 
 #include "renderer/reference/interval.h"

@@ -1,6 +1,7 @@
 // All text of the product goes to standard output and standard error through cli/output/console.h, which makes it safe.
 #include "tests/support/source_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What may print by itself: the console, the bar, which prints numbers, and the report of a broken invariant.
+/// The files that may print by themselves: the console, the bar, which prints numbers, and the report of a broken
+/// invariant.
 const std::set<std::string>& printers() {
   static const std::set<std::string> kPrinters{"cli/output/standard_output.cpp", "cli/output/progress.cpp",
                                                "base/check.h"};
@@ -38,7 +40,7 @@ TEST(ConsoleRules, NothingElsePrints) {
       std::size_t number = 0;
       for (std::string line; std::getline(text, line);) {
         ++number;
-        if (std::regex_search(line, printing)) found.push_back(name + ":" + std::to_string(number) + ": " + line);
+        if (std::regex_search(line, printing)) found.push_back(fmt::format("{}:{}: {}", name, number, line));
       }
     }
   }

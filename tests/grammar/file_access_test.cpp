@@ -35,7 +35,7 @@ class FileAccessTest : public testing::Test {
   }
   [[nodiscard]] fs::path path(const fs::path& name) const { return folder_.path() / name; }
 
-  /// What happens at the end of a run that wrote one file.
+  /// Ends a run that wrote one file.
   void write(const WritablePlace& place, std::string_view name, std::string text) {
     access_->write(place, name, std::move(text), {});
     EXPECT_TRUE(access_->stage_written().empty());

@@ -36,7 +36,7 @@ struct Kernel {
 
 /// `name` may also be empty, for POV-Ray's components.
 [[nodiscard]] Kernel kernel(std::string_view name, Real h);
-/// Of a convolved plane: "quartic" or "cauchy".
+/// The window of a convolved plane: "quartic" or "cauchy".
 [[nodiscard]] Kernel plane_kernel(std::string_view name, Real h);
 
 /// The ε and the border Q of the kernel "cauchy".

@@ -1,4 +1,4 @@
-// Nothing that a scene, a file's name or an argument contains is obeyed by a terminal: escape sequences, C1 controls
+// A terminal obeys nothing that a scene, a file's name or an argument contains: escape sequences, C1 controls
 // and marks of bidirectional text are shown. Documents and files have them as they are.
 #include "tests/cli/program/program_fixture.h"
 
