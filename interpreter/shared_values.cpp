@@ -26,9 +26,7 @@ std::string_view describe(const Value& value) {
     case ValueKind::normal_map: return "a normal_map";
     case ValueKind::slope_map: return "a slope_map";
     case ValueKind::texture_map: return "a texture_map";
-    case ValueKind::sky_sphere: return "a sky_sphere";
-    case ValueKind::fog: return "a fog";
-    case ValueKind::rainbow: return "a rainbow";
+    case ValueKind::statement: return value.as<StatementValue>().statement.kind->noun;
     case ValueKind::transform: return "a transform";
     case ValueKind::camera: return "a camera";
     case ValueKind::function: return "a function";

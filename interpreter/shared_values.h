@@ -120,19 +120,9 @@ using NormalMapValue = MapValue<scene::NormalMapId>;
 using SlopeMapValue = MapValue<scene::SlopeMapId>;
 using TextureMapValue = MapValue<scene::TextureMapId>;
 
-struct SkySphereValue final : Shared {
-  explicit SkySphereValue(scene::SkySphere sky_sphere_) : sky_sphere(std::move(sky_sphere_)) {}
-  const scene::SkySphere sky_sphere;
-};
-
-struct FogValue final : Shared {
-  explicit FogValue(const scene::Fog& fog_) : fog(fog_) {}
-  const scene::Fog fog;
-};
-
-struct RainbowValue final : Shared {
-  explicit RainbowValue(const scene::Rainbow& rainbow_) : rainbow(rainbow_) {}
-  const scene::Rainbow rainbow;
+struct StatementValue final : Shared {
+  explicit StatementValue(scene::Statement statement_) : statement(std::move(statement_)) {}
+  const scene::Statement statement;
 };
 
 struct TransformValue final : Shared {

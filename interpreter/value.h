@@ -31,9 +31,7 @@ enum class ValueKind : std::uint8_t {
   normal_map,
   slope_map,
   texture_map,
-  sky_sphere,
-  fog,
-  rainbow,
+  statement,  ///< one that an effect declares (renderer/scene/statement.h)
   transform,
   camera,
   spline,

@@ -1,6 +1,7 @@
 #include "renderer/effects/effect.h"
 
 #include "renderer/effects/not_rendered.h"
+#include "renderer/effects/statements.h"
 
 #include <algorithm>
 
@@ -32,6 +33,17 @@ std::span<const Effect> all_effects() {
     return effects;
   }();
   return kEffects;
+}
+
+std::span<const scene::StatementKind* const> statement_kinds() {
+  static const std::vector<const scene::StatementKind*> kKinds = [] {
+    std::vector<const scene::StatementKind*> kinds;
+    for (const Effect& effect : all_effects()) {
+      if (effect.statement) kinds.push_back(effect.statement);
+    }
+    return kinds;
+  }();
+  return kKinds;
 }
 
 }  // namespace isl::render

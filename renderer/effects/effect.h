@@ -4,6 +4,7 @@
 
 #include "renderer/effects/scene_use.h"
 #include "renderer/effects/stages.h"
+#include "renderer/scene/statement.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,11 +38,12 @@ class Requests {
 };
 
 struct Effect {
-  std::string_view name;       ///< its name for `--without` and `isl plan`
-  std::string_view summary;    ///< one line for `isl plan`: what it adds to a picture
-  std::string_view rays = {};  ///< name in statistics of the rays that it spawns, if it does
-  int from_quality = 0;        ///< the lowest `--quality` that has it, as POV-Ray's +Q
-  int to_quality = 11;         ///< the highest `--quality` that has it
+  std::string_view name;                            ///< its name for `--without` and `isl plan`
+  std::string_view summary;                         ///< one line for `isl plan`: what it adds to a picture
+  std::string_view rays = {};                       ///< name in statistics of the rays that it spawns, if it does
+  int from_quality = 0;                             ///< the lowest `--quality` that has it, as POV-Ray's +Q
+  int to_quality = 11;                              ///< the highest `--quality` that has it
+  const scene::StatementKind* statement = nullptr;  ///< a statement that no other effect knows
   /// Adds the statements that call for it. If there is none, `reason` may be set to why not.
   std::function<void(const SceneUse&, Requests&, std::string_view& reason)> find;
   StageMakers stages = {};
@@ -50,6 +52,14 @@ struct Effect {
   /// stages.
   std::function<void(scene::Database&)> leave_out = {};
 };
+
+/// Calls visit(record, origin) with each of the scene's statements of that kind, whose records are of type Record.
+template <class Record, class Visit>
+void for_each_statement(const scene::Database& database, const scene::StatementKind& kind, Visit&& visit) {
+  for (const scene::Statement& statement : database.statements) {
+    if (statement.kind == &kind) visit(statement.as<Record>(), statement.origin);
+  }
+}
 
 /// All effects. Stages of one kind run in this order.
 [[nodiscard]] std::span<const Effect> all_effects();

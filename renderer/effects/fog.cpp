@@ -1,9 +1,13 @@
-// Fog of constant density. Over a distance s, the share e^(−s/distance) of the light from behind gets through, but at
-// least the transmit of the fog's colour; the rest is the fog's colour. The colour tints the light that gets through,
-// as far as its filter says. Several fogs attenuate one after the other, and their colours add up, as in POV-Ray. There
-// is no fog inside objects that are not `hollow`.
+// Fog. Over a distance s, the share e^(−ρs/distance) of the light from behind gets through, but at least the transmit
+// of the fog's colour; the rest is the fog's colour. The colour tints the light that gets through, as far as its filter
+// says. Several fogs attenuate one after the other, and their colours add up, as in POV-Ray. There is no fog inside
+// objects that are not `hollow`.
+//
+// ρ is the mean density along the way. Fog of type 1 has the density 1 everywhere; fog of type 2 has it up to the
+// height `fog_offset` and 1/(1 + y²) above, where y is the height over that in units of `fog_alt`.
 #include "renderer/effects/effect.h"
 #include "renderer/numerics/power.h"
+#include "renderer/patterns/kinds/turbulence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +16,73 @@
 namespace isl::render {
 namespace {
 
-bool is_there(const scene::Fog& fog) { return fog.kind == scene::Fog::Kind::constant && fog.distance != 0; }
+struct Fog {
+  scene::Colour colour{};
+  double distance = 0;  ///< at which fog of density 1 lets 1/e of the light through; 0: no fog
+  int type = 1;         ///< 2: it lies on the ground
+  double offset = 0;
+  double altitude = 0;
+  Vec3 up{0, 1, 0};
+  scene::Turbulence turbulence;
+  double turbulence_depth = 0.5;
+};
+
+using scene::field;
+using scene::FieldRule;
+
+constexpr scene::StatementField kFogFields[] = {
+    field<&Fog::type>("fog_type").within(1, 2),
+    field<&Fog::colour>("").with_key("colour").with(FieldRule::bare),
+    field<&Fog::distance>("distance").with(FieldRule::bare),
+    field<&Fog::turbulence>(""),
+    field<&Fog::turbulence_depth>("turb_depth"),
+    field<&Fog::offset>("fog_offset"),
+    field<&Fog::altitude>("fog_alt"),
+    field<&Fog::up>("up").with(FieldRule::turned),
+};
+
+constexpr scene::StatementKind kFog{
+    .word = "fog", .noun = "a fog", .list = "fogs", .make = scene::make_record<Fog>, .fields = kFogFields};
+
+/// The integral of the density over the heights from 0 to `height`.
+double depth_to(double height, double altitude) {
+  return height > 0 ? altitude * std::atan(height / altitude) : height;
+}
+
+/// The mean density between two heights above the offset. Without an altitude, there is no fog above it.
+double mean_density(double from, double to, double altitude) {
+  // The difference quotient loses digits where the heights are close. The density at their middle is off by at most
+  // (to − from)²/12 altitude² there, as its second derivative is at most 2/altitude².
+  if (std::abs(to - from) <= 1e-5 * altitude) {
+    const double y = (from + to) / 2 / altitude;
+    return from + to > 0 ? 1 / (1 + y * y) : 1;
+  }
+  return (depth_to(to, altitude) - depth_to(from, altitude)) / (to - from);
+}
+
+/// POV-Ray's length of a way that meets nothing.
+constexpr double kFar = 2e10;
 
 class FogStage final : public Stage<AlongWork> {
  public:
-  explicit FogStage(const StageContext& context) {
-    for (const scene::Fog& fog : context.database.fogs) {
-      if (is_there(fog)) fogs_.push_back({rgb(fog.colour), fog.colour.filter, fog.colour.transmit, fog.distance});
-    }
+  explicit FogStage(const StageContext& context)
+      : noise_(values::noise_generator_of(context.database.settings.noise_generator)) {
+    for_each_statement<Fog>(context.database, kFog, [this](const Fog& fog, OriginId) {
+      if (fog.distance != 0) fogs_.push_back(fog);
+    });
   }
 
   void run(AlongWork& work) const override {
     for (std::size_t i = 0; i < work.batch.size(); ++i) {
       PathEntry& path = work.batch.entries[i];
       if (path.in_solid) continue;
+      const double length = std::min(work.batch.hits[i].t, kFar);
       Rgb through(1), added(0);
-      for (const Layer& fog : fogs_) {
-        const double share = std::max(power(std::numbers::e, -work.batch.hits[i].t / fog.distance), fog.least);
-        through *= (Rgb(1 - fog.filter) + fog.colour * fog.filter) * share;
-        added += fog.colour * (1 - share);
+      for (const Fog& fog : fogs_) {
+        const double depth = optical_depth(fog, work.batch.rays[i], length);
+        const double share = std::max(power(std::numbers::e, -depth), fog.colour.transmit);
+        through *= (Rgb(1 - fog.colour.filter) + rgb(fog.colour) * fog.colour.filter) * share;
+        added += rgb(fog.colour) * (1 - share);
       }
       work.colours[path.sample] += path.factor * added;
       path.factor *= through;
@@ -38,25 +90,39 @@ class FogStage final : public Stage<AlongWork> {
   }
 
  private:
-  struct Layer {
-    Rgb colour;
-    double filter, least, distance;
-  };
-  std::vector<Layer> fogs_;
+  /// ρs/distance, with the density that turbulence leaves.
+  [[nodiscard]] double optical_depth(const Fog& fog, const Ray& ray, double length) const {
+    double depth = length / fog.distance;
+    if (fog.turbulence.amount != Vec3(0)) {
+      const Vec3 middle = (ray.origin + ray.direction * (length / 2)) * fog.turbulence.amount;
+      const double gaps = turbulence_at(middle, fog.turbulence, noise_);
+      depth *= 1 - power(std::numbers::e, -depth) * std::min(1.0, gaps * fog.turbulence_depth);
+    }
+    if (fog.type == 1) return depth;
+    // A negative altitude turns the fog upside down.
+    const auto height = [&](double t) {
+      return std::copysign(1, fog.altitude) * ((ray.origin + ray.direction * t).dot(fog.up) - fog.offset);
+    };
+    return depth * mean_density(height(0), height(length), std::abs(fog.altitude));
+  }
+
+  std::vector<Fog> fogs_;
+  values::NoiseGenerator noise_;
 };
 
 }  // namespace
 
 Effect fog() {
   return {.name = "fog",
-          .summary = "fog of constant density",
+          .summary = "fog",
           .from_quality = 9,
+          .statement = &kFog,
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& reason) {
-                reason = "there is no fog of constant density";
-                for (const scene::Fog& fog : use.database().fogs) {
-                  if (is_there(fog)) requests.add("`fog`", fog.origin);
-                }
+                reason = "there is no fog";
+                for_each_statement<Fog>(use.database(), kFog, [&](const Fog& fog, OriginId origin) {
+                  if (fog.distance != 0) requests.add("`fog`", origin);
+                });
               },
           .stages = {.along = make_stage<FogStage, AlongWork>}};
 }

@@ -1,6 +1,6 @@
-// Metallic finishes: highlights take the pigment's colour, less so at grazing angles (shading/metallic.h).
-#include "renderer/shading/metallic.h"
+// Metallic finishes: highlights take the pigment's colour, less so at grazing angles (shading/metal.h).
 #include "renderer/effects/effect.h"
+#include "renderer/shading/metal.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ class MetallicStage final : public Stage<LightWork> {
     for (const LitPoint& lit : work.lit) {
       for (const LitTexture& texture : work.block.points[lit.point].textures) {
         const double amount = texture.material->finish->metallic;
-        if (amount != 0) *shine *= metallic_tint(amount, lit.incidence, texture.colour);
+        if (amount != 0) *shine *= metal_tint(amount, lit.incidence, texture.colour);
         ++shine;
       }
     }

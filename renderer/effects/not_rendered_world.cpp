@@ -9,8 +9,6 @@ using scene::Camera;
 using scene::CameraItem;
 using scene::CameraKind;
 using scene::Database;
-using scene::Fog;
-using scene::FogItem;
 using scene::Group;
 using scene::Light;
 using scene::LightItem;
@@ -80,7 +78,7 @@ constexpr Row<Light> kLightRows[] = {
      [](Light& light) { light.projected_through = scene::kNoGroup; }},
 };
 
-// `hollow` is not here, because it only changes fog, which reads it itself.
+// `hollow` is not here, because it only changes what is along a path, which reads it itself.
 constexpr Row<Object> kObjectRows[] = {
     {"double_illuminate", "surfaces lit from both sides", "`double_illuminate`",
      said<Object, ObjectItem::double_illuminate>, [](const Object& object) { return object.double_illuminate; },
@@ -95,9 +93,6 @@ constexpr Row<Group> kGroupRows[] = {
     {"light_group", "lights that shine on some objects only", "`light_group`", [](const Group&) { return OriginId{}; },
      [](const Group& group) { return group.is_light_group; }, [](Group& group) { group.is_light_group = false; }},
 };
-
-bool is_ground(const Fog& fog) { return fog.kind == Fog::Kind::ground; }
-bool is_turbulent(const Fog& fog) { return !is_ground(fog) && fog.turbulence.amount != scene::Vec3(0); }
 
 Effect camera_effect(const Row<Camera>& row) {
   return {.name = row.name,
@@ -134,21 +129,6 @@ Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) 
           .leave_out = [&row, leave_out_all](Database& database) { leave_out_all(row, database); }};
 }
 
-/// The effect of fogs with a property that is not drawn.
-Effect fog_effect(std::string_view name, std::string_view summary, std::string_view what, FogItem item,
-                  bool (*is_used)(const Fog&)) {
-  return {.name = name,
-          .summary = summary,
-          .from_quality = 9,
-          .find =
-              [=](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
-                for (const Fog& fog : use.database().fogs) {
-                  if (is_used(fog)) requests.add(what, fog.said_at[item], fog.origin);
-                }
-              },
-          .leave_out = [=](Database& database) { std::erase_if(database.fogs, is_used); }};
-}
-
 }  // namespace
 
 void add_world_not_rendered(std::vector<Effect>& effects) {
@@ -170,19 +150,6 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
       leave_out(group_row, database.groups);
     }));
   }
-  effects.push_back(
-      fog_effect("ground_fog", "fog that thins out with height", "`fog_type 2`", FogItem::type, is_ground));
-  effects.push_back(
-      fog_effect("turbulent_fog", "turbulent fog", "`turbulence` of a fog", FogItem::turbulence, is_turbulent));
-  effects.push_back({.name = "rainbow",
-                     .summary = "rainbows",
-                     .from_quality = 9,
-                     .find =
-                         [](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
-                           for (const scene::Rainbow& rainbow : use.database().rainbows)
-                             requests.add("`rainbow`", rainbow.origin);
-                         },
-                     .leave_out = [](Database& database) { database.rainbows.clear(); }});
 }
 
 std::vector<Effect> effects_not_rendered() {

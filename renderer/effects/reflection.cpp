@@ -1,12 +1,12 @@
 // Mirror reflection. A surface with the reflectivity R(c) = minimum + (maximum − minimum)(1 − c)^falloff, where c is
 // the cosine of the angle between the view and the normal, adds R × the light that a ray mirrored in the surface sees.
-// `metallic` tints R by the pigment (shading/metallic.h). As in POV-Ray, each layer of a texture reflects by itself,
+// `metallic` tints R by the pigment (shading/metal.h). As in POV-Ray, each layer of a texture reflects by itself,
 // however much it lets through, and the layers above it do not filter its reflection.
 //
 // All layers and textures of a point mirror in the same direction, so their reflectivities add up to one ray.
 #include "renderer/effects/effect.h"
 #include "renderer/numerics/power.h"
-#include "renderer/shading/metallic.h"
+#include "renderer/shading/metal.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ Reflectivity reflectivity(const ShadingPoint& point, double cosine, double weigh
       const double grazing = mirror.falloff == 1 ? 1 - cosine : power(1 - cosine, mirror.falloff);
       share += (maximum - minimum) * grazing;
     }
-    if (mirror.metallic != 0) share *= metallic_tint(mirror.metallic, cosine, texture.colour);
+    if (mirror.metallic != 0) share *= metal_tint(mirror.metallic, cosine, texture.colour);
     sum.share += share * texture.weight;
     sum.bound = std::max(sum.bound, bound);
   }

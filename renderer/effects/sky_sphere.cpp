@@ -7,11 +7,39 @@
 //   - before, Π f + Π t of the layers below, and Π c f + Π t of the background: layers are dimmed but not coloured.
 #include "renderer/effects/effect.h"
 
+#include <algorithm>
 #include <optional>
 #include <ranges>
 
 namespace isl::render {
 namespace {
+
+/// The first pigment lies at the bottom.
+struct Sky {
+  std::vector<scene::Pigment> pigments;
+  scene::Colour emission{1, 1, 1};
+  scene::TransformId world_from_sky = scene::kIdentity;
+};
+
+constexpr scene::StatementField kSkyFields[] = {
+    scene::field<&Sky::pigments>("pigment").with_key("pigments"),
+    scene::field<&Sky::emission>("emission"),
+    scene::field<&Sky::world_from_sky>("").with_key("transform"),
+};
+
+std::string with_pigment(Sky& sky) { return sky.pigments.empty() ? "a `sky_sphere` needs a `pigment`" : ""; }
+
+constexpr scene::StatementKind kSky{.word = "sky_sphere",
+                                    .noun = "a sky_sphere",
+                                    .make = scene::make_record<Sky>,
+                                    .fields = kSkyFields,
+                                    .check = scene::check_record<Sky, with_pigment>};
+
+/// The scene's sky; null if it has none.
+const scene::Statement* find_sky(const scene::Database& database) {
+  const auto sky = std::ranges::find(database.statements, &kSky, &scene::Statement::kind);
+  return sky == database.statements.end() ? nullptr : &*sky;
+}
 
 /// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
@@ -19,7 +47,8 @@ double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.
 class SkyStage final : public Stage<MissWork> {
  public:
   explicit SkyStage(const StageContext& context)
-      : sky_(*context.database.sky_sphere),
+      : statement_(*find_sky(context.database)),
+        sky_(statement_.as<Sky>()),
         textures_(context.textures),
         refusals_(context.refusals),
         emission_(rgb(sky_.emission)),
@@ -37,7 +66,7 @@ class SkyStage final : public Stage<MissWork> {
       Rgb colour(0);
       for (const scene::Pigment& pigment : sky_.pigments | std::views::reverse) {
         const std::optional<scene::Colour> found = textures_.pigment_colour(pigment, place);
-        if (!found) return refusals_.report("this sky_sphere", sky_.origin);
+        if (!found) return refusals_.report("this sky_sphere", statement_.origin);
         const scene::Colour& layer = *found;
         const Rgb light = rgb(layer) * emission_ * (1 - layer.filter - layer.transmit);
         colour += is_old_ ? light * above.dimming() : light * above.through;
@@ -69,7 +98,8 @@ class SkyStage final : public Stage<MissWork> {
     [[nodiscard]] Rgb old_through() const { return is_empty ? Rgb(1) : filtered + Rgb(transmit); }
   };
 
-  const scene::SkySphere& sky_;
+  const scene::Statement& statement_;
+  const Sky& sky_;
   const PointTextures& textures_;
   PointRefusals& refusals_;
   Rgb emission_;
@@ -83,10 +113,12 @@ class SkyStage final : public Stage<MissWork> {
 Effect sky_sphere() {
   return {.name = "sky_sphere",
           .summary = "a sky of pigments instead of the background",
+          .statement = &kSky,
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& reason) {
                 reason = "there is no sky_sphere";
-                if (use.database().sky_sphere) requests.add("`sky_sphere`", use.database().sky_sphere->origin);
+                if (const scene::Statement* const sky = find_sky(use.database()))
+                  requests.add("`sky_sphere`", sky->origin);
               },
           .stages = {.miss = make_stage<SkyStage, MissWork>}};
 }

@@ -95,7 +95,7 @@ class Stage {
 template <class Work>
 using MakeStage = std::unique_ptr<const Stage<Work>> (*)(const StageContext&);
 
-/// Used in a record: `.along = make_stage<FogStage, AlongWork>`.
+/// Used in a record: `.along = make_stage<MistStage, AlongWork>`.
 template <class Made, class Work>
 std::unique_ptr<const Stage<Work>> make_stage(const StageContext& context) {
   return std::make_unique<const Made>(context);

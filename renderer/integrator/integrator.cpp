@@ -15,7 +15,7 @@ constexpr std::size_t kLongestShadowQueue = 8192;
 /// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
-/// True if the camera stands in something that keeps fog out. Precondition: there is fog.
+/// True if the camera stands in something that keeps media out. Precondition: there are some.
 bool is_in_solid(const scene::Database& database, StepCounter& steps) {
   const PatternInsides insides(database);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
@@ -112,7 +112,7 @@ void Integrator::see_background(std::size_t level, const PathBatch& batch, PathM
   for (const std::uint32_t i : memory.misses) {
     const PathEntry& path = batch.entries[i];
     memory.colours[path.sample] += path.factor * background_;
-    // The share of a transparent background that fog hides is opaque.
+    // The share of a transparent background that media hide is opaque.
     if (level == 0 && background_alpha_ == 0) memory.alphas[path.sample] = along_.empty() ? 0 : 1 - gray(path.factor);
   }
 }

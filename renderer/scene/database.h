@@ -3,7 +3,6 @@
 // in radians, colours in linear light.
 #pragma once
 
-#include "renderer/scene/atmosphere.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/fields.h"
 #include "renderer/scene/function.h"
@@ -14,6 +13,7 @@
 #include "renderer/scene/objects.h"
 #include "renderer/scene/settings.h"
 #include "renderer/scene/solids.h"
+#include "renderer/scene/statement.h"
 #include "renderer/scene/texture.h"
 
 #include <optional>
@@ -45,9 +45,7 @@ struct Database {
   std::vector<Object> pattern_objects;  ///< objects of `object` patterns; not in the world
   std::vector<Light> lights;
   std::vector<FunctionPointer> functions;  ///< the functions that other records refer to
-  std::optional<SkySphere> sky_sphere;
-  std::vector<Fog> fogs;
-  std::vector<Rainbow> rainbows;
+  std::vector<Statement> statements;       ///< of effects that have one of their own, such as the air's
   std::optional<Camera> camera;
   Texture default_texture;
   Settings settings;

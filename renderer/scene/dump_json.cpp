@@ -1,9 +1,9 @@
 #include "renderer/scene/dump_json.h"
 
-#include "renderer/scene/json_atmosphere.h"
 #include "renderer/scene/json_function.h"
 #include "renderer/scene/json_pattern.h"
 #include "renderer/scene/json_solid.h"
+#include "renderer/scene/json_statement.h"
 #include "renderer/scene/json_texture.h"
 #include "renderer/scene/json_values.h"
 #include "renderer/scene/json_view.h"
@@ -53,19 +53,22 @@ class Writer {
     if (!database_.pattern_objects.empty()) json["pattern_objects"] = objects(database_.pattern_objects);
     if (!database_.objects.empty()) json["objects"] = objects(database_.objects);
     add(json, "lights", database_.lights, [this](const Light& l) { return light(l); });
-    add_atmosphere(json);
+    add_statements(json);
     return json;
   }
 
  private:
-  void add_atmosphere(Json& json) const {
-    const auto with_origin = [this](Json record, OriginId origin) {
-      add_origin(record, origin);
-      return record;
-    };
-    if (const auto& sky = database_.sky_sphere) json["sky_sphere"] = with_origin(sky_sphere_json(*sky), sky->origin);
-    add(json, "fogs", database_.fogs, [&](const Fog& f) { return with_origin(fog_json(f), f.origin); });
-    add(json, "rainbows", database_.rainbows, [&](const Rainbow& r) { return with_origin(rainbow_json(r), r.origin); });
+  void add_statements(Json& json) const {
+    for (const Statement& statement : database_.statements) {
+      Json record = statement_json(statement);
+      add_origin(record, statement.origin);
+      const StatementKind& kind = *statement.kind;
+      if (kind.list.empty()) {
+        json[std::string(kind.word)] = std::move(record);
+      } else {
+        json[std::string(kind.list)].push_back(std::move(record));
+      }
+    }
   }
 
   template <class Record, class Convert>

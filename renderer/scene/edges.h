@@ -153,15 +153,32 @@ void for_each_edge(Record& group, Visit&& visit) {
 
 // ---- The world ------------------------------------------------------------------------------------------------------
 
-template <Either<SkySphere> Record, class Visit>
-void for_each_edge(Record& sky, Visit&& visit) {
-  for (auto& pigment : sky.pigments) for_each_edge(pigment, visit);
-  visit(sky.world_from_sky);
-}
+namespace detail {
 
-template <Either<Rainbow> Record, class Visit>
-void for_each_edge(Record& rainbow, Visit&& visit) {
-  visit(rainbow.colours);
+/// Visits what a field of a statement refers to; most refer to nothing.
+template <class Statement_, class Visit>
+struct FieldEdges {
+  Visit& visit;
+
+  template <class Value>
+  void operator()(Value* value) const {
+    auto& field = const_cast<std::conditional_t<std::is_const_v<Statement_>, const Value, Value>&>(*value);
+    if constexpr (std::is_same_v<Value, std::vector<Pigment>>) {
+      for (auto& pigment : field) for_each_edge(pigment, visit);
+    } else if constexpr (std::is_enum_v<Value>) {
+      visit(field);
+    }
+  }
+};
+
+}  // namespace detail
+
+template <Either<Statement> Record, class Visit>
+void for_each_edge(Record& statement, Visit&& visit) {
+  // Fields know only records that may be changed; that of a constant statement is not.
+  auto& record = const_cast<std::any&>(statement.record);
+  for (const StatementField& field : statement.kind->fields)
+    std::visit(detail::FieldEdges<Record, std::remove_reference_t<Visit>>{visit}, field.place(record));
 }
 
 template <Either<Camera> Record, class Visit>
@@ -175,8 +192,7 @@ template <Either<Database> Scene, class Visit>
 void for_each_root(Scene& database, Visit&& visit) {
   if (database.camera) visit(*database.camera);
   for (auto& light : database.lights) visit(light);
-  if (database.sky_sphere) visit(*database.sky_sphere);
-  for (auto& rainbow : database.rainbows) visit(rainbow);
+  for (auto& statement : database.statements) visit(statement);
   visit(database.default_texture);
   for (auto& object : database.objects) visit(object);
 }

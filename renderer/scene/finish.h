@@ -4,70 +4,73 @@
 #include "renderer/scene/colour.h"
 #include "renderer/scene/said_at.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace isl::scene {
 
-/// Reflection of other things: from `minimum` seen head-on to `maximum` at grazing angles.
+/// Reflection of other things: from `minimum` seen head-on to `maximum` at grazing angles, by the power `falloff`.
+/// `exponent` is that of the reflected brightness.
 struct Reflection {
   Colour minimum{}, maximum{};
-  double falloff = 1;
-  double exponent = 1;  ///< exponent of the reflected brightness
-  double metallic = 0;
+#define ISL_REFLECTION_NUMBER(word, otherwise, form) double word = otherwise;
+#include "renderer/scene/finish.def"
 };
 
 /// Items whose places are kept.
 enum class FinishItem : std::uint8_t {
-  ambient,
-  emission,
-  diffuse,
-  phong,
-  specular,
-  metallic,
+#define ISL_FINISH_COLOUR(word, grey, dump) word,
+#define ISL_FINISH_NUMBER(word, otherwise, form, dump) word,
+#define ISL_FINISH_FLAG(word, form, dump) word,
+#include "renderer/scene/finish.def"
   reflection,
   fresnel,
   exponent,
   irid,
-  crand,
-  conserve_energy,
-  use_alpha,
   count
 };
 
-/// POV-Ray 3.7's defaults. Comparable byte by byte once its places are taken away (without_places).
+/// What the scene may write of an item besides its word and value.
+enum class FinishForm : std::uint8_t {
+  plain,
+  albedo,  ///< `albedo` may stand before the value; a flag of the record says whether it does
+  amount,  ///< the value may be missing, and is 1 then
+  positive,
+  part,  ///< nothing: another item's reader sets it
+};
+
+/// When an item is in the dump: always, or if it differs from its default.
+enum class FinishDump : std::uint8_t { always, changed };
+
+/// POV-Ray 3.7's defaults; finish.def explains most members. Comparable byte by byte once its places are taken away
+/// (without_places).
 struct Finish {
-  Colour ambient{0.1, 0.1, 0.1};
-  Colour emission{};
-  double diffuse = 0.6;
-  double diffuse_back = 0;  ///< `diffuse` of light from behind
-  double brilliance = 1;
-  double phong = 0;
-  double phong_size = 40;
-  double specular = 0;
-  double roughness = 0.05;
-  double metallic = 0;  ///< share of the pigment's colour in highlights
-  Reflection reflection{};
+#define ISL_FINISH_COLOUR(word, grey, dump) Colour word{grey, grey, grey};
+#include "renderer/scene/finish.def"
+#define ISL_FINISH_NUMBER(word, otherwise, form, dump) double word = otherwise;
+#include "renderer/scene/finish.def"
   double irid = 0;
-  double irid_thickness = 0;
-  double irid_turbulence = 0;
-  double crand = 0;
   double old_ior = 0;  ///< `ior` of POV-Ray 3.0, for the interior of an object without one; 0: not set
   double old_caustics = 0;
-  // The flags fill eight bytes, so that there is no padding.
-  bool diffuse_albedo = false;  ///< `diffuse` is the total reflected light, not the peak
-  bool phong_albedo = false;
-  bool specular_albedo = false;
+  Reflection reflection{};
+#define ISL_FINISH_FLAG(word, form, dump) bool word = false;
+#include "renderer/scene/finish.def"
   bool fresnel = false;  ///< reflection by Fresnel's formula with the interior's ior
-  bool conserve_energy = false;
-  bool use_alpha = false;  ///< highlights and reflections are as transparent as the pigment
-  bool unused[2] = {};
+
+ private:
+  static constexpr std::size_t kFlags = 1
+#define ISL_FINISH_FLAG(word, form, dump) +1
+#include "renderer/scene/finish.def"
+      ;
+  static constexpr std::size_t kTail = kFlags + sizeof(SaidAt<FinishItem>) + sizeof(OriginId);
+
+ public:
+  bool unused[8 - kTail % 8] = {};  ///< instead of padding
   SaidAt<FinishItem> said_at{};
   OriginId named_at{};  ///< place of the identifier, if the finish is a declared one
 };
 
-static_assert(sizeof(Finish) == 2 * sizeof(Colour) + sizeof(Reflection) + 14 * sizeof(double) + 8 * sizeof(bool) +
-                                    sizeof(SaidAt<FinishItem>) + sizeof(OriginId),
-              "no padding");
+static_assert(offsetof(Finish, said_at) + sizeof(Finish::said_at) + sizeof(OriginId) == sizeof(Finish), "no padding");
 
 [[nodiscard]] inline Finish without_places(Finish finish) {
   finish.said_at = {};

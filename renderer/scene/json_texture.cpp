@@ -28,34 +28,30 @@ void add_reflection(Json& json, const Finish& f) {
   Json reflection;
   add(reflection, "minimum", r, &Reflection::minimum);
   add(reflection, "maximum", r, &Reflection::maximum);
-  add(reflection, "falloff", r, &Reflection::falloff);
-  add(reflection, "exponent", r, &Reflection::exponent);
-  add(reflection, "metallic", r, &Reflection::metallic);
+#define ISL_REFLECTION_NUMBER(word, otherwise, form) add(reflection, #word, r, &Reflection::word);
+#include "renderer/scene/finish.def"
   add(reflection, "fresnel", f, &Finish::fresnel);
   if (!reflection.is_null()) json["reflection"] = std::move(reflection);
 }
 
+/// Adds the member always, or if it differs from its default.
+template <class Value>
+void add_item(Json& json, const char* key, const Finish& finish, Value Finish::*value, FinishDump when) {
+  if (when == FinishDump::changed) return add(json, key, finish, value);
+  if constexpr (std::is_same_v<Value, Colour>) {
+    json[key] = colour(finish.*value);
+  } else {
+    json[key] = finish.*value;
+  }
+}
+
 void add_finish(Json& json, const Finish& f) {
-  json["ambient"] = colour(f.ambient);
-  add(json, "emission", f, &Finish::emission);
-  json["diffuse"] = f.diffuse;
-  add(json, "diffuse_albedo", f, &Finish::diffuse_albedo);
-  add(json, "diffuse_back", f, &Finish::diffuse_back);
-  json["brilliance"] = f.brilliance;
-  json["phong"] = f.phong;
-  add(json, "phong_albedo", f, &Finish::phong_albedo);
-  json["phong_size"] = f.phong_size;
-  json["specular"] = f.specular;
-  add(json, "specular_albedo", f, &Finish::specular_albedo);
-  json["roughness"] = f.roughness;
-  add(json, "metallic", f, &Finish::metallic);
-  add_reflection(json, f);
+#define ISL_FINISH_COLOUR(word, grey, dump) add_item(json, #word, f, &Finish::word, FinishDump::dump);
+#define ISL_FINISH_NUMBER(word, otherwise, form, dump) add_item(json, #word, f, &Finish::word, FinishDump::dump);
+#define ISL_FINISH_FLAG(word, form, dump) add_item(json, #word, f, &Finish::word, FinishDump::dump);
+#include "renderer/scene/finish.def"
   add(json, "irid", f, &Finish::irid);
-  add(json, "irid_thickness", f, &Finish::irid_thickness);
-  add(json, "irid_turbulence", f, &Finish::irid_turbulence);
-  add(json, "crand", f, &Finish::crand);
-  add(json, "conserve_energy", f, &Finish::conserve_energy);
-  add(json, "use_alpha", f, &Finish::use_alpha);
+  add_reflection(json, f);
 }
 
 }  // namespace

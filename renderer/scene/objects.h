@@ -23,7 +23,7 @@ struct Object {
   bool no_image = false;                    ///< not seen by the camera, only in reflections and through refraction
   bool no_reflection = false;               ///< not seen in reflections
   bool double_illuminate = false;           ///< light from behind lights the surface too
-  bool hollow = false;                      ///< fog and other media fill its inside
+  bool hollow = false;                      ///< media, such as air, fill its inside
   bool inverse = false;                     ///< inside and outside are exchanged
   std::uint32_t shape = kNone;              ///< index into solids, blobs or groups
   Transform parent_from_object{};           ///< the parent is the group that holds it, or the world

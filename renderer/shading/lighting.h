@@ -6,8 +6,7 @@
 //   - The normal is turned to the viewer first, so a surface seen from its inside is lit from its inside.
 //   - A light with N·L ≤ 0 gives nothing, highlights included.
 //   - R is the view mirrored in the surface, and H is halfway between the ways to the light and to the eye.
-//   - Highlights take the light's colour, and the pigment's as far as the finish is metallic. They scale with neither
-//     diffuse nor brilliance.
+//   - Highlights take the light's colour, and the pigment's on metal. They scale with neither diffuse nor brilliance.
 //   - A layer shows 1 − filter − transmit of its colour (a negative share, if these are more than 1) and all of its
 //     highlights, and lets through the factor transmit + filter × colour of everything below.
 //   - A `shadowless` light is a fill light: it makes no highlights.

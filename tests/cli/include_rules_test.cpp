@@ -31,7 +31,8 @@ const std::vector<Rule>& rules() {
       {"grammar/", {"base/", "grammar/"}},
       {"renderer/", {"base/", "renderer/"}},
       {"interpreter/",
-       {"base/", "grammar/", "interpreter/", "renderer/patterns/", "renderer/scene/", "renderer/values/"}},
+       {"base/", "grammar/", "interpreter/", "renderer/effects/statements.h", "renderer/patterns/", "renderer/scene/",
+        "renderer/values/"}},
       {"cli/", {"base/", "cli/", "grammar/", "interpreter/", "renderer/"}},
   };
   return kRules;

@@ -1,4 +1,4 @@
-// `warp { … }` and the words of turbulence, which occur in warps, patterns and fogs.
+// `warp { … }` and the words of turbulence, which occur in warps, patterns and effects' statements.
 #pragma once
 
 #include "interpreter/element_stream.h"

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <variant>
 
 namespace isl::interpreter {
 namespace {
@@ -16,72 +18,43 @@ namespace {
 using scene::Finish;
 namespace word = grammar::word;
 
-/// An item that is one number; it may have an `albedo` before it if there is a flag for it.
-struct FinishRow {
-  grammar::Symbol word;
-  double Finish::*value;
-  bool Finish::*albedo = nullptr;
-};
-
-constexpr FinishRow kFinishNumbers[] = {
-    {word::kw_diffuse, &Finish::diffuse, &Finish::diffuse_albedo},
-    {word::kw_brilliance, &Finish::brilliance},
-    {word::kw_phong, &Finish::phong, &Finish::phong_albedo},
-    {word::kw_phong_size, &Finish::phong_size},
-    {word::kw_specular, &Finish::specular, &Finish::specular_albedo},
-    {word::kw_roughness, &Finish::roughness},
-    {word::kw_crand, &Finish::crand},
-};
-
-struct ColourRow {
-  grammar::Symbol word;
-  scene::Colour Finish::*value;
-};
-
-constexpr ColourRow kColours[] = {{word::kw_ambient, &Finish::ambient}, {word::kw_emission, &Finish::emission}};
-
-struct FinishFlag {
-  grammar::Symbol word;
-  bool Finish::*value;
-};
-
-constexpr FinishFlag kFinishFlags[] = {{word::kw_conserve_energy, &Finish::conserve_energy},
-                                       {word::kw_use_alpha, &Finish::use_alpha}};
-
+using scene::FinishForm;
 using scene::FinishItem;
 
-/// `albedo` stands within these items, and `fresnel` and `exponent` within a block of reflection.
-constexpr ItemWord<FinishItem> kFinishPlaces[] = {{word::kw_ambient, FinishItem::ambient},
-                                                  {word::kw_emission, FinishItem::emission},
-                                                  {word::kw_diffuse, FinishItem::diffuse},
-                                                  {word::kw_phong, FinishItem::phong},
-                                                  {word::kw_specular, FinishItem::specular},
-                                                  {word::kw_metallic, FinishItem::metallic},
-                                                  {word::kw_reflection, FinishItem::reflection},
-                                                  {word::kw_reflection_exponent, FinishItem::exponent},
-                                                  {word::kw_irid, FinishItem::irid},
-                                                  {word::kw_crand, FinishItem::crand},
-                                                  {word::kw_conserve_energy, FinishItem::conserve_energy},
-                                                  {word::kw_use_alpha, FinishItem::use_alpha}};
+struct FinishRow {
+  std::string_view word;
+  std::variant<scene::Colour Finish::*, double Finish::*, bool Finish::*> value;
+  FinishForm form;
+  FinishItem item;
+};
 
+constexpr FinishRow kFinishRows[] = {
+#define ISL_FINISH_COLOUR(word, grey, dump) {#word, &Finish::word, FinishForm::plain, FinishItem::word},
+#define ISL_FINISH_NUMBER(word, otherwise, form, dump) {#word, &Finish::word, FinishForm::form, FinishItem::word},
+#define ISL_FINISH_FLAG(word, form, dump) {#word, &Finish::word, FinishForm::form, FinishItem::word},
+#include "renderer/scene/finish.def"
+};
+
+/// The row of an item with that word; null if there is none.
+const FinishRow* row_of(std::string_view word) {
+  const auto* const row = std::ranges::find(kFinishRows, word, &FinishRow::word);
+  return row == std::end(kFinishRows) || row->form == FinishForm::part ? nullptr : row;
+}
+
+/// The flag of an item's `albedo`.
+bool Finish::*albedo_of(std::string_view word) {
+  return std::get<bool Finish::*>(
+      std::ranges::find(kFinishRows, fmt::format("{}_albedo", word), &FinishRow::word)->value);
+}
+
+/// Items that are not rows of finish.def.
+constexpr ItemWord<FinishItem> kBlockPlaces[] = {{word::kw_reflection, FinishItem::reflection},
+                                                 {word::kw_reflection_exponent, FinishItem::exponent},
+                                                 {word::kw_irid, FinishItem::irid}};
+
+/// These stand within a block of reflection.
 constexpr ItemWord<FinishItem> kReflectionPlaces[] = {{word::kw_fresnel, FinishItem::fresnel},
                                                       {word::kw_exponent, FinishItem::exponent}};
-
-constexpr grammar::Symbol kFinishWords[] = {word::kw_ambient,
-                                            word::kw_emission,
-                                            word::kw_diffuse,
-                                            word::kw_brilliance,
-                                            word::kw_phong,
-                                            word::kw_phong_size,
-                                            word::kw_specular,
-                                            word::kw_roughness,
-                                            word::kw_metallic,
-                                            word::kw_reflection,
-                                            word::kw_reflection_exponent,
-                                            word::kw_irid,
-                                            word::kw_crand,
-                                            word::kw_conserve_energy,
-                                            word::kw_use_alpha};
 
 bool is_finish(const Context& context, const Element& element) {
   if (!element.is(ElementKind::value) || element.node->kind != grammar::NodeKind::name) return false;
@@ -108,23 +81,67 @@ bool starts_number(ElementStream& stream) {
   return !is_finish(stream.context(), next);
 }
 
-bool read_number_row(ElementStream& stream, Finish& finish) {
-  const grammar::Symbol name = stream.peek().word;
-  const auto* const row = std::ranges::find(kFinishNumbers, name, &FinishRow::word);
-  if (row == std::end(kFinishNumbers)) return false;
-  stream.drop();
-  if (row->albedo) {
-    finish.*row->albedo = stream.peek().is_word(word::kw_albedo);
-    if (finish.*row->albedo) stream.drop();
+double read_number_in_form(ElementStream& stream, std::string_view word, FinishForm form) {
+  if (form == FinishForm::positive) return read_positive(stream, fmt::format("`{}`", word));
+  const std::string what = fmt::format("a number after `{}`", word);
+  return form == FinishForm::amount ? read_optional_number(stream, what, 1) : read_number(stream, what);
+}
+
+void read_finish_number(ElementStream& stream, Finish& finish, const FinishRow& row, double Finish::*value) {
+  if (row.form == FinishForm::albedo) {
+    bool& is_albedo = finish.*albedo_of(row.word);
+    is_albedo = stream.peek().is_word(word::kw_albedo);
+    if (is_albedo) stream.drop();
   }
   const SourceSpan span = stream.peek().span;
-  finish.*row->value = read_number(stream, after(stream, name));
-  if (name == word::kw_roughness && finish.roughness == 0)
+  finish.*value = read_number_in_form(stream, row.word, row.form);
+  if (row.item == FinishItem::roughness && finish.roughness == 0)
     stream.context().warn(span, "`roughness` must be above 0, found 0");
-  if (name == word::kw_diffuse && (stream.accept_comma() || starts_number(stream))) {
+  if (row.item == FinishItem::diffuse && (stream.accept_comma() || starts_number(stream)))
     finish.diffuse_back = read_number(stream, "a number for the light from behind");
+}
+
+bool read_row(ElementStream& stream, Finish& finish) {
+  const Element next = stream.peek();
+  const FinishRow* const row = row_of(stream.context().text(next.word));
+  if (!row) return false;
+  finish.said_at[row->item] = place_of(stream.context(), next);
+  stream.drop();
+  if (const auto* const number = std::get_if<double Finish::*>(&row->value)) {
+    read_finish_number(stream, finish, *row, *number);
+  } else if (const auto* const flag = std::get_if<bool Finish::*>(&row->value)) {
+    finish.** flag = read_optional_truth(stream);
+  } else {
+    finish.*std::get<scene::Colour Finish::*>(row->value) = read_colour(stream);
   }
   return true;
+}
+
+struct ReflectionRow {
+  std::string_view word;
+  double scene::Reflection::*value;
+  FinishForm form;
+};
+
+constexpr ReflectionRow kReflectionRows[] = {
+#define ISL_REFLECTION_NUMBER(word, otherwise, form) {#word, &scene::Reflection::word, FinishForm::form},
+#include "renderer/scene/finish.def"
+};
+
+bool read_reflection_number(ElementStream& stream, scene::Reflection& reflection) {
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::word)) return false;
+  const auto* const row = std::ranges::find(kReflectionRows, stream.context().text(next.word), &ReflectionRow::word);
+  if (row == std::end(kReflectionRows)) return false;
+  stream.drop();
+  reflection.*row->value = read_number_in_form(stream, row->word, row->form);
+  return true;
+}
+
+std::vector<grammar::Symbol> reflection_words(Context& context) {
+  std::vector<grammar::Symbol> words{word::kw_fresnel};
+  for (const ReflectionRow& row : kReflectionRows) words.push_back(context.symbols.intern(row.word));
+  return words;
 }
 
 /// `reflection colour`, or `reflection { minimum, maximum fresnel … }`.
@@ -137,28 +154,11 @@ void read_reflection_block(Context& context, const Element& block, Finish& finis
   }
   while (!stream.peek().is(ElementKind::end)) {
     note_place(context, stream.peek(), kReflectionPlaces, finish.said_at);
-    switch (static_cast<word::Index>(stream.peek().word)) {
-      case word::kIndex_fresnel:
-        stream.drop();
-        finish.fresnel = read_optional_truth(stream);
-        break;
-      case word::kIndex_falloff:
-        stream.drop();
-        reflection.falloff = read_number(stream, "a number after `falloff`");
-        break;
-      case word::kIndex_exponent:
-        stream.drop();
-        reflection.exponent = read_positive(stream, "`exponent`");
-        break;
-      case word::kIndex_metallic:
-        stream.drop();
-        reflection.metallic = read_optional_number(stream, "a number after `metallic`", 1);
-        break;
-      default: {
-        static constexpr grammar::Symbol kItems[] = {word::kw_fresnel, word::kw_falloff, word::kw_exponent,
-                                                     word::kw_metallic};
-        refuse(stream, kItems);
-      }
+    if (stream.peek().is_word(word::kw_fresnel)) {
+      stream.drop();
+      finish.fresnel = read_optional_truth(stream);
+    } else if (!read_reflection_number(stream, reflection)) {
+      refuse(stream, reflection_words(context));
     }
   }
 }
@@ -210,23 +210,8 @@ bool read_item(ElementStream& stream, Finish& finish) {
     return true;
   }
   if (!next.is(ElementKind::word)) return false;
-  if (read_number_row(stream, finish) || read_old_item(stream, finish)) return true;
-  if (const auto* const row = std::ranges::find(kColours, next.word, &ColourRow::word); row != std::end(kColours)) {
-    stream.drop();
-    finish.*row->value = read_colour(stream);
-    return true;
-  }
-  if (const auto* const row = std::ranges::find(kFinishFlags, next.word, &FinishFlag::word);
-      row != std::end(kFinishFlags)) {
-    stream.drop();
-    finish.*row->value = read_optional_truth(stream);
-    return true;
-  }
+  if (read_row(stream, finish) || read_old_item(stream, finish)) return true;
   switch (static_cast<word::Index>(next.word)) {
-    case word::kIndex_metallic:
-      stream.drop();
-      finish.metallic = read_optional_number(stream, "a number after `metallic`", 1);
-      return true;
     case word::kIndex_reflection:
       stream.drop();
       finish.reflection.minimum = finish.reflection.maximum = read_colour(stream);
@@ -240,6 +225,14 @@ bool read_item(ElementStream& stream, Finish& finish) {
 }
 
 }  // namespace
+
+std::vector<grammar::Symbol> finish_words(Context& context) {
+  std::vector<grammar::Symbol> words{word::kw_reflection, word::kw_reflection_exponent, word::kw_irid};
+  for (const FinishRow& row : kFinishRows) {
+    if (row.form != FinishForm::part) words.push_back(context.symbols.intern(row.word));
+  }
+  return words;
+}
 
 Finish read_finish(Context& context, const Element& block, const Finish& base) {
   ElementStream stream(context, block);
@@ -255,8 +248,8 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
   while (!stream.peek().is(ElementKind::end)) {
     if (is_finish(context, stream.peek()))
       context.fail(stream.peek().span, "put the name of a declared finish first in its block");
-    note_place(context, stream.peek(), kFinishPlaces, finish.said_at);
-    if (!read_item(stream, finish)) refuse(stream, kFinishWords);
+    note_place(context, stream.peek(), kBlockPlaces, finish.said_at);
+    if (!read_item(stream, finish)) refuse(stream, finish_words(context));
   }
   return finish;
 }

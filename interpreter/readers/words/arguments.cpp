@@ -44,9 +44,9 @@ void refuse_newer_word(Context& context, const Element& element) {
   context.fail(element.is(ElementKind::block) ? element.word_span : element.span, grammar::newer_word_message(name));
 }
 
-/// The word whose block takes a declared name of that kind; empty if there is none.
-std::string_view block_word(ValueKind kind) {
-  switch (kind) {
+/// The word whose block takes a declared name of the value's kind; empty if there is none.
+std::string_view block_word(const Value& value) {
+  switch (value.kind()) {
     case ValueKind::object: return "object";
     case ValueKind::pigment: return "pigment";
     case ValueKind::normal: return "normal";
@@ -59,9 +59,7 @@ std::string_view block_word(ValueKind kind) {
     case ValueKind::normal_map: return "normal_map";
     case ValueKind::slope_map: return "slope_map";
     case ValueKind::texture_map: return "texture_map";
-    case ValueKind::sky_sphere: return "sky_sphere";
-    case ValueKind::fog: return "fog";
-    case ValueKind::rainbow: return "rainbow";
+    case ValueKind::statement: return value.as<StatementValue>().statement.kind->word;
     case ValueKind::transform: return "transform";
     case ValueKind::camera: return "camera";
     default: return "";
@@ -181,7 +179,7 @@ void refuse_declared_block(Context& context, const Element& block) {
   if (slot == nullptr || slot->value.kind() == ValueKind::none) return;
   if (slot->value.kind() == ValueKind::poison) throw Failed{};
   const std::string_view name = context.text(block.word);
-  const std::string_view word = block_word(slot->value.kind());
+  const std::string_view word = block_word(slot->value);
   context.fail(block.word_span, fmt::format("`{}` is {}; braces cannot follow its name", name, describe(slot->value)),
                word.empty() ? "" : fmt::format("write `{} {{ {} … }}`", word, name));
 }

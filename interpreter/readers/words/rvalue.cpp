@@ -14,7 +14,7 @@
 #include "interpreter/readers/words/colour.h"
 #include "interpreter/readers/words/spline.h"
 #include "interpreter/readers/words/transform.h"
-#include "interpreter/readers/world/atmosphere.h"
+#include "interpreter/readers/world/statements.h"
 
 #include <fmt/format.h>
 
@@ -83,18 +83,6 @@ Value texture_map_value(Context& context, const Element& block) {
           make_shared_value<TextureMapValue>(read_texture_map(context, block, EntryValue::needed))};
 }
 
-Value sky_sphere_value(Context& context, const Element& block) {
-  return {ValueKind::sky_sphere, make_shared_value<SkySphereValue>(read_sky_sphere(context, block))};
-}
-
-Value fog_value(Context& context, const Element& block) {
-  return {ValueKind::fog, make_shared_value<FogValue>(read_fog(context, block))};
-}
-
-Value rainbow_value(Context& context, const Element& block) {
-  return {ValueKind::rainbow, make_shared_value<RainbowValue>(read_rainbow(context, block))};
-}
-
 Value transform_value(Context& context, const Element& block) {
   return {ValueKind::transform, make_shared_value<TransformValue>(read_transform_block(context, block))};
 }
@@ -108,9 +96,7 @@ constexpr BlockRow kBlocks[] = {
     {word::kw_color_map, colour_map_value},    {word::kw_colour_map, colour_map_value},
     {word::kw_pigment_map, pigment_map_value}, {word::kw_normal_map, normal_map_value},
     {word::kw_slope_map, slope_map_value},     {word::kw_texture_map, texture_map_value},
-    {word::kw_sky_sphere, sky_sphere_value},   {word::kw_fog, fog_value},
-    {word::kw_rainbow, rainbow_value},         {word::kw_transform, transform_value},
-    {word::kw_camera, camera_value},
+    {word::kw_transform, transform_value},     {word::kw_camera, camera_value},
 };
 
 Value read_block(ElementStream& stream) {
@@ -123,6 +109,10 @@ Value read_block(ElementStream& stream) {
   if (const auto* const row = std::ranges::find(kBlocks, block.word, &BlockRow::word); row != std::end(kBlocks)) {
     stream.drop();
     return row->read(context, block);
+  }
+  if (statement_kind(context, block.word)) {
+    stream.drop();
+    return {ValueKind::statement, make_shared_value<StatementValue>(read_statement(context, block))};
   }
   if (block.word == word::kw_spline) {
     stream.drop();

@@ -2,6 +2,9 @@
 
 #include "interpreter/readers/objects/objects.h"
 #include "interpreter/readers/patterns/pattern.h"
+#include "interpreter/readers/textures/finish.h"
+#include "interpreter/readers/world/statements.h"
+#include "renderer/effects/statements.h"
 
 #include <fmt/format.h>
 
@@ -39,11 +42,21 @@ void add_patterns(Homes& homes, Context& context) {
   }
 }
 
+/// The numbers of statements that effects declare.
+void add_statements(Homes& homes, Context& context) {
+  for (const scene::StatementKind* const kind : render::statement_kinds()) {
+    std::any record = kind->make();
+    for (const scene::StatementField& field : kind->fields) {
+      const scene::FieldPlace place = field.place(record);
+      if (std::holds_alternative<double*>(place) || std::holds_alternative<int*>(place))
+        homes.emplace(context.symbols.intern(field.word), context.symbols.intern(kind->word));
+    }
+  }
+}
+
 Homes make_homes(Context& context) {
   Homes homes;
-  add(homes, kw_finish,
-      {kw_ambient, kw_emission, kw_diffuse, kw_brilliance, kw_phong, kw_phong_size, kw_specular, kw_roughness,
-       kw_metallic, kw_reflection, kw_reflection_exponent, kw_irid, kw_crand, kw_conserve_energy});
+  for (const Symbol word : finish_words(context)) homes.emplace(word, kw_finish);
   add(homes, kw_interior,
       {kw_ior, kw_caustics, kw_dispersion, kw_dispersion_samples, kw_fade_distance, kw_fade_power, kw_fade_color,
        kw_fade_colour});
@@ -64,14 +77,13 @@ Homes make_homes(Context& context) {
   add(homes, kw_light_source,
       {kw_spotlight, kw_parallel, kw_point_at, kw_tightness, kw_falloff, kw_radius, kw_area_light, kw_adaptive,
        kw_jitter, kw_circular, kw_orient, kw_area_illumination, kw_shadowless, kw_looks_like, kw_projected_through});
-  add(homes, kw_fog, {kw_fog_type, kw_fog_offset, kw_fog_alt, kw_turb_depth, kw_distance});
-  add(homes, kw_rainbow, {kw_arc_angle, kw_falloff_angle});
   add(homes, kw_blob, {kw_threshold, kw_component, kw_strength});
   add(homes, kw_light_group, {kw_global_lights});
   add(homes, kw_global_settings,
       {kw_assumed_gamma, kw_ambient_light, kw_adc_bailout, kw_max_trace_level, kw_irid_wavelength, kw_number_of_waves,
        kw_noise_generator, kw_mm_per_unit, kw_charset, kw_max_intersections, kw_hf_gray_16, kw_radiosity, kw_photons});
   add_patterns(homes, context);
+  add_statements(homes, context);
   return homes;
 }
 
@@ -80,9 +92,9 @@ bool is_one_of(Symbol word, std::initializer_list<Symbol> words) {
 }
 
 /// True for a word that belongs to no block: inside a block, most likely a `}` is missing.
-bool is_of_top_level(const Element& element) {
-  return element.is(ElementKind::block) &&
-         is_one_of(element.word, {kw_camera, kw_background, kw_global_settings, kw_sky_sphere, kw_fog, kw_rainbow});
+bool is_of_top_level(const Context& context, const Element& element) {
+  return element.is(ElementKind::block) && (is_one_of(element.word, {kw_camera, kw_background, kw_global_settings}) ||
+                                            statement_kind(context, element.word) != nullptr);
 }
 
 /// True for a word that belongs to an object's modifiers, and to none of the blocks inside it.
@@ -133,7 +145,7 @@ std::string hint_for_misplaced(Context& context, const Element& element, Symbol 
   if (stream_word == kw_blob && element.word == kw_threshold)
     return "`threshold` comes before the modifiers of the blob";
   const bool is_inside = stream_word != grammar::kNoSymbol;
-  if (is_inside && is_of_top_level(element))
+  if (is_inside && is_of_top_level(context, element))
     return fmt::format("a `{}` is not allowed inside another block: check for a missing `}}` before it",
                        context.text(element.word));
   const bool is_in_texture = is_one_of(stream_word, {kw_pigment, kw_normal, kw_finish, kw_interior});

@@ -6,8 +6,8 @@
 #include "interpreter/readers/view/camera.h"
 #include "interpreter/readers/view/picture_shape.h"
 #include "interpreter/readers/words/arguments.h"
-#include "interpreter/readers/world/atmosphere.h"
 #include "interpreter/readers/world/settings.h"
+#include "interpreter/readers/world/statements.h"
 
 #include <fmt/format.h>
 
@@ -44,15 +44,16 @@ void place_camera(Context& context, const Element& block) {
 
 void set_default(Context& context, const Element& block) { read_default(context, block.items, block.span); }
 
-/// A statement of the top level that is not an object. Old scenes write `default` without its `#`.
-struct Statement {
+/// A block of the top level that is neither an object nor an effect's statement. Old scenes write `default` without its
+/// `#`.
+struct TopLevelBlock {
   grammar::Symbol word;
   void (*read)(Context&, const Element&);
 };
-constexpr Statement kStatements[] = {
-    {word::kw_camera, place_camera},   {word::kw_background, read_background},
-    {word::kw_fog, place_fog},         {word::kw_global_settings, read_global_settings},
-    {word::kw_rainbow, place_rainbow}, {word::kw_sky_sphere, place_sky_sphere},
+constexpr TopLevelBlock kTopLevelBlocks[] = {
+    {word::kw_camera, place_camera},
+    {word::kw_background, read_background},
+    {word::kw_global_settings, read_global_settings},
     {word::kw_default, set_default},
 };
 
@@ -60,14 +61,19 @@ constexpr Statement kStatements[] = {
 bool read_top_level_block(ElementStream& stream) {
   const Element block = stream.peek();
   if (!block.is(ElementKind::block)) return false;
-  const auto* const statement = std::ranges::find(kStatements, block.word, &Statement::word);
-  const bool is_object = is_object_word(block.word);
-  if (statement == std::end(kStatements) && !is_object) return false;
-  stream.drop();
-  if (is_object) {
-    place(stream.context(), *read_object(stream.context(), block));
+  Context& context = stream.context();
+  if (is_object_word(block.word)) {
+    stream.drop();
+    place(context, *read_object(context, block));
+  } else if (const auto* const row = std::ranges::find(kTopLevelBlocks, block.word, &TopLevelBlock::word);
+             row != std::end(kTopLevelBlocks)) {
+    stream.drop();
+    row->read(context, block);
+  } else if (statement_kind(context, block.word)) {
+    stream.drop();
+    place_statement(context, block);
   } else {
-    statement->read(stream.context(), block);
+    return false;
   }
   return true;
 }

@@ -67,7 +67,7 @@ TEST_F(PlanCommand, AnswersInJson) {
   EXPECT_EQ(request.at("place"), (json{{"file", "metal.inc"}, {"line", 3}, {"column", 5}}));
   EXPECT_EQ(request.at("used_at").at("file"), "scene.isl");
   EXPECT_FALSE(effect(document, "not_rendered", "irid").is_null());
-  EXPECT_EQ(effect(document, "left_out", "fog").at("reason"), "there is no fog of constant density");
+  EXPECT_EQ(effect(document, "left_out", "fog").at("reason"), "there is no fog");
 }
 
 TEST_F(PlanCommand, AnUnknownEffectIsACommandLineError) {

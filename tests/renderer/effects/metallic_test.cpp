@@ -1,4 +1,4 @@
-#include "renderer/shading/metallic.h"
+#include "renderer/shading/metal.h"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +17,10 @@ TEST(RightAngles, AreTheArcCosineToTheBoundOfTheFormula) {
 
 TEST(MetallicTint, IsTheColourHeadOnAndWhiteAtGrazingAngles) {
   const Rgb colour(0.2, 0.4, 0.6);
-  EXPECT_NEAR(metallic_tint(1, 1, colour).x, 0.2, 1e-6);
-  EXPECT_NEAR(metallic_tint(1, 0, colour).x, 1, 1e-6);
-  EXPECT_NEAR(metallic_tint(0.5, 1, colour).z, 0.8, 1e-6);
-  EXPECT_EQ(metallic_tint(0, 0.3, colour), Rgb(1));
+  EXPECT_NEAR(metal_tint(1, 1, colour).x, 0.2, 1e-6);
+  EXPECT_NEAR(metal_tint(1, 0, colour).x, 1, 1e-6);
+  EXPECT_NEAR(metal_tint(0.5, 1, colour).z, 0.8, 1e-6);
+  EXPECT_EQ(metal_tint(0, 0.3, colour), Rgb(1));
 }
 
 }  // namespace

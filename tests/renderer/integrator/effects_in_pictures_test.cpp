@@ -103,6 +103,59 @@ TEST(Fog, hides_the_background_and_stays_out_of_solids) {
   expect_middle(fog + "sphere { -5*z, 1000 pigment { rgb .5 } finish { ambient 1 diffuse 0 } hollow }", 1, .5, 0, 1e-4);
 }
 
+TEST(Fog, of_type_2_thins_out_above_its_offset) {
+  const std::string floor =
+      "camera { location 2*y direction -y right x up z } plane { y, 0 pigment { rgb <.2, .4, .6> } finish { ambient 1 "
+      "diffuse 0 } } ";
+  // The depth is 0.5 up to the offset, and 1.5 arctan 1 from there to the eye.
+  const double share = std::exp(-(.5 + 1.5 * std::atan(1)) / 10);
+  expect_middle(floor + "fog { fog_type 2 distance 10 rgb <1, .8, .6> fog_offset .5 fog_alt 1.5 }",
+                .2 * share + 1 - share, .4 * share + .8 * (1 - share), .6);
+  // Without an altitude, there is none above the offset.
+  const double below = std::exp(-.5 / 10);
+  expect_middle(floor + "fog { fog_type 2 distance 10 rgb <1, .8, .6> fog_offset .5 }", .2 * below + 1 - below,
+                .4 * below + .8 * (1 - below), .6);
+  // Transforms turn its height: here, the eye and the floor are at the same.
+  const double level = std::exp(-2 / 10. / (1 + 1));
+  expect_middle(floor + "fog { fog_type 2 distance 10 rgb <1, .8, .6> fog_offset -1 fog_alt 1 rotate 90*z }",
+                .2 * level + 1 - level, .4 * level + .8 * (1 - level), .6);
+}
+
+TEST(Fog, is_turbulent_as_povrays) {
+  // POV-Ray 3.7's pixel, which 16 bits give to 1e-5.
+  expect_middle(
+      "camera { location <.1, .2, .3> direction z right x up y angle 1 } plane { z, 2.3 hollow pigment { rgb 0 } "
+      "finish "
+      "{ ambient 0 diffuse 0 } } fog { distance 4 rgb 1 turbulence <3, 4, 5> turb_depth .4 octaves 2 }",
+      .32294, .32294, .32294, 1e-4);
+}
+
+TEST(Rainbow, lies_around_its_direction) {
+  const std::string wall =
+      "camera { location -10*z direction z right x up y } plane { -z, 0 pigment { rgb <.2, .4, .6> } finish { ambient "
+      "1 "
+      "diffuse 0 } } ";
+  // The direction is 20 degrees from the middle ray, which so meets the middle of the band.
+  const std::string bow =
+      "rainbow { direction <.34202014332566873, 0, .9396926207859084> angle 20 width 10 distance 10 color_map { "
+      "[0 rgb x] [1 rgb z] } ";
+  const double share = std::exp(-1);
+  const double red = .2 * share + .5 * (1 - share), green = .4 * share, blue = .6 * share + .5 * (1 - share);
+  expect_middle(wall + bow + "}", red, green, blue);
+  expect_middle(wall + bow + "}" + bow + "}", red, green, blue);
+  expect_middle(wall + bow + "angle 26 }", .2, .4, .6);
+  expect_middle(wall + bow + "arc_angle 120 }", .2, .4, .6);
+}
+
+TEST(Rainbow, fades_out_to_its_arc_angle) {
+  // The middle ray is 45 degrees from `up`, halfway between 30 and 60.
+  expect_middle(
+      "camera { location 0 direction z right x up y } background { rgb <0, 1, 0> } rainbow { direction "
+      "<.34202014332566873, 0, .9396926207859084> up <-.9396926207859084, 1, .34202014332566873> angle 20 width 10 "
+      "arc_angle 120 falloff_angle 60 color_map { [0 rgb x] [1 rgb z] } }",
+      .25, .5, .25);
+}
+
 TEST(SkySphere, lays_its_pigments_over_the_background) {
   const std::string sky =
       "background { rgb <1, 0, 0> } sky_sphere { pigment { rgbt <0, 1, 0, .5> } pigment { rgbft <0, .4, 1, .25, .25> } "

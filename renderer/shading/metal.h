@@ -28,7 +28,7 @@ namespace isl::render {
 
 /// The factor by which metal of this colour tints its reflections: 1 + amount (1 − F)(colour − 1). `cosine`: of the
 /// angle between the normal and the light or the view, from 0 to 1.
-[[nodiscard]] inline Rgb metallic_tint(double amount, double cosine, const Rgb& colour) {
+[[nodiscard]] inline Rgb metal_tint(double amount, double cosine, const Rgb& colour) {
   const double x = right_angles(std::clamp(cosine, 0.0, 1.0)) - 1.12;
   const double whiteness = std::clamp(0.014567225 / (x * x) - 0.011612903, 0.0, 1.0);
   return Rgb(1) + (colour - Rgb(1)) * (amount * (1 - whiteness));

@@ -1,0 +1,231 @@
+#include "interpreter/readers/world/statements.h"
+
+#include "interpreter/deprecated_names.h"
+#include "interpreter/readers/patterns/warp.h"
+#include "interpreter/readers/textures/maps.h"
+#include "interpreter/readers/textures/pigment.h"
+#include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/colour.h"
+#include "interpreter/readers/words/transform.h"
+#include "interpreter/records.h"
+#include "renderer/effects/statements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+namespace isl::interpreter {
+namespace {
+
+using scene::FieldPlace;
+using scene::FieldRule;
+using scene::Statement;
+using scene::StatementField;
+using scene::StatementKind;
+namespace word = grammar::word;
+
+/// Replaces the statement by the declared one that the block begins with, if it does.
+void read_declared_name(ElementStream& stream, Statement& statement) {
+  const Element first = stream.peek();
+  if (!first.is(ElementKind::value) || first.node->kind != grammar::NodeKind::name) return;
+  const Slot* const slot = without_wrapper(stream.context().scopes.find(first.word));
+  if (slot->value.is_numeric()) return;
+  const Value value = stream.take_value();
+  if (value.kind() != ValueKind::statement || value.as<StatementValue>().statement.kind != statement.kind) {
+    stream.context().fail(first.span,
+                          fmt::format("expected {} or its items, found {}", statement.kind->noun, describe(value)));
+  }
+  statement.record = value.as<StatementValue>().statement.record;
+}
+
+double read_number_of(ElementStream& stream, const StatementField& field) {
+  const bool is_bounded = std::isfinite(field.low) || std::isfinite(field.high);
+  if (is_bounded) return read_number_in(stream, fmt::format("`{}`", field.word), field.low, field.high);
+  return read_number(stream, fmt::format("a number after `{}`", field.word));
+}
+
+/// Reads an item of a field if the next element is one: `operator()` is called with the field's place.
+struct ItemReader {
+  ElementStream& stream;
+  const StatementField& field;
+
+  bool operator()(double* value) const {
+    if (!take_word()) return false;
+    const double number = read_number_of(stream, field);
+    *value = field.rule == FieldRule::degrees ? number * std::numbers::pi / 180 : number;
+    return true;
+  }
+  bool operator()(int* value) const {
+    if (!take_word()) return false;
+    const SourceSpan span = stream.peek().span;
+    const double number = read_number_of(stream, field);
+    if (number != std::floor(number)) {
+      stream.context().fail(span, fmt::format("`{}` must be a whole number, found {:g}", field.word, number));
+    }
+    *value = static_cast<int>(number);
+    return true;
+  }
+  bool operator()(scene::Vec3* value) const {
+    if (!take_word()) return false;
+    const std::string what = fmt::format("a vector after `{}`", field.word);
+    *value = field.rule == FieldRule::turned ? read_normal(stream, what) : read_vector(stream, what);
+    return true;
+  }
+  bool operator()(scene::Colour* value) const {
+    const Element& next = stream.peek();
+    const bool is_there = field.word.empty() ? next.is(ElementKind::word) && is_colour_word(next.word) : take_word();
+    if (is_there) *value = read_colour(stream);
+    return is_there;
+  }
+  bool operator()(scene::Turbulence* value) const { return read_turbulence_item(stream, *value); }
+  // Transforms turn several fields, so that the statement reads them itself.
+  bool operator()(const scene::TransformId* /*value*/) const { return false; }
+  bool operator()(scene::PigmentMapId* value) const {
+    const Element next = stream.peek();
+    if (!next.is_block(word::kw_color_map) && !next.is_block(word::kw_colour_map)) return false;
+    stream.drop();
+    *value = read_colour_map(stream.context(), next);
+    return true;
+  }
+  bool operator()(std::vector<scene::Pigment>* value) const {
+    const Element next = stream.peek();
+    if (!next.is_block(word::kw_pigment)) return false;
+    stream.drop();
+    value->push_back(read_pigment(stream.context(), next, stream.context().default_texture.pigment));
+    return true;
+  }
+
+ private:
+  /// Takes the field's word if it is next.
+  [[nodiscard]] bool take_word() const {
+    const Element& next = stream.peek();
+    if (!next.is(ElementKind::word) || stream.context().text(next.word) != field.word) return false;
+    stream.drop();
+    return true;
+  }
+};
+
+template <class Value>
+Value* bare_place(Statement& statement, std::string_view& word_of_field) {
+  for (const StatementField& field : statement.kind->fields) {
+    if (field.rule != FieldRule::bare) continue;
+    const FieldPlace place = field.place(statement.record);
+    if (Value* const* const found = std::get_if<Value*>(&place)) {
+      word_of_field = field.word;
+      return *found;
+    }
+  }
+  return nullptr;
+}
+
+/// Reads a colour, or a lone number, as POV-Ray 1 had them.
+bool read_bare_value(ElementStream& stream, Statement& statement) {
+  if (!stream.peek().is(ElementKind::value)) return false;
+  std::string_view name;
+  auto* const number = bare_place<double>(statement, name);
+  std::string_view unused;
+  auto* const colour = bare_place<scene::Colour>(statement, unused);
+  if (!number && !colour) return false;
+  const Element next = stream.peek();
+  const Value value = stream.take_value();
+  if (number && value.is_number()) {
+    stream.context().warn(next.span, fmt::format("found a number without a word; write `{}` before it", name));
+    *number = value.number();
+  } else if (colour && value.is_numeric() && next.node->kind != grammar::NodeKind::vector) {
+    *colour = to_colour(read_colour_after(stream, value));
+  } else {
+    stream.context().fail(next.span,
+                          fmt::format("expected an item of {}, found {}", statement.kind->noun, describe(value)),
+                          value.is_numeric() && colour ? "write `rgb` before it" : "");
+  }
+  return true;
+}
+
+bool is_moved(const StatementField& field, const FieldPlace& place) {
+  return field.rule == FieldRule::turned || std::holds_alternative<scene::TransformId*>(place);
+}
+
+void move(Context& context, scene::TransformId& id, const scene::Transform& transform) {
+  auto& transforms = context.database.transforms;
+  const scene::Transform total = id == scene::kIdentity ? transform : scene::then(transforms[index(id)], transform);
+  id = add_record<scene::TransformId>(context, transforms, total);
+}
+
+/// Transforms change only the direction of the fields that are directions; a scale changes no length.
+bool read_transform_of(ElementStream& stream, Statement& statement) {
+  const auto takes = [&](const StatementField& field) { return is_moved(field, field.place(statement.record)); };
+  if (std::ranges::none_of(statement.kind->fields, takes)) return false;
+  const std::optional<scene::Transform> transform = read_transform(stream);
+  if (!transform) return false;
+  for (const StatementField& field : statement.kind->fields) {
+    const FieldPlace place = field.place(statement.record);
+    if (auto* const* const id = std::get_if<scene::TransformId*>(&place)) move(stream.context(), **id, *transform);
+    if (auto* const* const vector = std::get_if<scene::Vec3*>(&place); vector && field.rule == FieldRule::turned) {
+      **vector = transform->vector(**vector).normalized();
+    }
+  }
+  return true;
+}
+
+bool read_statement_item(ElementStream& stream, Statement& statement) {
+  if (read_bare_value(stream, statement) || read_transform_of(stream, statement)) return true;
+  return std::ranges::any_of(statement.kind->fields, [&](const StatementField& field) {
+    return std::visit(ItemReader{stream, field}, field.place(statement.record));
+  });
+}
+
+/// The words of the statement's items, for suggestions.
+std::vector<grammar::Symbol> item_words(Context& context, const StatementKind& kind) {
+  std::vector<grammar::Symbol> words;
+  std::any record = kind.make();
+  for (const StatementField& field : kind.fields) {
+    const FieldPlace place = field.place(record);
+    if (!field.word.empty()) words.push_back(context.symbols.intern(field.word));
+    if (std::holds_alternative<scene::Colour*>(place) && field.word.empty()) words.push_back(word::kw_color);
+    if (std::holds_alternative<scene::Turbulence*>(place)) words.push_back(word::kw_turbulence);
+    if (is_moved(field, place)) words.push_back(word::kw_rotate);
+  }
+  return words;
+}
+
+}  // namespace
+
+const StatementKind* statement_kind(const Context& context, grammar::Symbol word) {
+  if (!grammar::is_reserved(word)) return nullptr;
+  const std::string_view text = context.text(word);
+  const auto kinds = render::statement_kinds();
+  const auto kind = std::ranges::find_if(kinds, [&](const StatementKind* k) { return k->word == text; });
+  return kind == kinds.end() ? nullptr : *kind;
+}
+
+Statement read_statement(Context& context, const Element& block) {
+  ElementStream stream(context, block);
+  const StatementKind& kind = *statement_kind(context, block.word);
+  Statement statement{&kind, kind.make(), context.origin(block.span)};
+  read_declared_name(stream, statement);
+  while (!stream.peek().is(ElementKind::end)) {
+    if (!read_statement_item(stream, statement)) refuse(stream, item_words(context, kind));
+  }
+  const std::string mistake = kind.check ? kind.check(statement.record) : "";
+  if (!mistake.empty()) context.fail(block.word_span, mistake);
+  return statement;
+}
+
+void place_statement(Context& context, const Element& block) {
+  Statement statement = read_statement(context, block);
+  context.count_primitive(block.span, sizeof(Statement));
+  auto& statements = context.database.statements;
+  if (statement.kind->list.empty()) {
+    const auto earlier = std::ranges::find(statements, statement.kind, &Statement::kind);
+    if (earlier != statements.end()) {
+      context.warn(block.word_span, fmt::format("this {} replaces an earlier one", statement.kind->word));
+      statements.erase(earlier);
+    }
+  }
+  statements.push_back(std::move(statement));
+}
+
+}  // namespace isl::interpreter
