@@ -7,7 +7,6 @@ namespace {
 
 using scene::Camera;
 using scene::CameraItem;
-using scene::CameraKind;
 using scene::Database;
 using scene::Group;
 using scene::Light;
@@ -32,25 +31,7 @@ OriginId said(const Record& record) {
   return record.said_at[item];
 }
 
-/// A camera with curved or parallel rays shows roughly what a perspective one with its vectors shows.
-template <CameraKind kind>
-constexpr Row<Camera> camera_kind(std::string_view name, std::string_view what) {
-  return {name,
-          "a projection other than perspective",
-          what,
-          said<Camera, CameraItem::kind>,
-          [](const Camera& camera) { return camera.kind == kind; },
-          [](Camera& camera) { camera.kind = CameraKind::perspective; }};
-}
-
 constexpr Row<Camera> kCameraRows[] = {
-    camera_kind<CameraKind::orthographic>("orthographic", "an `orthographic` camera"),
-    camera_kind<CameraKind::fisheye>("fisheye", "a `fisheye` camera"),
-    camera_kind<CameraKind::ultra_wide_angle>("ultra_wide_angle", "an `ultra_wide_angle` camera"),
-    camera_kind<CameraKind::omnimax>("omnimax", "an `omnimax` camera"),
-    camera_kind<CameraKind::panoramic>("panoramic", "a `panoramic` camera"),
-    camera_kind<CameraKind::cylinder>("cylinder_camera", "a `cylinder` camera"),
-    camera_kind<CameraKind::spherical>("spherical", "a `spherical` camera"),
     {"focal_blur", "blur outside the focus", "focal blur", said<Camera, CameraItem::blur>,
      [](const Camera& camera) { return camera.blur.has_value(); }, [](Camera& camera) { camera.blur.reset(); }},
     {"camera_normal", "bumps that bend the camera's rays", "`normal` of a camera", said<Camera, CameraItem::normal>,

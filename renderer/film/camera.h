@@ -3,10 +3,9 @@
 // y/height up.
 #pragma once
 
+#include "renderer/film/projections.h"
 #include "renderer/rays/ray.h"
 #include "renderer/scene/database.h"
-
-#include <algorithm>
 
 namespace isl::render {
 
@@ -16,13 +15,20 @@ class CameraRays {
   CameraRays(const scene::Camera& camera, int width, int height)
       : camera_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
 
-  /// The ray through the raster position (x, y), in pixels from the picture's top left corner.
+  /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
+  /// where the camera shows nothing.
   [[nodiscard]] Ray through(double x, double y) const {
     const double u = x * per_column_ - 0.5;
     const double v = 0.5 - y * per_row_;
     Ray ray;
-    ray.origin = camera_.location;
-    ray.direction = (camera_.direction + camera_.right * u + camera_.up * v).normalized();
+    if (camera_.kind == scene::CameraKind::perspective) {
+      ray.origin = camera_.location;
+      ray.direction = (camera_.direction + camera_.right * u + camera_.up * v).normalized();
+    } else {
+      const ViewRay view = view_ray(camera_, {u, v});
+      ray.origin = view.origin;
+      ray.direction = view.direction;
+    }
     return ray;
   }
 
@@ -32,9 +38,8 @@ class CameraRays {
 };
 
 /// The angle in radians that a pixel in the middle of the picture subtends, on the smaller of its two sides
-/// (TracerOptions::pixel_angle).
-[[nodiscard]] inline double pixel_angle(const scene::Camera& camera, int width, int height) {
-  return std::min(camera.right.length() / width, camera.up.length() / height) / camera.direction.length();
-}
+/// (TracerOptions::pixel_angle). The rays of an orthographic camera have no apex: for them it is the angle at which the
+/// picture is seen from a thousand times its width, so that tolerances in pixels are rather too fine than too coarse.
+[[nodiscard]] double pixel_angle(const scene::Camera& camera, int width, int height);
 
 }  // namespace isl::render

@@ -30,6 +30,10 @@ bool Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace)
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
+      film_.add_sample(samples[i].pixel, Rgb(0), blank_alpha_);
+      continue;
+    }
     film_.add_sample(samples[i].pixel, working_space_.to_linear(paths.colours[i]), paths.alphas[i]);
     if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }

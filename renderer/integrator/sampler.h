@@ -36,6 +36,7 @@ class Sampler {
       : integrator_(database, tracer, plan, transparent_background, run),
         camera_(camera),
         working_space_(database.settings),
+        blank_alpha_(transparent_background ? 0 : 1),
         film_(film) {}
 
   /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
@@ -48,6 +49,7 @@ class Sampler {
   Integrator integrator_;
   CameraRays camera_;
   WorkingSpace working_space_;
+  double blank_alpha_;  ///< of samples where the camera shows nothing, which are black
   Film& film_;
 };
 

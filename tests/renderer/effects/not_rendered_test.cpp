@@ -139,7 +139,7 @@ Database everything() {
 
 TEST(NotRendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 23u);
+  EXPECT_EQ(names(database).size(), 22u);
   leave_out(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";

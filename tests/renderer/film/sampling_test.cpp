@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace isl::render::test {
@@ -110,6 +111,41 @@ TEST(Camera, puts_pixel_centres_where_povray_does) {
   EXPECT_NEAR(last.x / last.z, 1.5, 1e-15);
   EXPECT_NEAR(last.y / last.z, -1.0, 1e-15);
   EXPECT_NEAR(first.length(), 1, 1e-15);
+}
+
+/// The direction of the ray through pixel (12, 3) of 16 by 12.
+Vec3 direction_of(scene::CameraKind kind, double angle_degrees, double width, int cylinder_type = 0) {
+  scene::Camera camera{.right = {width, 0, 0}, .kind = kind, .cylinder_type = cylinder_type};
+  camera.angle = angle_degrees * std::numbers::pi / 180;
+  camera.vertical_angle = camera.angle / 2;
+  return CameraRays(camera, 16, 12).through(12.5, 3.5).direction;
+}
+
+void expect_direction(const Vec3& found, const Vec3& expected) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 6e-5) << i;
+}
+
+TEST(Camera, has_povrays_projections) {
+  using scene::CameraKind;
+  // Measured in POV-Ray 3.7 to four digits.
+  expect_direction(direction_of(CameraKind::perspective, 0, 4 / 3.), {.3446, .1915, .9190});
+  expect_direction(direction_of(CameraKind::fisheye, 180, 1), {.7160, .5304, .4540});
+  expect_direction(direction_of(CameraKind::ultra_wide_angle, 120, 4 / 3.), {.5469, .3164, .7751});
+  expect_direction(direction_of(CameraKind::omnimax, 180, 1), {.6756, .5005, .5414});
+  expect_direction(direction_of(CameraKind::panoramic, 0, 1), {.6133, .6088, .5033});
+  expect_direction(direction_of(CameraKind::cylinder, 180, 1, 1), {.7568, .2040, .6211});
+  expect_direction(direction_of(CameraKind::cylinder, 180, 1, 2), {.2707, .5860, .7637});
+  expect_direction(direction_of(CameraKind::cylinder, 180, 1, 3), {.7730, 0, .6344});
+  expect_direction(direction_of(CameraKind::cylinder, 180, 1, 4), {0, .6088, .7934});
+  expect_direction(direction_of(CameraKind::spherical, 360, 1), {.7781, .6088, -.1548});
+  const scene::Camera parallel{.location = {1, 2, 3}, .right = {4, 0, 0}, .kind = CameraKind::orthographic};
+  const Ray ray = CameraRays(parallel, 16, 12).through(12.5, 3.5);
+  EXPECT_EQ(ray.origin, Vec3(1 + 4 * .28125, 2 + .5 - 3.5 / 12, 3));
+  EXPECT_EQ(ray.direction, Vec3(0, 0, 1));
+}
+
+TEST(Camera, shows_nothing_beyond_a_fisheyes_circle) {
+  EXPECT_EQ(CameraRays({.kind = scene::CameraKind::fisheye, .angle = 3}, 10, 10).through(.5, .5).direction, Vec3(0));
 }
 
 TEST(Camera, knows_the_angle_of_a_pixel) {

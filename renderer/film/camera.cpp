@@ -1,0 +1,22 @@
+#include "renderer/film/camera.h"
+
+#include <algorithm>
+
+namespace isl::render {
+
+double pixel_angle(const scene::Camera& camera, int width, int height) {
+  const double across = camera.right.length() / width, along = camera.up.length() / height;
+  switch (camera.kind) {
+    case scene::CameraKind::perspective: return std::min(across, along) / camera.direction.length();
+    case scene::CameraKind::orthographic: return std::min(across, along) / (1000 * camera.right.length());
+    default: break;
+  }
+  // Measured between the middle and its neighbours; a chord is as long as its small angle.
+  const Vec3 middle = view_ray(camera, {0, 0}).direction;
+  const double right = (view_ray(camera, {1.0 / width, 0}).direction - middle).length();
+  const double up = (view_ray(camera, {0, 1.0 / height}).direction - middle).length();
+  // A cylinder from whose axis parallel rays start has an angle on one side only.
+  return std::min(right, up) > 0 ? std::min(right, up) : std::max(right, up);
+}
+
+}  // namespace isl::render
