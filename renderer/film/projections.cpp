@@ -42,8 +42,7 @@ Vec3 fisheye(const Camera& camera, const PicturePoint& at) {
 Vec3 ultra_wide_angle(const Camera& camera, const PicturePoint& at) {
   const Axes axes(camera);
   const double across = at.u * camera.angle, along = at.v * camera.angle * axes.height / axes.width;
-  return axes.right * std::sin(across) + axes.up * std::sin(along) +
-         axes.ahead * (std::cos(across) * std::cos(along));
+  return axes.right * std::sin(across) + axes.up * std::sin(along) + axes.ahead * (std::cos(across) * std::cos(along));
 }
 
 /// A fisheye of 180° for the dome of an Omnimax theatre, whose screen ends 45° below the horizon. The constants are
