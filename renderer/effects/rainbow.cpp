@@ -27,7 +27,8 @@ struct Rainbow {
   double angle = 0, width = 0;
   double distance = kFarRainbow;
   double jitter = 0;  ///< the greatest random step in the map
-  double arc_angle = kFullCircle, falloff_angle = kFullCircle;
+  double arc_angle = kFullCircle;
+  double falloff_angle = kFullCircle;                  ///< at which the arc begins to fade; a full circle: it does not
   scene::PigmentMapId colours = scene::kNoPigmentMap;  ///< from the innermost ring to the outermost
 };
 
@@ -51,8 +52,8 @@ std::string completed(Rainbow& rainbow) {
   // Parallel within rounding: a cosine of one.
   if (up.length() <= 1e-7 * rainbow.up.length()) return "`up` and `direction` of a `rainbow` are parallel";
   rainbow.up = up.normalized();
-  if (rainbow.falloff_angle == kFullCircle) rainbow.falloff_angle = rainbow.arc_angle;  // the default: no fading
-  if (rainbow.falloff_angle > rainbow.arc_angle) return "`falloff_angle` must be at most `arc_angle`";
+  const bool is_fading = rainbow.falloff_angle != kFullCircle;
+  if (is_fading && rainbow.falloff_angle > rainbow.arc_angle) return "`falloff_angle` must be at most `arc_angle`";
   return {};
 }
 
@@ -113,7 +114,7 @@ class RainbowStage final : public Stage<AlongWork> {
 
   /// How transparent the bow is at its place around the direction: from 0 to 1; below 0 if there is no bow.
   static double transparency(const Rainbow& rainbow, const Vec3& view) {
-    const double half_arc = rainbow.arc_angle / 2, half_full = rainbow.falloff_angle / 2;
+    const double half_arc = rainbow.arc_angle / 2, half_full = std::min(rainbow.falloff_angle / 2, half_arc);
     if (half_full >= std::numbers::pi) return 0;
     const Vec3 around = view - rainbow.direction * view.dot(rainbow.direction);
     const double length = around.length();

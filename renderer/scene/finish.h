@@ -30,13 +30,13 @@ enum class FinishItem : std::uint8_t {
   count
 };
 
-/// What the scene may write of an item besides its word and value.
+/// How a scene writes an item.
 enum class FinishForm : std::uint8_t {
-  plain,
-  albedo,  ///< `albedo` may stand before the value; a flag of the record says whether it does
-  amount,  ///< the value may be missing, and is 1 then
-  positive,
-  part,  ///< nothing: another item's reader sets it
+  plain,     ///< its word, then its value
+  albedo,    ///< `albedo` may stand before the value; a flag of the record says whether it does
+  amount,    ///< the value may be missing, and is 1 then
+  positive,  ///< as `plain`, and the value must be above 0
+  part,      ///< nothing: another item's reader sets it
 };
 
 /// When an item is in the dump: always, or if it differs from its default.
@@ -58,11 +58,12 @@ struct Finish {
   bool fresnel = false;  ///< reflection by Fresnel's formula with the interior's ior
 
  private:
-  static constexpr std::size_t kFlags = 1
-#define ISL_FINISH_FLAG(word, form, dump) +1
+  struct Flags {
+#define ISL_FINISH_FLAG(word, form, dump) bool word;
 #include "renderer/scene/finish.def"
-      ;
-  static constexpr std::size_t kTail = kFlags + sizeof(SaidAt<FinishItem>) + sizeof(OriginId);
+    bool fresnel;
+  };
+  static constexpr std::size_t kTail = sizeof(Flags) + sizeof(SaidAt<FinishItem>) + sizeof(OriginId);
 
  public:
   bool unused[8 - kTail % 8] = {};  ///< instead of padding

@@ -34,13 +34,12 @@ namespace isl::scene {
 using FieldPlace =
     std::variant<double*, int*, Vec3*, Colour*, Turbulence*, TransformId*, PigmentMapId*, std::vector<Pigment>*>;
 
-/// What reading does besides.
+/// How reading a field differs from that of its type.
 enum class FieldRule : std::uint8_t {
   none,
-  degrees,    ///< the scene gives degrees, the record holds radians
-  direction,  ///< scaled to unit length
-  turned,     ///< a direction that the statement's transforms turn
-  bare,       ///< the value may stand without its word; without a word at all, any colour
+  degrees,  ///< the scene gives degrees, the record holds radians
+  turned,   ///< a direction of unit length, which the statement's transforms turn
+  bare,     ///< the value may stand without its word; without a word at all, any colour
 };
 
 struct StatementField {

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 
 namespace isl::interpreter {
 namespace {
@@ -47,6 +46,17 @@ double read_number_of(ElementStream& stream, const StatementField& field) {
   return read_number(stream, fmt::format("a number after `{}`", field.word));
 }
 
+/// Precondition: the field has bounds.
+int read_whole_number_of(ElementStream& stream, const StatementField& field) {
+  const SourceSpan span = stream.peek().span;
+  const double number = read_number(stream, fmt::format("a number after `{}`", field.word));
+  if (number == std::floor(number) && number >= field.low && number <= field.high) return static_cast<int>(number);
+  const bool has_two = field.high == field.low + 1;
+  stream.context().fail(
+      span, fmt::format("`{}` must be {}{:g} {} {:g}, found {:g}", field.word, has_two ? "" : "a whole number from ",
+                        field.low, has_two ? "or" : "to", field.high, number));
+}
+
 /// Reads an item of a field if the next element is one: `operator()` is called with the field's place.
 struct ItemReader {
   ElementStream& stream;
@@ -60,12 +70,7 @@ struct ItemReader {
   }
   bool operator()(int* value) const {
     if (!take_word()) return false;
-    const SourceSpan span = stream.peek().span;
-    const double number = read_number_of(stream, field);
-    if (number != std::floor(number)) {
-      stream.context().fail(span, fmt::format("`{}` must be a whole number, found {:g}", field.word, number));
-    }
-    *value = static_cast<int>(number);
+    *value = read_whole_number_of(stream, field);
     return true;
   }
   bool operator()(scene::Vec3* value) const {
@@ -108,38 +113,40 @@ struct ItemReader {
   }
 };
 
+/// A field whose value may stand without its word.
 template <class Value>
-Value* bare_place(Statement& statement, std::string_view& word_of_field) {
+struct Bare {
+  Value* value = nullptr;  ///< null: the statement has none of that type
+  std::string_view word;
+};
+
+template <class Value>
+Bare<Value> bare_field(Statement& statement) {
   for (const StatementField& field : statement.kind->fields) {
-    if (field.rule != FieldRule::bare) continue;
     const FieldPlace place = field.place(statement.record);
-    if (Value* const* const found = std::get_if<Value*>(&place)) {
-      word_of_field = field.word;
-      return *found;
-    }
+    Value* const* const found = std::get_if<Value*>(&place);
+    if (found && field.rule == FieldRule::bare) return {*found, field.word};
   }
-  return nullptr;
+  return {};
 }
 
 /// Reads a colour, or a lone number, as POV-Ray 1 had them.
 bool read_bare_value(ElementStream& stream, Statement& statement) {
   if (!stream.peek().is(ElementKind::value)) return false;
-  std::string_view name;
-  auto* const number = bare_place<double>(statement, name);
-  std::string_view unused;
-  auto* const colour = bare_place<scene::Colour>(statement, unused);
-  if (!number && !colour) return false;
+  const auto number = bare_field<double>(statement);
+  const auto colour = bare_field<scene::Colour>(statement);
+  if (!number.value && !colour.value) return false;
   const Element next = stream.peek();
   const Value value = stream.take_value();
-  if (number && value.is_number()) {
-    stream.context().warn(next.span, fmt::format("found a number without a word; write `{}` before it", name));
-    *number = value.number();
-  } else if (colour && value.is_numeric() && next.node->kind != grammar::NodeKind::vector) {
-    *colour = to_colour(read_colour_after(stream, value));
+  if (number.value && value.is_number()) {
+    stream.context().warn(next.span, fmt::format("found a number without a word; write `{}` before it", number.word));
+    *number.value = value.number();
+  } else if (colour.value && value.is_numeric() && next.node->kind != grammar::NodeKind::vector) {
+    *colour.value = to_colour(read_colour_after(stream, value));
   } else {
     stream.context().fail(next.span,
                           fmt::format("expected an item of {}, found {}", statement.kind->noun, describe(value)),
-                          value.is_numeric() && colour ? "write `rgb` before it" : "");
+                          value.is_numeric() && colour.value ? "write `rgb` before it" : "");
   }
   return true;
 }

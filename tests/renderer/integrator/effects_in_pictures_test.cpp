@@ -145,6 +145,9 @@ TEST(Rainbow, lies_around_its_direction) {
   expect_middle(wall + bow + "}" + bow + "}", red, green, blue);
   expect_middle(wall + bow + "angle 26 }", .2, .4, .6);
   expect_middle(wall + bow + "arc_angle 120 }", .2, .4, .6);
+  // A declared arc may be made narrower.
+  expect_middle("#declare Bow = " + bow + "arc_angle 300 } " + wall + "rainbow { Bow arc_angle 200 }", red, green,
+                blue);
 }
 
 TEST(Rainbow, fades_out_to_its_arc_angle) {
