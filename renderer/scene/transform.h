@@ -5,6 +5,9 @@
 #include <ImathMatrix.h>
 #include <ImathVec.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace isl::scene {
 
 using Vec3 = Imath::V3d;
@@ -19,6 +22,16 @@ struct Transform {
   [[nodiscard]] Vec3 vector(const Vec3& v) const { return rotated(v, matrix); }
   [[nodiscard]] Vec3 inverse_point(const Vec3& p) const { return transformed(p, inverse); }
   [[nodiscard]] Vec3 inverse_vector(const Vec3& v) const { return rotated(v, inverse); }
+  /// The greatest of the sums of the sizes of the terms that the coordinates of inverse_point(p) are sums of.
+  [[nodiscard]] double inverse_terms(const Vec3& p) const {
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+      double sum = std::abs(inverse[3][i]);
+      for (int j = 0; j < 3; ++j) sum += std::abs(p[j] * inverse[j][i]);
+      most = std::max(most, sum);
+    }
+    return most;
+  }
   /// Transforms a gradient or normal from source to destination by the inverse transpose; the result is not normalised.
   [[nodiscard]] Vec3 normal(const Vec3& n) const {
     return {inverse[0][0] * n.x + inverse[0][1] * n.y + inverse[0][2] * n.z,

@@ -1,6 +1,6 @@
 #include "renderer/trace/surface_check.h"
 
-#include "renderer/solvers/certified/extended_search.h"
+#include "renderer/solvers/cells/extended_search.h"
 
 #include <cmath>
 

@@ -14,9 +14,10 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// f and df/dt; value_terms and slope_terms are the scales of their rounding errors.
+/// f and df/dt; value_terms and slope_terms are the scales of their rounding errors, and `moved` is how much f changes
+/// if positions are off by `size`.
 struct CurvePoint {
-  Octet value, slope, value_terms, slope_terms;
+  Octet value, slope, value_terms, slope_terms, moved;
 };
 
 /// The lanes of a skeleton that can be convolved; void for any other.

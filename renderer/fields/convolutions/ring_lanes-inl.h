@@ -49,23 +49,25 @@ struct RingLanes {
   [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dz * dz + n2); }
 
   template <class Window>
-  [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t) const {
+  [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t, const Octet& size) const {
     const Octet two(2.0), tau = t - middle, rise = n2 * tau, z = z0 + dz * t;
     const Octet rho = sqrt(n0 + rise * tau), across = rho - ring_radius;
     const RingView<Octet> view{ring_radius, rho, across * across + z * z};
     const RingIntegrals<Octet> f = integrate(window, view);
     const OctetMask active = view.distance2 < Octet(1.0);
-    const Octet size = abs(amplitude), along = rise + z * dz;  // p·D
+    const Octet weight = abs(amplitude), along = rise + z * dz;  // p·D
     return {keep(active, amplitude * f.value), keep(active, two * amplitude * (rise * f.radial - along * f.whole)),
-            keep(active, size * f.value_terms),
-            keep(active, two * size * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms))};
+            keep(active, weight * f.value_terms),
+            keep(active, two * weight * (abs(rise) * f.radial_terms + (abs(rise) + abs(z * dz)) * f.whole_terms)),
+            keep(active, two * weight * size * f.whole)};
   }
 
   /// Upper bound of the value on the stretch, for amplitude 1: the value at the least distance and the least ρ, for
-  /// which the squared distance, d² + 2Rρ(1 − cos φ), grows least along the ring.
+  /// which the squared distance, d² + 2Rρ(1 − cos φ), grows least along the ring. Positions may be off by `error`.
   template <class Window>
-  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
-    const Ranges r = ranges(t0, t1);
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1,
+                                      const Octet& error) const {
+    const Ranges r = ranges(t0, t1, error);
     const RingView<Octet> view{ring_radius, r.rho_low, r.y_low};
     const RingIntegrals<Octet> f = integrate(window, view);
     return keep(r.y_low < Octet(1.0), f.value + Octet(0x1p-48) * f.value_terms);
@@ -73,7 +75,7 @@ struct RingLanes {
 
   [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0), four(4.0);
-    const Ranges r = ranges(t0, t1);
+    const Ranges r = ranges(t0, t1, zero);
     const Octet s_high = one - r.y_low, s_low = one - r.y_high;
     const Octet least(1e-300);
     const Octet sigma = min(one, s_high / max(four * ring_radius * r.rho_low, least));
@@ -106,7 +108,7 @@ struct RingLanes {
     Octet rho_low, rho_high;
     Octet y_low, y_high;  ///< squared distance to the ring
   };
-  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1) const {
+  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1, const Octet& error) const {
     const Octet zero(0.0);
     const Octet za = z0 + dz * t0, zb = z0 + dz * t1;
     const Octet z_near = max(zero, max(min(za, zb), zero - max(za, zb))), z_far = max(abs(za), abs(zb));
@@ -117,7 +119,8 @@ struct RingLanes {
     r.rho_high = sqrt(n0 + n2 * far * far);
     const Octet gap = max(zero, max(r.rho_low - ring_radius, ring_radius - r.rho_high));
     const Octet spread = max(abs(r.rho_high - ring_radius), abs(ring_radius - r.rho_low));
-    r.y_low = gap * gap + z_near * z_near;
+    const Octet distance = max(zero, sqrt(gap * gap + z_near * z_near) - error);
+    r.y_low = distance * distance;
     r.y_high = spread * spread + z_far * z_far;
     return r;
   }

@@ -57,23 +57,25 @@ struct SegmentLanes {
   [[nodiscard]] HWY_INLINE Octet speed() const { return sqrt(dx * dx + n2); }
 
   template <class Window>
-  [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t) const {
+  [[nodiscard]] HWY_INLINE CurvePoint at(const Window& window, const Octet& t, const Octet& size) const {
     const Octet two(2.0), tau = t - middle, rise = n2 * tau, rho2 = n0 + rise * tau;
     const Chord<Octet> chord = chord_of(rho2, before0 + dx * t, behind0 - dx * t, Octet(0.5) * length);
     const SegmentIntegrals<Octet> f = integrate(window, chord);
     const OctetMask active = (rho2 < Octet(1.0)) & (chord.half_length > Octet(0.0));
-    const Octet size = abs(amplitude);
+    const Octet weight = abs(amplitude), steepest = sqrt(rho2) * abs(f.across) + abs(f.along);  // ½|∇f| and more
     return {keep(active, amplitude * f.value), keep(active, two * amplitude * (dx * f.along - rise * f.across)),
-            keep(active, size * f.value_terms),
-            keep(active, two * size * (abs(dx) * f.along_terms + abs(rise) * f.across_terms))};
+            keep(active, weight * f.value_terms),
+            keep(active, two * weight * (abs(dx) * f.along_terms + abs(rise) * f.across_terms)),
+            keep(active, two * weight * size * steepest)};
   }
 
   /// Upper bound of the value on the stretch, for amplitude 1, the lesser of two: the value at the least ρ for a
   /// segment that extends to both sides as far as it does at any t; and the length times the window at the least
-  /// distance.
+  /// distance. Positions may be off by `error`.
   template <class Window>
-  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
-    const Ranges r = ranges(t0, t1);
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1,
+                                      const Octet& error) const {
+    const Ranges r = ranges(t0, t1, error);
     const Octet zero(0.0);
     const Chord<Octet> chord =
         chord_of(r.rho2_low, r.before_high, r.behind_high, Octet(0.5) * (r.before_high + r.behind_high));
@@ -85,7 +87,7 @@ struct SegmentLanes {
 
   [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0);
-    const Ranges r = ranges(t0, t1);
+    const Ranges r = ranges(t0, t1, zero);
     const Octet width2_low = one - r.rho2_high, reach = sqrt(max(one - r.rho2_low, zero));
     const Octet least_reach = sqrt(max(width2_low, zero));
     const Octet rise0 = n2 * (t0 - middle), rise1 = n2 * (t1 - middle);  // ascending
@@ -137,20 +139,21 @@ struct SegmentLanes {
       return rho2_low + beyond * beyond;
     }
   };
-  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1) const {
+  [[nodiscard]] HWY_INLINE Ranges ranges(const Octet& t0, const Octet& t1, const Octet& error) const {
     Ranges r;
     const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(Octet(0.0), max(a, Octet(0.0) - b));
     r.rho2_0 = n0 + n2 * a * a;
     r.rho2_1 = n0 + n2 * b * b;
-    r.rho2_low = n0 + n2 * near * near;
+    const Octet rho_low = max(Octet(0.0), sqrt(n0 + n2 * near * near) - error);
+    r.rho2_low = rho_low * rho_low;
     r.rho2_high = max(r.rho2_0, r.rho2_1);
     r.before0 = before0 + dx * t0;
     r.before1 = before0 + dx * t1;
     r.behind0 = behind0 - dx * t0;
     r.behind1 = behind0 - dx * t1;
-    r.before_high = max(r.before0, r.before1);
-    r.behind_high = max(r.behind0, r.behind1);
+    r.before_high = max(r.before0, r.before1) + error;
+    r.behind_high = max(r.behind0, r.behind1) + error;
     return r;
   }
 

@@ -30,6 +30,9 @@ struct Quartic {
     return constants;
   }
 
+  /// An upper bound of |dφ/d√v| = 4√v(1 − v), which is greatest at v = 1/3.
+  static constexpr double kSteepest = 1.5397;
+
   [[nodiscard]] HWY_INLINE Octet support() const { return Octet(1.0); }
 
   /// φ for v within the support.

@@ -59,8 +59,13 @@ class PacketSetup {
       const Octet px = cx - middle * dx, py = cy - middle * dy, pz = cz - middle * dz;
       const std::array<Octet, 3> along{scale * (px * px + py * py + pz * pz), scale * dd, middle};
       const Octet near = max(t0_, min(t1_, middle)) - middle;
-      if (adds(kernel, along[0] + along[1] * near * near, table.amplitude[item])) {
-        store_along(along, new_row(table.amplitude[item]));
+      if (!adds(kernel, along[0] + along[1] * near * near, table.amplitude[item])) continue;
+      PacketRow& row = new_row(table.amplitude[item]);
+      store_along(along, row);
+      const Octet size = sqrt(along[0] + along[1] * middle * middle);
+      store(size, row.size);
+      if constexpr (requires { Kernel::kSteepest; }) {
+        sums_.moved = sums_.moved + Octet(Kernel::kSteepest * std::abs(table.amplitude[item])) * size;
       }
     }
   }
@@ -73,17 +78,19 @@ class PacketSetup {
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
-      PacketRow& row =
-          next_row(Form::along(shape, lines_in(fields, item)), Form::shape(shape), fields.table.amplitude[item]);
-      const Octet v_least = load_lanes<Form>(row).bounds(t0_, t1_, constants.scale, constants.support).least;
-      if (adds(kernel, v_least, row.amplitude[0])) ++rows_;
+      const PlacedLines lines = lines_in(fields, item);
+      const Placement<Octet> place{lines.start, lines.size + Octet(extent_of(fields.group, shape))};
+      PacketRow& row = next_row(Form::along(shape, lines), Form::shape(shape), fields.table.amplitude[item], place);
+      const auto lanes = load_placed<Form>(row);
+      const auto bounds = lanes.bounds(t0_, t1_, constants.scale, constants.support);
+      if (adds(kernel, lanes.least(bounds), row.amplitude[0])) ++rows_;
     }
   }
 
   template <class Kernel>
   HWY_INLINE void add_pieces(const Kernel& kernel, const ListedFields& fields) {
     begin(fields, 0);
-    for (std::uint32_t i = 0; i < fields.count; ++i) add_pieces(kernel, fields.table, fields.group, fields.items[i]);
+    for (std::uint32_t i = 0; i < fields.count; ++i) add_pieces(kernel, fields, fields.items[i]);
   }
 
   HWY_NOINLINE void add_curves(const ListedFields& fields) {
@@ -96,9 +103,11 @@ class PacketSetup {
           const std::uint32_t item = fields.items[i];
           const Shape curve = fields.table.shape<Shape>(fields.group, item);
           const double unit = per_support(fields.group.kernel, curve), amplitude = fields.table.amplitude[item];
+          const PlacedLines lines = lines_in(fields, item);
+          const Octet size = Octet(unit) * (lines.size + Octet(extent_of(fields.group, curve)));
           PacketRow& row =
-              next_row(Form::along(curve, unit, lines_in(fields, item)), Form::shape(curve, unit), amplitude);
-          const Octet most = load_lanes<Form>(row).most(window, t0_, t1_);
+              next_row(Form::along(curve, unit, lines), Form::shape(curve, unit), amplitude, {lines.start, size});
+          const Octet most = load_placed<Form>(row).most(window, t0_, t1_);
           const OctetMask reaches = (most > Octet(0.0)) & lanes_;
           if (none(reaches)) continue;
           count(reaches);
@@ -113,66 +122,95 @@ class PacketSetup {
   using PacketRow = LaneRow<InLanes::rays>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// The rays in a component's own space.
-  [[nodiscard]] HWY_INLINE Lines<Octet> lines_in(const ListedFields& fields, std::uint32_t item) const {
-    Lines<Octet> lines;
+  /// As PlacedLine, for eight rays.
+  struct PlacedLines : Lines<Octet> {
+    Octet start, size;
+  };
+  [[nodiscard]] HWY_INLINE PlacedLines lines_in(const ListedFields& fields, std::uint32_t item) const {
+    const ComponentTable& table = fields.table;
+    Octet o[3], d[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      lines.o[i] = load(rays_.origin[i]);
-      lines.d[i] = load(rays_.direction[i]);
+      o[i] = load(rays_.origin[i]);
+      d[i] = load(rays_.direction[i]);
     }
-    if (!fields.group.is_mapped) return lines;
-    const scene::Matrix& m = fields.table.blob_from_component(fields.group, item).inverse;
-    Lines<Octet> mapped;
+    const Octet centre[3] = {Octet(table.x[item]), Octet(table.y[item]), Octet(table.z[item])};
+    const scene::Transform* const map =
+        fields.group.is_mapped ? &table.blob_from_component(fields.group, item) : nullptr;
+    PlacedLines lines;
     for (int i = 0; i < 3; ++i) {
-      const Octet x(m[0][i]), y(m[1][i]), z(m[2][i]);
-      mapped.o[i] = lines.o[0] * x + lines.o[1] * y + lines.o[2] * z + Octet(m[3][i]);
-      mapped.d[i] = lines.d[0] * x + lines.d[1] * y + lines.d[2] * z;
+      lines.o[i] = map ? image(o, map->inverse, i) + Octet(map->inverse[3][i]) : o[i];
+      lines.d[i] = map ? image(d, map->inverse, i) : d[i];
     }
-    return mapped;
+    Octet along(0.0), length2(0.0);
+    for (int i = 0; i < 3; ++i) {
+      along = along + (centre[i] - lines.o[i]) * lines.d[i];
+      length2 = length2 + lines.d[i] * lines.d[i];
+    }
+    const Octet t = along / length2;
+    lines.start = keep(abs(t) < Octet(kInfinity), t);
+    for (std::size_t i = 0; i < 3; ++i) o[i] = o[i] + d[i] * lines.start;
+    Octet distance2(0.0), terms(0.0);
+    for (int i = 0; i < 3; ++i) {
+      lines.o[i] = map ? image(o, map->inverse, i) + Octet(map->inverse[3][i]) : o[i];
+      const Octet away = lines.o[i] - centre[i];
+      distance2 = distance2 + away * away;
+      if (!map) continue;
+      Octet sum(std::abs(map->inverse[3][i]));
+      for (int j = 0; j < 3; ++j) sum = sum + abs(o[j] * Octet(map->inverse[j][i]));
+      terms = max(terms, sum);
+    }
+    lines.size = sqrt(distance2) + terms;
+    return lines;
+  }
+  /// Coordinate i of the image of a vector.
+  [[nodiscard]] static HWY_INLINE Octet image(const Octet (&v)[3], const scene::Matrix& m, int i) {
+    return v[0] * Octet(m[0][i]) + v[1] * Octet(m[1][i]) + v[2] * Octet(m[2][i]);
   }
 
   template <class Kernel>
-  void add_pieces(const Kernel& kernel, const ComponentTable& table, const FieldGroup& group, std::uint32_t item) {
+  void add_pieces(const Kernel& kernel, const ListedFields& fields, std::uint32_t item) {
+    const ComponentTable& table = fields.table;
+    const FieldGroup& group = fields.group;
     m_.reserve(rows_ + kMostPieces);
     const double support = group.kernel.support, scale = ComponentTable::v_scale(group),
                  amplitude = table.amplitude[item];
     const std::uint32_t in_use = bits(lanes_), first = rows_;
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if ((in_use >> lane & 1) == 0) continue;
-      Vec3 origin = rays_.origin_of(lane), direction = rays_.direction_of(lane);
-      if (group.is_mapped) {
-        const scene::Transform& map = table.blob_from_component(group, item);
-        origin = map.inverse_point(origin);
-        direction = map.inverse_vector(direction);
-      }
+      const PlacedLine line(fields, item, rays_.origin_of(lane), rays_.direction_of(lane));
+      double size = 0;
       std::uint32_t next = first;
       const auto emit = [&](const QuadraticPiece& piece) {
         const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
-        const double from = std::max(rays_.t0[lane], piece.begin), to = std::min(rays_.t1[lane], piece.end);
+        const double middle = line.start + piece.middle, begin = line.start + piece.begin, end = line.start + piece.end;
+        const double from = std::max(rays_.t0[lane], begin), to = std::min(rays_.t1[lane], end);
         if (!(from <= to)) return;
-        const double near = std::clamp(piece.middle, from, to) - piece.middle;
-        if (!(v0 + kappa * near * near < support)) return;
+        const double near = std::clamp(middle, from, to) - middle;
+        const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * size);
+        if (!(least * least < support)) return;
         if (next == rows_) clear(new_row(amplitude), 2 * support);
         PacketRow& row = m_.rows[next++];
-        const double columns[] = {v0, kappa, piece.middle, piece.begin, piece.end};
+        const double columns[] = {v0, kappa, middle, begin, end};
         for (std::size_t c = 0; c < std::size(columns); ++c) row.along[c][lane] = columns[c];
+        row.size[lane] = size;
       };
       table.with_skeleton(group, item, [&](const auto& shape) {
         using Shape = std::decay_t<decltype(shape)>;
-        if constexpr (HasPieces<Shape>) shape.along(origin, direction, emit);
+        size = (line.size + extent_of(group, shape)) * std::sqrt(scale) / shape.thickest();
+        if constexpr (HasPieces<Shape>) shape.along(line.origin, line.direction, emit);
       });
     }
     for (std::uint32_t i = first; i < rows_; ++i) {
       const QuadraticLanes lanes = load_lanes<QuadraticLanes>(m_.rows[i]);
-      const HeldPart part = held_part(borders_of(m_.rows[i]), t0_, t1_);
-      const Octet near = max(Octet(0.0), max(part.from - lanes.middle, lanes.middle - part.to));
-      adds(kernel, lanes.v0 + lanes.kappa * near * near, amplitude);
+      const PieceBorders borders = borders_of(m_.rows[i]);
+      adds(kernel, least(lanes, borders, held_part(borders, t0_, t1_)), amplitude);
     }
   }
   /// Fills a row with pieces on which v = `beyond`, a value beyond the support.
   static HWY_INLINE void clear(PacketRow& row, double beyond) {
     const Octet zero(0.0);
     store_along(std::array{Octet(beyond), zero, zero, Octet(-kInfinity), Octet(kInfinity)}, row);
+    store(zero, row.size);
   }
 
   // ---- Rows
@@ -205,11 +243,13 @@ class PacketSetup {
   /// Fills in the row after those in use, which the caller may keep by ++rows_.
   template <std::size_t kAlong, std::size_t kShape>
   HWY_INLINE PacketRow& next_row(const std::array<Octet, kAlong>& along, const std::array<double, kShape>& shape,
-                                 double amplitude) {
+                                 double amplitude, const Placement<Octet>& place) {
     PacketRow& row = m_.rows[rows_];
     store_along(along, row);
     for (std::size_t i = 0; i < kShape; ++i) row.shape[i][0] = shape[i];
     row.amplitude[0] = amplitude;
+    store(place.start, row.start);
+    store(place.size, row.size);
     return row;
   }
   PacketRow& new_row(double amplitude) {

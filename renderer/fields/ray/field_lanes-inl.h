@@ -35,6 +35,7 @@ class FieldLanes {
   struct FieldAt {
     Number value, slope;
     Number magnitude, steepness;  ///< Σ|fᵢ| and Σ|fᵢ′|, the scales of the rounding errors of plain fields
+    Number moved;                 ///< how much F changes if positions are off by their sizes (PlacedLanes)
     Number slope_terms;           ///< the scale of the rounding error of `slope`; a convolution's exceeds its slope
   };
   /// Bounds of the error of F's cubic Hermite interpolant p over an interval: |F − p| ≤ value, |F′ − p′| ≤ slope.
@@ -61,13 +62,19 @@ class FieldLanes {
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
   /// Upper bound of F − T on the stretch.
   [[nodiscard]] HWY_INLINE Number upper_bound() const {
-    return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_;
+    return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_ +
+           Number(kPositionError) * sums_.moved;
   }
   /// Bounds of the rounding errors of value and slope at t. For a sum of n fields the error is 2⁻⁵² Σ|fᵢ|(n + 16 + 2v)
   /// + 2⁻⁵²(n + 16)T, where 2v is there because the exponential magnifies the error of its argument v. The error of the
   /// position is four half units in the last place of t.
   [[nodiscard]] HWY_INLINE Number noise(const Number& t, const FieldAt& f) const {
     return relative_noise_ * f.magnitude + threshold_noise_ + Number(0x1p-51) * abs(t) * f.steepness;
+  }
+  /// The same bound with the rounding errors of positions within the components. The value's own sign is the best guess
+  /// of where a ray crosses, but that it does not cross must hold for every value within this.
+  [[nodiscard]] HWY_INLINE Number doubt(const Number& noise, const FieldAt& f) const {
+    return noise + Number(kPositionError) * (sums_.moved + f.moved);
   }
   [[nodiscard]] HWY_INLINE Number slope_noise(const FieldAt& f) const { return relative_noise_ * f.slope_terms; }
 
@@ -76,8 +83,9 @@ class FieldLanes {
     visit_lanes(m_, values);
     const FieldSums& sums = values.sums;
     const Number steepness = total(sums.steepness);
-    return {total(sums.value) - Number(threshold_), total(sums.slope), total(sums.magnitude), steepness,
-            steepness + total(sums.slope_excess)};
+    return {
+        total(sums.value) - Number(threshold_), total(sums.slope), total(sums.magnitude), steepness, total(sums.moved),
+        steepness + total(sums.slope_excess)};
   }
 
   /// F″ at t (one-sided where a border of a support or of a piece falls on t).

@@ -12,6 +12,7 @@
 #include "renderer/fields/ray/lane_rows-inl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -70,14 +71,55 @@ HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable
   }
 }
 
+/// Where the ray is nearest to a component's own origin.
+template <class N>
+struct Placement {
+  N start;  ///< t
+  N size;   ///< the greatest coordinate that positions within the component's support are computed from
+};
+
+/// A ray in a component's own space, from where it is nearest to the component's own origin.
+struct PlacedLine {
+  Vec3 origin, direction;
+  double start = 0;
+  double size;  ///< the greatest coordinate of `origin` and of what it was computed from
+
+  PlacedLine(const ListedFields& fields, std::uint32_t item, const Vec3& o, const Vec3& d) : origin(o), direction(d) {
+    const ComponentTable& table = fields.table;
+    const Vec3 centre(table.x[item], table.y[item], table.z[item]);
+    const scene::Transform* const map =
+        fields.group.is_mapped ? &table.blob_from_component(fields.group, item) : nullptr;
+    if (map) {
+      direction = map->inverse_vector(d);
+      origin = map->inverse_point(o);
+    }
+    // The origin of an endless component is any point of its plane, and may be far from where the ray meets it.
+    if (!scene::is_endless(fields.group.skeleton)) {
+      const double t = (centre - origin).dot(direction) / direction.length2();
+      if (std::isfinite(t)) start = t;
+      const Vec3 nearest = o + d * start;
+      origin = map ? map->inverse_point(nearest) : nearest;
+    }
+    size = (origin - centre).length();
+    if (map) size += map->inverse_terms(o + d * start);
+  }
+};
+
+/// The greatest coordinate of a component's own space within its support.
+template <class Shape>
+[[nodiscard]] double extent_of(const FieldGroup& group, const Shape& shape) {
+  return shape.extent() + shape.thickest() * ComponentTable::support_root(group);
+}
+
 /// Results of laying out the fields for a stretch of a ray, or for eight.
 template <class Count, class Number>
 struct SetupSums {
   Count field_count;  ///< number of fields that reach the stretch
   Number peak;        ///< upper bound of the sum on the stretch, without rounding
+  Number moved;       ///< how much the sum of points of plain kernels changes if positions are off by their sizes
   double exponent;    ///< the greatest v within the support of any field: scales the exponential's error
 
-  HWY_INLINE SetupSums() : field_count(0), peak(0.0), exponent(0) {}
+  HWY_INLINE SetupSums() : field_count(0), peak(0.0), moved(0.0), exponent(0) {}
 };
 
 }  // namespace HWY_NAMESPACE

@@ -16,13 +16,14 @@ namespace isl::render {
 enum class InLanes : std::uint8_t { fields, rays };
 
 /// The members of a form (skeletons/ray_form-inl.h): `along` depends on field and ray, `shape` and `amplitude` on the
-/// field.
+/// field. `start` and `size` are those of PlacedLanes (lane_rows-inl.h); points and pieces have `size` only.
 template <InLanes kWhat>
 struct alignas(64) LaneRow {
   static constexpr std::size_t kLanes = 8, kFields = kWhat == InLanes::fields ? kLanes : 1;
   static constexpr std::size_t kMostAlong = 6, kMostShape = 3;
 
   double along[kMostAlong][kLanes];
+  double start[kLanes], size[kLanes];
   double shape[kMostShape][kFields];
   double amplitude[kFields];
 };

@@ -31,7 +31,7 @@ class LaneRange {
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
     const OnPiece piece(borders, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
-    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift) + error_of(borders);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
     add(kernel, lane.amplitude, nearest * nearest + lane.kappa * near * near,
         farthest * farthest + lane.kappa * far * far, piece.whole, piece.any);
@@ -41,7 +41,8 @@ class LaneRange {
   HWY_INLINE void add_shape(const Kernel& kernel, const KernelConstants& constants, const Shape& lanes) {
     const auto v = lanes.bounds(on_.t0, on_.t1, constants.scale, constants.support);
     const OctetMask all = v.least <= v.least;
-    add(kernel, lanes.amplitude, v.least, v.greatest, all, all);
+    const Octet farther = sqrt(v.greatest) + Octet(kPositionError) * lanes.size * sqrt(v.factor);
+    add(kernel, lanes.amplitude, lanes.least(v), farther * farther, all, all);
   }
 
   template <class Window, class Curve>

@@ -43,13 +43,59 @@ template <class Form, InLanes kWhat>
   return load_columns<Form>(row, std::make_index_sequence<Form::kAlong>(), std::make_index_sequence<Form::kShape>());
 }
 
-/// The domain of the quadratics of points.
+/// A bound of the rounding errors of positions, in units of the greatest coordinate that they are computed from: some
+/// twelve operations, each off by half a unit in the last place.
+inline constexpr double kPositionError = 8 * 0x1p-52;
+
+/// A form that counts t from `start`, where the ray is nearest to the component's own origin: there a component that is
+/// small and far from where the ray starts has small coordinates, which are known to more digits. `size` is the
+/// greatest coordinate from there on (for a curve, in support radii).
+template <class Form>
+struct PlacedLanes : Form {
+  Octet start, size;
+
+  // Of skeletons.
+  [[nodiscard]] HWY_INLINE auto at(const Octet& t, double scale) const { return Form::at(t - start, scale); }
+  [[nodiscard]] HWY_INLINE auto second(const Octet& t, double scale) const { return Form::second(t - start, scale); }
+  [[nodiscard]] HWY_INLINE auto bounds(const Octet& t0, const Octet& t1, double scale, double support) const {
+    return Form::bounds(t0 - start, t1 - start, scale, support);
+  }
+  /// The least v on a stretch with these bounds, wherever positions are off by their rounding errors.
+  template <class Bounds>
+  [[nodiscard]] HWY_INLINE Octet least(const Bounds& bounds) const {
+    const Octet x = max(Octet(0.0), sqrt(bounds.least) - Octet(kPositionError) * size * sqrt(bounds.factor));
+    return x * x;
+  }
+
+  // Of convolved curves.
+  template <class Window>
+  [[nodiscard]] HWY_INLINE auto at(const Window& window, const Octet& t) const {
+    return Form::at(window, t - start, size);
+  }
+  template <class Window>
+  [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
+    return Form::most(window, t0 - start, t1 - start, Octet(kPositionError) * size);
+  }
+  [[nodiscard]] HWY_INLINE auto stretch(const Octet& t0, const Octet& t1) const {
+    return Form::stretch(t0 - start, t1 - start);
+  }
+};
+
+template <class Form, InLanes kWhat>
+[[nodiscard]] HWY_INLINE PlacedLanes<Form> load_placed(const LaneRow<kWhat>& row) {
+  return {load_lanes<Form>(row), load(row.start), load(row.size)};
+}
+
+/// The domain of the quadratics of points; `size` is as in PieceBorders.
 struct Everywhere {
+  Octet size;
+
   [[nodiscard]] HWY_INLINE OctetMask holds(const OctetMask& mask, const Octet&) const { return mask; }
 };
-/// The domain of the quadratics of pieces, [begin, end).
+/// The domain of the quadratics of pieces, [begin, end), and the greatest coordinate that they are computed from, as √v
+/// at that distance.
 struct PieceBorders {
-  Octet begin, end;
+  Octet begin, end, size;
 
   [[nodiscard]] HWY_INLINE OctetMask holds(const OctetMask& mask, const Octet& t) const {
     return mask & (t >= begin) & (t < end);
@@ -58,7 +104,13 @@ struct PieceBorders {
 inline constexpr std::size_t kPieceBegin = QuadraticLanes::kAlong, kPieceEnd = kPieceBegin + 1;
 template <InLanes kWhat>
 [[nodiscard]] HWY_INLINE PieceBorders borders_of(const LaneRow<kWhat>& row) {
-  return {load(row.along[kPieceBegin]), load(row.along[kPieceEnd])};
+  return {load(row.along[kPieceBegin]), load(row.along[kPieceEnd]), load(row.size)};
+}
+
+/// The error of a quadratic's √v at its middle.
+template <class Borders>
+[[nodiscard]] HWY_INLINE Octet error_of(const Borders& piece) {
+  return Octet(kPositionError) * piece.size;
 }
 
 /// The part of an interval inside the domain of a quadratic.
@@ -71,6 +123,12 @@ struct HeldPart {
 }
 [[nodiscard]] HWY_INLINE HeldPart held_part(const PieceBorders& piece, const Octet& t0, const Octet& t1) {
   return {max(t0, piece.begin), min(t1, piece.end), (piece.begin <= t0) & (t1 <= piece.end)};
+}
+/// The least v on a part, wherever positions are off by their rounding errors.
+[[nodiscard]] HWY_INLINE Octet least(const QuadraticLanes& lane, const PieceBorders& piece, const HeldPart& part) {
+  const Octet near = max(Octet(0.0), max(part.from - lane.middle, lane.middle - part.to));
+  const Octet x = max(Octet(0.0), sqrt(lane.v0 + lane.kappa * near * near) - error_of(piece));
+  return x * x;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -52,7 +52,7 @@ class LaneSetup {
     const Octet ox(origin_.x), oy(origin_.y), oz(origin_.z), dx(direction_.x), dy(direction_.y), dz(direction_.z);
     const double dd = direction_.length2();
     const Octet inverse_dd(1 / dd), from(t0_), to(t1_), zero(0.0);
-    Octet peaks(0.0);
+    Octet peaks(0.0), moved(0.0);
     for (std::uint32_t i = 0; i < fields.count; i += kOctet) {
       const std::uint32_t* const index = fields.items + i;
       const OctetMask listed = first_lanes(std::min<std::uint32_t>(kOctet, fields.count - i));
@@ -78,9 +78,13 @@ class LaneSetup {
       store(keep(listed, kappa), row.along[1]);
       store(middle, row.along[2]);
       store(amplitude, row.amplitude);
+      const Octet size = sqrt(v0 + kappa * middle * middle);
+      store(keep(listed, size), row.size);
+      if constexpr (requires { Kernel::kSteepest; }) moved = moved + keep(reaches, abs(amplitude) * size);
       sums_.field_count += static_cast<std::uint32_t>(std::popcount(bits(reaches)));
     }
     sums_.peak += sum(peaks);
+    if constexpr (requires { Kernel::kSteepest; }) sums_.moved += Kernel::kSteepest * sum(moved);
   }
 
   template <class Kernel>
@@ -90,9 +94,8 @@ class LaneSetup {
     Octet peaks(0.0);
     for (std::uint32_t i = first; i < rows_; ++i) {
       const auto lane = load_lanes<QuadraticLanes>(m_.rows[i]);
-      const HeldPart part = held_part(borders_of(m_.rows[i]), Octet(t0_), Octet(t1_));
-      const Octet near = max(Octet(0.0), max(part.from - lane.middle, lane.middle - part.to));
-      add_peaks(kernel, lane.v0 + lane.kappa * near * near, lane.amplitude, peaks);
+      const PieceBorders borders = borders_of(m_.rows[i]);
+      add_peaks(kernel, least(lane, borders, held_part(borders, Octet(t0_), Octet(t1_))), lane.amplitude, peaks);
     }
     sums_.peak += sum(peaks);
   }
@@ -105,8 +108,9 @@ class LaneSetup {
     const KernelConstants& constants = fields.group.kernel;
     Octet peaks(0.0);
     for (std::uint32_t i = first; i < rows_; ++i) {
-      const auto lanes = load_lanes<Form>(m_.rows[i]);
-      add_peaks(kernel, lanes.bounds(t0_, t1_, constants.scale, constants.support).least, lanes.amplitude, peaks);
+      const auto lanes = load_placed<Form>(m_.rows[i]);
+      const auto bounds = lanes.bounds(t0_, t1_, constants.scale, constants.support);
+      add_peaks(kernel, lanes.least(bounds), lanes.amplitude, peaks);
     }
     sums_.peak += sum(peaks);
   }
@@ -117,16 +121,17 @@ class LaneSetup {
       using Shape = typename decltype(type)::type;
       using Form = typename CurveFormOf<Shape>::type;
       const std::uint32_t first = rows_;
-      for_each_line<Shape>(
-          fields, [&](const Shape& curve, double amplitude, const Vec3& origin, const Vec3& direction) HWY_ATTR {
-            const double unit = per_support(fields.group.kernel, curve);
-            put(Form::along(curve, unit, line(origin, direction)), Form::shape(curve, unit), amplitude);
-          });
+      for_each_line<Shape>(fields, [&](const Shape& curve, double amplitude, const Vec3& origin, const Vec3& direction,
+                                       Placement<double> place) HWY_ATTR {
+        const double unit = per_support(fields.group.kernel, curve);
+        place.size *= unit;
+        put(Form::along(curve, unit, line(origin, direction)), Form::shape(curve, unit), amplitude, place);
+      });
       fill_up<Form>();
       Octet peaks(0.0);
       with_window(fields.group.kernel, [&](const auto& window) HWY_ATTR {
         for (std::uint32_t i = first; i < rows_; ++i) {
-          const auto lanes = load_lanes<Form>(m_.rows[i]);
+          const auto lanes = load_placed<Form>(m_.rows[i]);
           peaks = peaks + max(lanes.amplitude, Octet(0.0)) * lanes.most(window, t0_, t1_);
         }
       });
@@ -146,19 +151,16 @@ class LaneSetup {
     peaks = peaks + keep(v_least < kernel.support(), max(amplitude, Octet(0.0)) * kernel.value(v_least));
   }
 
-  /// Calls use(skeleton, amplitude, origin, direction) for each field, with the ray in the component's own space.
+  /// Calls use(skeleton, amplitude, origin, direction, placement) for each field, with the ray in the component's own
+  /// space, from `placement.start` on.
   template <class Shape, class Use>
   void for_each_line(const ListedFields& fields, const Use& use) {
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
-      const double amplitude = fields.table.amplitude[item];
-      if (fields.group.is_mapped) {
-        const scene::Transform& map = fields.table.blob_from_component(fields.group, item);
-        use(shape, amplitude, map.inverse_point(origin_), map.inverse_vector(direction_));
-      } else {
-        use(shape, amplitude, origin_, direction_);
-      }
+      const PlacedLine line(fields, item, origin_, direction_);
+      use(shape, fields.table.amplitude[item], line.origin, line.direction,
+          Placement<double>{line.start, line.size + extent_of(fields.group, shape)});
     }
     sums_.field_count += fields.count;
   }
@@ -172,42 +174,51 @@ class LaneSetup {
     with_skeleton_type(fields.group.skeleton, [&](auto type) {
       using Shape = typename decltype(type)::type;
       if constexpr (HasPieces<Shape>) {
-        for_each_line<Shape>(
-            fields, [&](const Shape& shape, double amplitude, const Vec3& origin, const Vec3& direction) {
-              shape.along(origin, direction,
-                          [&](const QuadraticPiece& piece) { put_piece(piece, scale, amplitude, support); });
-            });
+        for_each_line<Shape>(fields, [&](const Shape& shape, double amplitude, const Vec3& origin,
+                                         const Vec3& direction, const Placement<double>& place) {
+          const double size = place.size * std::sqrt(scale) / shape.thickest();
+          shape.along(origin, direction, [&](const QuadraticPiece& piece) {
+            put_piece(piece, scale, amplitude, support, {place.start, size});
+          });
+        });
       }
     });
-    while (lane_ != 0) put<5, 0>({2 * support, 0, 0, -kInfinity, kInfinity}, {}, 0);
+    while (lane_ != 0) put<5, 0>({2 * support, 0, 0, -kInfinity, kInfinity}, {}, 0, {0, 0});
   }
   /// Adds a piece of v = scale · q, unless it cannot reach the stretch.
-  void put_piece(const QuadraticPiece& piece, double scale, double amplitude, double support) {
+  void put_piece(const QuadraticPiece& piece, double scale, double amplitude, double support,
+                 const Placement<double>& place) {
     const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
-    const double from = std::max(t0_, piece.begin), to = std::min(t1_, piece.end);
+    const double middle = place.start + piece.middle, begin = place.start + piece.begin, end = place.start + piece.end;
+    const double from = std::max(t0_, begin), to = std::min(t1_, end);
     if (!(from <= to)) return;
-    const double near = std::clamp(piece.middle, from, to) - piece.middle;
-    if (!(v0 + kappa * near * near < support)) return;
-    put<5, 0>({v0, kappa, piece.middle, piece.begin, piece.end}, {}, amplitude);
+    const double near = std::clamp(middle, from, to) - middle;
+    const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * place.size);
+    if (!(least * least < support)) return;
+    put<5, 0>({v0, kappa, middle, begin, end}, {}, amplitude, place);
   }
 
   template <class Shape>
   HWY_NOINLINE void lay_out_shapes(const ListedFields& fields) {
     using Form = typename RayFormOf<Shape>::type;
     sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
-    for_each_line<Shape>(
-        fields, [&](const Shape& shape, double amplitude, const Vec3& origin, const Vec3& direction)
-                    HWY_ATTR { put(Form::along(shape, line(origin, direction)), Form::shape(shape), amplitude); });
+    for_each_line<Shape>(fields, [&](const Shape& shape, double amplitude, const Vec3& origin, const Vec3& direction,
+                                     const Placement<double>& place) HWY_ATTR {
+      put(Form::along(shape, line(origin, direction)), Form::shape(shape), amplitude, place);
+    });
     fill_up<Form>();
   }
 
   /// Fills the next lane, and begins a new row after the last lane of one.
   template <std::size_t kAlong, std::size_t kShape>
-  void put(const std::array<double, kAlong>& along, const std::array<double, kShape>& shape, double amplitude) {
+  void put(const std::array<double, kAlong>& along, const std::array<double, kShape>& shape, double amplitude,
+           const Placement<double>& place) {
     LaneRow<InLanes::fields>& row = m_.rows[rows_];
     for (std::size_t i = 0; i < kAlong; ++i) row.along[i][lane_] = along[i];
     for (std::size_t i = 0; i < kShape; ++i) row.shape[i][lane_] = shape[i];
     row.amplitude[lane_] = amplitude;
+    row.start[lane_] = place.start;
+    row.size[lane_] = place.size;
     if (++lane_ < kOctet) return;
     lane_ = 0;
     ++rows_;
@@ -219,7 +230,7 @@ class LaneSetup {
     std::array<double, Form::kShape> shape;
     std::copy_n(Form::kOutOfReach.begin(), along.size(), along.begin());
     std::copy_n(Form::kOutOfReach.begin() + along.size(), shape.size(), shape.begin());
-    while (lane_ != 0) put(along, shape, 0);
+    while (lane_ != 0) put(along, shape, 0, {0, 0});
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -34,7 +34,7 @@ class LaneSlope {
   HWY_INLINE void add_quadratics(const Kernel& kernel, const QuadraticLanes& lane, const Borders& borders) {
     const OnPiece piece(borders, lane.middle, on_.t0, on_.t1, on_.drift);
     const Octet near = piece.near(), far = piece.far();
-    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift);
+    const Octet across = sqrt(lane.v0), shift = sqrt(lane.kappa) * Octet(on_.drift) + error_of(borders);
     const Octet nearest = max(Octet(0.0), across - shift), farthest = across + shift;
     const Octet steep = slope_of(kernel, nearest * nearest + lane.kappa * near * near);
     const Octet flat = slope_of(kernel, farthest * farthest + lane.kappa * far * far);

@@ -17,10 +17,24 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// f and f′.
+/// f and f′, and how much f changes if positions are off by their `size` (PlacedLanes).
 struct FieldTerm {
-  Octet value, slope;
+  Octet value, slope, moved;
 };
+
+// If a distance is off by x = size · √v/distance in √v, f is off by |φ′(v)|(2√v x + x²). The rounding of positions is a
+// small share of x, kPositionError, so that is what x² is multiplied by.
+
+template <class Kernel, class Borders>
+[[nodiscard]] HWY_INLINE Octet moved(const Kernel& kernel, const Borders& piece, const Octet& steepness) {
+  return Octet(2.0) * abs(steepness) * piece.size * sqrt(kernel.support());
+}
+/// Of points with a kernel that is nowhere steep, the sum has a bound that is known from the setup (SetupSums::moved).
+template <class Kernel>
+requires requires { Kernel::kSteepest; }
+[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Everywhere&, const Octet& /*steepness*/) {
+  return Octet(0.0);
+}
 
 /// f and f′ of quadratics at t.
 template <class Kernel, class Borders>
@@ -32,7 +46,8 @@ template <class Kernel, class Borders>
   const OctetMask active = borders.holds(v < kernel.support(), t);
   const KernelValue phi = kernel.value_and_slope(v);
   return {keep(active, lane.amplitude * phi.value),
-          keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau)))};
+          keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau))),
+          moved(kernel, borders, keep(active, lane.amplitude * phi.slope))};
 }
 
 /// f and f′ of a ray form at t.
@@ -41,21 +56,25 @@ template <class Kernel, class Shapes>
   const LanePoint p = lanes.at(t, scale);
   const OctetMask active = p.v < kernel.support();
   const KernelValue phi = kernel.value_and_slope(p.v);
-  return {keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope))};
+  const Octet x = lanes.size * sqrt(p.factor);
+  return {keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope)),
+          keep(active, abs(lanes.amplitude * phi.slope) * x * (Octet(2.0) * sqrt(p.v) + Octet(kPositionError) * x))};
 }
 
 /// Σf and Σf′, and the scales of their rounding errors, Σ|f| and Σ|f′|.
 struct FieldSums {
   Octet value, slope, magnitude, steepness;
+  Octet moved;         ///< how much Σf changes if positions are off by their sizes
   Octet slope_excess;  ///< what the rounding errors of convolved slopes are in proportion to, besides `steepness`
 
-  HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0), slope_excess(0.0) {}
+  HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0), moved(0.0), slope_excess(0.0) {}
 
   HWY_INLINE void add(const FieldTerm& f) {
     value = value + f.value;
     slope = slope + f.slope;
     magnitude = magnitude + abs(f.value);
     steepness = steepness + abs(f.slope);
+    moved = moved + f.moved;
   }
   /// Adds convolved curves, whose values are sums themselves and have their own scales of rounding errors.
   HWY_INLINE void add(const CurvePoint& p) {
@@ -63,6 +82,7 @@ struct FieldSums {
     slope = slope + p.slope;
     magnitude = magnitude + p.value_terms;
     steepness = steepness + abs(p.slope);
+    moved = moved + p.moved;
     slope_excess = slope_excess + p.slope_terms;
   }
 };

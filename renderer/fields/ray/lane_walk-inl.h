@@ -27,7 +27,7 @@ template <InLanes kWhat, class Visitor>
   with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
     with_curve_form(run.skeleton, [&](auto type) HWY_ATTR {
       using Form = typename CurveFormOf<typename decltype(type)::type>::type;
-      for (; row != end; ++row) visitor.add_curve(window, load_lanes<Form>(*row));
+      for (; row != end; ++row) visitor.add_curve(window, load_placed<Form>(*row));
     });
   });
   return visitor;
@@ -45,7 +45,8 @@ HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) 
     with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR {
       switch (run.form) {
         case LaneForm::points:
-          for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), Everywhere());
+          for (; row != end; ++row)
+            visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), Everywhere{load(row->size)});
           break;
         case LaneForm::pieces:
           for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), borders_of(*row));
@@ -53,7 +54,7 @@ HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) 
         default:
           with_ray_form(run.skeleton, [&](auto type) HWY_ATTR {
             using Form = typename RayFormOf<typename decltype(type)::type>::type;
-            for (; row != end; ++row) visitor.add_shape(kernel, *run.kernel, load_lanes<Form>(*row));
+            for (; row != end; ++row) visitor.add_shape(kernel, *run.kernel, load_placed<Form>(*row));
           });
           break;
       }

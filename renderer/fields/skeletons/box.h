@@ -39,6 +39,7 @@ struct SolidBox {
     return box_coordinates(low, high, p);
   }
 
+  [[nodiscard]] double extent() const { return (high - low).length(); }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     double coordinate = 0;

@@ -39,6 +39,7 @@ struct Circle {
                              ring_radius);
   }
 
+  [[nodiscard]] double extent() const { return ring_radius; }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = n.dot(centre) + ring_radius * n.cross(axis).length();
@@ -88,7 +89,7 @@ struct CircleLanes {
     const Octet z = z0 + dz * t, tau = t - middle, n2_tau = n2 * tau;
     const Octet rho = radius_at(tau), across = rho - ring_radius;
     const Octet factor = Octet(scale) * inverse_radius2;
-    return {factor * (across * across + z * z), factor * Octet(2.0) * (z * dz + n2_tau * (across / rho))};
+    return {factor * (across * across + z * z), factor * Octet(2.0) * (z * dz + n2_tau * (across / rho)), factor};
   }
 
   /// v″.
@@ -114,6 +115,7 @@ struct CircleLanes {
     result.one_piece = zero < Octet(1.0);
     result.least = result.v.least = factor * (gap * gap + z_near * z_near);
     result.greatest = factor * (spread * spread + z_far * z_far);
+    result.factor = factor;
     // Points beyond the support are irrelevant, so greater distances and smaller ρ are cut off.
     const Octet reach2 = Octet(support) / factor;
     const Octet w_most = min(result.greatest / factor, reach2);

@@ -71,6 +71,7 @@ struct Cone {
     return {nearest(x, (from_a - axis * x).length2()) / length, across.share_of_turn(turn.back(from_a))};
   }
 
+  [[nodiscard]] double extent() const { return length; }
   [[nodiscard]] double thickest() const { return std::max(radius, radius_at(length)); }
   [[nodiscard]] double thinnest() const { return std::min(radius, radius_at(length)); }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
@@ -172,6 +173,7 @@ struct ConeBounds {
   OctetMask may_a, may_b, may_body;
   OctetMask one_piece;
   Octet least, greatest;  ///< range of v
+  Octet factor;           ///< as in ShapeBounds
 
   /// The union over the pieces that the interval may touch.
   template <class Kernel>
@@ -221,7 +223,7 @@ struct ConeLanes {
     const Octet u = nearest(x, n);
     const Octet r = radius + k * u, e = x - u;
     const Octet factor = Octet(scale) / (r * r);
-    return {factor * (e * e + n), factor * (Octet(2.0) * (e * dx + n2 * tau))};
+    return {factor * (e * e + n), factor * (Octet(2.0) * (e * dx + n2 * tau)), factor};
   }
 
   /// v″ on the piece that contains t.
@@ -300,6 +302,7 @@ struct ConeLanes {
     // Also |q′| = 2√q |(p − c)·D|/(|p − c| r) ≤ 2√q |D|/r, and the radius r of the nearest sphere is not below
     // r(x) nor that of the thin end; q beyond the support is irrelevant.
     const Octet r_low = max(w_from, min(radius, radius + k * length));
+    result.factor = Octet(scale) / max(r_low * r_low, Octet(kLeast));
     const Octet q_counts = min(q_high, Octet(support / scale));
     const Octet steepest = two * sqrt(q_counts * speed2) / max(r_low, Octet(kLeast));
     const Octet q1 = min((two * n2 * far + q_high * m1) * inverse, steepest);

@@ -47,6 +47,7 @@ struct Disc {
     return {std::min(rho / disc_radius, 1.0), AcrossAxis(axis).share_of_turn(from_centre)};
   }
 
+  [[nodiscard]] double extent() const { return disc_radius; }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = n.dot(centre) + disc_radius * n.cross(axis).length();
@@ -145,7 +146,7 @@ struct DiscLanes {
     const Octet rho = sqrt(n0 + n2_tau * tau), g = beyond_rim(rho);
     const Octet factor = Octet(scale) * inverse_radius2;
     // g/ρ where g > 0; elsewhere 0/R, since ρ can be 0 on the axis.
-    return {factor * (z * z + g * g), factor * Octet(2.0) * (z * dz + n2_tau * (g / max(rho, disc_radius)))};
+    return {factor * (z * z + g * g), factor * Octet(2.0) * (z * dz + n2_tau * (g / max(rho, disc_radius))), factor};
   }
 
   /// v″ on the side of the rim on which t lies.
@@ -170,6 +171,7 @@ struct DiscLanes {
     result.one_piece = over_disc | beyond;
     result.least = result.v.least = factor * (z_near * z_near + g_near * g_near);
     result.greatest = factor * (z_far * z_far + g_far * g_far);
+    result.factor = factor;
     // Distances beyond the support are irrelevant, so greater ones are cut off.
     const Octet dz2 = dz * dz, root_n2 = sqrt(n2);
     const Octet w_most = min(result.greatest, Octet(support)) / factor;

@@ -6,7 +6,7 @@
 //   along<N>(shape, lines)          the kAlong members, for one line (N = double) or for eight (Octet)
 //   shape(shape)                    the kShape members
 //   kOutOfReach                     values of all these for unused lanes: no support reaches the ray
-//   at(t, scale)                    v = scale · q and dv/dt
+//   at(t, scale)                    v = scale · q, dv/dt and v/distance²
 //   second(t, scale)                d²v/dt²
 //   bounds(t0, t1, scale, support)  ShapeBounds of v on a stretch, which need not hold beyond the support
 //
@@ -26,9 +26,9 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// v = scale · q and dv/dt.
+/// v = scale · q = factor · distance², and dv/dt.
 struct LanePoint {
-  Octet v, slope;
+  Octet v, slope, factor;
 };
 
 /// Bounds of v on a stretch of a ray, for skeletons that do not treat pieces of v separately.
@@ -36,6 +36,7 @@ struct ShapeBounds {
   JetBounds v;
   OctetMask one_piece;  ///< v is certainly smooth on the stretch
   Octet least, greatest;
+  Octet factor;  ///< the greatest quotient v/distance² on the stretch
 
   /// Bounds of f″ and f⁗ for the field f of this kernel.
   template <class Kernel>

@@ -71,6 +71,7 @@ struct FlatTriangle {
             std::clamp(ab.cross(foot).dot(normal) / area, 0.0, 1.0)};
   }
 
+  [[nodiscard]] double extent() const { return std::max(length[0], length[2]); }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = std::max({n.dot(corner[0]), n.dot(corner[1]), n.dot(corner[2])});

@@ -65,7 +65,8 @@ class RivalSolver {
   [[nodiscard]] Node node(double t) {
     const FieldAt f = fields_.at(t);
     counters_.field_evaluations += fields_.field_count();
-    return {t, side_ * f.value, side_ * f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
+    const double noise = fields_.noise(t, f);
+    return {t, side_ * f.value, side_ * f.slope, noise, fields_.slope_noise(f), fields_.doubt(noise, f)};
   }
 
  protected:

@@ -15,6 +15,7 @@
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/cells/extended_search.h"
 #include "renderer/solvers/cells/maximum-inl.h"
 #include "renderer/solvers/cells/node-inl.h"
 
@@ -235,7 +236,7 @@ class CellSearch {
     Solver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, lengths_, counters_);
     Node a = is_node_valid_ ? node_ : solver.node(t0);
     if (side_ == Side::unknown) {
-      side_ = (starts_here ? leaves_inwards(fields_, a) : a.value > a.noise) ? Side::inside : Side::outside;
+      side_ = (starts_here ? leaves_inwards(fields_, a) : starts_inside(a)) ? Side::inside : Side::outside;
       if (side_ == Side::inside) {
         a.value = -a.value;
         a.slope = -a.slope;
@@ -248,6 +249,13 @@ class CellSearch {
     node_ = b;
     is_node_valid_ = true;
     return false;
+  }
+
+  [[nodiscard]] bool starts_inside(const Node& a) {
+    if (std::abs(a.value) > a.doubt) return a.value > 0;
+    if (const std::optional<bool> inside = is_inside(fields_.laid_out(), a.t)) return *inside;
+    ++counters_.undecided_steps;
+    return a.value > a.noise;
   }
 
   const CompiledBlob& blob_;

@@ -69,7 +69,7 @@ class MaximumSolver {
  private:
   struct Greatest {
     std::uint32_t index = 0;
-    Node node{0, -std::numeric_limits<double>::infinity(), 0, 0, 0};
+    Node node{0, -std::numeric_limits<double>::infinity(), 0, 0, 0, 0};
   };
 
   void lay_out(std::uint32_t i) {

@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 struct Node {
   double t, value, slope;
   double noise, slope_noise;  ///< bounds of how far rounding may have moved them
+  double doubt;               ///< the same for `value`, rounding of positions within components included
 };
 
 /// The length of intervals, in units of t, that the user's tolerance does not ask to tell apart.

@@ -5,8 +5,14 @@
 //   b₀ = F₀,  b₁ = F₀ + hF′₀/3,  b₂ = F₁ − hF′₁/3,  b₃ = F₁,
 // and the fields' own bounds (RayLanes::remainder) give a band E around it that F cannot leave. So:
 //   max b + E < 0                      no root: the hull of the control points holds the cubic;
-//   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, else none;
+//   3 min(bⱼ₊₁ − bⱼ) > hE′             F rises strictly: exactly one root if F₁ > 0, none if F₁ < 0;
+//   3 max(bⱼ₊₁ − bⱼ) < −hE′            F falls strictly: none if F₀ < 0;
 //   otherwise                          halve the interval with a true node; E falls sixteenfold.
+// Signs are judged in two ways. Where a ray crosses is judged by the sign of F as computed, beyond the rounding of its
+// sum: that is the best guess of the place. That it does not cross is only proved if F keeps its sign however rounding
+// has moved F and the positions that it is computed from (Node::doubt); what is in doubt goes the way of undecided
+// intervals.
+//
 // An interval may remain undecided although E has fallen below the rounding of F, or the interval is shorter than the
 // tolerance needs, or its ends are neighbouring doubles. It is then split where a skeleton's nearest feature changes,
 // because F changes there too beside the core of a hard component. After that, the ranges of the fields may show that F
@@ -38,8 +44,8 @@
 #include "renderer/numerics/cubic.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/cells/extended_search.h"
 #include "renderer/solvers/cells/node-inl.h"
-#include "renderer/solvers/certified/extended_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +78,8 @@ class HermiteSolver {
   [[nodiscard]] Node node(double t) {
     const FieldAt f = fields_.at(t);
     counters_.field_evaluations += fields_.field_count();
-    return {t, side_ * f.value, side_ * f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
+    const double noise = fields_.noise(t, f);
+    return {t, side_ * f.value, side_ * f.slope, noise, fields_.slope_noise(f), fields_.doubt(noise, f)};
   }
 
   /// The first t in (a.t, last.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t and
@@ -100,9 +107,9 @@ class HermiteSolver {
         case Verdict::undecided: {
           const ExtendedAnswer answer = search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root});
           const bool crossed = b.value > b.noise;
-          if (crossed && answer.crossing) return answer.crossing;
-          // A dip through the surface that only more digits show is no deeper than the rounding: its way back could not
-          // be found from where it begins. It counts as a touch.
+          if (answer.crossing && b.value > -b.doubt) return answer.crossing;
+          // A dip through the surface and back that only more digits show is no deeper than the rounding: its way back
+          // could not be found from where it begins. It counts as a touch.
           if (!answer.is_certain || answer.crossing || crossed) {
             ++counters_.undecided_steps;
             if (shows_crossing_) return root_in_cubic(a, b, a_is_root);
@@ -135,7 +142,7 @@ class HermiteSolver {
     if (a_is_root) {
       const Quotient c = quotient(a, b);
       const bool leaves = c.c0 <= h * a.slope_noise;
-      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.noise + 0.5 * h * b.slope_noise < 0 && c.c2 + b.noise < 0) {
+      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.doubt + 0.5 * h * b.slope_noise < 0 && c.c2 + b.doubt < 0) {
         return Verdict::none;
       }
       const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);
@@ -144,15 +151,16 @@ class HermiteSolver {
         return Verdict::back;
       }
     } else {
-      if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + noise < 0) return Verdict::none;
+      if (std::max({p.b0, p.b1, p.b2, p.b3}) + e.value + std::max(a.doubt, b.doubt) < 0) return Verdict::none;
       const double rise = 3 * std::min({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
       const double fall = 3 * std::max({p.b1 - p.b0, p.b2 - p.b1, p.b3 - p.b2});
       const double band = h * (e.slope + slope_noise);
       if (rise > band) {
         most_bend_ = most_bend(p, e, noise, h * slope_noise);
-        return crossed ? Verdict::one : Verdict::none;
+        if (crossed) return Verdict::one;
+        if (b.value < -b.doubt) return Verdict::none;
       }
-      if (fall < -band) return Verdict::none;
+      if (fall < -band && a.value < -a.doubt) return Verdict::none;
     }
     const double middle = a.t + 0.5 * h;
     // E must be within the rounding at both ends: what is small beside a value of 10¹⁰⁰ at one end may be large at the

@@ -82,11 +82,15 @@ class PacketSolver {
 
  private:
   struct Node {
-    Octet t, value, slope, noise, slope_noise;
+    Octet t, value, slope, noise, slope_noise, doubt;
   };
   [[nodiscard]] static HWY_INLINE Node select(const OctetMask& mask, const Node& yes, const Node& no) {
-    return {select(mask, yes.t, no.t), select(mask, yes.value, no.value), select(mask, yes.slope, no.slope),
-            select(mask, yes.noise, no.noise), select(mask, yes.slope_noise, no.slope_noise)};
+    return {select(mask, yes.t, no.t),
+            select(mask, yes.value, no.value),
+            select(mask, yes.slope, no.slope),
+            select(mask, yes.noise, no.noise),
+            select(mask, yes.slope_noise, no.slope_noise),
+            select(mask, yes.doubt, no.doubt)};
   }
   [[nodiscard]] static HWY_INLINE Octet select(const OctetMask& mask, const Octet& yes, const Octet& no) {
     return HWY_NAMESPACE::select(mask, yes, no);
@@ -95,7 +99,8 @@ class PacketSolver {
   [[nodiscard]] HWY_INLINE Node node(const Octet& t) {
     const PacketLanes::FieldAt f = fields_.at(t);
     counters_.field_evaluations += static_cast<std::uint64_t>(sum(keep(searched_, fields_.field_count())));
-    return {t, f.value, f.slope, fields_.noise(t, f), fields_.slope_noise(f)};
+    const Octet noise = fields_.noise(t, f);
+    return {t, f.value, f.slope, noise, fields_.slope_noise(f), fields_.doubt(noise, f)};
   }
 
   struct Verdicts {
@@ -111,12 +116,12 @@ class PacketSolver {
     const Octet noise = max(a.noise, b.noise), slope_noise = max(a.slope_noise, b.slope_noise);
     const PacketLanes::Remainder e = fields_.remainder(a.t, b.t);
     const Octet b1 = a.value + third * a.slope, b2 = b.value - third * b.slope;
-    const OctetMask below = max(max(a.value, b1), max(b2, b.value)) + e.value + noise < zero;
+    const OctetMask below = max(max(a.value, b1), max(b2, b.value)) + e.value + max(a.doubt, b.doubt) < zero;
     const Octet d0 = b1 - a.value, d1 = b2 - b1, d2 = b.value - b2;
     const Octet rise = three * min(d0, min(d1, d2)), fall = three * max(d0, max(d1, d2));
     const Octet band = h * (e.slope + slope_noise);
     const OctetMask rises = rise > band, falls = fall < zero - band;
-    const OctetMask clear = below | falls | (rises & (b.value <= b.noise));
+    const OctetMask clear = below | (falls & (a.value + a.doubt < zero)) | (rises & (b.value + b.doubt < zero));
     const Octet middle = a.t + Octet(0.5) * h;
     const OctetMask may_split = (e.value > min(a.noise, b.noise)) & (h > least) & (middle > a.t) & (middle < b.t);
     Verdicts v;

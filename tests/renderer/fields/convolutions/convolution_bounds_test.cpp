@@ -42,12 +42,13 @@ struct Field {
     return use(lanes::CauchyWindow(constants));
   }
   [[nodiscard]] Sample at(double t) const {
-    const lanes::CurvePoint p = with_window([&](const auto& window) { return lane.at(window, Octet(t)); });
+    const lanes::CurvePoint p = with_window([&](const auto& window) { return lane.at(window, Octet(t), Octet(0.0)); });
     constexpr double kUnit = 0x1p-48;
     return {first(p.value), first(p.slope), kUnit * first(p.value_terms), kUnit * first(p.slope_terms)};
   }
   [[nodiscard]] double most(double t0, double t1) const {
-    return first(lane.amplitude) * with_window([&](const auto& window) { return first(lane.most(window, t0, t1)); });
+    return first(lane.amplitude) *
+           with_window([&](const auto& window) { return first(lane.most(window, t0, t1, 0.0)); });
   }
   [[nodiscard]] lanes::CurveRemainder remainder(double t0, double t1) const {
     return with_window([&](const auto& w) { return lanes::curve_remainder(w, lane.stretch(t0, t1), t1 - t0); });

@@ -1,4 +1,4 @@
-#include "renderer/solvers/certified/extended_search.h"
+#include "renderer/solvers/cells/extended_search.h"
 
 #include "renderer/fields/component_table.h"
 #include "renderer/reference/reference_tracer.h"
@@ -17,16 +17,28 @@ reference::ReferenceField field_of(const LaidOutFields& fields) {
   return {*fields.table->database, *fields.table->blob, numbers};
 }
 
-reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, bool starts_on_root) {
+/// The ray from t0 on.
+reference::FieldRay ray_from(const LaidOutFields& fields, double t0) {
   const reference::Vector<Interval> direction = reference::interval_of(fields.direction);
-  const reference::FieldRay ray{
-      reference::interval_of(fields.origin) + direction * Interval(static_cast<long double>(t0)), direction};
+  return {reference::interval_of(fields.origin) + direction * Interval(static_cast<long double>(t0)), direction};
+}
+
+reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, bool starts_on_root) {
   const long double length = static_cast<long double>(t1) - static_cast<long double>(t0);
-  return reference::roots_along(field_of(fields), ray,
+  return reference::roots_along(field_of(fields), ray_from(fields, t0),
                                 {.t_max = length, .starts_on_root = starts_on_root, .first_only = true});
 }
 
 }  // namespace
+
+std::optional<bool> is_inside(const LaidOutFields& fields, double t) {
+  const reference::ReferenceField field = field_of(fields);
+  const reference::FieldOnRay on_ray(field, ray_from(fields, t));
+  const Interval value = on_ray.at(on_ray.all(), 0).value;
+  if (value.lo > 0) return true;
+  if (value.hi < 0) return false;
+  return std::nullopt;
+}
 
 bool may_cross(const LaidOutFields& fields, double t0, double t1) {
   const reference::RayRoots roots = roots_on(fields, t0, t1, false);

@@ -22,6 +22,9 @@ struct ExtendedAnswer {
 
 [[nodiscard]] ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch);
 
+/// Whether F > T at t; nothing if that is lost in rounding.
+[[nodiscard]] std::optional<bool> is_inside(const LaidOutFields& fields, double t);
+
 /// True unless it is certain that F has the same sign all along the ray from t0 to t1.
 [[nodiscard]] bool may_cross(const LaidOutFields& fields, double t0, double t1);
 
