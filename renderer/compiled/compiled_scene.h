@@ -34,13 +34,16 @@ struct CompiledBlob {
 
 /// A placed solid, blob or CSG tree. Its index is its InstanceId.
 struct Instance {
-  scene::Object::Kind kind;  ///< for `group`, `shape` is the index of a CSG tree
-  std::uint8_t hidden_from;  ///< the kinds of rays that do not meet it, as bits of RayKind
-  bool is_placed;            ///< false: object space is world space
-  bool is_inverse;           ///< normals point inwards; false for a CSG tree, whose leaves know it
+  scene::Object::Kind kind;     ///< for `group`, `shape` is the index of a CSG tree
+  std::uint8_t hidden_from;     ///< the kinds of rays that do not meet it, as bits of RayKind
+  bool is_placed;               ///< false: object space is world space
+  bool is_inverse;              ///< normals point inwards; false for a CSG tree, whose leaves know it
+  bool is_lit_from_both_sides;  ///< `double_illuminate`
+  bool is_hollow;               ///< media around it fill it too
   std::uint32_t shape;
   scene::TextureId texture;
   TextureSpace texture_space;
+  scene::InteriorId interior;  ///< of all of it; parts of a CSG tree may have their own
   scene::Transform world_from_object;
   OriginId origin;
   double size = 0;  ///< for a solid or blob: the largest coordinate, in its own space, that its surface is computed

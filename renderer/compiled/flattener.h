@@ -37,6 +37,9 @@ class Flattener {
     TextureSpace texture_space = kOuterSpace;
     std::uint8_t hidden_from = 0;
     bool is_inverse = false;
+    bool is_lit_from_both_sides = false;
+    bool is_hollow = false;
+    scene::InteriorId interior = scene::kNoInterior;
   };
 
   /// Adds an object of the world.
@@ -67,9 +70,14 @@ class Flattener {
   void add(const scene::Object& object, const Inherited& above) {
     // Groups of empty groups are as many as others.
     if (!meter_.goes_on() || expansion_.instances(object, above.is_inverse) == 0) return;
-    Inherited own{then(object.parent_from_object, above.world_from_parent), above.texture, above.texture_space,
+    Inherited own{then(object.parent_from_object, above.world_from_parent),
+                  above.texture,
+                  above.texture_space,
                   static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
-                  above.is_inverse != object.inverse};
+                  above.is_inverse != object.inverse,
+                  above.is_lit_from_both_sides || object.double_illuminate,
+                  above.is_hollow || object.hollow,
+                  object.interior == scene::kNoInterior ? above.interior : object.interior};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
     const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
     if (object.texture != scene::kNoTexture) {
@@ -90,9 +98,12 @@ class Flattener {
                                    own.hidden_from,
                                    is_placed,
                                    own.is_inverse && !is_csg,
+                                   own.is_lit_from_both_sides,
+                                   own.is_hollow,
                                    is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,
                                    own.texture,
                                    own.texture_space,
+                                   own.interior,
                                    own.world_from_parent,
                                    object.origin,
                                    0,

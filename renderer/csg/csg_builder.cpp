@@ -53,6 +53,7 @@ struct CsgBuilder::Above {
   scene::Transform group_from_parent{};
   scene::TextureId texture = scene::kNoTexture;
   TextureSpace texture_space = kOuterSpace;
+  scene::InteriorId interior = scene::kNoInterior;
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
@@ -117,6 +118,7 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   if (!meter_.goes_on()) return;
   Above own = above;
   own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
+  if (object.interior != scene::kNoInterior) own.interior = object.interior;
   if (object.texture != scene::kNoTexture) {
     own.texture = object.texture;
     own.texture_space = kOwnSpace;
@@ -183,6 +185,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.parent = above.parent;
   leaf.texture = above.texture;
   leaf.texture_space = above.texture_space;
+  leaf.interior = above.interior;
   if (leaf.texture == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));

@@ -45,6 +45,7 @@ struct CsgLeaf {
   /// Its own texture, or that of the nearest group in the tree that has one; else kNoTexture.
   scene::TextureId texture = scene::kNoTexture;
   TextureSpace texture_space = kOuterSpace;
+  scene::InteriorId interior = scene::kNoInterior;  ///< its own, or that of the nearest group in the tree that has one
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;

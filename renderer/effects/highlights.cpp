@@ -15,12 +15,25 @@ class HighlightStage final : public Stage<LightWork> {
     std::size_t count = 0;
     for (const LitPoint& lit : work.lit) count += work.block.points[lit.point].textures.size();
     work.shine.resize(count);
+    if (!work.cosines.empty()) return run_each(work);
     Rgb* shine = work.shine.data();
     for (const LitPoint& lit : work.lit) {
       const ShadingPoint& point = work.block.points[lit.point];
-      const HighlightAngles angle = highlight_angles(point, lit.light.direction);
+      const HighlightAngles angle = highlight_angles(point.normal, point.view, lit.light.direction);
       for (const LitTexture& texture : point.textures) *shine++ = Rgb(highlight(*texture.material, angle));
     }
+  }
+
+ private:
+  /// The same where every texture has a normal of its own, or is lit from behind, which makes no highlights.
+  static void run_each(LightWork& work) {
+    for_each_lit_texture(work, [&](const LitPoint& lit, const LitTexture& texture, double cosine, std::size_t i) {
+      const ShadingPoint& point = work.block.points[lit.point];
+      const Vec3& normal = work.block.normal_of(point, texture);
+      const bool shines = cosine > 0;
+      const HighlightAngles angle = highlight_angles(normal, point.view, lit.light.direction);
+      work.shine[i] = Rgb(shines ? highlight(*texture.material, angle) : 0);
+    });
   }
 };
 

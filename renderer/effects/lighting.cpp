@@ -10,7 +10,13 @@ class DiffuseStage final : public Stage<LightWork> {
   explicit DiffuseStage(const StageContext& /*context*/) {}
 
   void run(LightWork& work) const override {
-    for (LitPoint& lit : work.lit) lit.colour = diffuse_colour(work.block.points[lit.point], lit.incidence);
+    if (work.cosines.empty()) {
+      for (LitPoint& lit : work.lit) lit.colour = diffuse_colour(work.block.points[lit.point], lit.incidence);
+      return;
+    }
+    for_each_lit_texture(work, [](LitPoint& lit, const LitTexture& texture, double cosine, std::size_t) {
+      lit.colour += texture.pigment * texture.let_through * (diffuse_share(*texture.material, cosine) * texture.weight);
+    });
   }
 };
 

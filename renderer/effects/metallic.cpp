@@ -13,14 +13,10 @@ class MetallicStage final : public Stage<LightWork> {
 
   void run(LightWork& work) const override {
     if (work.shine.empty()) return;  // highlights are left out of the picture
-    auto shine = work.shine.begin();
-    for (const LitPoint& lit : work.lit) {
-      for (const LitTexture& texture : work.block.points[lit.point].textures) {
-        const double amount = texture.material->finish->metallic;
-        if (amount != 0) *shine *= metal_tint(amount, lit.incidence, texture.colour);
-        ++shine;
-      }
-    }
+    for_each_lit_texture(work, [&](const LitPoint&, const LitTexture& texture, double cosine, std::size_t i) {
+      const double amount = texture.material->finish->metallic;
+      if (amount != 0) work.shine[i] *= metal_tint(amount, cosine, texture.colour);
+    });
   }
 };
 

@@ -11,7 +11,6 @@ using scene::Database;
 using scene::Group;
 using scene::Light;
 using scene::LightItem;
-using scene::LightKind;
 using scene::Object;
 using scene::ObjectItem;
 
@@ -40,19 +39,8 @@ constexpr Row<Camera> kCameraRows[] = {
 };
 
 constexpr Row<Light> kLightRows[] = {
-    {"spotlight", "light within a cone", "`spotlight`", said<Light, LightItem::kind>,
-     [](const Light& light) { return light.kind == LightKind::spotlight; },
-     [](Light& light) { light.kind = LightKind::point; }},
-    {"cylinder_light", "light within a cylinder", "a `cylinder` of light", said<Light, LightItem::kind>,
-     [](const Light& light) { return light.kind == LightKind::cylinder; },
-     [](Light& light) { light.kind = LightKind::point; }},
-    {"parallel", "light in one direction", "`parallel`", said<Light, LightItem::parallel>,
-     [](const Light& light) { return light.parallel; }, [](Light& light) { light.parallel = false; }},
     {"area_light", "lights with an area, which throw soft shadows", "`area_light`", said<Light, LightItem::area>,
      [](const Light& light) { return light.area.has_value(); }, [](Light& light) { light.area.reset(); }},
-    {"fading_light", "light that fades with the distance", "`fade_distance`", said<Light, LightItem::fade>,
-     [](const Light& light) { return light.fade_distance > 0 && light.fade_power > 0; },
-     [](Light& light) { light.fade_distance = light.fade_power = 0; }},
     {"projected_through", "light that shines only through an object", "`projected_through`",
      said<Light, LightItem::projected_through>,
      [](const Light& light) { return light.projected_through != scene::kNoGroup; },
@@ -61,9 +49,6 @@ constexpr Row<Light> kLightRows[] = {
 
 // `hollow` is not here, because it only changes what is along a path, which reads it itself.
 constexpr Row<Object> kObjectRows[] = {
-    {"double_illuminate", "surfaces lit from both sides", "`double_illuminate`",
-     said<Object, ObjectItem::double_illuminate>, [](const Object& object) { return object.double_illuminate; },
-     [](Object& object) { object.double_illuminate = false; }},
     {"interior_texture", "another texture on the inside of a surface", "`interior_texture`",
      said<Object, ObjectItem::interior_texture>,
      [](const Object& object) { return object.interior_texture != scene::kNoTexture; },
@@ -110,6 +95,25 @@ Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) 
           .leave_out = [&row, leave_out_all](Database& database) { leave_out_all(row, database); }};
 }
 
+/// The interiors of objects that let light through are not told from others.
+Effect dispersion() {
+  return {.name = "dispersion",
+          .summary = "colours that refraction parts",
+          .find =
+              [](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
+                for (const Use<Object>& object : use.objects()) {
+                  const scene::InteriorId interior = object.record->interior;
+                  if (interior == scene::kNoInterior) continue;
+                  if (use.database().interiors[index(interior)].dispersion != 1)
+                    requests.add("`dispersion`", object.user);
+                }
+              },
+          .leave_out =
+              [](Database& database) {
+                for (scene::Interior& interior : database.interiors) interior.dispersion = 1;
+              }};
+}
+
 }  // namespace
 
 void add_world_not_rendered(std::vector<Effect>& effects) {
@@ -126,6 +130,7 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
       for (Group& group : database.groups) leave_out(object_row, group.children);
     }));
   }
+  effects.push_back(dispersion());
   for (const Row<Group>& row : kGroupRows) {
     effects.push_back(record_effect(row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) {
       leave_out(group_row, database.groups);

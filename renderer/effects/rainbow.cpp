@@ -3,12 +3,12 @@
 // the direction, the bow is full up to half of `falloff_angle` from `up`, and fades out to half of `arc_angle`. Of
 // several rainbows that a ray meets, the mean is seen, as in POV-Ray.
 #include "renderer/effects/effect.h"
+#include "renderer/numerics/chance.h"
 #include "renderer/numerics/power.h"
 #include "renderer/patterns/kinds/pigment_colour.h"
 #include "renderer/patterns/map_interval.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -99,7 +99,7 @@ class RainbowStage final : public Stage<AlongWork> {
   bool add(const Rainbow& rainbow, const Vec3& view, double length, Veil& sum) const {
     const double angle = std::acos(std::clamp(view.dot(rainbow.direction), -1.0, 1.0));
     double place = (angle - rainbow.angle) / rainbow.width + 0.5;
-    if (rainbow.jitter != 0) place += rainbow.jitter * chance(view);
+    if (rainbow.jitter != 0) place += rainbow.jitter * (2 * chance_at(view.x, view.y, view.z) - 1);
     if (!(place >= 0 && place <= 1)) return false;
     const double below = transparency(rainbow, view);
     if (below < 0) return false;
@@ -130,19 +130,6 @@ class RainbowStage final : public Stage<AlongWork> {
     const scene::Colour second = database_.colour(interval.second->pigment);
     if (interval.first == interval.second) return second;
     return blend(database_.colour(interval.first->pigment), second, interval.fraction);
-  }
-
-  /// A number within ±1 that depends on the ray alone, so that pictures are the same whatever computes them.
-  static double chance(const Vec3& view) {
-    std::uint64_t bits = 0;
-    for (const double term : {view.x, view.y, view.z}) {
-      // The finalizer of splitmix64 (Steele, Lea, Flood, 2014).
-      bits += std::bit_cast<std::uint64_t>(term) + 0x9e3779b97f4a7c15;
-      bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
-      bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
-      bits ^= bits >> 31;
-    }
-    return static_cast<double>(bits >> 11) * 0x1p-52 - 1;
   }
 
   const scene::Database& database_;

@@ -1,45 +1,39 @@
-// Mirror reflection. A surface with the reflectivity R(c) = minimum + (maximum − minimum)(1 − c)^falloff, where c is
-// the cosine of the angle between the view and the normal, adds R × the light that a ray mirrored in the surface sees.
-// `metallic` tints R by the pigment (shading/metal.h). As in POV-Ray, each layer of a texture reflects by itself,
-// however much it lets through, and the layers above it do not filter its reflection.
+// Mirror reflection. A surface of the reflectivity R (shading/mirror.h) adds R × the light that a ray mirrored in the
+// surface sees. As in POV-Ray, each layer of a texture reflects by itself, however much it lets through, and the layers
+// above it do not filter its reflection.
 //
-// All layers and textures of a point mirror in the same direction, so their reflectivities add up to one ray.
+// Layers and textures of a point that have the same normal mirror in the same direction, so their reflectivities add up
+// to one ray.
 #include "renderer/effects/effect.h"
-#include "renderer/numerics/power.h"
-#include "renderer/shading/metal.h"
+#include "renderer/shading/interiors.h"
+#include "renderer/shading/irid.h"
+#include "renderer/shading/mirror.h"
 
 #include <algorithm>
+#include <span>
 
 namespace isl::render {
 namespace {
-
-double largest(const Rgb& colour) { return std::max({colour.x, colour.y, colour.z}); }
 
 struct Reflectivity {
   Rgb share{0};
   double bound = 0;  ///< the greatest reflectivity of a layer that POV-Ray assumes, at any angle
 };
 
-/// The surface's reflectivity for the path. Layers that adc_bailout ends are left out.
-Reflectivity reflectivity(const ShadingPoint& point, double cosine, double weight, double least_weight,
-                          EndedPaths& ended) {
+/// The reflectivity of some of a point's textures for the path. Layers that adc_bailout ends are left out.
+Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture> textures, const FilmLight& film,
+                          double cosine, double weight, double least_weight, EndedPaths& ended) {
   Reflectivity sum;
-  for (const LitTexture& texture : point.textures) {
+  for (const LitTexture& texture : textures) {
     const scene::Finish& finish = *texture.material->finish;
     if (!reflects(finish)) continue;
-    const scene::Reflection& mirror = finish.reflection;
-    const Rgb minimum = rgb(mirror.minimum), maximum = rgb(mirror.maximum);
-    const double bound = std::max(largest(minimum), largest(maximum)) * largest(texture.let_through);
+    const double bound = largest_reflectivity(finish) * largest(texture.let_through);
     if (weight * bound < least_weight) {
       ++ended.by_weight;
       continue;
     }
-    Rgb share = minimum;
-    if (maximum != minimum) {
-      const double grazing = mirror.falloff == 1 ? 1 - cosine : power(1 - cosine, mirror.falloff);
-      share += (maximum - minimum) * grazing;
-    }
-    if (mirror.metallic != 0) share *= metal_tint(mirror.metallic, cosine, texture.colour);
+    Rgb share = reflectivity_at(finish, cosine, point.ior_ratio, texture.colour);
+    if (finish.irid != 0) share *= film_factor(finish, film, point.position, cosine, cosine);
     sum.share += share * texture.weight;
     sum.bound = std::max(sum.bound, bound);
   }
@@ -49,11 +43,14 @@ Reflectivity reflectivity(const ShadingPoint& point, double cosine, double weigh
 class ReflectionStage final : public Stage<SpawnWork> {
  public:
   explicit ReflectionStage(const StageContext& context)
-      : least_weight_(context.database.settings.adc_bailout), most_levels_(context.database.settings.max_trace_level) {}
+      : film_(context.database.settings),
+        least_weight_(context.database.settings.adc_bailout),
+        most_levels_(context.database.settings.max_trace_level) {}
 
   void run(SpawnWork& work) const override {
     for (std::size_t i = 0; i < work.block.points.size(); ++i) {
       const ShadingPoint& point = work.block.points[i];
+      if (work.is_total[i] != 0) continue;
       if (std::ranges::none_of(point.textures, [](const LitTexture& lit) { return reflects(*lit.material->finish); }))
         continue;
       const std::uint32_t at = work.block.paths[i];
@@ -62,15 +59,35 @@ class ReflectionStage final : public Stage<SpawnWork> {
         ++work.ended.by_level;
         continue;
       }
-      const double cosine = std::clamp(-point.view.dot(point.normal), 0.0, 1.0);
-      const Reflectivity mirrored = reflectivity(point, cosine, path.weight, least_weight_, work.ended);
-      if (mirrored.share == Rgb(0)) continue;
-      push(work, at, point, mirrored);
+      for (std::size_t first = 0; first < point.textures.size();) {
+        const std::size_t last = same_normals(work.block, point, first);
+        mirror(work, at, point, point.textures.subspan(first, last - first));
+        first = last;
+      }
     }
   }
 
  private:
-  static void push(SpawnWork& work, std::uint32_t at, const ShadingPoint& point, const Reflectivity& reflectivity) {
+  /// The textures from `first` up to here have the same normal.
+  static std::size_t same_normals(const SurfaceBlock& block, const ShadingPoint& point, std::size_t first) {
+    if (block.normals.empty()) return point.textures.size();
+    const Vec3& normal = block.normal_of(point, point.textures[first]);
+    std::size_t last = first + 1;
+    while (last < point.textures.size() && block.normal_of(point, point.textures[last]) == normal) ++last;
+    return last;
+  }
+
+  void mirror(SpawnWork& work, std::uint32_t at, const ShadingPoint& point,
+              std::span<const LitTexture> textures) const {
+    const Vec3& normal = work.block.normal_of(point, textures.front());
+    const double cosine = -point.view.dot(normal);
+    const Reflectivity sum =
+        reflectivity(point, textures, film_, cosine, work.batch.entries[at].weight, least_weight_, work.ended);
+    if (sum.share != Rgb(0)) push(work, at, point, normal, sum);
+  }
+
+  static void push(SpawnWork& work, std::uint32_t at, const ShadingPoint& point, const Vec3& normal,
+                   const Reflectivity& reflectivity) {
     const Ray& ray = work.batch.rays[at];
     const Hit& hit = work.batch.hits[at];
     PathEntry child = work.batch.entries[at];
@@ -78,14 +95,15 @@ class ReflectionStage final : public Stage<SpawnWork> {
     child.weight *= reflectivity.bound;
     ++child.level;
     child.kind = RayKind::reflection;
-    Ray mirrored;
-    mirrored.origin = point.position;
-    mirrored.direction = (point.view - point.normal * (2 * point.normal.dot(point.view))).normalized();
-    mirrored.path_length = ray.path_length + hit.t;
-    mirrored.start = hit.start();
-    work.children.push(mirrored, child);
+    Ray reflected;
+    reflected.origin = point.position;
+    reflected.direction = mirrored(point.view, normal, point.normal);
+    reflected.path_length = ray.path_length + hit.t;
+    reflected.start = hit.start();
+    work.children.push(reflected, child);
   }
 
+  FilmLight film_;
   double least_weight_;
   int most_levels_;
 };
@@ -105,7 +123,7 @@ Effect reflection() {
                     requests.add("`reflection`", finish.record->said_at[scene::FinishItem::reflection], finish.user);
                 }
               },
-          .stages = {.spawn = make_stage<ReflectionStage, SpawnWork>}};
+          .stages = {.spawn = make_stage<ReflectionStage, SpawnWork>, .mirrors = true}};
 }
 
 }  // namespace isl::render

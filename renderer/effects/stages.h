@@ -3,6 +3,7 @@
 // effects and knows none of them by name.
 #pragma once
 
+#include "renderer/paths/bodies.h"
 #include "renderer/paths/path.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/point_refusals.h"
@@ -43,10 +44,24 @@ struct MissWork {
 struct SurfaceBlock {
   std::vector<std::uint32_t> paths;  ///< numbers in the batch
   std::vector<ShadingPoint> points;
+  const LitTexture* textures = nullptr;  ///< those of all points, one point after the other
+  /// The normals of `textures`, as bumps turn them. Empty if no effect turns normals: then a point's textures have its
+  /// own.
+  std::vector<Vec3> normals;
+  /// LayerLists::passing of `textures`. Empty if no effect asks for it.
+  std::vector<Rgb> passing;
 
   void clear() {
     paths.clear();
     points.clear();
+    normals.clear();
+    passing.clear();
+  }
+  [[nodiscard]] const Vec3& normal_of(const ShadingPoint& point, const LitTexture& texture) const {
+    return normals.empty() ? point.normal : normals[static_cast<std::size_t>(&texture - textures)];
+  }
+  [[nodiscard]] const Rgb& passing_of(const LitTexture& texture) const {
+    return passing[static_cast<std::size_t>(&texture - textures)];
   }
 };
 
@@ -56,11 +71,18 @@ struct SurfaceWork {
   std::span<Rgb> colours;  ///< by sample
 };
 
+/// The light that goes towards each point of a block.
+struct ReachWork {
+  const SurfaceBlock& block;
+  const scene::Light& light;
+  std::span<LightSample> samples;  ///< by point
+};
+
 /// A point of a block that one light may reach, because it faces the light.
 struct LitPoint {
   std::uint32_t point = 0;  ///< number in the block
   LightSample light;
-  double incidence = 0;  ///< N·L, above 0
+  double incidence = 0;  ///< N·L, above 0; meaningless if LightWork has cosines
   Rgb colour{0};         ///< the light that reaches the eye, before the light's own colour
 };
 
@@ -71,14 +93,32 @@ struct LightWork {
   const SurfaceBlock& block;
   const scene::Light& light;
   std::span<LitPoint> lit;
+  /// N·L of each of the lit points' textures, in the order of Shine: 0 where the light does not count, below 0 where it
+  /// comes from behind. Empty if all textures of a point have its own incidence.
+  std::span<const double> cosines;
   Shine& shine;  ///< empty in the stages before highlights
 };
+
+/// Calls visit(lit, texture, cosine, i) with each texture of each lit point, where i counts them.
+template <class Visit>
+void for_each_lit_texture(const LightWork& work, Visit&& visit) {
+  std::size_t i = 0;
+  for (LitPoint& lit : work.lit) {
+    for (const LitTexture& texture : work.block.points[lit.point].textures) {
+      visit(lit, texture, work.cosines.empty() ? lit.incidence : work.cosines[i], i);
+      ++i;
+    }
+  }
+}
 
 /// Segments that surfaces send on. They are traced after everything else of the batch.
 struct SpawnWork {
   const PathBatch& batch;
   const SurfaceBlock& block;
   ChildQueues& children;
+  Bodies& bodies;
+  std::span<std::uint8_t>
+      is_total;  ///< by point: true if all light is reflected within the surface, whatever it is like
   EndedPaths& ended;
 };
 
@@ -106,10 +146,16 @@ struct StageMakers {
   MakeStage<AlongWork> along = nullptr;
   MakeStage<MissWork> miss = nullptr;
   MakeStage<SurfaceWork> own_light = nullptr;
+  MakeStage<ReachWork> reach = nullptr;
   MakeStage<LightWork> diffuse = nullptr;
   MakeStage<LightWork> shine = nullptr;
   MakeStage<SpawnWork> spawn = nullptr;
-  bool shadows = false;  ///< light goes through the queue of shadow rays
+  bool shadows = false;     ///< light goes through the queue of shadow rays
+  bool back_light = false;  ///< some textures are lit from behind
+  bool bumps = false;       ///< every texture of a point has a normal of its own
+  bool mirrors = false;     ///< surfaces mirror light
+  bool fresnel = false;     ///< what surfaces mirror depends on the media on both sides
+  bool passing = false;     ///< textures let light through: that which is seen, and that of lights
 };
 
 }  // namespace isl::render

@@ -1,5 +1,6 @@
 #include "renderer/integrator/integrator.h"
 
+#include "renderer/paths/behind.h"
 #include "renderer/queries/inside.h"
 
 #include <algorithm>
@@ -11,6 +12,10 @@ namespace {
 /// needs no more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the
 /// lights.
 constexpr std::size_t kLongestShadowQueue = 8192;
+
+/// Levels of a path. max_trace_level ends a path before, unless it goes straight on through more surfaces than these:
+/// POV-Ray does not count such segments.
+constexpr std::size_t kMostLevels = 512;
 
 /// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
@@ -40,11 +45,18 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     add(make.along, context, along_);
     add(make.miss, context, miss_);
     add(make.own_light, context, own_light_);
+    add(make.reach, context, reach_);
     add(make.diffuse, context, diffuse_);
     add(make.shine, context, shine_);
     add(make.spawn, context, spawn_);
     shadows_ |= make.shadows;
+    back_light_ |= make.back_light;
+    bumps_ |= make.bumps;
+    passing_ |= make.passing;
+    mirrors_ |= make.mirrors;
+    if (make.fresnel) interiors_.emplace(database);
   }
+  if (passing_) shadow_filter_.emplace(database, tracer, textures_, refusals_, bumps_);
   if (!along_.empty()) {
     StepCounter steps(run.steps_at_point, run.stop);
     camera_in_solid_ = is_in_solid(database, steps);
@@ -62,7 +74,9 @@ bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
   if (memory.counts.camera == 0) {
     memory.texture_bytes = Charge(run_.budget);
     memory.queue_bytes = Charge(run_.budget);
+    memory.shadow_filter.texture_bytes = Charge(run_.budget);
   }
+  memory.bodies.clear();
   PathBatch& batch = memory.levels.front().batch;
   batch.entries.assign(batch.rays.size(), {.in_solid = camera_in_solid_});
   for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
@@ -112,8 +126,14 @@ void Integrator::see_background(std::size_t level, const PathBatch& batch, PathM
   for (const std::uint32_t i : memory.misses) {
     const PathEntry& path = batch.entries[i];
     memory.colours[path.sample] += path.factor * background_;
-    // The share of a transparent background that media hide is opaque.
-    if (level == 0 && background_alpha_ == 0) memory.alphas[path.sample] = along_.empty() ? 0 : 1 - gray(path.factor);
+    // The share of a transparent background that media or surfaces hide is opaque; mirrors hide all of it.
+    if (background_alpha_ != 0) continue;
+    double& alpha = memory.alphas[path.sample];
+    if (level == 0) {
+      alpha = along_.empty() ? 0 : 1 - gray(path.factor);
+    } else if (path.kind == RayKind::image) {
+      alpha = std::max(0.0, alpha - gray(path.factor));
+    }
   }
 }
 
@@ -144,18 +164,33 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
     if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
-    if (!textures_.append(surface, memory.textures, memory.texture_bytes))
+    const Vec3 normal = turned_to_viewer(surface.normal, ray.direction);
+    const bool from_inside = surface.normal.dot(ray.direction) > 0;
+    LayerLists lists{normal, bumps_ ? &memory.block.normals : nullptr, passing_ ? &memory.block.passing : nullptr,
+                     mirrors_ ? &ray.direction : nullptr};
+    if (interiors_) {
+      const Body body{batch.hits[i].instance, surface.interior, surface.is_hollow};
+      lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
+    }
+    if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
-    ShadingPoint& point =
-        memory.block.points.emplace_back(surface.position, turned_to_viewer(surface.normal, ray.direction),
-                                         ray.direction, std::span<const LitTexture>());
+    ShadingPoint& point = memory.block.points.emplace_back();
+    point.position = surface.position;
+    point.normal = normal;
+    point.view = ray.direction;
+    point.is_lit_from_both_sides = surface.is_lit_from_both_sides;
+    point.from_inside = from_inside;
+    point.ior_ratio = lists.ior_ratio;
+    point.is_hollow = surface.is_hollow;
+    point.interior = surface.interior;
     if (observer == nullptr) continue;
     point.textures = std::span(memory.textures).subspan(first);
     observer->see(i, batch.hits[i], surface, point);
   }
   // The textures do not move any more, so spans of them may be taken.
   std::size_t begin = 0;
+  memory.block.textures = memory.textures.data();
   for (std::size_t i = 0; i < memory.block.points.size(); ++i) {
     memory.block.points[i].textures = std::span(memory.textures).subspan(begin, memory.texture_ends[i] - begin);
     begin = memory.texture_ends[i];
@@ -174,7 +209,8 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
     }
   }
   if (spawn_.empty()) return;
-  SpawnWork work{at.batch, memory.block, at.children, memory.counts.ended};
+  memory.is_total.assign(memory.block.points.size(), 0);
+  SpawnWork work{at.batch, memory.block, at.children, memory.bodies, memory.is_total, memory.counts.ended};
   memory.counts.spawned.resize(spawn_.size());
   for (std::size_t i = 0; i < spawn_.size(); ++i) {
     const std::size_t before = at.children.size();
@@ -188,7 +224,7 @@ void Integrator::charge_children(std::size_t level, PathMemory& memory) const {
   PathMemory::Level& at = memory.levels[level];
   if (at.children.size() <= at.children_counted) return;
   // A list grows to twice its size.
-  constexpr std::size_t kSegment = 2 * (sizeof(Ray) + sizeof(PathEntry));
+  constexpr std::size_t kSegment = 2 * (sizeof(Ray) + sizeof(PathEntry) + 2 * sizeof(Body));
   if (memory.queue_bytes.grow((at.children.size() - at.children_counted) * kSegment)) {
     at.children_counted = at.children.size();
   } else {
@@ -196,17 +232,57 @@ void Integrator::charge_children(std::size_t level, PathMemory& memory) const {
   }
 }
 
-void Integrator::light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const {
+std::size_t Integrator::face_light(const scene::Light& light, PathMemory& memory) const {
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < memory.block.points.size(); ++i) {
-    const ShadingPoint& point = memory.block.points[i];
-    const LightSample sample = sample_light(light, point.position);
-    const double incidence = point.normal.dot(sample.direction);
-    if (incidence > 0) memory.lit[count++] = {i, sample, incidence, Rgb(0)};
+  if (reach_.empty() && !back_light_ && memory.block.normals.empty()) {
+    for (std::uint32_t i = 0; i < memory.block.points.size(); ++i) {
+      const ShadingPoint& point = memory.block.points[i];
+      const LightSample sample = sample_light(light, point.position);
+      const double incidence = point.normal.dot(sample.direction);
+      if (incidence > 0) memory.lit[count++] = {i, sample, incidence, Rgb(0)};
+    }
+    return count;
   }
+  const std::span<LightSample> samples = std::span(memory.samples).first(memory.block.points.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = sample_light(light, memory.block.points[i].position);
+  ReachWork work{memory.block, light, samples};
+  run(reach_, work);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].strength == 0 || samples[i].distance == 0) continue;
+    if (add_cosines(memory.block, memory.block.points[i], samples[i], memory.cosines))
+      memory.lit[count++] = {i, samples[i], 0, Rgb(0)};
+  }
+  return count;
+}
+
+bool Integrator::add_cosines(const SurfaceBlock& block, const ShadingPoint& point, const LightSample& sample,
+                             std::vector<double>& cosines) const {
+  bool is_lit = false;
+  const std::size_t first = cosines.size();
+  for (const LitTexture& texture : point.textures) {
+    double cosine = block.normal_of(point, texture).dot(sample.direction);
+    if (cosine < 0) {
+      if (!back_light_) {
+        cosine = 0;
+      } else if (point.is_lit_from_both_sides) {
+        cosine = -cosine;
+      } else if (!(texture.material->diffuse_back > 0)) {
+        cosine = 0;
+      }
+    }
+    is_lit |= cosine != 0;
+    cosines.push_back(cosine);
+  }
+  if (!is_lit) cosines.resize(first);
+  return is_lit;
+}
+
+void Integrator::light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const {
+  memory.cosines.clear();
+  const std::size_t count = face_light(light, memory);
   memory.shine.clear();
   const std::span<LitPoint> lit_points = std::span(memory.lit).first(count);
-  LightWork work{memory.block, light, lit_points, memory.shine};
+  LightWork work{memory.block, light, lit_points, memory.cosines, memory.shine};
   run(diffuse_, work);
   if (!light.shadowless) run(shine_, work);
   const Rgb light_colour = rgb(light.colour);
@@ -217,6 +293,7 @@ void Integrator::light_block(const PathBatch& batch, const scene::Light& light, 
     if (!memory.shine.empty()) {
       for (const LitTexture& texture : point.textures) lit.colour += texture.let_through * (*shine++ * texture.weight);
     }
+    if (!reach_.empty()) lit.colour *= lit.light.strength;
     const std::uint32_t at = memory.block.paths[lit.point];
     const PathEntry& path = batch.entries[at];
     const Rgb colour = path.factor * (lit.colour * light_colour);
@@ -234,13 +311,21 @@ void Integrator::light_block(const PathBatch& batch, const scene::Light& light, 
 }
 
 void Integrator::trace_shadows(PathMemory& memory) const {
-  memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
+  if (shadow_filter_) {
+    memory.shadows.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
+  } else {
+    memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
+  }
   memory.counts.shadow += memory.shadows.size();
   memory.shadows.clear();
 }
 
 void Integrator::trace_children(std::size_t level, PathMemory& memory) const {
   if (memory.levels[level].children.size() == 0) return;
+  if (level + 1 == kMostLevels) {
+    memory.counts.ended.by_level += memory.levels[level].children.size();
+    return memory.levels[level].children.clear();
+  }
   if (memory.levels.size() <= level + 1) memory.levels.emplace_back();
   PathBatch& next = memory.levels[level + 1].batch;
   memory.levels[level].children.for_each([&](const PathBatch& children) {

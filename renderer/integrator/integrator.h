@@ -41,12 +41,17 @@ struct PathMemory {
   ShadowQueue shadows;
   std::vector<std::uint32_t> misses;
   SurfaceBlock block;
+  Bodies bodies;                       ///< of the paths of the present camera rays
+  std::vector<std::uint8_t> is_total;  ///< SpawnWork::is_total
+  ShadowFilterMemory shadow_filter;
   SurfacePoint surface;
   std::vector<LitTexture> textures;  ///< the textures of the block's points
   Charge queue_bytes;                ///< of the segments that wait, at all levels
   Charge texture_bytes;              ///< of `textures`
   std::vector<std::uint32_t> texture_ends;
   std::array<LitPoint, kBlockSize> lit;
+  std::array<LightSample, kBlockSize> samples;
+  std::vector<double> cosines;
   Shine shine;
   PathCounts counts;
   TraceCounters counters;
@@ -87,6 +92,12 @@ class Integrator {
   void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
   void shade_block(std::size_t level, PathMemory& memory) const;
+  /// Fills memory.lit with the block's points that the light may reach, and memory.cosines if textures of a point may
+  /// differ in that. The number of the points.
+  [[nodiscard]] std::size_t face_light(const scene::Light& light, PathMemory& memory) const;
+  /// Appends the cosines of a point's textures (LightWork::cosines); false, with nothing appended, if all are 0.
+  [[nodiscard]] bool add_cosines(const SurfaceBlock& block, const ShadingPoint& point, const LightSample& sample,
+                                 std::vector<double>& cosines) const;
   void light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const;
   void trace_shadows(PathMemory& memory) const;
   void trace_children(std::size_t level, PathMemory& memory) const;
@@ -112,9 +123,12 @@ class Integrator {
   Stages<AlongWork> along_;
   Stages<MissWork> miss_;
   Stages<SurfaceWork> own_light_;
+  Stages<ReachWork> reach_;
   Stages<LightWork> diffuse_, shine_;
   Stages<SpawnWork> spawn_;
-  bool shadows_ = false;
+  bool shadows_ = false, back_light_ = false, bumps_ = false, passing_ = false, mirrors_ = false;
+  std::optional<Interiors> interiors_;         ///< if some surface mirrors by their refraction
+  std::optional<ShadowFilter> shadow_filter_;  ///< if surfaces let light through
   Rgb background_{0};
   double background_alpha_ = 1;
   bool camera_in_solid_ = false;

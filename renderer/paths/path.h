@@ -19,7 +19,8 @@ struct PathEntry {
   std::uint32_t sample = 0;  ///< the number, in the batch, of the camera sample whose colour it adds to
   std::uint16_t level = 1;   ///< segments of the path so far, this one included
   RayKind kind = RayKind::image;
-  bool in_solid = false;  ///< the segment runs in something that is not `hollow`, which keeps media out
+  std::uint32_t bodies = 0;  ///< the bodies that the segment runs in: a list of Bodies
+  bool in_solid = false;     ///< the segment runs in something that is not `hollow`, which keeps media out
 };
 
 /// Segments of one kind that are traced together; hits[i] is where rays[i] ends.

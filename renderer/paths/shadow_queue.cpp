@@ -22,4 +22,17 @@ void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, std::spa
   }
 }
 
+void ShadowQueue::resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties,
+                          ShadowFilterMemory& memory, TraceCounters& counters) {
+  if (size_ == 0) return;
+  shares_.resize(size_);
+  certainties_.assign(size_, Certainty::certified);
+  filter.run(std::span(rays_).first(size_), shares_, certainties_, memory, counters);
+  for (std::size_t i = 0; i < size_; ++i) {
+    const std::uint32_t sample = lights_[i].sample;
+    colours[sample] += lights_[i].colour * shares_[i];
+    lower(certainties[sample], certainties_[i]);
+  }
+}
+
 }  // namespace isl::render

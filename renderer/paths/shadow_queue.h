@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/paths/path.h"
+#include "renderer/paths/shadow_filter.h"
 #include "renderer/trace/tracer.h"
 
 #include <cstddef>
@@ -27,6 +28,9 @@ class ShadowQueue {
   /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do
   /// not depend on the order in which the tracer works. certainties[sample] falls where a ray is undecided.
   void resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties, TraceCounters& counters);
+  /// The same where surfaces filter light.
+  void resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties,
+               ShadowFilterMemory& memory, TraceCounters& counters);
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -43,6 +47,8 @@ class ShadowQueue {
   std::vector<Light> lights_;
   std::size_t size_ = 0;
   std::vector<std::uint8_t> occluded_;
+  std::vector<Rgb> shares_;
+  std::vector<Certainty> certainties_;
 };
 
 }  // namespace isl::render

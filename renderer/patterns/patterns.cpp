@@ -3,7 +3,7 @@
 #include "renderer/patterns/kinds/pigment_colour.h"
 #include "renderer/patterns/kinds/waveform.h"
 #include "renderer/patterns/map_interval.h"
-#include "renderer/patterns/warp_point.h"
+#include "renderer/patterns/own_space.h"
 
 namespace isl::render {
 namespace {
@@ -18,14 +18,11 @@ using values::Environment;
 /// Entries of a map that are looked through in the time of a step.
 constexpr std::size_t kEntriesOfStep = 256;
 
-/// The point in the pattern's own space.
-Vec3 point_of(const Database& database, const Pattern& pattern, const Vec3& point, const Environment& environment) {
-  const bool is_on_surface = pattern.uv_mapping && environment.coordinates() != nullptr;
-  return warped(database, pattern, is_on_surface ? *environment.coordinates() : point,
-                info_of(pattern.kind).uses_turbulence_itself ? PointTurbulence::no : PointTurbulence::yes);
-}
-
 }  // namespace
+
+double Patterns::value_at_own_point(const Pattern& pattern, const Vec3& p, Environment& environment) const noexcept {
+  return in_wave(raw_value(pattern, p, environment), pattern);
+}
 
 double Patterns::pattern_value(const Pattern& pattern, const Vec3& point, Environment& environment) const noexcept {
   return look_up(pattern, point, environment).value;
@@ -33,8 +30,8 @@ double Patterns::pattern_value(const Pattern& pattern, const Vec3& point, Enviro
 
 PatternPlace Patterns::look_up(const Pattern& pattern, const Vec3& point, Environment& environment) const noexcept {
   if (!environment.take_step()) return {point, 0};
-  const Vec3 p = point_of(world_.database, pattern, point, environment);
-  return {p, in_wave(raw_value(pattern, p, environment), pattern)};
+  const Vec3 p = own_point(world_.database, pattern, point, environment);
+  return {p, value_at_own_point(pattern, p, environment)};
 }
 
 double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& environment) const noexcept {
@@ -47,11 +44,11 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   const scene::PatternedPigment& record = world_.database.pigments[index(pigment.pattern)];
   if (record.pattern.kind == PatternKind::plain) return in_single(record.colour);
   if (!environment.take_step()) return {};
-  const Vec3 p = point_of(world_.database, record.pattern, point, environment);
+  const Vec3 p = own_point(world_.database, record.pattern, point, environment);
   const scene::PigmentMap& map = world_.database.pigment_maps[index(record.map)];
   if (!environment.steps().take(map.size() / kEntriesOfStep)) return {};
   if (info_of(record.pattern.kind).choice == PatternChoice::mean_of_map) return average(map, p, environment);
-  const double value = in_wave(raw_value(record.pattern, p, environment), record.pattern);
+  const double value = value_at_own_point(record.pattern, p, environment);
   const auto interval = find_in(map, value);
   const Colour second = pigment_colour(interval.second->pigment, p, environment);
   if (interval.first == interval.second) return second;

@@ -35,6 +35,12 @@ class Patterns final : public values::PatternSource {
   /// index. For NaN the result is unspecified.
   [[nodiscard]] double pattern_value(const scene::Pattern& pattern, const scene::Vec3& point,
                                      values::Environment& environment) const noexcept override;
+  /// The same without warps and turbulence, at a point of the pattern's own space.
+  [[nodiscard]] double value_at_own_point(const scene::Pattern& pattern, const scene::Vec3& p,
+                                          values::Environment& environment) const noexcept;
+  /// A unit normal as bumps bend it, of unit length. Point and normal are in the space that the bumps are placed into.
+  [[nodiscard]] scene::Vec3 bent(const scene::Normal& bumps, const scene::Vec3& point, const scene::Vec3& normal,
+                                 values::Environment& environment) const noexcept;
   [[nodiscard]] PatternPlace look_up(const scene::Pattern& pattern, const scene::Vec3& point,
                                      values::Environment& environment) const noexcept;
   /// The colour in single precision, as in POV-Ray.
@@ -48,6 +54,11 @@ class Patterns final : public values::PatternSource {
   /// The weighted mean of all entries.
   [[nodiscard]] scene::Colour average(const scene::PigmentMap& map, const scene::Vec3& p,
                                       values::Environment& environment) const noexcept;
+  /// In the bumps' own space: the mean of the normals that a map chooses, and those bent by the heights of the values.
+  [[nodiscard]] scene::Vec3 bent_by_map(const scene::Normal& bumps, const scene::Vec3& p, const scene::Vec3& normal,
+                                        values::Environment& environment) const noexcept;
+  [[nodiscard]] scene::Vec3 bent_by_heights(const scene::Normal& bumps, const scene::Vec3& p, const scene::Vec3& normal,
+                                            values::Environment& environment) const noexcept;
 
   const PatternWorld world_;
 };

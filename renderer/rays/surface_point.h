@@ -20,19 +20,39 @@ struct SurfacePlace {
   Vec3 point{0};                                          ///< in the shape's space
 };
 
+/// The space that a texture lives in, for normals: inside the world there may be a space, and another within that.
+struct TextureFrame {
+  const scene::Transform* outer = nullptr;  ///< world_from_outer; null: the world itself
+  const scene::Transform* inner = nullptr;  ///< outer_from_inner; null: the outer space itself
+
+  /// A normal, from the world to the texture's space and back; lengths change.
+  [[nodiscard]] Vec3 enter(Vec3 normal) const {
+    if (outer) normal = outer->inverse_normal(normal);
+    return inner ? inner->inverse_normal(normal) : normal;
+  }
+  [[nodiscard]] Vec3 leave(Vec3 normal) const {
+    if (inner) normal = inner->normal(normal);
+    return outer ? outer->normal(normal) : normal;
+  }
+};
+
 /// A texture and its share of the material at a point; the shares of a point add up to one. Components of a blob that
 /// have the same texture share one entry, unless the texture asks where on each component the point is.
 struct TextureShare {
   scene::TextureId texture;
   double weight;
-  Vec3 place{0};  ///< the point, in the space that the texture lives in
+  Vec3 place{0};         ///< the point, in the space that the texture lives in
+  TextureFrame frame{};  ///< that space
   SurfacePlace surface{};
 };
 
 struct SurfacePoint {
   Vec3 position;
-  Vec3 normal;                         ///< outward, unit length, in world space
-  bool is_refuted = false;             ///< a check shows that no surface lies here, within the tolerance
+  Vec3 normal;                                      ///< outward, unit length, in world space
+  bool is_lit_from_both_sides = false;              ///< the object has `double_illuminate`
+  bool is_hollow = false;                           ///< media around the object fill it too
+  scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
+  bool is_refuted = false;                          ///< a check shows that no surface lies here, within the tolerance
   std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point
 };
 

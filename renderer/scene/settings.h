@@ -20,7 +20,7 @@ struct Settings {
   Colour background{0, 0, 0};
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;
-  Colour irid_wavelength{0.25, 0.18, 0.14};  ///< of red, green and blue light, for thin films
+  Colour irid_wavelength{0.70, 0.52, 0.48};  ///< of red, green and blue light, for thin films
   int number_of_waves = 10;                  ///< number of wave centres of the patterns `waves` and `ripples`
   int noise_generator = 2;                   ///< number of POV-Ray's noise function that patterns use, 1 to 3
   double mm_per_unit = 10;

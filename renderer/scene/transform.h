@@ -38,6 +38,12 @@ struct Transform {
             inverse[1][0] * n.x + inverse[1][1] * n.y + inverse[1][2] * n.z,
             inverse[2][0] * n.x + inverse[2][1] * n.y + inverse[2][2] * n.z};
   }
+  /// The opposite of normal(): from destination to source.
+  [[nodiscard]] Vec3 inverse_normal(const Vec3& n) const {
+    return {matrix[0][0] * n.x + matrix[0][1] * n.y + matrix[0][2] * n.z,
+            matrix[1][0] * n.x + matrix[1][1] * n.y + matrix[1][2] * n.z,
+            matrix[2][0] * n.x + matrix[2][1] * n.y + matrix[2][2] * n.z};
+  }
   [[nodiscard]] Transform inverted() const { return {inverse, matrix}; }
   friend bool operator==(const Transform&, const Transform&) = default;
 

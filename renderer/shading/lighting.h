@@ -4,7 +4,8 @@
 //
 // The model, as observed of POV-Ray 3.7 (tests/renderer/shading keeps the observations):
 //   - The normal is turned to the viewer first, so a surface seen from its inside is lit from its inside.
-//   - A light with N·L ≤ 0 gives nothing, highlights included.
+//   - A light with N·L ≤ 0 gives nothing, highlights included, unless the finish has a second `diffuse`, for light from
+//     behind, or the object says `double_illuminate`: then N·L counts without its sign.
 //   - R is the view mirrored in the surface, and H is halfway between the ways to the light and to the eye.
 //   - Highlights take the light's colour, and the pigment's on metal. They scale with neither diffuse nor brilliance.
 //   - A layer shows 1 − filter − transmit of its colour (a negative share, if these are more than 1) and all of its
@@ -18,6 +19,7 @@
 #include "renderer/numerics/power.h"
 #include "renderer/shading/material.h"
 
+#include <cmath>
 #include <span>
 
 namespace isl::render {
@@ -30,6 +32,12 @@ struct ShadingPoint {
   Vec3 normal;                           ///< unit, turned to the viewer
   Vec3 view;                             ///< unit, from the eye to the point
   std::span<const LitTexture> textures;  ///< shares that add up to one
+  bool is_lit_from_both_sides = false;   ///< `double_illuminate`
+  bool from_inside = false;              ///< the eye is on the inner side of the surface
+  bool is_hollow = false;                ///< of the object
+  double ior_ratio =
+      1;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`
+  scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
 };
 
 /// `normal` or its opposite, whichever faces the eye that looks along `view`. It is left alone if it is perpendicular
@@ -43,10 +51,25 @@ struct ShadingPoint {
 struct LightSample {
   Vec3 direction{0};  ///< unit, from the point to the light
   double distance = 0;
+  double strength = 1;  ///< the share of the light's colour that comes this way, if nothing is in between
 };
 
-/// The only sampler of lights: both pictures and measurements of shadow rays use it.
+/// The light's axis, from its location to point_at; unit.
+[[nodiscard]] inline Vec3 axis_of(const scene::Light& light) { return (light.point_at - light.location).normalized(); }
+
+/// True if the light's rays run along its axis. The beam of a `cylinder` does.
+[[nodiscard]] inline bool is_parallel(const scene::Light& light) {
+  return light.parallel || light.kind == scene::LightKind::cylinder;
+}
+
+/// The only sampler of lights: both pictures and measurements of shadow rays use it. Parallel light comes from the
+/// plane through its location.
 [[nodiscard]] inline LightSample sample_light(const scene::Light& light, const Vec3& position) {
+  if (is_parallel(light)) [[unlikely]] {
+    const Vec3 axis = axis_of(light);
+    const double distance = (position - light.location).dot(axis);
+    return distance > 0 ? LightSample{-axis, distance} : LightSample{};
+  }
   const Vec3 way = light.location - position;
   const double distance = way.length();
   if (!(distance > 0)) return {};
@@ -74,33 +97,37 @@ struct LightSample {
 [[nodiscard]] inline Rgb diffuse_colour(const ShadingPoint& point, double incidence) {
   Rgb colour(0);
   for (const LitTexture& lit : point.textures) {
-    const scene::Finish& finish = *lit.material->finish;
-    colour += lit.pigment * lit.let_through * (finish.diffuse * power(incidence, finish.brilliance) * lit.weight);
+    const double share = lit.material->diffuse * power(incidence, lit.material->finish->brilliance);
+    colour += lit.pigment * lit.let_through * (share * lit.weight);
   }
   return colour;
 }
 
-/// The cosines that highlights depend on. All textures of a point share them.
+/// The share of light that a texture throws back if it falls in at this cosine: below 0, from behind.
+[[nodiscard]] inline double diffuse_share(const Material& material, double cosine) {
+  if (cosine == 0) return 0;
+  return (cosine > 0 ? material.diffuse : material.diffuse_back) * power(std::abs(cosine), material.finish->brilliance);
+}
+
+/// The cosines that highlights depend on. All textures of a point that have the same normal share them.
 struct HighlightAngles {
   double mirror = 0;   ///< R·L
   double halfway = 0;  ///< N·H
 };
 
-[[nodiscard]] inline HighlightAngles highlight_angles(const ShadingPoint& point, const Vec3& to_light) {
-  const Vec3 mirrored = point.view - point.normal * (2 * point.normal.dot(point.view));
-  const Vec3 halfway = to_light - point.view;
+[[nodiscard]] inline HighlightAngles highlight_angles(const Vec3& normal, const Vec3& view, const Vec3& to_light) {
+  const Vec3 mirrored = view - normal * (2 * normal.dot(view));
+  const Vec3 halfway = to_light - view;
   const double length = halfway.length();
-  return {mirrored.dot(to_light), length > 0 ? halfway.dot(point.normal) / length : 0};
+  return {mirrored.dot(to_light), length > 0 ? halfway.dot(normal) / length : 0};
 }
 
 /// phong (R·L)^phong_size + specular (N·H)^(1/roughness), where a term counts only if its cosine is above 0.
 [[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
-  const scene::Finish& finish = *material.finish;
   double sum = 0;
-  if (finish.phong > 0 && angle.mirror > 0) sum += finish.phong * power(angle.mirror, finish.phong_size);
-  if (finish.specular > 0 && angle.halfway > 0) {
-    sum += finish.specular * power(angle.halfway, material.specular_exponent);
-  }
+  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * power(angle.mirror, material.finish->phong_size);
+  if (material.specular > 0 && angle.halfway > 0)
+    sum += material.specular * power(angle.halfway, material.specular_exponent);
   return sum;
 }
 

@@ -7,6 +7,7 @@
 
 #include <ImathColor.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace isl::render {
@@ -14,14 +15,17 @@ namespace isl::render {
 using Rgb = Imath::Color3<double>;
 
 [[nodiscard]] inline Rgb rgb(const scene::Colour& colour) { return {colour.red, colour.green, colour.blue}; }
+[[nodiscard]] inline double largest(const Rgb& colour) { return std::max({colour.x, colour.y, colour.z}); }
 
 /// A texture's finish and, if it is the same everywhere, its pigment.
 struct Material {
-  const scene::Finish* finish;  ///< the database's; each effect takes its own items from there
-  Rgb pigment;                  ///< the plain colour; meaningless if is_patterned
-  Rgb ambient;                  ///< finish ambient × ambient_light: a factor of the pigment
-  double specular_exponent;     ///< 1/roughness; 0 for a roughness of 0, as in POV-Ray
-  bool is_patterned;            ///< the colour depends on the point
+  const scene::Finish* finish;   ///< the database's; each effect takes its own items from there
+  Rgb pigment;                   ///< the plain colour; meaningless if is_patterned
+  Rgb ambient;                   ///< finish ambient × ambient_light: a factor of the pigment
+  double diffuse, diffuse_back;  ///< shares of light from the front and from behind, at normal incidence
+  double phong, specular;        ///< peaks of the highlights
+  double specular_exponent;      ///< 1/roughness; 0 for a roughness of 0, as in POV-Ray
+  bool is_patterned;             ///< the colour depends on the point
 };
 
 /// A texture at a point, with its share of the material there.

@@ -2,9 +2,12 @@
 
 #include "renderer/fields/skeleton_coordinates.h"
 #include "renderer/patterns/map_interval.h"
+#include "renderer/patterns/own_space.h"
+#include "renderer/shading/mirror.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
+#include <span>
 
 namespace isl::render {
 namespace {
@@ -27,12 +30,19 @@ struct PointTextures::Making {
   values::Environment environment;
   std::vector<LitTexture>& lit;
   Charge& charge;
+  const LayerLists& lists;
+  // Where bumps are asked for: the space of the present texture, inside those of the patterns that chose it.
+  Vec3 normal{0};  ///< in that space, of any length
+  TextureFrame frame{};
+  std::vector<const scene::Pattern*> within{};
 
   /// Maps whose entries have maps choose so many textures that their number is limited by memory alone.
   void push(const LitTexture& texture) {
     if (lit.size() == lit.capacity()) [[unlikely]] {
       const std::size_t capacity = std::max<std::size_t>(2 * lit.capacity(), 64);
-      if (!charge.grow((capacity - lit.capacity()) * sizeof(LitTexture))) {
+      const std::size_t size =
+          sizeof(LitTexture) + (lists.normals ? sizeof(Vec3) : 0) + (lists.passing ? sizeof(Rgb) : 0);
+      if (!charge.grow((capacity - lit.capacity()) * size)) {
         environment.steps().spend();
         return;
       }
@@ -42,9 +52,10 @@ struct PointTextures::Making {
   }
 };
 
-bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge) const {
+bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
+                           const LayerLists& lists) const {
   const std::size_t first = lit.size();
-  Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge};
+  Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge, lists};
   Vec3 coordinates;
   for (const TextureShare& share : point.textures) {
     making.environment.set_coordinates(nullptr);
@@ -52,11 +63,18 @@ bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& l
       coordinates = coordinates_of(share.surface, point.position).point();
       making.environment.set_coordinates(&coordinates);
     }
+    if (!lists.normals) {
+      add(share.texture, share.weight, share.place, making);
+      continue;
+    }
+    making.frame = share.frame;
+    making.normal = share.frame.enter(lists.normal);
     add(share.texture, share.weight, share.place, making);
   }
   if (!making.environment.is_spent()) [[likely]]
     return true;
   lit.resize(first);
+  lists.resize(first);
   return false;
 }
 
@@ -70,8 +88,15 @@ std::optional<scene::Colour> PointTextures::pigment_colour(const scene::Pigment&
 void PointTextures::add(scene::TextureId id, double weight, const Vec3& point, Making& making) const {
   const scene::Texture& texture = database_.texture(id);
   if (texture.pattern == scene::kNoTexturePattern) return add_layers(id, weight, point, making);
-  add_chosen(database_.texture_patterns[scene::index(texture.pattern)], weight,
-             place_of(texture, point, making.environment), making);
+  const scene::TexturePattern& choice = database_.texture_patterns[scene::index(texture.pattern)];
+  const Vec3& place = place_of(texture, point, making.environment);
+  if (!making.lists.normals) return add_chosen(choice, weight, place, making);
+  const Vec3 normal = making.normal;
+  making.normal = into_own_space(database_, choice.pattern, normal);
+  making.within.push_back(&choice.pattern);
+  add_chosen(choice, weight, place, making);
+  making.within.pop_back();
+  making.normal = normal;
 }
 
 void PointTextures::add_chosen(const scene::TexturePattern& choice, double weight, const Vec3& point,
@@ -93,12 +118,28 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
   add(interval.second->texture, weight * second, place.point, making);
 }
 
+void PointTextures::add_normal(const scene::Texture& layer, const Vec3& point, Making& making) const {
+  Vec3 normal = making.normal;
+  if (layer.normal != scene::kNoNormal) {
+    const Vec3& place = place_of(layer, point, making.environment);
+    normal = patterns_.bent(database_.normals[scene::index(layer.normal)], place, normal, making.environment);
+  }
+  for (auto pattern = making.within.rbegin(); pattern != making.within.rend(); ++pattern)
+    normal = out_of_own_space(database_, **pattern, normal);
+  making.lists.normals->push_back(making.frame.leave(normal).normalized());
+}
+
 void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& point, Making& making) const {
   Rgb let_through(1);
+  std::vector<Rgb>* const passing = making.lists.passing;
+  const std::size_t first = passing ? passing->size() : 0;
   for (scene::TextureId id = top;;) {
     const scene::Texture& layer = database_.texture(id);
     const Material& material = materials_[id];
-    if (layer.below == scene::kNoTexture && !material.is_patterned) {
+    if (making.lists.normals) add_normal(layer, point, making);
+    if (passing) passing->push_back(Rgb(0));
+    const bool is_lowest = layer.below == scene::kNoTexture;
+    if (is_lowest && !material.is_patterned && !passing) {
       making.push({&material, material.pigment, material.pigment, weight, let_through});
       return;
     }
@@ -106,13 +147,22 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
         material.is_patterned
             ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, making.environment), making.environment)
             : database_.colour(layer.pigment);
-    if (layer.below == scene::kNoTexture) {
+    if (is_lowest && !passing) {
       making.push({&material, rgb(colour), rgb(colour), weight, let_through});
       return;
     }
-    making.push({&material, rgb(colour) * (1 - colour.filter - colour.transmit), rgb(colour), weight, let_through});
+    making.push({&material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through});
     let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
+    if (making.lists.view && material.finish->conserve_energy) {
+      const Vec3& normal = making.lists.normals ? making.lists.normals->back() : making.lists.normal;
+      const double cosine = -normal.dot(*making.lists.view);
+      let_through *= Rgb(1) - reflectivity_at(*material.finish, cosine, making.lists.ior_ratio, rgb(colour));
+    }
     if (let_through == Rgb(0)) return;
+    if (is_lowest) {
+      (*passing)[first] = let_through;
+      return;
+    }
     id = layer.below;
   }
 }

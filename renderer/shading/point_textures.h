@@ -15,6 +15,23 @@
 
 namespace isl::render {
 
+/// Lists of what effects ask for besides a point's LitTextures, in their order. Null: not asked for.
+struct LayerLists {
+  Vec3 normal{0};                        ///< of the point: unit, in the world, turned to the viewer
+  std::vector<Vec3>* normals = nullptr;  ///< as bumps bend it
+  /// The share of light that the whole texture lets through, at its top layer; 0 at the layers below. If it is not
+  /// asked for, the lowest layer lets nothing through.
+  std::vector<Rgb>* passing = nullptr;
+  /// The direction of the ray, where layers that conserve energy let less through, the more they mirror.
+  const Vec3* view = nullptr;
+  double ior_ratio = 1;  ///< the index of refraction before the surface over that behind it
+
+  void resize(std::size_t size) const {
+    if (normals) normals->resize(size);
+    if (passing) passing->resize(size);
+  }
+};
+
 /// Serves one database; immutable, shared by all threads.
 class PointTextures {
  public:
@@ -26,14 +43,16 @@ class PointTextures {
         coordinate_textures_(database),
         insides_(database),
         patterns_(database, &insides_, database.settings.number_of_waves),
-        noise_generator_(values::noise_generator_of(database.settings.noise_generator)) {}
+        noise_generator_(values::noise_generator_of(database.settings.noise_generator)),
+        is_old_(database.settings.language_version < 3.7) {}
   PointTextures(const PointTextures&) = delete;
   PointTextures& operator=(const PointTextures&) = delete;
 
   /// Appends the textures that the point's shares consist of: at least one entry for each, in their order, the top
-  /// layer first. `charge` counts the memory that `lit` grows by. False, with nothing appended, if that or the steps of
-  /// the run did not suffice, or the run is stopped.
-  [[nodiscard]] bool append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge) const;
+  /// layer first, and appends to `lists` as well. `charge` counts the memory that `lit` grows by. False, with
+  /// nothing appended, if that or the steps of the run did not suffice, or the run is stopped.
+  [[nodiscard]] bool append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
+                            const LayerLists& lists = {}) const;
 
   /// The colour of a pigment that is on no surface, such as the sky's. Nullopt if the steps of the run did not suffice,
   /// or the run is stopped.
@@ -49,6 +68,13 @@ class PointTextures {
   void add(scene::TextureId id, double weight, const Vec3& point, Making& making) const;
   /// Adds the textures that a pattern chooses at the point.
   void add_chosen(const scene::TexturePattern& choice, double weight, const Vec3& point, Making& making) const;
+  /// The share of a layer's own colour that is seen; below 0 if it lets more than all through.
+  [[nodiscard]] double opacity(const scene::Colour& colour) const {
+    const double filter = is_old_ ? colour.filter * largest(rgb(colour)) : colour.filter;
+    return 1 - filter - colour.transmit;
+  }
+  /// Adds a layer's normal to the list.
+  void add_normal(const scene::Texture& layer, const Vec3& point, Making& making) const;
   /// Adds the texture and the layers below it.
   void add_layers(scene::TextureId top, double weight, const Vec3& point, Making& making) const;
 
@@ -59,6 +85,7 @@ class PointTextures {
   PatternInsides insides_;
   Patterns patterns_;
   values::NoiseGenerator noise_generator_;
+  bool is_old_;  ///< before version 3.7, dark filters hid less of their own colour
 };
 
 }  // namespace isl::render

@@ -40,11 +40,10 @@ struct ProductSearch {
   }
 };
 
-/// Calls use(hit of ray i, i) for all rays, in packets where that pays.
+/// Calls use(hit of ray i, i) for all rays, in packets where that pays. `any`: any hit will do.
 template <class Use>
-HWY_INLINE void trace_all(const CompiledScene& scene, const SolverSettings& settings, RayKind kind,
+HWY_INLINE void trace_all(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, bool any,
                           std::span<const Ray> rays, TraceMemory& memory, TraceCounters& counters, const Use& use) {
-  const bool any = kind == RayKind::shadow;
   WorldTrace<ProductSearch> world(scene, settings, kind, memory, counters);
   if (!settings.packets || is_published(settings.name) || rays.size() < 2) {
     for (std::size_t i = 0; i < rays.size(); ++i) use(world.trace(rays[i], any), i);
@@ -61,13 +60,14 @@ HWY_INLINE void trace_all(const CompiledScene& scene, const SolverSettings& sett
 void first_hits(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, std::span<const Ray> rays,
                 std::span<Hit> hits, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(true);
-  trace_all(scene, settings, kind, rays, memory, counters, [&](const Hit& hit, std::size_t i) { hits[i] = hit; });
+  trace_all(scene, settings, kind, false, rays, memory, counters,
+            [&](const Hit& hit, std::size_t i) { hits[i] = hit; });
 }
 
 void occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
-  trace_all(scene, settings, RayKind::shadow, rays, memory, counters,
+  trace_all(scene, settings, RayKind::shadow, true, rays, memory, counters,
             [&](const Hit& hit, std::size_t i) { occluded[i] = occlusion_of(hit); });
 }
 

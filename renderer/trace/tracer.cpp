@@ -46,8 +46,9 @@ struct Tracer::Impl {
 
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
   /// `other` is used where the shape has none of its own. `step` is that of FoundPlace.
-  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const Hit& hit,
-                const Vec3& local, const Vec3& step, SurfacePoint& surface, TraceCounters& counters) const {
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const TextureFrame& own,
+                const Hit& hit, const Vec3& local, const Vec3& step, SurfacePoint& surface,
+                TraceCounters& counters) const {
     std::vector<TextureShare>& textures = surface.textures;
     if (kind == scene::Object::Kind::solid) {
       textures.push_back(other);
@@ -71,6 +72,7 @@ struct Tracer::Impl {
       textures.push_back({is_own ? share.texture : other.texture,
                           share.weight / total,
                           is_own ? local : other.place,
+                          is_own ? own : other.frame,
                           {kind, shape, share.surface.component, local}});
     }
     // This happens only where the published solver takes a place far from every field for the surface.
@@ -91,22 +93,29 @@ std::size_t rays_between_looks(const CompiledScene& scene) {
   return std::max(kItems / std::max<std::size_t>(longest, 1) / kPacket * kPacket, kPacket);
 }
 
+const scene::Transform* placing(const Instance& instance) {
+  return instance.is_placed ? &instance.world_from_object : nullptr;
+}
+const scene::Transform* placing(const CsgLeaf& leaf) { return leaf.is_placed ? &leaf.group_from_leaf : nullptr; }
+
 /// The texture of an instance, as the only one of a surface.
 TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
   const TextureSpace space = instance.texture_space;
-  const Vec3 place = space == kOwnSpace     ? local
-                     : space == kOuterSpace ? world
-                                            : scene.texture_spaces[space].inverse_point(world);
-  return {instance.texture, 1, place};
+  if (space == kOwnSpace) return {instance.texture, 1, local, {placing(instance), nullptr}};
+  if (space == kOuterSpace) return {instance.texture, 1, world};
+  const scene::Transform& world_from_space = scene.texture_spaces[space];
+  return {instance.texture, 1, world_from_space.inverse_point(world), {&world_from_space, nullptr}};
 }
 
 /// The texture of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has one.
-TextureShare texture_of(const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
+TextureShare texture_of(const Instance& instance, const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
   const TextureSpace space = leaf.texture_space;
-  const Vec3 place = space == kOwnSpace     ? leaf.group_from_leaf.inverse_point(point)
-                     : space == kOuterSpace ? point
-                                            : tree.texture_spaces[space].inverse_point(point);
-  return {leaf.texture, 1, place};
+  const scene::Transform* const world_from_group = placing(instance);
+  if (space == kOwnSpace)
+    return {leaf.texture, 1, leaf.group_from_leaf.inverse_point(point), {world_from_group, placing(leaf)}};
+  if (space == kOuterSpace) return {leaf.texture, 1, point, {world_from_group, nullptr}};
+  const scene::Transform& group_from_space = tree.texture_spaces[space];
+  return {leaf.texture, 1, group_from_space.inverse_point(point), {world_from_group, &group_from_space}};
 }
 
 }  // namespace
@@ -163,6 +172,9 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
   point.position = ray.origin + ray.direction * hit.t;
+  point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
+  point.is_hollow = instance.is_hollow;
+  point.interior = instance.interior;
   point.is_refuted = false;
   point.textures.clear();
   // A hit may be off by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with room to spare.
@@ -174,21 +186,24 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
     const CsgTree& tree = impl_->scene.trees[instance.shape];
+    if (leaf.interior != scene::kNoInterior) point.interior = leaf.interior;
     TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
     if (leaf.texture != scene::kNoTexture) {
-      texture = texture_of(tree, leaf, local);
+      texture = texture_of(instance, tree, leaf, local);
     } else if (texture.texture == scene::kNoTexture) {
       if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local))
-        texture = texture_of(tree, *cut, local);
+        texture = texture_of(instance, tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     if (leaf.is_placed) step = leaf.group_from_leaf.inverse_vector(step);
-    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, hit, in_leaf, step, point, counters);
+    const TextureFrame own{placing(instance), placing(leaf)};
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, own, hit, in_leaf, step, point, counters);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
     const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
-    normal = impl_->shape_at(instance.kind, instance.shape, texture, hit, local, step, point, counters);
+    const TextureFrame own{placing(instance), nullptr};
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, own, hit, local, step, point, counters);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

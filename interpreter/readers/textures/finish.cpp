@@ -148,9 +148,11 @@ std::vector<grammar::Symbol> reflection_words(Context& context) {
 void read_reflection_block(Context& context, const Element& block, Finish& finish) {
   ElementStream stream(context, block);
   scene::Reflection& reflection = finish.reflection;
+  bool has_one = false;
   if (starts_colour(stream.peek())) {
     reflection.minimum = reflection.maximum = read_colour(stream);
-    if (stream.accept_comma() || starts_colour(stream.peek())) reflection.maximum = read_colour(stream);
+    has_one = !stream.accept_comma() && !starts_colour(stream.peek());
+    if (!has_one) reflection.maximum = read_colour(stream);
   }
   while (!stream.peek().is(ElementKind::end)) {
     note_place(context, stream.peek(), kReflectionPlaces, finish.said_at);
@@ -161,6 +163,8 @@ void read_reflection_block(Context& context, const Element& block, Finish& finis
       refuse(stream, reflection_words(context));
     }
   }
+  // Fresnel's formula begins at 0 then.
+  if (has_one && finish.fresnel) reflection.minimum = {};
 }
 
 void read_irid(Context& context, const Element& block, Finish& finish) {

@@ -79,7 +79,7 @@ class PacketSetup {
       const std::uint32_t item = fields.items[i];
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
       const PlacedLines lines = lines_in(fields, item);
-      const Placement<Octet> place{lines.start, lines.size + Octet(extent_of(fields.group, shape))};
+      const Placement<Octet> place{lines.start, lines.size + Octet(shape.extent())};
       PacketRow& row = next_row(Form::along(shape, lines), Form::shape(shape), fields.table.amplitude[item], place);
       const auto lanes = load_placed<Form>(row);
       const auto bounds = lanes.bounds(t0_, t1_, constants.scale, constants.support);
@@ -104,7 +104,7 @@ class PacketSetup {
           const Shape curve = fields.table.shape<Shape>(fields.group, item);
           const double unit = per_support(fields.group.kernel, curve), amplitude = fields.table.amplitude[item];
           const PlacedLines lines = lines_in(fields, item);
-          const Octet size = Octet(unit) * (lines.size + Octet(extent_of(fields.group, curve)));
+          const Octet size = Octet(unit) * (lines.size + Octet(curve.extent()));
           PacketRow& row =
               next_row(Form::along(curve, unit, lines), Form::shape(curve, unit), amplitude, {lines.start, size});
           const Octet most = load_placed<Form>(row).most(window, t0_, t1_);
@@ -196,7 +196,7 @@ class PacketSetup {
       };
       table.with_skeleton(group, item, [&](const auto& shape) {
         using Shape = std::decay_t<decltype(shape)>;
-        size = (line.size + extent_of(group, shape)) * std::sqrt(scale) / shape.thickest();
+        size = (line.size + shape.extent()) * std::sqrt(scale) / shape.thickest();
         if constexpr (HasPieces<Shape>) shape.along(line.origin, line.direction, emit);
       });
     }

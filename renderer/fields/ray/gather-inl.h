@@ -75,7 +75,7 @@ HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable
 template <class N>
 struct Placement {
   N start;  ///< t
-  N size;   ///< the greatest coordinate that positions within the component's support are computed from
+  N size;   ///< the greatest coordinate that positions on the skeleton are computed from
 };
 
 /// A ray in a component's own space, from where it is nearest to the component's own origin.
@@ -104,12 +104,6 @@ struct PlacedLine {
     if (map) size += map->inverse_terms(o + d * start);
   }
 };
-
-/// The greatest coordinate of a component's own space within its support.
-template <class Shape>
-[[nodiscard]] double extent_of(const FieldGroup& group, const Shape& shape) {
-  return shape.extent() + shape.thickest() * ComponentTable::support_root(group);
-}
 
 /// Results of laying out the fields for a stretch of a ray, or for eight.
 template <class Count, class Number>

@@ -44,8 +44,8 @@ template <class Form, InLanes kWhat>
 }
 
 /// A bound of the rounding errors of positions, in units of the greatest coordinate that they are computed from: some
-/// twelve operations, each off by half a unit in the last place.
-inline constexpr double kPositionError = 8 * 0x1p-52;
+/// eight operations, each off by half a unit in the last place.
+inline constexpr double kPositionError = 4 * 0x1p-52;
 
 /// A form that counts t from `start`, where the ray is nearest to the component's own origin: there a component that is
 /// small and far from where the ray starts has small coordinates, which are known to more digits. `size` is the
@@ -70,7 +70,7 @@ struct PlacedLanes : Form {
   // Of convolved curves.
   template <class Window>
   [[nodiscard]] HWY_INLINE auto at(const Window& window, const Octet& t) const {
-    return Form::at(window, t - start, size);
+    return Form::at(window, t - start, size + Octet(1.0));
   }
   template <class Window>
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {

@@ -160,7 +160,7 @@ class LaneSetup {
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
       const PlacedLine line(fields, item, origin_, direction_);
       use(shape, fields.table.amplitude[item], line.origin, line.direction,
-          Placement<double>{line.start, line.size + extent_of(fields.group, shape)});
+          Placement<double>{line.start, line.size + shape.extent()});
     }
     sums_.field_count += fields.count;
   }

@@ -26,13 +26,14 @@ struct FieldTerm {
 // small share of x, kPositionError, so that is what x² is multiplied by.
 
 template <class Kernel, class Borders>
-[[nodiscard]] HWY_INLINE Octet moved(const Kernel& kernel, const Borders& piece, const Octet& steepness) {
-  return Octet(2.0) * abs(steepness) * piece.size * sqrt(kernel.support());
+[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Borders& piece, const Octet& steepness, const Octet& v) {
+  const Octet root = sqrt(v), size = piece.size + root;
+  return abs(steepness) * size * (Octet(2.0) * root + Octet(kPositionError) * size);
 }
 /// Of points with a kernel that is nowhere steep, the sum has a bound that is known from the setup (SetupSums::moved).
 template <class Kernel>
 requires requires { Kernel::kSteepest; }
-[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Everywhere&, const Octet& /*steepness*/) {
+[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Everywhere&, const Octet& /*steepness*/, const Octet& /*v*/) {
   return Octet(0.0);
 }
 
@@ -47,7 +48,7 @@ template <class Kernel, class Borders>
   const KernelValue phi = kernel.value_and_slope(v);
   return {keep(active, lane.amplitude * phi.value),
           keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau))),
-          moved(kernel, borders, keep(active, lane.amplitude * phi.slope))};
+          keep(active, moved(kernel, borders, lane.amplitude * phi.slope, v))};
 }
 
 /// f and f′ of a ray form at t.
@@ -56,9 +57,9 @@ template <class Kernel, class Shapes>
   const LanePoint p = lanes.at(t, scale);
   const OctetMask active = p.v < kernel.support();
   const KernelValue phi = kernel.value_and_slope(p.v);
-  const Octet x = lanes.size * sqrt(p.factor);
+  const Octet root = sqrt(p.v), x = lanes.size * sqrt(p.factor) + root;
   return {keep(active, lanes.amplitude * phi.value), keep(active, lanes.amplitude * (phi.slope * p.slope)),
-          keep(active, abs(lanes.amplitude * phi.slope) * x * (Octet(2.0) * sqrt(p.v) + Octet(kPositionError) * x))};
+          keep(active, abs(lanes.amplitude * phi.slope) * x * (Octet(2.0) * root + Octet(kPositionError) * x))};
 }
 
 /// Σf and Σf′, and the scales of their rounding errors, Σ|f| and Σ|f′|.

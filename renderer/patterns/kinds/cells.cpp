@@ -116,9 +116,39 @@ double crackle_at(const PatternPoint& at) noexcept {
   return std::clamp(sum, 0.0, 1.0);
 }
 
+/// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
+/// decides.
+struct Facets {
+  double coords = 0;
+  double size = 0;
+};
+void read_coords(scene::OperandReader& reader, Facets& facets) noexcept {
+  facets = {.coords = reader.number("`coords`")};
+}
+void read_size(scene::OperandReader& reader, Facets& facets) noexcept { facets = {.size = reader.number("`size`")}; }
+constexpr scene::OperandField kFacets[] = {
+    scene::modifier<&Facets::coords>("coords").read_by<read_coords>().dumped_with<&Facets::coords>(),
+    scene::modifier<&Facets::size>("size").read_by<read_size>().dumped_with<&Facets::size>()};
+
+/// Flat facets, like those of hammered metal: all normals near a feature point become that point's direction; or, with
+/// `coords`, all normals in its cell are turned alike.
+Vec3 bend_by_facets(const PatternPoint& at, const Vec3& normal, double /*size*/) noexcept {
+  const Facets& facets = at.operands<Facets>();
+  const Metric metric(2, 0);
+  constexpr double kDefaultSize = 0.1;
+  if (!(facets.coords > 0)) {
+    const double size = facets.size > 0 ? facets.size : kDefaultSize;
+    return find_nearest(normal / size, metric).point;
+  }
+  const Vec3 push = values::vector_noise(find_nearest(at.point / kDefaultSize, metric).point);
+  return normal + (push - normal * push.dot(normal)) * facets.coords;
+}
+
 }  // namespace
 
 constinit const PatternInfo pattern_kinds::cells{.value = cells_at};
 constinit const PatternInfo pattern_kinds::crackle{.operands = operands_of<Crackle, kCrackle>, .value = crackle_at};
+constinit const PatternInfo pattern_kinds::facets{
+    .hosts = kNormalsOnly, .operands = operands_of<Facets, kFacets>, .bend = bend_by_facets};
 
 }  // namespace isl::render

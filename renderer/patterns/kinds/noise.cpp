@@ -47,6 +47,25 @@ double wrinkles_at(const PatternPoint& at) noexcept {
   return sum / 2;
 }
 
+/// Towards a vector noise.
+Vec3 bend_by_bumps(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  return normal + values::vector_noise(at.point) * size;
+}
+Vec3 bend_by_dents(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  return normal + values::vector_noise(at.point) * (size * dents_at(at));
+}
+/// Towards Σ |vector noise(2ⁱ · p)| / 2ⁱ, ten octaves, each coordinate's size.
+Vec3 bend_by_wrinkles(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  constexpr int kOctaves = 10;
+  Vec3 sum(0);
+  double frequency = 1;
+  for (int i = 0; i < kOctaves; ++i, frequency *= 2) {
+    const Vec3 push = values::vector_noise(at.point * frequency);
+    sum += Vec3(std::abs(push.x), std::abs(push.y), std::abs(push.z)) / frequency;
+  }
+  return normal + sum * size;
+}
+
 struct Agate {
   double turbulence = 1;
 };
@@ -93,14 +112,15 @@ constexpr PatternColour kWoodColours[] = {
 constinit const PatternInfo pattern_kinds::agate{
     .colours = kAgateColours, .operands = operands_of<Agate, kAgate>, .value = agate_at};
 constinit const PatternInfo pattern_kinds::bozo{.colours = kBozoColours, .value = plain_noise};
-constinit const PatternInfo pattern_kinds::bumps{.makes_bumps = true, .value = plain_noise};
-constinit const PatternInfo pattern_kinds::dents{.makes_bumps = true, .value = dents_at};
+constinit const PatternInfo pattern_kinds::bumps{.makes_bumps = true, .value = plain_noise, .bend = bend_by_bumps};
+constinit const PatternInfo pattern_kinds::dents{.makes_bumps = true, .value = dents_at, .bend = bend_by_dents};
 constinit const PatternInfo pattern_kinds::granite{.value = granite_at};
 constinit const PatternInfo pattern_kinds::marble{
     .wave = scene::Wave::triangle, .colours = kMarbleColours, .uses_turbulence_itself = true, .value = marble_at};
 constinit const PatternInfo pattern_kinds::spotted{.value = plain_noise};
 constinit const PatternInfo pattern_kinds::wood{
     .wave = scene::Wave::triangle, .colours = kWoodColours, .uses_turbulence_itself = true, .value = wood_at};
-constinit const PatternInfo pattern_kinds::wrinkles{.makes_bumps = true, .value = wrinkles_at};
+constinit const PatternInfo pattern_kinds::wrinkles{
+    .makes_bumps = true, .value = wrinkles_at, .bend = bend_by_wrinkles};
 
 }  // namespace isl::render

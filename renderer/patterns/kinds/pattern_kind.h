@@ -104,6 +104,8 @@ struct PatternInfo {
   PatternLack lack = PatternLack::nothing;
   /// The value, from 0 to about 1, or the item's index. Null for kinds without a value, which give 0.
   double (*value)(const PatternPoint& at) noexcept = nullptr;
+  /// A unit normal as bumps of this size bend it, of any length. Null for kinds whose bumps are their values' heights.
+  Vec3 (*bend)(const PatternPoint& at, const Vec3& normal, double size) noexcept = nullptr;
 
   [[nodiscard]] constexpr bool takes_map() const {
     return choice == PatternChoice::map || choice == PatternChoice::mean_of_map;

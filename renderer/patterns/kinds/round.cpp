@@ -73,17 +73,30 @@ struct Quilted {
 constexpr OperandField kQuilted[] = {scene::modifier<&Quilted::control0>("control0"),
                                      scene::modifier<&Quilted::control1>("control1")};
 
-/// In every unit cube, the value rises from the middle by a Bézier curve of the distance with the two controls.
+/// The offset from the middle of the unit cube around p.
+Vec3 from_middle(const Vec3& p) noexcept {
+  return {p.x - std::floor(p.x) - 0.5, p.y - std::floor(p.y) - 0.5, p.z - std::floor(p.z) - 0.5};
+}
+/// A Bézier curve of the distance from the middle, with the two controls.
+double swelling(const Quilted& quilted, double t) noexcept {
+  const double s = 1 - t;
+  return 3 * t * s * s * values::to_single(quilted.control0) + 3 * t * t * s * values::to_single(quilted.control1) +
+         t * t * t;
+}
+/// 1/√¾ as POV-Ray writes it: the corner of the cube comes to 1 for a swelling of 1.
+constexpr double kToCorner = 1.154700538;
+
+/// In every unit cube, the value rises from the middle.
 double quilted_at(const PatternPoint& at) noexcept {
-  const Vec3& p = at.point;
-  const Quilted& operands = at.operands<Quilted>();
-  const Vec3 offset(p.x - std::floor(p.x) - 0.5, p.y - std::floor(p.y) - 0.5, p.z - std::floor(p.z) - 0.5);
-  const double t = std::sqrt(offset.dot(offset)), s = 1 - t;
-  const double swelling = 3 * t * s * s * values::to_single(operands.control0) +
-                          3 * t * t * s * values::to_single(operands.control1) + t * t * t;
-  // 1/√¾ as POV-Ray writes it: the corner of the cube comes to 1 for a swelling of 1.
-  constexpr double kScale = 1.154700538 / 3;
-  return (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z)) * swelling * kScale;
+  const Vec3 offset = from_middle(at.point);
+  const double swollen = swelling(at.operands<Quilted>(), std::sqrt(offset.dot(offset)));
+  constexpr double kScale = kToCorner / 3;
+  return (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z)) * swollen * kScale;
+}
+/// Away from the middle of the cube.
+Vec3 bend_by_quilts(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  const Vec3 offset = from_middle(at.point);
+  return normal + offset * (size * kToCorner * swelling(at.operands<Quilted>(), std::sqrt(offset.dot(offset))));
 }
 
 struct Spiral {
@@ -129,7 +142,7 @@ constinit const PatternInfo pattern_kinds::leopard{.value = leopard_at};
 constinit const PatternInfo pattern_kinds::onion{.value = onion_at};
 constinit const PatternInfo pattern_kinds::planar{.value = planar_at};
 constinit const PatternInfo pattern_kinds::quilted{
-    .makes_bumps = true, .operands = operands_of<Quilted, kQuilted>, .value = quilted_at};
+    .makes_bumps = true, .operands = operands_of<Quilted, kQuilted>, .value = quilted_at, .bend = bend_by_quilts};
 constinit const PatternInfo pattern_kinds::radial{.colours = kRadialColours, .value = radial_at};
 constinit const PatternInfo pattern_kinds::spherical{.value = spherical_at};
 constinit const PatternInfo pattern_kinds::spiral1 = spiral(spiral1_at);

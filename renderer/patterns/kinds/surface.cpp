@@ -6,20 +6,6 @@ namespace isl::render {
 namespace {
 
 constexpr PatternHosts kSurfaces{.function = false};
-/// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
-/// decides.
-struct Facets {
-  double coords = 0;
-  double size = 0;
-};
-void read_coords(scene::OperandReader& reader, Facets& facets) noexcept {
-  facets = {.coords = reader.number("`coords`")};
-}
-void read_size(scene::OperandReader& reader, Facets& facets) noexcept { facets = {.size = reader.number("`size`")}; }
-constexpr scene::OperandField kFacets[] = {
-    scene::modifier<&Facets::coords>("coords").read_by<read_coords>().dumped_with<&Facets::coords>(),
-    scene::modifier<&Facets::size>("size").read_by<read_size>().dumped_with<&Facets::size>()};
-
 /// The angle between the normal and `direction` (or the direction to the point `reference`), from low to high as 0 to
 /// 1; and with an altitude a weighted mean with the height along it, the weights being the vectors' lengths.
 struct Slope {
@@ -67,8 +53,6 @@ constexpr scene::OperandField kSlope[] = {
 
 constinit const PatternInfo pattern_kinds::aoi{.hosts = kSurfaces, .lack = PatternLack::surface};
 constinit const PatternInfo pattern_kinds::average{.hosts = kSurfaces, .choice = PatternChoice::mean_of_map};
-constinit const PatternInfo pattern_kinds::facets{
-    .hosts = kNormalsOnly, .operands = operands_of<Facets, kFacets>, .lack = PatternLack::surface};
 constinit const PatternInfo pattern_kinds::slope{.block = PatternBlock::optional,
                                                  .hosts = kSurfaces,
                                                  .operands = operands_of<Slope, kSlope>,

@@ -78,9 +78,32 @@ double ripples_at(const PatternPoint& at) noexcept {
   return 0.5 * (1 + sum / static_cast<double>(sources.size()));
 }
 
+/// Each source adds size · sin(2π(distance · frequency · fᵢ + phase)) / (distance · fᵢ · number of sources) times the
+/// way from the source; fᵢ is 1 for ripples.
+Vec3 bend(const PatternPoint& at, const Vec3& normal, double size, bool has_frequencies) noexcept {
+  const std::span<const WaveSource> sources = wave_sources(at.world.number_of_waves);
+  if (!take_steps(at, sources.size())) return normal;
+  const double frequency = values::to_single(at.pattern.frequency), phase = values::to_single(at.pattern.phase);
+  const double share = size / static_cast<double>(sources.size());
+  Vec3 result = normal;
+  for (const WaveSource& source : sources) {
+    const Vec3 way = at.point - source.position;
+    const double distance = way.length() > 0 ? way.length() : 1;
+    const double own = has_frequencies ? source.frequency : 1;
+    result += way * (share * cycloidal(distance * frequency * own + phase) / (distance * own));
+  }
+  return result;
+}
+Vec3 bend_by_ripples(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  return bend(at, normal, size, false);
+}
+Vec3 bend_by_waves(const PatternPoint& at, const Vec3& normal, double size) noexcept {
+  return bend(at, normal, size, true);
+}
+
 }  // namespace
 
-constinit const PatternInfo pattern_kinds::ripples{.makes_bumps = true, .value = ripples_at};
-constinit const PatternInfo pattern_kinds::waves{.makes_bumps = true, .value = waves_at};
+constinit const PatternInfo pattern_kinds::ripples{.makes_bumps = true, .value = ripples_at, .bend = bend_by_ripples};
+constinit const PatternInfo pattern_kinds::waves{.makes_bumps = true, .value = waves_at, .bend = bend_by_waves};
 
 }  // namespace isl::render

@@ -142,7 +142,7 @@ class HermiteSolver {
     if (a_is_root) {
       const Quotient c = quotient(a, b);
       const bool leaves = c.c0 <= h * a.slope_noise;
-      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.doubt + 0.5 * h * b.slope_noise < 0 && c.c2 + b.doubt < 0) {
+      if (leaves && c.c1 + kMiddleBand * e.value + 1.5 * b.noise + 0.5 * h * b.slope_noise < 0 && c.c2 + b.noise < 0) {
         return Verdict::none;
       }
       const double bend = 6 * std::min(p.b0 - 2 * p.b1 + p.b2, p.b1 - 2 * p.b2 + p.b3);

@@ -9,7 +9,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr std::string_view kScene = R"(camera { location -4*z }
-light_source { -9*z, rgb 1 spotlight }
+light_source { -9*z, rgb 1 area_light x, y, 2, 2 }
 #macro Ring(R) light_group { torus { R, .1 } } #end
 sphere { 0, 1 pigment { rgb 1 } }
 Ring(1) Ring(2)
@@ -23,7 +23,7 @@ class Unrendered : public ProgramTest {
 TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:28: error: `spotlight` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:28: error: `area_light` is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `light_group` is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
   EXPECT_THAT(result.err, HasSubstr("Ring"));
@@ -44,7 +44,7 @@ TEST_F(Unrendered, IsToldByCheckInTheSameWords) {
 }
 
 TEST_F(Unrendered, IsNoMatterWhereItIsLeftOut) {
-  const ProcessResult result = run({"check", "scene.isl", "--without", "spotlight,light_group"});
+  const ProcessResult result = run({"check", "scene.isl", "--without", "area_light,light_group"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("rendered")));
   EXPECT_THAT(result.out, HasSubstr("3 primitives, 3 solids, 1 light"));

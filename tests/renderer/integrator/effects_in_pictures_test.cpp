@@ -1,8 +1,6 @@
-// Effects in whole pictures, compared with the middle of POV-Ray 3.7's pictures (assumed_gamma 1, linear values, five
-// digits) and with closed forms.
-#include "tests/renderer/integrator/rendered_text.h"
+// Effects in whole pictures.
+#include "tests/renderer/integrator/middle_pixel.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -11,28 +9,6 @@ namespace isl::test {
 namespace {
 
 using render::Rgb;
-
-constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } ";
-/// Cameras that look through the origin: straight on, and at 60 degrees to the normal of z = 0.
-constexpr const char* kStraight = "camera { location -5*z direction z right x up y } ";
-constexpr const char* kAt60 = "camera { location -5*<.8660254037844387, 0, .5> look_at 0 right x up y } ";
-constexpr const char* kBackground = "background { rgb <.8, .4, .2> } ";
-
-std::string plane(const char* finish, const char* colour = "<.2, .4, .6>") {
-  return fmt::format("plane {{ -z, 0 pigment {{ rgb {} }} finish {{ ambient 0 diffuse 0 {} }} }} ", colour, finish);
-}
-
-std::string light_at(double degrees) {
-  const double a = degrees * std::acos(-1.0) / 180;
-  return fmt::format("light_source {{ 1e6*<{}, 0, {}> rgb 1 }} ", std::sin(a), -std::cos(a));
-}
-
-void expect_middle(const std::string& scene, double red, double green, double blue, double tolerance = 2.5e-5) {
-  const Rgb colour = middle_of(rendered(kHead + scene).image);
-  EXPECT_NEAR(colour.x, red, tolerance) << scene;
-  EXPECT_NEAR(colour.y, green, tolerance) << scene;
-  EXPECT_NEAR(colour.z, blue, tolerance) << scene;
-}
 
 TEST(Metallic, highlights_are_povrays) {
   expect_middle(kStraight + light_at(30) + plane("phong .9 phong_size 10"), .21358, .21358, .21358);
@@ -47,6 +23,31 @@ TEST(Reflection, follows_the_angle_as_povrays_does) {
   expect_middle(view + plane("reflection { .1, .9 falloff 3 }"), .16, .08, .04);
   expect_middle(view + plane("reflection { .5 metallic }"), .09897, .08711, .06236);
   expect_middle(view + plane("reflection rgb <1, .5, 0>"), .8, .2, 0);
+}
+
+TEST(Reflection, by_fresnel_is_povrays) {
+  const auto mirror = [](const char* reflection) {
+    return std::string(kAt60) + kBackground +
+           fmt::format(
+               "plane {{ -z, 0 pigment {{ rgb <.2, .4, .6> }} finish {{ ambient 0 diffuse 0 {} }} interior {{ ior "
+               "1.5 }} }} ",
+               reflection);
+  };
+  expect_middle(mirror("reflection { 1 fresnel }"), .07135, .03568, .01784);
+  expect_middle(mirror("reflection { .1, .9 fresnel }"), .13709, .06854, .03427);
+  expect_middle(mirror("reflection { 1 fresnel metallic }"), .01765, .01553, .01112);
+}
+
+TEST(Reflection, takes_from_what_is_behind_only_if_energy_is_conserved) {
+  const auto mirror = [](const char* more) {
+    return std::string(kAt60) + kBackground +
+           fmt::format(
+               "plane {{ -z, 0 pigment {{ rgbt <.2, .4, .6, .5> }} finish {{ ambient 0 diffuse 0 reflection .4 {} "
+               "}} }} ",
+               more);
+  };
+  expect_middle(mirror("conserve_energy"), .56, .28, .14);
+  expect_middle(mirror(""), .72, .36, .18);
 }
 
 TEST(Reflection, ends_at_max_trace_level) {

@@ -10,7 +10,8 @@ namespace isl::test {
 render::RenderResult rendered(std::string_view scene, int size, render::RenderOptions options) {
   const EvaluatedText text(scene);
   EXPECT_EQ(text.messages(), "") << scene;
-  const scene::Database& database = text.database();
+  scene::Database database = text.database();
+  leave_out(render::plan_of(database, {.without = options.without}), database);
   EXPECT_TRUE(render::plan_of(database).refused.empty()) << scene;
   options.width = options.height = size;
   options.samples = 1;

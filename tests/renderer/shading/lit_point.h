@@ -12,7 +12,7 @@ namespace isl::render::test {
   if (!(incidence > 0)) return Rgb(0);
   Rgb colour = diffuse_colour(point, incidence);
   if (!light.shadowless) {
-    const HighlightAngles angle = highlight_angles(point, sample.direction);
+    const HighlightAngles angle = highlight_angles(point.normal, point.view, sample.direction);
     for (const LitTexture& lit : point.textures)
       colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
   }

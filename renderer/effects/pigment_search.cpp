@@ -1,0 +1,42 @@
+#include "renderer/effects/pigment_search.h"
+
+#include <unordered_set>
+#include <variant>
+
+namespace isl::render {
+namespace {
+
+/// Looks at each pigment once.
+class PigmentSearch {
+ public:
+  PigmentSearch(const scene::Database& database, IsSuchPigment is_such) : database_(database), is_such_(is_such) {}
+
+  std::optional<OriginId> find(const scene::Pigment& pigment) {
+    if (pigment.is_plain()) return is_such_(pigment, nullptr) ? std::optional(pigment.said_at) : std::nullopt;
+    if (!seen_.insert(index(pigment.pattern)).second) return std::nullopt;
+    const scene::PatternedPigment& record = database_.pigments[index(pigment.pattern)];
+    if (is_such_(pigment, &record)) return record.pattern.said_at;
+    if (const auto* const inner = std::get_if<scene::PigmentOperands>(&record.pattern.operands)) {
+      if (const auto found = find({.pattern = inner->pigment})) return found;
+    }
+    if (record.map == scene::kNoPigmentMap) return std::nullopt;
+    for (const scene::PigmentEntry& entry : database_.pigment_maps[index(record.map)]) {
+      if (const auto found = find(entry.pigment)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const scene::Database& database_;
+  IsSuchPigment is_such_;
+  std::unordered_set<std::uint32_t> seen_;
+};
+
+}  // namespace
+
+std::optional<OriginId> find_pigment(const scene::Database& database, const scene::Pigment& pigment,
+                                     IsSuchPigment is_such) {
+  return PigmentSearch(database, is_such).find(pigment);
+}
+
+}  // namespace isl::render

@@ -1,0 +1,128 @@
+// Surfaces that let light through: behind each, the path goes on, bent by the interiors on both sides (Snell), or is
+// reflected within (total reflection). Light that leaves a body has faded along its way through it. The light of
+// shadow rays is filtered by paths/shadow_filter.cpp.
+//
+// A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
+// the surface's normal.
+#include "renderer/effects/effect.h"
+#include "renderer/effects/pigment_search.h"
+#include "renderer/paths/behind.h"
+#include "renderer/shading/interiors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace isl::render {
+namespace {
+
+class TransparencyStage final : public Stage<SpawnWork> {
+ public:
+  explicit TransparencyStage(const StageContext& context)
+      : interiors_(context.database),
+        least_weight_(context.database.settings.adc_bailout),
+        most_levels_(context.database.settings.max_trace_level) {}
+
+  void run(SpawnWork& work) const override {
+    for (std::size_t i = 0; i < work.block.points.size(); ++i) {
+      const ShadingPoint& point = work.block.points[i];
+      std::optional<Behind> found;
+      for (std::size_t first = 0; first < point.textures.size();) {
+        // Textures that have the same normal send one ray on.
+        Rgb passing(0);
+        double share = 0;
+        const Vec3& normal = work.block.normal_of(point, point.textures[first]);
+        std::size_t at = first;
+        for (; at < point.textures.size(); ++at) {
+          const LitTexture& texture = point.textures[at];
+          const Rgb through = work.block.passing_of(texture);
+          // A layer below the top does not let light through by itself.
+          if (through == Rgb(0)) continue;
+          if (share > 0 && work.block.normal_of(point, texture) != normal) break;
+          passing += through * texture.weight;
+          share += texture.weight;
+        }
+        first = std::max(at, first + 1);
+        if (share == 0) continue;
+        if (!found) {
+          const std::uint32_t path = work.block.paths[i];
+          const Body body{work.batch.hits[path].instance, point.interior, point.is_hollow};
+          found = behind(interiors_, work.bodies, work.batch.entries[path], body, point.from_inside);
+        }
+        send_on(work, i, normal, passing, share, *found);
+      }
+    }
+  }
+
+ private:
+  void send_on(SpawnWork& work, std::size_t i, const Vec3& normal, const Rgb& passing, double share,
+               const Behind& there) const {
+    const ShadingPoint& point = work.block.points[i];
+    const std::uint32_t at = work.block.paths[i];
+    const PathEntry& path = work.batch.entries[at];
+    const Hit& hit = work.batch.hits[at];
+    if (path.level >= most_levels_) {
+      ++work.ended.by_level;
+      return;
+    }
+    PathEntry child = path;
+    child.weight *= largest(passing);
+    if (child.weight < least_weight_) {
+      ++work.ended.by_weight;
+      return;
+    }
+    const Rgb faded = point.from_inside ? interiors_[point.interior].left_after(hit.t) : Rgb(1);
+    Ray next;
+    next.origin = point.position;
+    next.path_length = work.batch.rays[at].path_length + hit.t;
+    next.start = hit.start();
+    // POV-Ray does not count a segment that goes straight on.
+    child.level = static_cast<std::uint16_t>(path.level + (there.ratio == 1 ? 0 : 1));
+    if (const std::optional<Vec3> direction = refracted(point.view, normal, there.ratio)) {
+      child.factor *= passing * faded;
+      child.bodies = there.bodies;
+      child.in_solid = there.in_solid;
+      next.direction = *direction;
+    } else {
+      work.is_total[i] = 1;
+      child.factor *= faded * share;
+      child.weight = path.weight;
+      child.kind = RayKind::reflection;
+      next.direction = mirrored(point.view, normal, point.normal);
+    }
+    work.children.push(next, child);
+  }
+
+  Interiors interiors_;
+  double least_weight_;
+  int most_levels_;
+};
+
+bool lets_light_through(const scene::Pigment& pigment, const scene::PatternedPigment* record) {
+  if (record && record->pattern.kind != scene::PatternKind::plain) return false;
+  const scene::Colour& colour = record ? record->colour : pigment.colour;
+  return colour.filter != 0 || colour.transmit != 0;
+}
+
+}  // namespace
+
+Effect transparency() {
+  return {.name = "transparency",
+          .summary = "surfaces that let light through",
+          .rays = "refraction",
+          .from_quality = 6,
+          .find =
+              [](const SceneUse& use, Requests& requests, std::string_view& reason) {
+                reason = "no texture lets light through";
+                for (const Use<scene::Texture>& texture : use.textures()) {
+                  // A layer above the lowest lets the next one show through, which needs nothing.
+                  if (texture.record->below != scene::kNoTexture || texture.record->pattern != scene::kNoTexturePattern)
+                    continue;
+                  const auto word = find_pigment(use.database(), texture.record->pigment, lets_light_through);
+                  if (word) requests.add("a transparent pigment", *word, texture.user);
+                }
+              },
+          .stages = {.spawn = make_stage<TransparencyStage, SpawnWork>, .passing = true}};
+}
+
+}  // namespace isl::render

@@ -1,0 +1,73 @@
+#include "renderer/paths/shadow_filter.h"
+
+#include "renderer/numerics/power.h"
+#include "renderer/shading/lighting.h"
+
+namespace isl::render {
+
+Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& memory, TraceCounters& counters) const {
+  SurfacePoint& surface = memory.surface;
+  tracer_.surface_at(ray, hit, surface, counters);
+  memory.textures.clear();
+  memory.normals.clear();
+  memory.passing.clear();
+  const LayerLists lists{turned_to_viewer(surface.normal, ray.direction), has_bumps_ ? &memory.normals : nullptr,
+                         &memory.passing};
+  if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists)) {
+    refusals_.report("this object", tracer_.origin_of(hit));
+    return Rgb(0);
+  }
+  const Medium& medium = interiors_[surface.interior];
+  Rgb share(0);
+  for (std::size_t i = 0; i < memory.textures.size(); ++i) {
+    Rgb passing = memory.passing[i] * memory.textures[i].weight;
+    if (medium.caustics > 0 && passing != Rgb(0)) {
+      // Light that a lens gathers, as POV-Ray fakes it.
+      constexpr double kSharpness = 45;
+      const Vec3& normal = has_bumps_ ? memory.normals[i] : lists.normal;
+      passing *= 1 + power(std::abs(normal.dot(ray.direction)), kSharpness * medium.caustics);
+    }
+    share += passing;
+  }
+  const bool leaves = surface.normal.dot(ray.direction) > 0;
+  return leaves && medium.fade_power > 0 ? share * medium.left_after(hit.t) : share;
+}
+
+void ShadowFilter::run(std::span<const Ray> rays, std::span<Rgb> shares, std::span<Certainty> certainties,
+                       ShadowFilterMemory& memory, TraceCounters& counters) const {
+  memory.rays.assign(rays.begin(), rays.end());
+  memory.numbers.resize(rays.size());
+  for (std::uint32_t i = 0; i < rays.size(); ++i) {
+    shares[i] = Rgb(1);
+    memory.numbers[i] = i;
+  }
+  // Every step takes all rays that have not ended past one more surface.
+  while (!memory.rays.empty()) {
+    memory.hits.assign(memory.rays.size(), Hit{});
+    tracer_.first_hits(memory.rays, memory.hits, counters, RayKind::shadow);
+    if (refusals_.is_set()) return;
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < memory.rays.size(); ++i) {
+      const Hit& hit = memory.hits[i];
+      const std::uint32_t number = memory.numbers[i];
+      if (hit.is_miss()) {
+        lower(certainties[number], hit.certainty);
+        continue;
+      }
+      Ray ray = memory.rays[i];
+      shares[number] *= share_at(ray, hit, memory, counters);
+      if (shares[number] == Rgb(0)) continue;
+      lower(certainties[number], hit.certainty);
+      ray.origin = memory.surface.position;
+      ray.t_max -= hit.t;
+      ray.path_length += hit.t;
+      ray.start = hit.start();
+      memory.rays[left] = ray;
+      memory.numbers[left++] = number;
+    }
+    memory.rays.resize(left);
+    memory.numbers.resize(left);
+  }
+}
+
+}  // namespace isl::render

@@ -1,0 +1,49 @@
+// Light of shadow rays through what lets light through: it goes straight on, is filtered by every surface, and fades on
+// its way through bodies.
+#pragma once
+
+#include "renderer/rays/trace_counters.h"
+#include "renderer/shading/interiors.h"
+#include "renderer/shading/point_refusals.h"
+#include "renderer/shading/point_textures.h"
+#include "renderer/trace/tracer.h"
+
+#include <span>
+#include <vector>
+
+namespace isl::render {
+
+/// Memory of one thread.
+struct ShadowFilterMemory {
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  std::vector<std::uint32_t> numbers;
+  SurfacePoint surface;
+  std::vector<LitTexture> textures;
+  std::vector<Vec3> normals;
+  std::vector<Rgb> passing;
+  Charge texture_bytes;
+};
+
+class ShadowFilter {
+ public:
+  ShadowFilter(const scene::Database& database, const Tracer& tracer, const PointTextures& textures,
+               PointRefusals& refusals, bool has_bumps)
+      : interiors_(database), tracer_(tracer), textures_(textures), refusals_(refusals), has_bumps_(has_bumps) {}
+
+  /// shares[i] becomes the share of light that comes along rays[i], and certainties[i] falls where that is undecided.
+  void run(std::span<const Ray> rays, std::span<Rgb> shares, std::span<Certainty> certainties,
+           ShadowFilterMemory& memory, TraceCounters& counters) const;
+
+ private:
+  /// The share of light that passes the surface, after its way to it.
+  [[nodiscard]] Rgb share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& memory, TraceCounters& counters) const;
+
+  Interiors interiors_;
+  const Tracer& tracer_;
+  const PointTextures& textures_;
+  PointRefusals& refusals_;
+  bool has_bumps_;
+};
+
+}  // namespace isl::render

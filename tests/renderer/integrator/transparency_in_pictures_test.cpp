@@ -1,0 +1,108 @@
+// Surfaces that let light through, in whole pictures.
+#include "tests/renderer/integrator/middle_pixel.h"
+
+namespace isl::test {
+namespace {
+
+/// A parallel view along z through the origin, on a background.
+std::string through(const std::string& what, const char* background = "<.8, .4, .2>", int level = 5) {
+  return fmt::format(
+             "global_settings {{ max_trace_level {} }} camera {{ location -5*z direction z right .001*x up .001*y }} "
+             "background {{ rgb {} }} ",
+             level, background) +
+         what;
+}
+
+std::string clear_slab(const char* interior) {
+  return fmt::format(
+      "box {{ <-9, -9, 0>, <9, 9, 3> pigment {{ rgbt 1 }} finish {{ ambient 0 diffuse 0 }} interior {{ {} }} }} ",
+      interior);
+}
+
+TEST(Transparency, mixes_with_what_is_behind_as_in_povray) {
+  const auto sheet = [](const char* colour) {
+    return fmt::format("plane {{ -z, 0 pigment {{ {} }} finish {{ ambient 1 diffuse 0 }} }} ", colour);
+  };
+  expect_middle(through(sheet("rgbft <.2, .4, .6, .5, .3>")), .36, .28, .24);
+  expect_middle(through(sheet("rgbft <.2, .4, .6, .8, .4>")), .408, .208, .056);
+}
+
+TEST(Transparency, of_layers_is_that_of_all) {
+  expect_middle(through("plane { -z, 0 texture { pigment { rgb <.9, .5, .1> } finish { ambient .5 diffuse 0 } } "
+                        "texture { pigment { rgbft <.2, .4, .6, .5, .3> } finish { ambient 1 diffuse 0 } } } "),
+                .22, .205, .15);
+}
+
+TEST(Transparency, ends_at_max_trace_level_and_adc_bailout) {
+  std::string sheets;
+  for (int i = 0; i < 3; ++i)
+    sheets += fmt::format("plane {{ -z, {} pigment {{ rgbt <0, 0, 0, .1> }} finish {{ ambient 0 diffuse 0 }} }} ", -i);
+  expect_middle(through(sheets, "1"), 0, 0, 0);
+  expect_middle(
+      "global_settings { adc_bailout .0005 } camera { location -5*z direction z right .001*x up .001*y } "
+      "background { rgb 1 } " +
+          sheets,
+      .001, .001, .001);
+  expect_middle(through(clear_slab("ior 1"), "1", 1), 0, 0, 0);
+  // A way that does not bend does not count.
+  expect_middle(through(clear_slab("ior 1"), "1", 2), 1, 1, 1);
+  expect_middle(through(clear_slab("ior 1.5"), "1", 2), 0, 0, 0);
+  expect_middle(through(clear_slab("ior 1.5"), "1", 3), 1, 1, 1);
+}
+
+TEST(Interior, fades_light_as_povrays) {
+  const auto faded = [](const char* power) {
+    return through(clear_slab(fmt::format("fade_distance 2 fade_color <.2, .4, .6> fade_power {}", power).c_str()),
+                   "1");
+  };
+  expect_middle(faded("2"), .44616, .58462, .72308);
+  expect_middle(faded("1001"), .30120, .40658, .54881);
+  expect_middle(faded("0"), .6, .7, .8);
+}
+
+/// The direction in which a ray along z at x leaves the bodies, seen as a sky's colour.
+void expect_exit(double x, const std::string& bodies, double to_x, double to_z) {
+  const std::string scene =
+      fmt::format(
+          "global_settings {{ max_trace_level 20 }} camera {{ location <{}, 0, -5> direction z right .0001*x "
+          "up .0001*y }} ",
+          x) +
+      "sky_sphere { pigment { function { .5 + .5*x } color_map { [0 rgb 0] [1 rgb 1] } } } "
+      "#default { pigment { rgbt 1 } finish { ambient 0 diffuse 0 } } " +
+      bodies;
+  const double expected = .5 + .5 * to_x;
+  expect_middle(scene, expected, expected, expected, 1e-4);
+  EXPECT_NEAR(to_x * to_x + to_z * to_z, 1, 1e-3);
+}
+
+TEST(Refraction, follows_snell_through_bodies_within_bodies) {
+  constexpr double kPixel12 = 4 / 8.5, kPixel11 = 3 / 8.5;
+  expect_exit(kPixel12, "sphere { 0, 1 interior { ior 1.5 } } ", -.3351, .9422);
+  expect_exit(kPixel11, "sphere { 0, 1 interior { ior 1.5 } } sphere { 0, .7 interior { ior 1.33 } } ", -.1537, .9881);
+  // A sphere of the same medium within another changes nothing.
+  expect_exit(kPixel12, "sphere { 0, 1 interior { ior 1.5 } } sphere { 0, .7 interior { ior 1.5 } } ", -.3351, .9422);
+  // The parts of a merged body are one; those of a union overlap, and the medium is the same in both.
+  const double straight = 0;
+  expect_exit(0, "union { sphere { -.5*z, 1 } sphere { .5*z, 1 } interior { ior 1.5 } } ", straight, 1);
+}
+
+TEST(Refraction, is_total_beyond_the_critical_angle) {
+  // A prism of 45 degrees turns the ray along z to x.
+  expect_exit(0, "intersection { box { -1, 1 } plane { <-1, 0, 1>, 0 } interior { ior 1.5 } } ", 1, 0);
+}
+
+TEST(Shadows, of_what_lets_light_through_are_coloured_as_povrays) {
+  const auto shadow = [](const char* what) {
+    return fmt::format(
+        "camera {{ location <0, 0, -1> direction z right .001*x up .001*y }} light_source {{ -100*z rgb 1 }} plane "
+        "{{ -z, -1 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }} {} ",
+        what);
+  };
+  expect_middle(shadow("disc { -5*z, z, 1 pigment { rgbft <.2, .4, .6, .5, .3> } }"), .4, .5, .6);
+  expect_middle(shadow("sphere { -5*z, 1 pigment { rgbf <.2, .4, .6, .5> } }"), .01, .04, .09);
+  expect_middle(shadow("sphere { -5*z, 1 pigment { rgbf <.2, .4, .6, .5> } interior { caustics 1 } }"), .04, .16, .36);
+  expect_middle(shadow("disc { -5*z, z, 1 pigment { rgb 1 } }"), 0, 0, 0);
+}
+
+}  // namespace
+}  // namespace isl::test
