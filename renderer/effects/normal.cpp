@@ -14,6 +14,7 @@ Effect normal() {
                 for (const Use<scene::Texture>& texture : use.textures()) {
                   if (texture.record->normal == scene::kNoNormal) continue;
                   const scene::Normal& bumps = use.database().normals[index(texture.record->normal)];
+                  if (bumps.pattern.kind == scene::PatternKind::plain) continue;
                   requests.add("`normal`", bumps.pattern.said_at, texture.user);
                 }
               },

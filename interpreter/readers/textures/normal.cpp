@@ -43,8 +43,13 @@ class NormalReader {
       if (!read_modifier()) refuse(stream_, kNormalWords);
     }
     if (draft_.pattern.kind == PatternKind::plain) {
-      context_.warn(stream_.span(), "a `normal` without a pattern is flat");
-      return scene::kNoNormal;
+      // Without a pattern it is flat, but as a default it hands its sizes on to normals with one.
+      const Normal flat;
+      const bool has_sizes = normal_.bump_size != flat.bump_size || normal_.accuracy != flat.accuracy;
+      if (!has_sizes) {
+        context_.warn(stream_.span(), "a `normal` without a pattern is flat");
+        return scene::kNoNormal;
+      }
     }
     if (info_of(draft_.pattern.kind).choice == render::PatternChoice::mean_of_map &&
         normal_.map == scene::kNoNormalMap) {

@@ -25,6 +25,19 @@ TEST(Reflection, follows_the_angle_as_povrays_does) {
   expect_middle(view + plane("reflection rgb <1, .5, 0>"), .8, .2, 0);
 }
 
+TEST(Normal, a_default_hands_on_its_size) {
+  const auto scene = [](const char* defaults, const char* size) {
+    return std::string(kStraight) + light_at(60) + defaults +
+           fmt::format(
+               "plane {{ -z, 0 pigment {{ rgb 1 }} normal {{ gradient x {} }} finish {{ ambient 0 diffuse 1 }} "
+               "translate .25*x }} ",
+               size);
+  };
+  const auto red = [](const std::string& text) { return middle_of(rendered(kHead + text).image).x; };
+  EXPECT_NEAR(red(scene("#default { normal { bump_size 1.5 } } ", "")), red(scene("", "1.5")), 1e-12);
+  EXPECT_GT(std::abs(red(scene("", "1.5")) - red(scene("", ""))), .05);
+}
+
 TEST(Reflection, by_fresnel_is_povrays) {
   const auto mirror = [](const char* reflection) {
     return std::string(kAt60) + kBackground +
