@@ -1,4 +1,4 @@
-// What lies behind a surface for a path that meets it.
+// The media on both sides of a surface that a path meets, and the bodies that the path is in behind it.
 #pragma once
 
 #include "renderer/paths/bodies.h"
@@ -27,8 +27,8 @@ struct Behind {
   const bool is_last = !last || last->is_same(body);
   const std::optional<std::uint32_t> rest = bodies.left(path.bodies, body);
   const std::uint32_t list = rest.value_or(path.bodies);
-  const bool is_bounded_by = is_last || !rest;
-  return {is_bounded_by ? own / ior(bodies.last(list)) : 1, list, !bodies.all_are_hollow(list)};
+  const bool was_in_it = is_last || !rest;
+  return {was_in_it ? own / ior(bodies.last(list)) : 1, list, !bodies.all_are_hollow(list)};
 }
 
 }  // namespace isl::render

@@ -31,7 +31,7 @@ struct Medium {
   }
 };
 
-/// Those of a database.
+/// The media of all interiors of a database.
 class Interiors {
  public:
   explicit Interiors(const scene::Database& database) {

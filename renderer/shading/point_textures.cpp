@@ -31,8 +31,8 @@ struct PointTextures::Making {
   std::vector<LitTexture>& lit;
   Charge& charge;
   const LayerLists& lists;
-  // Where bumps are asked for: the space of the present texture, inside those of the patterns that chose it.
-  Vec3 normal{0};  ///< in that space, of any length
+  // These are set if bumps are asked for. A texture's space lies inside those of the patterns that chose the texture.
+  Vec3 normal{0};  ///< in the space of the present texture, of any length
   TextureFrame frame{};
   std::vector<const scene::Pattern*> within{};
 

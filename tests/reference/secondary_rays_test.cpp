@@ -92,9 +92,9 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
       EXPECT_EQ(met_itself, 0U) << which << ": of " << 2 * leaving.size();
       EXPECT_EQ(lost, 0U) << which << ": of " << entering.size();
       // On a surface with straight lines, a ray 10⁻¹¹ off one of them stays within rounding of the surface, that of
-      // positions included, and takes more digits to tell from a ray in it.
+      // positions included, and takes more digits to tell from a ray in it. The most is 83 of 26,000, at the box.
       const bool has_lines = shape.component.skeleton != scene::Skeleton::point;
-      EXPECT_LE(tracer.uncertified_steps(), has_lines ? leaving.size() / 250 : 0) << which;
+      EXPECT_LE(tracer.uncertified_steps(), has_lines ? leaving.size() / 300 : 0) << which;
       rays_in_all += 2 * leaving.size() + entering.size();
     }
   }

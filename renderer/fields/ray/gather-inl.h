@@ -71,7 +71,7 @@ HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable
   }
 }
 
-/// Where the ray is nearest to a component's own origin.
+/// The part of PlacedLine that a row keeps.
 template <class N>
 struct Placement {
   N start;  ///< t

@@ -54,7 +54,7 @@ template <class Form>
 struct PlacedLanes : Form {
   Octet start, size;
 
-  // Of skeletons.
+  // These functions exist for ray forms of skeletons only.
   [[nodiscard]] HWY_INLINE auto at(const Octet& t, double scale) const { return Form::at(t - start, scale); }
   [[nodiscard]] HWY_INLINE auto second(const Octet& t, double scale) const { return Form::second(t - start, scale); }
   [[nodiscard]] HWY_INLINE auto bounds(const Octet& t0, const Octet& t1, double scale, double support) const {
@@ -67,7 +67,7 @@ struct PlacedLanes : Form {
     return x * x;
   }
 
-  // Of convolved curves.
+  // These functions exist for convolved curves only.
   template <class Window>
   [[nodiscard]] HWY_INLINE auto at(const Window& window, const Octet& t) const {
     return Form::at(window, t - start, size + Octet(1.0));

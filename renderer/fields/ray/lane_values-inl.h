@@ -30,7 +30,7 @@ template <class Kernel, class Borders>
   const Octet root = sqrt(v), size = piece.size + root;
   return abs(steepness) * size * (Octet(2.0) * root + Octet(kPositionError) * size);
 }
-/// Of points with a kernel that is nowhere steep, the sum has a bound that is known from the setup (SetupSums::moved).
+/// The setup has counted points whose kernel is nowhere steep (SetupSums::moved), so they add nothing here.
 template <class Kernel>
 requires requires { Kernel::kSteepest; }
 [[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Everywhere&, const Octet& /*steepness*/, const Octet& /*v*/) {

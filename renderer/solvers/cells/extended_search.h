@@ -22,7 +22,7 @@ struct ExtendedAnswer {
 
 [[nodiscard]] ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch);
 
-/// Whether F > T at t; nothing if that is lost in rounding.
+/// True if F > T at t, false if F < T; nothing if rounding hides which.
 [[nodiscard]] std::optional<bool> is_inside(const LaidOutFields& fields, double t);
 
 /// True unless it is certain that F has the same sign all along the ray from t0 to t1.

@@ -14,7 +14,7 @@ void expect_at(double x, const std::string& scene, double value) {
                 value, value, 1e-4);
 }
 
-/// Where the pixels 8, 11 and 14 of a picture 17 pixels wide of x from -1 to 1 are.
+/// The x of the pixels 8, 11 and 14 in a picture that is 17 pixels wide and shows x from -1 to 1.
 constexpr std::array<double, 3> kPixels = {0, 3 / 8.5, 6 / 8.5};
 
 void expect_across(const std::string& scene, const std::array<double, 3>& values) {
