@@ -25,7 +25,7 @@ struct Operand {
   const double* terms;
   int count;
 
-  [[nodiscard]] double operator[](int i) const { return terms[i * stride()]; }
+  [[nodiscard]] double operator[](int i) const { return terms[count == 1 ? 0 : i]; }
   [[nodiscard]] int stride() const { return count == 1 ? 0 : 1; }
 };
 

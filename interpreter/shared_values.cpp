@@ -54,7 +54,9 @@ ArrayValue::~ArrayValue() {
 std::size_t ArrayValue::own_bytes(std::size_t elements) {
   // An array has lists of its dimensions and elements, and the allocator adds up to 16 bytes to each: many small arrays
   // are mostly that.
-  return sizeof(ArrayValue) + 2 * sizeof(std::size_t) + 3 * 16 + elements * sizeof(Slot*);
+  constexpr std::size_t kAddedByAllocator = 16;
+  constexpr std::size_t kBytesOfPointer = sizeof(void*);
+  return sizeof(ArrayValue) + 2 * sizeof(std::size_t) + 3 * kAddedByAllocator + elements * kBytesOfPointer;
 }
 
 std::size_t ArrayValue::bytes_of(std::size_t elements) { return own_bytes(elements) + elements * kSlotBytes; }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace isl::render {
 namespace {
@@ -64,8 +63,8 @@ class SkyStage final : public Stage<MissWork> {
       const Vec3 place = is_moved_ ? world_from_sky_.inverse_point(direction) : direction;
       Layers above;
       Rgb colour(0);
-      for (const scene::Pigment& pigment : sky_.pigments | std::views::reverse) {
-        const std::optional<scene::Colour> found = textures_.pigment_colour(pigment, place);
+      for (auto pigment = sky_.pigments.rbegin(); pigment != sky_.pigments.rend(); ++pigment) {
+        const std::optional<scene::Colour> found = textures_.pigment_colour(*pigment, place);
         if (!found) return refusals_.report("this sky_sphere", statement_.origin);
         const scene::Colour& layer = *found;
         const Rgb light = rgb(layer) * emission_ * (1 - layer.filter - layer.transmit);

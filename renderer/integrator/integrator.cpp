@@ -262,13 +262,11 @@ bool Integrator::add_cosines(const SurfaceBlock& block, const ShadingPoint& poin
   for (const LitTexture& texture : point.textures) {
     double cosine = block.normal_of(point, texture).dot(sample.direction);
     if (cosine < 0) {
-      if (!back_light_) {
-        cosine = 0;
-      } else if (point.is_lit_from_both_sides) {
-        cosine = -cosine;
-      } else if (!(texture.material->diffuse_back > 0)) {
-        cosine = 0;
-      }
+      // Light from behind counts as from the front, shines through (and keeps its sign), or is none.
+      const bool is_turned = back_light_ && point.is_lit_from_both_sides;
+      const bool shines_through = back_light_ && texture.material->diffuse_back > 0;
+      if (is_turned) cosine = -cosine;
+      if (!is_turned && !shines_through) cosine = 0;
     }
     is_lit |= cosine != 0;
     cosines.push_back(cosine);

@@ -56,7 +56,7 @@ class OrderedFolders {
     const std::string head = "set(" + variable;
     if (const std::size_t begin = text.find(head); begin != std::string::npos) {
       std::istringstream words(text.substr(begin + head.size(), text.find(')', begin) - begin - head.size()));
-      for (std::string folder; words >> folder;) folders_.push_back(part + "/" + folder);
+      for (std::string folder; words >> folder;) folders_.push_back((fs::path(part) / folder).generic_string());
     }
     folders_.push_back(part);
   }
