@@ -195,14 +195,17 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     FieldGroup& group = table.groups.back();
     group.end = i + 1;
     const bool is_point = c.skeleton == scene::Skeleton::point;
+    Vec3 middle = c.a;
     if (!is_point) {
-      with_skeleton_of(blob, c,
-                       [&](const auto& shape) { column<std::decay_t<decltype(shape)>>(table).push_back(shape); });
+      with_skeleton_of(blob, c, [&](const auto& shape) {
+        column<std::decay_t<decltype(shape)>>(table).push_back(shape);
+        middle = shape.middle();
+      });
     }
     if (p.is_mapped()) table.maps.push_back(database.transforms[scene::index(c.transform)]);
-    table.x.push_back(c.a.x);
-    table.y.push_back(c.a.y);
-    table.z.push_back(c.a.z);
+    table.x.push_back(middle.x);
+    table.y.push_back(middle.y);
+    table.z.push_back(middle.z);
     table.scale.push_back(is_point ? group.kernel.scale / (c.radius_a * c.radius_a) : group.kernel.scale);
     table.amplitude.push_back(c.strength * group.kernel.amplitude);
     table.texture.push_back(c.texture);

@@ -35,7 +35,7 @@ struct ComponentTable {
   double threshold = 1;
   std::vector<FieldGroup> groups;
   // Columns with one row for each component.
-  std::vector<double> x, y, z;    ///< `a` of the record (the centre of a point); in the component's own space if mapped
+  std::vector<double> x, y, z;    ///< the skeleton's middle; in the component's own space if mapped
   std::vector<double> scale;      ///< for a point, v = scale · distance²; for any other skeleton, v = scale · q
   std::vector<double> amplitude;  ///< strength times the kernel's amplitude
   std::vector<scene::TextureId> texture;

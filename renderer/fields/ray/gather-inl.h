@@ -78,7 +78,7 @@ struct Placement {
   N size;   ///< the greatest coordinate that positions on the skeleton are computed from
 };
 
-/// A ray in a component's own space, from where it is nearest to the component's own origin.
+/// A ray in a component's own space, from where it is nearest to the component's middle.
 struct PlacedLine {
   Vec3 origin, direction;
   double start = 0;

@@ -47,7 +47,7 @@ template <class Form, InLanes kWhat>
 /// eight operations, each off by half a unit in the last place.
 inline constexpr double kPositionError = 4 * 0x1p-52;
 
-/// A form that counts t from `start`, where the ray is nearest to the component's own origin: there a component that is
+/// A form that counts t from `start`, where the ray is nearest to the component's middle: there a component that is
 /// small and far from where the ray starts has small coordinates, which are known to more digits. `size` is the
 /// greatest coordinate from there on (for a curve, in support radii).
 template <class Form>

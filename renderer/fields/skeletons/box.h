@@ -39,7 +39,8 @@ struct SolidBox {
     return box_coordinates(low, high, p);
   }
 
-  [[nodiscard]] double extent() const { return (high - low).length(); }
+  [[nodiscard]] Vec3 middle() const { return low + (high - low) * 0.5; }
+  [[nodiscard]] double extent() const { return 0.5 * (high - low).length(); }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     double coordinate = 0;

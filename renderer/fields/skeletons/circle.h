@@ -39,6 +39,7 @@ struct Circle {
                              ring_radius);
   }
 
+  [[nodiscard]] const Vec3& middle() const { return centre; }
   [[nodiscard]] double extent() const { return ring_radius; }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

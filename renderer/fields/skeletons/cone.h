@@ -71,7 +71,8 @@ struct Cone {
     return {nearest(x, (from_a - axis * x).length2()) / length, across.share_of_turn(turn.back(from_a))};
   }
 
-  [[nodiscard]] double extent() const { return length; }
+  [[nodiscard]] Vec3 middle() const { return a + axis * (0.5 * length); }
+  [[nodiscard]] double extent() const { return 0.5 * length; }
   [[nodiscard]] double thickest() const { return std::max(radius, radius_at(length)); }
   [[nodiscard]] double thinnest() const { return std::min(radius, radius_at(length)); }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

@@ -47,6 +47,7 @@ struct Disc {
     return {std::min(rho / disc_radius, 1.0), AcrossAxis(axis).share_of_turn(from_centre)};
   }
 
+  [[nodiscard]] const Vec3& middle() const { return centre; }
   [[nodiscard]] double extent() const { return disc_radius; }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

@@ -38,6 +38,7 @@ struct HalfSpace {
   static constexpr std::array<double, 2> kBorders = {0, 1};
   static constexpr bool kFillsBehind = true;  ///< the field behind the first border is constant, not 0
 
+  [[nodiscard]] const Vec3& middle() const { return at; }
   [[nodiscard]] double extent() const { return 0; }
   [[nodiscard]] double thickest() const { return radius; }
   /// Infinite, except along the normal itself.

@@ -33,6 +33,7 @@ struct Point {
     return sphere_coordinates(turn.back(p - centre));
   }
 
+  [[nodiscard]] const Vec3& middle() const { return centre; }
   [[nodiscard]] double extent() const { return 0; }
   [[nodiscard]] double thickest() const { return 1 / std::sqrt(inverse_radius2); }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {

@@ -41,7 +41,8 @@ struct Segment {
     return {std::clamp(from_a.dot(axis) / length, 0.0, 1.0), across.share_of_turn(turn.back(from_a))};
   }
 
-  [[nodiscard]] double extent() const { return length; }
+  [[nodiscard]] Vec3 middle() const { return a + axis * (0.5 * length); }
+  [[nodiscard]] double extent() const { return 0.5 * length; }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double at_a = n.dot(a);

@@ -35,6 +35,7 @@ struct Sheet {
   static constexpr std::array<double, 3> kBorders = {-1, 0, 1};
   static constexpr bool kFillsBehind = false;  ///< the field is 0 on both sides beyond the borders
 
+  [[nodiscard]] const Vec3& middle() const { return at; }
   [[nodiscard]] double extent() const { return 0; }
   [[nodiscard]] double thickest() const { return radius; }
   /// Infinite, except along the normal itself and against it.

@@ -7,6 +7,8 @@
 //   QRange q_over(box)                   an enclosure of q
 //   std::array<Reach, 2> reach(n)        its extent along n: two spheres whose convex hull has the same extent
 //   double thickest(), thinnest()        the largest radius; the smallest, if that is different
+//   Vec3 middle(); double extent()       a point amidst it, and how far from there its own points are at most; those of
+//                                        an endless skeleton are not counted
 //   Coordinates coordinates(p, turn)     (u, v): along the skeleton from 0 to 1, and around it; the skeleton was turned
 //                                        by `turn` after it had its coordinates (scene::Blob::turns)
 //

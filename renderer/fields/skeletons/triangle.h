@@ -71,7 +71,12 @@ struct FlatTriangle {
             std::clamp(ab.cross(foot).dot(normal) / area, 0.0, 1.0)};
   }
 
-  [[nodiscard]] double extent() const { return std::max(length[0], length[2]); }
+  [[nodiscard]] Vec3 middle() const { return corner[0] + ((corner[1] - corner[0]) + (corner[2] - corner[0])) / 3; }
+  [[nodiscard]] double extent() const {
+    double square = 0;
+    for (const Vec3& c : corner) square = std::max(square, (c - middle()).length2());
+    return std::sqrt(square);
+  }
   [[nodiscard]] double thickest() const { return radius; }
   [[nodiscard]] std::array<Reach, 2> reach(const Vec3& n) const {
     const double coordinate = std::max({n.dot(corner[0]), n.dot(corner[1]), n.dot(corner[2])});
