@@ -1,15 +1,19 @@
 // `isl plan`: the effects that a scene calls for, the statements that call for each, and the effects that are left out,
-// with the reason. Reads and evaluates the scene; traces nothing.
+// with the reason; with --measure also what each costs. Otherwise it reads and evaluates the scene and traces nothing.
 #include "renderer/effects/plan.h"
 #include "cli/commands/commands.h"
 #include "cli/output/console.h"
+#include "cli/output/run_end.h"
+#include "cli/session/drawable.h"
 #include "cli/session/report.h"
 #include "cli/session/session.h"
+#include "cli/summary/effect_costs.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -103,6 +107,27 @@ nlohmann::ordered_json as_json(const Session& session, const std::vector<Planned
   return list;
 }
 
+void print_costs(const EffectCosts& costs) {
+  print(Stream::output, fmt::format("\n{}x{}, one ray a pixel, one thread: {:.3f} s, {} rays; each effect adds\n",
+                                    costs.size.width, costs.size.height, costs.seconds, costs.rays));
+  std::size_t width = 0;
+  for (const EffectCost& cost : costs.effects) width = std::max(width, cost.name.size());
+  for (const EffectCost& cost : costs.effects)
+    print(Stream::output, fmt::format("  {:<{}}  {:7.3f} s  {:4.0f} %  {:9} rays\n", cost.name, width, cost.seconds,
+                                      100 * cost.seconds / costs.seconds, cost.rays));
+}
+
+nlohmann::ordered_json as_json(const EffectCosts& costs) {
+  auto effects = nlohmann::ordered_json::array();
+  for (const EffectCost& cost : costs.effects)
+    effects.push_back({{"name", cost.name}, {"seconds", cost.seconds}, {"rays", cost.rays}});
+  return {{"width", costs.size.width},
+          {"height", costs.size.height},
+          {"seconds", costs.seconds},
+          {"rays", costs.rays},
+          {"effects", std::move(effects)}};
+}
+
 }  // namespace
 
 ExitCode run(const PlanCommand& command) {
@@ -110,15 +135,26 @@ ExitCode run(const PlanCommand& command) {
   if (const ExitCode code = session.evaluate(); code != ExitCode::done) return report_failure(session, code);
   const Plan plan =
       render::plan_of(session.scene().database, {.quality = command.quality, .without = command.scene.without});
+  std::optional<EffectCosts> costs;
+  if (command.measure) {
+    const DrawableScene drawable(session, command.quality);
+    if (drawable.is_refused()) return report_failure(session, ExitCode::scene_error);
+    costs = measure_effects(session, drawable.database(), command.quality);
+    if (costs->refusal) return refuse(session, *costs->refusal);
+    if (!costs->complete) return report_failure(session, exit_code_of(stop_flag().reason()));
+  }
   if (const ExitCode code = finish(OutputWriter(session.outputs())); code != ExitCode::done) return code;
   if (command.scene.format == OutputFormat::json) {
-    print_document({{"diagnostics", problems_as_json(session)},
-                    {"called_for", as_json(session, plan.called_for)},
-                    {"not_rendered", as_json(session, plan.refused)},
-                    {"left_out", as_json(session, plan.left_out)}});
+    nlohmann::ordered_json document = {{"diagnostics", problems_as_json(session)},
+                                       {"called_for", as_json(session, plan.called_for)},
+                                       {"not_rendered", as_json(session, plan.refused)},
+                                       {"left_out", as_json(session, plan.left_out)}};
+    if (costs) document["measured"] = as_json(*costs);
+    print_document(document);
   } else {
     print_problems(session);
     print_text(session, plan);
+    if (costs) print_costs(*costs);
   }
   return ExitCode::done;
 }

@@ -260,7 +260,12 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
         [&scene](const PictureSize& v) { scene.size = v; })
         ->group("The picture");
     if (command == render) add_picture_options(*render, raw.picture);
-    if (command == plan) add_quality(*plan, raw.plan_quality, "The picture");
+    if (command == plan) {
+      add_quality(*plan, raw.plan_quality, "The picture");
+      plan->add_flag("--measure", raw.plan_measure,
+                     "Render a small picture with and without each effect, and print what each costs")
+          ->group("The picture");
+    }
     if (command == accuracy) add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
     if (command == dump)
       dump->add_option("--stage", raw.stage, "Stage to print")->type_name("tokens|ast|database|grid");

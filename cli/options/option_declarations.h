@@ -23,6 +23,7 @@ struct RawOptions {
   SceneOptions scene;
   PictureOptions picture;
   int plan_quality = 9;
+  bool plan_measure = false;
   AccuracyCommand accuracy;           ///< except `scene`
   std::vector<std::string> settings;  ///< for `accuracy`
   std::vector<std::string> defines;

@@ -197,7 +197,7 @@ Command parse_command_line(std::span<const std::string> given) {
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
   if (auto finished = read_ini_file(command, scene, raw.picture)) return *std::move(finished);
   if (command.get_name() == "check") return CheckCommand{std::move(scene)};
-  if (command.get_name() == "plan") return PlanCommand{std::move(scene), raw.plan_quality};
+  if (command.get_name() == "plan") return PlanCommand{std::move(scene), raw.plan_quality, raw.plan_measure};
   if (command.get_name() == "render") {
     if (auto finished = check_picture_options(scene, raw.picture)) return *std::move(finished);
     return RenderCommand{std::move(scene), std::move(raw.picture)};

@@ -81,6 +81,7 @@ struct CheckCommand {
 struct PlanCommand {
   SceneOptions scene;
   int quality = 9;
+  bool measure = false;  ///< also render a small picture with and without each effect
 };
 
 enum class DumpStage : std::uint8_t { tokens, ast, database, grid };

@@ -3,6 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+#include <string>
+
 namespace isl::test {
 namespace {
 
@@ -85,6 +88,29 @@ TEST_F(PlanCommand, ARefusalPointsAtTheWordAndAtTheTextureThatItBelongsTo) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("metal.inc:3:19: error: `exponent` of a reflection is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("scene.isl:3:25: note: it belongs to `Metal`, which is used here"));
+}
+
+TEST_F(PlanCommand, MeasuresWhatEachEffectAdds) {
+  write("lit.isl",
+        "camera { location -5*z }\n"
+        "light_source { <-9, 0, -9>, rgb 1 }\n"
+        "sphere { 0, 1 pigment { rgb 1 } finish { ambient .1 reflection .5 } }\n"
+        "sphere { 2*x, 1 pigment { rgb 1 } }\n");
+  const ProcessResult result = run({"plan", "lit.isl", "--measure", "-s", "40x30", "--format", "json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json measured = json::parse(result.out).at("measured");
+  EXPECT_EQ(measured.at("width"), 40);
+  EXPECT_GT(measured.at("seconds"), 0);
+  std::map<std::string, std::int64_t> rays;
+  for (const json& cost : measured.at("effects")) rays[cost.at("name")] = cost.at("rays");
+  EXPECT_GT(rays.at("reflection"), 0) << "rays of mirrors";
+  EXPECT_GT(rays.at("shadows"), 0);
+  EXPECT_EQ(rays.at("ambient"), 0) << "spawns nothing";
+  EXPECT_LT(rays.at("reflection") + rays.at("shadows"), measured.at("rays"));
+  EXPECT_THAT(run({"plan", "lit.isl", "--measure", "-s", "40x30"}).out, HasSubstr("each effect adds\n  "));
+  const ProcessResult refused = run({"plan", "scene.isl", "--measure"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("is not rendered yet"));
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// What each effect of a picture costs: a small picture is rendered with everything and without the effect, in turn.
+#pragma once
+
+#include "cli/session/session.h"
+#include "renderer/effects/plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace isl::cli {
+
+struct EffectCost {
+  std::string_view name;
+  double seconds = 0;     ///< that the picture takes longer than without the effect; noise may make it negative
+  std::int64_t rays = 0;  ///< that it traces more
+};
+
+struct EffectCosts {
+  PictureSize size;
+  double seconds = 0;      ///< of the picture with everything, on one thread
+  std::uint64_t rays = 0;  ///< of all kinds
+  std::vector<EffectCost> effects;
+  bool complete = true;  ///< false if the run was stopped
+  std::optional<scene::Refusal> refusal;
+};
+
+/// Times are medians of pairs that follow each other, so that a busy machine slows both sides alike. `database`: the
+/// drawable scene; its picture is rendered with one ray a pixel.
+[[nodiscard]] EffectCosts measure_effects(const Session& session, const scene::Database& database, int quality);
+
+}  // namespace isl::cli
