@@ -214,23 +214,34 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
   return std::make_unique<DataFile>(map_.text(*span), span->begin, symbols_, arena_, sink_);
 }
 
-bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& problem) {
-  FoundFile found = access_.find(name, from.file.parent_path());
-  problem = std::move(found.problem);
-  if (problem.error != AccessError::none) return false;
-  const auto known = used_bytes_.find(found.canonical.string());
-  if (known != used_bytes_.end() && known->second == found.stamp) return true;
+std::optional<std::string> Loader::read_found(const FoundFile& found, AccessProblem& problem) {
   const std::size_t max_bytes = max_file_bytes();
   TextFile file = access_.read_bytes(found, max_bytes);
   explain(file, max_bytes);
   if (!file.trouble.empty()) {
     problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", found.shown.string(), file.trouble),
                file.hint};
-    return false;
+    return std::nullopt;
   }
-  if (!note_input(found, file, problem)) return false;
+  if (!note_input(found, file, problem)) return std::nullopt;
   used_bytes_[found.canonical.string()] = file.stamp;
-  return true;
+  return std::move(file.text);
+}
+
+bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& problem) {
+  const FoundFile found = access_.find(name, from.file.parent_path());
+  problem = found.problem;
+  if (problem.error != AccessError::none) return false;
+  const auto known = used_bytes_.find(found.canonical.string());
+  const bool is_known = known != used_bytes_.end() && known->second == found.stamp;
+  return is_known || read_found(found, problem);
+}
+
+std::optional<std::string> Loader::read_bytes(std::string_view name, const Unit& from, AccessProblem& problem) {
+  const FoundFile found = access_.find(name, from.file.parent_path());
+  problem = found.problem;
+  if (problem.error != AccessError::none) return std::nullopt;
+  return read_found(found, problem);
 }
 
 bool Loader::exists(std::string_view name, const Unit& from) const {

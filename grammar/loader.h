@@ -90,8 +90,14 @@ class Loader {
   /// used_files(). Returns false if it cannot be read, and `problem` says why.
   [[nodiscard]] bool use_file(std::string_view name, const Unit& from, AccessProblem& problem);
 
+  /// The same, and returns the file's bytes; nothing if it cannot be read.
+  [[nodiscard]] std::optional<std::string> read_bytes(std::string_view name, const Unit& from, AccessProblem& problem);
+
   /// Every file read so far, in the order of first use.
   [[nodiscard]] const std::vector<UsedFile>& used_files() const { return used_; }
+
+  /// The size of the largest file that may be read now.
+  [[nodiscard]] std::size_t max_file_bytes() const;
 
   /// True if a file by that name could be read.
   [[nodiscard]] bool exists(std::string_view name, const Unit& from) const;
@@ -128,10 +134,10 @@ class Loader {
   [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
   /// Records that a file was read. `name` is its portable name; a file without one is not recorded.
   void note_use(std::string name, std::filesystem::path shown, std::string_view content);
+  /// Reads a found file as an input of the run.
+  [[nodiscard]] std::optional<std::string> read_found(const FoundFile& found, AccessProblem& problem);
   /// Notes a file that was read as an input. False: the run writes it, and `problem` says so.
   bool note_input(const FoundFile& found, const TextFile& file, AccessProblem& problem);
-  /// The size of the largest file that may be read now.
-  [[nodiscard]] std::size_t max_file_bytes() const;
   /// Adds a hint if a file was refused for its size, and would not be with more memory.
   void explain(TextFile& file, std::size_t max_bytes) const;
   /// Returns nothing if the limit or the offsets of the source map are used up, and `problem` says so.

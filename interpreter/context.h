@@ -8,6 +8,7 @@
 #include "grammar/loader.h"
 #include "grammar/symbols.h"
 #include "interpreter/evaluate.h"
+#include "interpreter/fonts/font_shelf.h"
 #include "interpreter/frames.h"
 #include "interpreter/language_version.h"
 #include "interpreter/open_files.h"
@@ -59,6 +60,7 @@ class Context {
   std::vector<Slot*> argument_slots;  ///< for macro calls whose arguments are being evaluated
   RandomStreams random;
   OpenFiles files;
+  FontShelf fonts;
   scene::Database database;
   ValueDepths depths;
   OriginTable origins;

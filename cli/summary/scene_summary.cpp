@@ -78,13 +78,15 @@ SceneSummary summarise(const Database& database) {
 std::size_t database_bytes(const Database& database) {
   std::size_t sum = bytes(database.kernels) + bytes(database.transforms) + bytes(database.textures) +
                     bytes(database.blobs) + bytes(database.solids) + bytes(database.polynomials) +
-                    bytes(database.triangles) + bytes(database.polygons) + bytes(database.groups) +
-                    bytes(database.objects) + bytes(database.lights);
+                    bytes(database.triangles) + bytes(database.polygons) + bytes(database.outlines) +
+                    bytes(database.groups) + bytes(database.objects) + bytes(database.lights);
   for (const scene::Blob& blob : database.blobs)
     sum += bytes(blob.components) + bytes(blob.origins) + bytes(blob.corners);
   for (const scene::Group& group : database.groups) sum += bytes(group.children) + bytes(group.lights);
   for (const scene::Polynomial& polynomial : database.polynomials) sum += bytes(polynomial.coefficients);
   for (const scene::Polygon& polygon : database.polygons) sum += bytes(polygon.points);
+  for (const scene::Outline& outline : database.outlines)
+    sum += bytes(outline.points) + bytes(outline.orders) + bytes(outline.contours);
   return sum;
 }
 

@@ -54,6 +54,12 @@ char32_t first_character(std::string_view text) {
   return code;
 }
 
+char32_t take_character(std::string_view& text) {
+  const char32_t code = first_character(text);
+  text.remove_prefix(length_of_first(text));
+  return code;
+}
+
 std::string character_of(char32_t code) {
   const auto byte = [](char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
   if (code == 0) return {};

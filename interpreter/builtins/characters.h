@@ -12,6 +12,8 @@ namespace isl::interpreter {
 [[nodiscard]] std::optional<std::string_view> characters(std::string_view text, std::size_t first, std::size_t count);
 /// The first code point; 0 for an empty text.
 [[nodiscard]] char32_t first_character(std::string_view text);
+/// The same, and removes it from a text that is not empty.
+[[nodiscard]] char32_t take_character(std::string_view& text);
 /// The character as UTF-8; empty for 0. At most 0xFFFF.
 [[nodiscard]] std::string character_of(char32_t code);
 /// a's code point minus b's at their first difference; the end of a text counts as 0.

@@ -9,6 +9,14 @@ namespace {
 
 Json value_json(int value) { return value; }
 Json value_json(const std::vector<double>& values) { return values; }
+Json value_json(std::string_view text) { return text; }
+Json value_json(const std::vector<std::uint8_t>& values) { return values; }
+Json value_json(const std::vector<std::uint32_t>& values) { return values; }
+Json value_json(const std::vector<PlanePoint>& list) {
+  Json json = Json::array();
+  for (const PlanePoint& p : list) json.push_back({p.u, p.v});
+  return json;
+}
 Json value_json(std::span<const Vec3> list) {
   Json json = Json::array();
   for (const Vec3& v : list) json.push_back(vector(v));

@@ -98,4 +98,32 @@ struct Polygon {
   }
 };
 
+/// A point of a plane in a solid's own space.
+struct PlanePoint {
+  double u = 0, v = 0;
+  bool operator==(const PlanePoint&) const = default;
+};
+
+/// A part of a plane between closed contours, each a chain of Bézier curves of the orders 1 to 3, that is swept along
+/// the axis across the plane.
+struct Outline {
+  /// The control points of one contour after another. Neighbouring curves share a point, and the last point of a
+  /// contour is its first, so that a contour has one point more than the sum of its orders.
+  std::vector<PlanePoint> points;
+  std::vector<std::uint8_t> orders;     ///< of each curve
+  std::vector<std::uint32_t> contours;  ///< the number of curves of each contour; none is 0
+  /// Inside is where contours wind around a point at all, as fonts define it; otherwise, where an odd number of
+  /// contours surrounds it.
+  bool fills_by_winding = false;
+  bool is_conic = false;  ///< the section at height h is scaled by h, so that the sides meet at the origin
+
+  template <class Say>
+  void describe(SolidKind, const Say& say) const {
+    say("orders", orders);
+    say("contours", contours);
+    say("points", points);
+    if (is_conic) say("sweep", std::string_view("conic"));
+  }
+};
+
 }  // namespace isl::scene

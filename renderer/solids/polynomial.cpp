@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace isl::render {
 namespace {
@@ -144,7 +145,7 @@ class PolynomialLine {
   Crossings follow() {
     if (std::isfinite(polynomial_.cube)) {
       follow_through_cube();
-      return result_;
+      return std::move(result_);
     }
     // t = foot − near/v up to foot − near, then to foot + near, then foot + near/v.
     const double from = std::max(0.0, foot_ - near_), to = foot_ + near_;
@@ -157,7 +158,7 @@ class PolynomialLine {
       follow_far(1, -near_ / foot_, 0, true);
     }
     result_.ends_inside = sign_.sign() < 0;
-    return result_;
+    return std::move(result_);
   }
 
  private:

@@ -8,8 +8,11 @@
 
 #include <ImathBox.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace isl::render {
 
@@ -22,21 +25,47 @@ inline constexpr std::uint8_t kNoPart = 0xFF;
 /// plane of a disc beyond its rim. Only boundary() reports such crossings.
 inline constexpr std::uint8_t kUnseen = 0xFE;
 
+/// A list whose first elements need no memory of their own, and are not touched before they are set: most solids have
+/// two crossings, but text has any number.
+template <class T>
+class CrossingList {
+ public:
+  T& operator[](std::size_t i) { return i < kNear ? near_[i] : far_[i - kNear]; }
+  const T& operator[](std::size_t i) const { return i < kNear ? near_[i] : far_[i - kNear]; }
+  void set(std::size_t i, const T& value) {
+    if (i >= kNear) far_.resize(i - kNear + 1);
+    (*this)[i] = value;
+  }
+  /// Moves the first `count` elements here.
+  void take(CrossingList& other, std::size_t count) {
+    std::copy_n(other.near_.begin(), std::min(count, kNear), near_.begin());
+    far_ = std::move(other.far_);
+  }
+
+ private:
+  /// POV-Ray's `poly` allows polynomials up to order 35, which have at most 35 roots.
+  static constexpr std::size_t kNear = 36;
+  std::array<T, kNear> near_;
+  std::vector<T> far_;
+};
+
 /// The crossings of a line with a solid's surface, t ascending. All crossings with t > 0 are included; those behind the
 /// origin may be left out. A tangency is no crossing.
 struct Crossings {
-  /// POV-Ray's `poly` allows polynomials up to order 35, which have at most 35 roots.
-  static constexpr int kMost = 36;
+  Crossings() = default;
+  Crossings(Crossings&& other) noexcept : count(other.count), ends_inside(other.ends_inside) {
+    t.take(other.t, static_cast<std::size_t>(count));
+    part.take(other.part, static_cast<std::size_t>(count));
+  }
 
   int count = 0;
-  bool ends_inside = false;     ///< the line is inside beyond the last crossing; false for bounded solids
-  std::array<double, kMost> t;  ///< the first `count` are set; the rest is not touched, since most solids have two
-  std::array<std::uint8_t, kMost> part;
+  bool ends_inside = false;  ///< the line is inside beyond the last crossing; false for bounded solids
+  CrossingList<double> t;    ///< the first `count` are set
+  CrossingList<std::uint8_t> part;
 
   void add(double at, std::uint8_t surface) {
-    if (count == kMost) return;
-    t[static_cast<std::size_t>(count)] = at;
-    part[static_cast<std::size_t>(count)] = surface;
+    t.set(static_cast<std::size_t>(count), at);
+    part.set(static_cast<std::size_t>(count), surface);
     ++count;
   }
 };

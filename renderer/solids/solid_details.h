@@ -17,6 +17,7 @@ struct Database;
 
 namespace isl::render {
 
+using scene::PlanePoint;
 using scene::Vec3;
 
 /// A polynomial of its true order (leading orders with only zero coefficients are removed), with its length scale.
@@ -31,10 +32,6 @@ struct PreparedPolynomial {
   double cube = std::numeric_limits<double>::infinity();
 };
 
-struct PlanePoint {
-  double u, v;
-};
-
 /// A polygon projected along the axis nearest to its normal. The coordinates are those of the points, unchanged, so
 /// that neighbours with a common edge have the same edge here.
 struct PreparedPolygon {
@@ -45,17 +42,34 @@ struct PreparedPolygon {
   std::vector<PlanePoint> starts, ends;  ///< one of each per edge
 };
 
+/// A part of a contour in a tree of boxes. A node with an order is a curve; the nodes of a longer part follow it.
+struct OutlineNode {
+  PlanePoint low, high;     ///< the box of the control points
+  std::uint32_t next = 0;   ///< the node after all that belong to this one
+  std::uint32_t first = 0;  ///< a curve's first control point
+  int order = 0;
+};
+
+struct PreparedOutline {
+  scene::Outline outline;
+  std::vector<OutlineNode> nodes;  ///< contour after contour, each in the order of its curves
+};
+
 [[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);
 [[nodiscard]] PreparedPolygon prepare(const scene::Polygon& polygon);
+[[nodiscard]] PreparedOutline prepare(const scene::Outline& outline);
 /// Any other detail is used unchanged.
 template <class Detail>
 [[nodiscard]] const Detail& prepare(const Detail& detail) {
   return detail;
 }
 
+/// The details of all solids of one kind, as tracing reads them.
+template <class Detail>
+using PreparedColumn = std::vector<std::remove_cvref_t<decltype(prepare(std::declval<const Detail&>()))>>;
+
 struct SolidDetails {
-#define ISL_SOLID_DETAIL(word, Type, column) \
-  std::vector<std::remove_cvref_t<decltype(prepare(std::declval<const scene::Type&>()))>> column;
+#define ISL_SOLID_DETAIL(word, Type, column) PreparedColumn<scene::Type> column;
 #include "renderer/scene/solids.def"
 };
 

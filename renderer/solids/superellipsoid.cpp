@@ -12,6 +12,7 @@
 // With m the larger and k the smaller of |x|, |y|, ρ = (k/m)ᵖ: r = m (1 + ρ)^(1/p), which neither overflows nor
 // vanishes for any p, and ∂r/∂m = (r/m)/(1 + ρ), ∂r/∂k = (r/k) ρ/(1 + ρ).
 #include "renderer/numerics/power.h"
+#include "renderer/solids/line_interval.h"
 #include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
 
@@ -20,8 +21,6 @@
 
 namespace isl::render {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// 0^exponent, for a slope: 0, 1 or infinite.
 double slope_at_zero(double exponent) { return exponent > 0 ? 0 : (exponent < 0 ? kInfinity : 1); }

@@ -44,17 +44,17 @@ TEST(Options, ClockAndFrameAreWhatTheOptionsSay) {
 TEST(Options, LenientKeepsANameOfWhatIsNotSupported) {
   EvaluateOptions options;
   options.lenient = true;
-  const EvaluatedText scene("#declare Letters = text { } union { Letters sphere { 0, 1 } }", options);
+  const EvaluatedText scene("#declare Vase = lathe { } union { Vase sphere { 0, 1 } }", options);
   EXPECT_FALSE(scene.sink().has_errors());
-  EXPECT_THAT(scene.messages(), HasSubstr("warning: `text` is not supported"));
+  EXPECT_THAT(scene.messages(), HasSubstr("warning: `lathe` is not supported"));
   ASSERT_EQ(scene.database().groups.size(), 2u);
-  EXPECT_EQ(scene.database().groups[0].children.size(), 0u) << "an empty group replaces the text";
+  EXPECT_EQ(scene.database().groups[0].children.size(), 0u) << "an empty group replaces the lathe";
   EXPECT_EQ(scene.database().groups[1].children.size(), 2u);
 }
 
 TEST(Options, WithoutLenientWhatIsNotSupportedIsAnError) {
-  const EvaluatedText scene("#declare Letters = text { } Letters");
-  EXPECT_EQ(scene.messages(), "error: `text` is not supported\n");
+  const EvaluatedText scene("#declare Vase = lathe { } Vase");
+  EXPECT_EQ(scene.messages(), "error: `lathe` is not supported\n");
 }
 
 TEST(Options, AssumedGammaDefaultsToLinearInTheNewestLanguageOnly) {

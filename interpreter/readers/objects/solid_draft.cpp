@@ -39,6 +39,22 @@ double read_radius(ElementStream& stream, std::string_view what) {
   return radius;
 }
 
+bool read_open(ElementStream& stream) {
+  if (!stream.peek().is_word(grammar::word::kw_open)) return false;
+  stream.drop();
+  return true;
+}
+
+void add_outline(ElementStream& stream, ObjectDraft& draft, const scene::Solid& solid, scene::Outline outline) {
+  scene::Database& database = stream.context().database;
+  const std::size_t bytes = sizeof(scene::Outline) + outline.points.size() * sizeof(scene::PlanePoint) +
+                            outline.orders.size() + outline.contours.size() * sizeof(std::uint32_t);
+  scene::Solid placed = solid;
+  placed.detail = static_cast<std::uint32_t>(database.outlines.size());
+  database.outlines.push_back(std::move(outline));
+  add_solid(stream, draft, placed, bytes);
+}
+
 void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why) {
   stream.context().warn(stream.span(), fmt::format("{}; it is left out", why));
   set_group(stream, draft, {});

@@ -18,6 +18,12 @@ void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& so
 /// A finite radius; POV-Ray takes a negative one for its absolute value. It may be zero: then there is no surface.
 [[nodiscard]] double read_radius(ElementStream& stream, std::string_view what);
 
+/// Reads `open` if it is next.
+[[nodiscard]] bool read_open(ElementStream& stream);
+
+/// Puts the outline into the database and makes a solid of this kind, swept between the two heights, the draft's shape.
+void add_outline(ElementStream& stream, ObjectDraft& draft, const scene::Solid& solid, scene::Outline outline);
+
 /// Makes an empty union of a solid without a surface, with the warning "<why>; it is left out".
 void leave_out(ElementStream& stream, ObjectDraft& draft, std::string_view why);
 

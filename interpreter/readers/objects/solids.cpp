@@ -16,12 +16,6 @@ using scene::SolidKind;
 using scene::Vec3;
 namespace word = grammar::word;
 
-bool read_open(ElementStream& stream) {
-  if (!stream.peek().is_word(word::kw_open)) return false;
-  stream.drop();
-  return true;
-}
-
 /// As in POV-Ray, a negative radius is a mistake here.
 double read_radius_from_zero(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;

@@ -80,17 +80,11 @@ void read_transparency(ElementStream& stream, std::optional<double>& all,
 
 std::string read_file_name(ElementStream& stream, std::string_view what) {
   Context& context = stream.context();
-  const Element next = stream.peek();
-  std::string name;
-  if (next.is(ElementKind::value) && next.node->kind == grammar::NodeKind::string) {
-    stream.drop();
-    name = grammar::as<grammar::String>(*next.node).raw;
-  } else {
-    name = read_string(stream, what);
-  }
+  const SourceSpan where = stream.peek().span;
+  std::string name = read_name_of_file(stream, what);
   grammar::AccessProblem problem;
   if (!context.loader.use_file(name, context.current_unit(), problem)) {
-    context.error(next.span, problem.message, problem.hint);
+    context.error(where, problem.message, problem.hint);
   }
   return name;
 }

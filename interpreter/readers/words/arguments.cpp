@@ -156,6 +156,14 @@ std::string read_string(ElementStream& stream, std::string_view what) {
   return value.as<StringValue>().text;
 }
 
+std::string read_name_of_file(ElementStream& stream, std::string_view what) {
+  const Element next = stream.peek();
+  const bool is_literal = next.is(ElementKind::value) && next.node->kind == grammar::NodeKind::string;
+  if (!is_literal) return read_string(stream, what);
+  stream.drop();
+  return std::string(grammar::as<grammar::String>(*next.node).raw);
+}
+
 bool read_optional_truth(ElementStream& stream) {
   if (!stream.peek().is(ElementKind::value)) return true;
   return std::abs(read_number(stream, "`on` or `off`")) > kTolerance;

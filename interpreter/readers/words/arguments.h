@@ -26,6 +26,8 @@ namespace isl::interpreter {
 [[nodiscard]] scene::Vec3 read_vector(ElementStream& stream, std::string_view what);
 [[nodiscard]] scene::Vec3 to_vector(ElementStream& stream, const Value& value, SourceSpan span, std::string_view what);
 [[nodiscard]] std::string read_string(ElementStream& stream, std::string_view what);
+/// A file's name: a string in which a backslash is an ordinary character.
+[[nodiscard]] std::string read_name_of_file(ElementStream& stream, std::string_view what);
 /// A word's optional truth value: `hierarchy`, `hierarchy on`, `hierarchy 0`.
 [[nodiscard]] bool read_optional_truth(ElementStream& stream);
 /// Fails if any element is left.

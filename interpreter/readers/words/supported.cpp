@@ -17,10 +17,8 @@ constexpr auto kObjects = std::to_array<grammar::Symbol>({
     kw_mesh,
     kw_mesh2,
     kw_parametric,
-    kw_prism,
     kw_sor,
     kw_sphere_sweep,
-    kw_text,
 });
 
 constexpr auto kOthers = std::to_array<grammar::Symbol>({

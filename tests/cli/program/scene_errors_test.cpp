@@ -145,10 +145,10 @@ TEST_F(SceneErrors, ASettingThatNamesNoSolverIsAnError) {
 }
 
 TEST_F(SceneErrors, WhatIslDoesNotHaveIsNamedAndLenientSkipsIt) {
-  const std::string scene = "sphere { 0, 1 }\ntext { ttf \"a.ttf\" \"A\" 1, 0 }\n";
+  const std::string scene = "sphere { 0, 1 }\nlathe { 2, 0, 1 }\n";
   const ProcessResult strict = check(scene);
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_THAT(strict.err, HasSubstr("`text` is not supported"));
+  EXPECT_THAT(strict.err, HasSubstr("`lathe` is not supported"));
   const ProcessResult lenient = check(scene, {"--lenient"});
   EXPECT_EQ(lenient.exit_code, 0) << lenient.err;
   EXPECT_THAT(lenient.err, HasSubstr("warning"));

@@ -6,6 +6,7 @@
 #include "renderer/reference/reference_tracer.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/renderer/csg/random_tree.h"
+#include "tests/renderer/solids/random_outline.h"
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,13 @@ Object random_of_kind(CsgScene& scene, Random& random, SolidKind kind) {
       scene::Solid solid;
       solid.kind = kind;
       solid.detail = static_cast<std::uint32_t>(scene.database.polygons.size() - 1);
+      return scene.solid(solid);
+    }
+    case SolidKind::prism:
+    case SolidKind::text: {
+      scene.database.outlines.push_back(random_outline(random));
+      scene::Solid solid{.kind = kind, .radius_a = random.uniform(-1, 0), .radius_b = random.uniform(0.1, 1)};
+      solid.detail = static_cast<std::uint32_t>(scene.database.outlines.size() - 1);
       return scene.solid(solid);
     }
     default: break;

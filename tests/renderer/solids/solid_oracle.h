@@ -90,4 +90,17 @@ inline scene::Solid random_solid(Random& random, scene::SolidKind kind) {
 inline constexpr scene::SolidKind kAllKinds[] = {scene::SolidKind::sphere, scene::SolidKind::cylinder,
                                                  scene::SolidKind::cone, scene::SolidKind::plane};
 
+/// A direction that leans from the surface by the sine `lean`; positive is outward.
+inline Vec3 leaning(const Vec3& normal, double lean, Random& random) {
+  const Vec3 across = normal.cross(random.direction()).normalized();
+  return (across + normal * lean).normalized();
+}
+
+/// The number of crossings ahead of the start.
+inline int positive(const Crossings& found) {
+  int count = 0;
+  for (int i = 0; i < found.count; ++i) count += found.t[static_cast<std::size_t>(i)] > 0 ? 1 : 0;
+  return count;
+}
+
 }  // namespace isl::render::test

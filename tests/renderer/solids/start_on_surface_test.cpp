@@ -25,18 +25,6 @@ bool random_start(const Solid& solid, Random& random, Start& start) {
   return true;
 }
 
-/// A direction that leans from the surface by the sine `lean`; positive is outward.
-Vec3 leaning(const Vec3& normal, double lean, Random& random) {
-  const Vec3 across = normal.cross(random.direction()).normalized();
-  return (across + normal * lean).normalized();
-}
-
-int positive(const Crossings& found) {
-  int count = 0;
-  for (int i = 0; i < found.count; ++i) count += found.t[i] > 0 ? 1 : 0;
-  return count;
-}
-
 double random_lean(Random& random) { return std::pow(10, random.uniform(-14, -0.5)); }
 
 TEST(RaysFromASurface, never_meet_it_again_when_they_leave_a_convex_solid) {
