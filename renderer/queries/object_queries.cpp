@@ -2,7 +2,6 @@
 
 #include "renderer/queries/inside.h"
 #include "renderer/queries/next_surface.h"
-#include "renderer/queries/subset.h"
 #include "renderer/trace/tracer.h"
 
 #include <fmt/format.h>
@@ -10,16 +9,6 @@
 #include <utility>
 
 namespace isl::render {
-
-/// The tracer refers to the database.
-struct ObjectQueries::TracedShape {
-  TracedShape(scene::Database alone, Charge alone_bytes, const TracerOptions& options)
-      : database(std::move(alone)), charge(std::move(alone_bytes)), tracer(database, options) {}
-
-  scene::Database database;
-  Charge charge;  ///< of the database
-  Tracer tracer;
-};
 
 ObjectQueries::ObjectQueries(const RunLimits& run) : run_(run) {}
 ObjectQueries::~ObjectQueries() = default;
@@ -38,23 +27,9 @@ void ObjectQueries::follow(const scene::Database& database) {
 
 const Tracer* ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
-  std::unique_ptr<TracedShape>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
-  if (shape) return &shape->tracer;
-  TracerOptions options;
-  options.solver = SolverName::exact;
-  options.run = run_;
-  Charge copied(run_.budget);
-  std::optional<scene::Database> alone = subset(database, object, copied);
-  if (!alone) {
-    refusal_ = {"a copy of this object would take more memory than the limit leaves",
-                "`--max-memory` raises the limit"};
-    return nullptr;
-  }
-  auto made = std::make_unique<TracedShape>(std::move(*alone), std::move(copied), options);
-  refusal_ = made->tracer.refusal();
-  if (refusal_) return nullptr;
-  shape = std::move(made);
-  return &shape->tracer;
+  std::unique_ptr<const ObjectTracer>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
+  if (!shape) shape = ObjectTracer::of(database, object, run_, refusal_);
+  return shape ? &shape->tracer() : nullptr;
 }
 
 scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const scene::Object& object,

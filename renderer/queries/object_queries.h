@@ -5,6 +5,7 @@
 #include "base/run_limits.h"
 #include "renderer/extents/extents.h"
 #include "renderer/fields/kernels/kernel_constants.h"
+#include "renderer/queries/object_tracer.h"
 #include "renderer/scene/queries.h"
 
 #include <map>
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace isl::render {
-
-class Tracer;
 
 /// Serves one database, which may grow between questions.
 class ObjectQueries final : public scene::Queries {
@@ -34,7 +33,6 @@ class ObjectQueries final : public scene::Queries {
  private:
   /// The parts of an object that decide its surface in its own space.
   using ShapeKey = std::tuple<scene::Object::Kind, std::uint32_t, scene::GroupId, bool>;
-  struct TracedShape;
   /// Null if it was refused.
   const Tracer* tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
@@ -44,7 +42,7 @@ class ObjectQueries final : public scene::Queries {
   const scene::Database* database_ = nullptr;  ///< the database that the rest was made from
   std::vector<KernelConstants> kernels_;
   std::optional<Extents> extents_;
-  std::map<ShapeKey, std::unique_ptr<TracedShape>> shapes_;
+  std::map<ShapeKey, std::unique_ptr<const ObjectTracer>> shapes_;
 };
 
 }  // namespace isl::render
