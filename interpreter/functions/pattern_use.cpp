@@ -53,10 +53,8 @@ class Walk {
 
  private:
   [[nodiscard]] std::string_view missing_of(const scene::Pattern& pattern) const {
-    const render::PatternLack lack = render::info_of(pattern.kind).lack;
     const bool asks_objects = std::holds_alternative<scene::ObjectOperands>(pattern.operands);
-    // Functions see what asks for a surface as 0.
-    const bool is_known = lack == render::PatternLack::nothing || lack == render::PatternLack::surface;
+    const bool is_known = render::info_of(pattern.kind).lack == render::PatternLack::nothing;
     if (is_known && (!asks_objects || context_.options.queries)) return {};
     return kFunctionOf[static_cast<std::size_t>(pattern.kind)];
   }

@@ -94,16 +94,14 @@ struct TextureRow {
 };
 
 constexpr TextureRow kTextureRows[] = {
-    {"texture_by_surface", "textures that depend on a file or slope",
-     "a texture that depends on a file or the surface's slope", chosen_unseen, choose_first},
-    {"pigment_by_surface", "pigments that depend on a file or slope",
-     "a pigment that depends on a file or the surface's slope",
+    {"texture_by_file", "textures that depend on a file", "a texture that depends on a file", chosen_unseen,
+     choose_first},
+    {"pigment_by_file", "pigments that depend on a file", "a pigment that depends on a file",
      [](const Database& database, const Texture& texture) { return find_in(database, texture.pigment); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
-    {"normal_by_surface", "bumps that depend on a file or slope",
-     "a `normal` that depends on a file or the surface's slope",
+    {"normal_by_file", "bumps that depend on a file", "a `normal` that depends on a file",
      [](const Database& database, const Texture& texture) {
        std::unordered_set<std::uint32_t> seen;
        return undrawable_bumps(database, texture.normal, seen);

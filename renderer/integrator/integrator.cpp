@@ -167,7 +167,7 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     const Vec3 normal = turned_to_viewer(surface.normal, ray.direction);
     const bool from_inside = surface.normal.dot(ray.direction) > 0;
     LayerLists lists{normal, bumps_ ? &memory.block.normals : nullptr, passing_ ? &memory.block.passing : nullptr,
-                     mirrors_ ? &ray.direction : nullptr};
+                     ray.direction, mirrors_};
     if (interiors_) {
       const Body body{batch.hits[i].instance, surface.interior, surface.is_hollow};
       lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;

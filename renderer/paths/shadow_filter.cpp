@@ -12,7 +12,7 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& m
   memory.normals.clear();
   memory.passing.clear();
   const LayerLists lists{turned_to_viewer(surface.normal, ray.direction), has_bumps_ ? &memory.normals : nullptr,
-                         &memory.passing};
+                         &memory.passing, ray.direction};
   if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists)) {
     refusals_.report("this object", tracer_.origin_of(hit));
     return Rgb(0);

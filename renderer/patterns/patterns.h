@@ -1,7 +1,6 @@
 // The values of patterns and the colours of pigments at points. Functions of the language use them through
-// renderer/values/pattern_source.h, textures directly. The formulas of the kinds are in kinds/. Of a surface only the
-// coordinates are available (values::Environment): kinds that need more of it (slope, aoi) are 0, as in POV-Ray's
-// functions.
+// renderer/values/pattern_source.h, textures directly. The formulas of the kinds are in kinds/. The surface that a
+// point is on, if it is on one, is known to the environment (values::Environment).
 #pragma once
 
 #include "renderer/patterns/kinds/pattern_kind.h"

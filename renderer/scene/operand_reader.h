@@ -29,6 +29,8 @@ class OperandReader {
   [[nodiscard]] virtual bool accept_word(std::string_view word) noexcept = 0;
   virtual bool accept_comma() noexcept = 0;
   [[nodiscard]] virtual bool is_value_next() noexcept = 0;
+  /// True if the operands are in a block that this word begins, and not beside the items of the pattern's host.
+  [[nodiscard]] virtual bool is_in_block(std::string_view word) noexcept = 0;
 
   /// expected() reports that `what` is missing at the next element; fail() and warn() report at the last consumed one.
   virtual void expected(std::string_view what) noexcept = 0;

@@ -35,6 +35,7 @@ struct PointTextures::Making {
   Vec3 normal{0};  ///< in the space of the present texture, of any length
   TextureFrame frame{};
   std::vector<const scene::Pattern*> within{};
+  values::SurfaceView surface{};  ///< for patterns that depend on it
 
   /// Maps whose entries have maps choose so many textures that their number is limited by memory alone.
   void push(const LitTexture& texture) {
@@ -56,6 +57,8 @@ bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& l
                            const LayerLists& lists) const {
   const std::size_t first = lit.size();
   Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge, lists};
+  making.surface = {point.position, lists.normal, lists.view};
+  making.environment.set_surface(&making.surface);
   Vec3 coordinates;
   for (const TextureShare& share : point.textures) {
     making.environment.set_coordinates(nullptr);
@@ -103,6 +106,7 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
                                Making& making) const {
   if (making.environment.is_spent()) return;
   const scene::TextureMap& map = database_.texture_maps[scene::index(choice.map)];
+  making.surface.normal = making.lists.normal;
   const PatternPlace place = patterns_.look_up(choice.pattern, point, making.environment);
   if (info_of(choice.pattern.kind).choice == PatternChoice::mean_of_map) {
     double total = 0;
@@ -136,7 +140,11 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
   for (scene::TextureId id = top;;) {
     const scene::Texture& layer = database_.texture(id);
     const Material& material = materials_[id];
-    if (making.lists.normals) add_normal(layer, point, making);
+    if (making.lists.normals) {
+      making.surface.normal = making.lists.normal;
+      add_normal(layer, point, making);
+      making.surface.normal = making.lists.normals->back();
+    }
     if (passing) passing->push_back(Rgb(0));
     const bool is_lowest = layer.below == scene::kNoTexture;
     if (is_lowest && !material.is_patterned && !passing) {
@@ -153,9 +161,9 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
     }
     making.push({&material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through});
     let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
-    if (making.lists.view && material.finish->conserve_energy) {
+    if (making.lists.mirrors && material.finish->conserve_energy) {
       const Vec3& normal = making.lists.normals ? making.lists.normals->back() : making.lists.normal;
-      const double cosine = -normal.dot(*making.lists.view);
+      const double cosine = -normal.dot(making.lists.view);
       let_through *= Rgb(1) - reflectivity_at(*material.finish, cosine, making.lists.ior_ratio, rgb(colour));
     }
     if (let_through == Rgb(0)) return;

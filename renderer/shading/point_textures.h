@@ -22,8 +22,8 @@ struct LayerLists {
   /// The share of light that the whole texture lets through, at its top layer; 0 at the layers below. If it is not
   /// asked for, the lowest layer lets nothing through.
   std::vector<Rgb>* passing = nullptr;
-  /// The direction of the ray, where layers that conserve energy let less through, the more they mirror.
-  const Vec3* view = nullptr;
+  Vec3 view{0};          ///< the direction of the ray
+  bool mirrors = false;  ///< layers that conserve energy let less through, the more they mirror
   double ior_ratio = 1;  ///< the index of refraction before the surface over that behind it
 
   void resize(std::size_t size) const {

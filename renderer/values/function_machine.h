@@ -15,6 +15,13 @@
 
 namespace isl::values {
 
+/// The surface that is evaluated, in the world.
+struct SurfaceView {
+  scene::Vec3 point{0};
+  scene::Vec3 normal{0};     ///< unit, turned to the viewer, bent by bumps
+  scene::Vec3 direction{0};  ///< unit, from the viewer to the point
+};
+
 /// The state that an evaluation needs besides the function, one for each thread.
 class Environment {
  public:
@@ -39,12 +46,16 @@ class Environment {
   /// point itself. It belongs to the caller of set_coordinates.
   [[nodiscard]] const scene::Vec3* coordinates() const noexcept { return coordinates_; }
   void set_coordinates(const scene::Vec3* coordinates) noexcept { coordinates_ = coordinates; }
+  /// The surface that the point is on; null if it is on none. It belongs to the caller of set_surface.
+  [[nodiscard]] const SurfaceView* surface() const noexcept { return surface_; }
+  void set_surface(const SurfaceView* surface) noexcept { surface_ = surface; }
 
  private:
   NoiseGenerator noise_generator_;
   StepCounter steps_;
   const PatternSource* patterns_;
   const scene::Vec3* coordinates_ = nullptr;
+  const SurfaceView* surface_ = nullptr;
 };
 
 /// Applies one operation on numbers alone (those up to `radians` in scene::Opcode); b is ignored by operations with one

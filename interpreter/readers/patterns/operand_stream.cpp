@@ -60,6 +60,10 @@ bool OperandStream::is_value_next() noexcept {
   return answer([&] { return stream_.peek().is(ElementKind::value); });
 }
 
+bool OperandStream::is_in_block(std::string_view word) noexcept {
+  return stream_.context().text(stream_.word()) == word;
+}
+
 void OperandStream::expected(std::string_view what) noexcept {
   answer([&] { fail_expected(stream_, what); });
 }

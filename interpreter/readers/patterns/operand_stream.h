@@ -20,6 +20,7 @@ class OperandStream final : public scene::OperandReader {
   [[nodiscard]] bool accept_word(std::string_view word) noexcept override;
   bool accept_comma() noexcept override;
   [[nodiscard]] bool is_value_next() noexcept override;
+  [[nodiscard]] bool is_in_block(std::string_view word) noexcept override;
   void expected(std::string_view what) noexcept override;
   void fail(std::string message) noexcept override;
   void warn(std::string message) noexcept override;

@@ -77,8 +77,8 @@ enum class PatternChoice : std::uint8_t { map, list, mean_of_map, own };
 /// because the block has the host's items too. `function` is a value of the language and has no word.
 enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object, pigment, function };
 
-/// The reason why a pattern is not evaluated: it needs more of a surface than a point, or a file that is not opened.
-enum class PatternLack : std::uint8_t { nothing, surface, file };
+/// The reason why a pattern is not evaluated: it needs a file that is not opened.
+enum class PatternLack : std::uint8_t { nothing, file };
 
 struct PatternInfo {
   std::span<const std::string_view> words = {};  ///< words that begin the pattern; empty: its name

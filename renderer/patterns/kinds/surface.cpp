@@ -1,6 +1,11 @@
-// Patterns that need more of a surface than a point. They are not evaluated yet, except `average`, which needs no
-// value: all entries of its map are used. In functions the others are 0, as in POV-Ray.
+// Patterns that depend on the surface, as in POV-Ray: on its normal in the world, bent by the bumps of the layer, and
+// on the direction of the view. Where there is no surface, as in functions and the sky, they are 0. `average` is here,
+// too: it needs no value, because all entries of its map are used.
 #include "renderer/patterns/kinds/pattern_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace isl::render {
 namespace {
@@ -25,18 +30,46 @@ void read_range(scene::OperandReader& reader, double& low, double& high, std::st
   high = reader.number(high_name);
 }
 
-void read_slope(scene::OperandReader& reader, Slope& slope, std::string_view /*word*/) noexcept {
+void read_slope(scene::OperandReader& reader, Slope& slope, std::string_view word) noexcept {
   slope.is_reference = reader.accept_word("point_at");
   slope.is_direction = !slope.is_reference;
   (slope.is_reference ? slope.reference : slope.direction) = reader.vector("a direction");
   if (slope.is_direction && slope.direction.length() == 0)
     reader.fail("the direction of `slope` must not be <0, 0, 0>");
+  // Without braces, a number that follows is the size of the host's bumps.
+  if (!reader.is_in_block(word)) return;
   read_range(reader, slope.low_slope, slope.high_slope, "the low slope", "the high slope");
   slope.has_altitude = reader.accept_word("altitude");
   if (!slope.has_altitude) return;
   if (slope.is_reference) reader.fail("`altitude` cannot be used with `point_at`");
   slope.altitude = reader.vector("a vector after `altitude`");
   read_range(reader, slope.low_altitude, slope.high_altitude, "the low altitude", "the high altitude");
+}
+
+double in_range(double value, double low, double high) { return high == low ? value : (value - low) / (high - low); }
+
+/// The angle to a plane across a direction, as a share of a turn by half: 0 against the direction, 1 along it.
+double share_of_angle(double cosine) { return std::asin(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi + 0.5; }
+
+/// `point_at` is a place in the world; the altitude is that of the point in the pattern's own space.
+double slope_value(const PatternPoint& at) noexcept {
+  const values::SurfaceView* const surface = at.environment.surface();
+  if (!surface) return 0;
+  const auto& slope = at.operands<Slope>();
+  const Vec3 way = slope.is_reference ? slope.reference - surface->point : slope.direction;
+  const double length = way.length();
+  const double angle = length > 0 ? share_of_angle(surface->normal.dot(way) / length) : 0.5;
+  const double value = in_range(angle, slope.low_slope, slope.high_slope);
+  const double altitude = slope.altitude.length();
+  if (!slope.has_altitude || !(altitude > 0)) return below_1(value);
+  const double height = in_range(at.point.dot(slope.altitude) / altitude, slope.low_altitude, slope.high_altitude);
+  return below_1((length * value + altitude * height) / (length + altitude));
+}
+
+/// From ½ where the view grazes the surface to 1 where it is perpendicular to it.
+double aoi_value(const PatternPoint& at) noexcept {
+  const values::SurfaceView* const surface = at.environment.surface();
+  return surface ? share_of_angle(-surface->normal.dot(surface->direction)) : 0;
 }
 
 using Numbers = std::vector<std::variant<double, int>>;
@@ -51,12 +84,12 @@ constexpr scene::OperandField kSlope[] = {
 
 }  // namespace
 
-constinit const PatternInfo pattern_kinds::aoi{.hosts = kSurfaces, .lack = PatternLack::surface};
+constinit const PatternInfo pattern_kinds::aoi{.hosts = kSurfaces, .value = aoi_value};
 constinit const PatternInfo pattern_kinds::average{.hosts = kSurfaces, .choice = PatternChoice::mean_of_map};
 constinit const PatternInfo pattern_kinds::slope{.block = PatternBlock::optional,
                                                  .hosts = kSurfaces,
                                                  .operands = operands_of<Slope, kSlope>,
                                                  .read = read_operands<Slope, read_slope>,
-                                                 .lack = PatternLack::surface};
+                                                 .value = slope_value};
 
 }  // namespace isl::render

@@ -15,3 +15,4 @@ sphere { 0, 1 normal { bump_map { png "bumps.png" interpolate 2 use_index bump_s
 sphere { 0, 1 normal { mandel 10, 0.3 exponent 3 } }
 sphere { 0, 1 normal { ripples 0.1 frequency 3 normal_map { [0 N] [1 bumps] } } }
 sphere { 0, 1 texture { no_bump_scale pigment { rgb 1 } normal { N } } }
+sphere { 0, 1 normal { slope y 0.7 normal_map { [0 bumps] [1 dents] } } }

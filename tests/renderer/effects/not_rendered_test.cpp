@@ -104,7 +104,7 @@ Database everything() {
   database.lights = {light};
   database.camera->normal = NormalId{0};
   database.normals.resize(1);
-  database.normals[0].pattern.kind = PatternKind::slope;
+  database.normals[0].pattern.kind = PatternKind::density_file;
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
                        {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
                        {.pattern = TexturePatternId{0}}};
@@ -115,7 +115,7 @@ Database everything() {
   database.pigments[0].map = PigmentMapId{0};
   database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}}};
   database.texture_patterns.resize(1);
-  database.texture_patterns[0].pattern.kind = PatternKind::slope;
+  database.texture_patterns[0].pattern.kind = PatternKind::density_file;
   database.texture_patterns[0].map = TextureMapId{0};
   database.texture_maps = {{{0, TextureId{1}}}};
   database.solids.resize(1);
