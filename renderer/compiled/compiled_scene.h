@@ -8,6 +8,7 @@
 #include "renderer/fields/component_table.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/grid.h"
+#include "renderer/rays/light_group.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/scene/database.h"
 #include "renderer/scene/refusal.h"
@@ -41,11 +42,12 @@ struct Instance {
   bool is_lit_from_both_sides;  ///< `double_illuminate`
   bool is_hollow;               ///< media around it fill it too
   std::uint32_t shape;
-  scene::TextureId texture;
-  TextureSpace texture_space;
-  scene::InteriorId interior;  ///< of all of it; parts of a CSG tree may have their own
+  PlacedTexture texture;
+  PlacedTexture interior_texture;  ///< of the surface seen from inside, if it differs
+  scene::InteriorId interior;      ///< of all of it; parts of a CSG tree may have their own
   scene::Transform world_from_object;
   OriginId origin;
+  std::uint32_t light_group;  ///< index into CompiledScene::light_groups, or kNone
   double size = 0;  ///< for a solid or blob: the largest coordinate, in its own space, that its surface is computed
                     ///< from
   Spread spread;    ///< in world space
@@ -58,6 +60,7 @@ struct CompiledScene {
   scene::CoordinateTextures coordinate_textures;
   std::vector<CsgTree> trees;
   std::vector<scene::Transform> texture_spaces;  ///< world_from_space of each group that hands a pattern down
+  std::vector<LightGroup> light_groups;
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
   std::vector<std::uint32_t> bounded;    ///< all other instances

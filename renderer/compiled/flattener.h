@@ -33,13 +33,13 @@ class Flattener {
   /// State that an object hands down to its children.
   struct Inherited {
     scene::Transform world_from_parent{};
-    scene::TextureId texture = scene::kNoTexture;
-    TextureSpace texture_space = kOuterSpace;
+    PlacedTexture texture{}, interior_texture{};
     std::uint8_t hidden_from = 0;
     bool is_inverse = false;
     bool is_lit_from_both_sides = false;
     bool is_hollow = false;
     scene::InteriorId interior = scene::kNoInterior;
+    std::uint32_t light_group = scene::kNone;
   };
 
   /// Adds an object of the world.
@@ -72,22 +72,28 @@ class Flattener {
     if (!meter_.goes_on() || expansion_.instances(object, above.is_inverse) == 0) return;
     Inherited own{then(object.parent_from_object, above.world_from_parent),
                   above.texture,
-                  above.texture_space,
+                  above.interior_texture,
                   static_cast<std::uint8_t>(above.hidden_from | hidden_from(object)),
                   above.is_inverse != object.inverse,
                   above.is_lit_from_both_sides || object.double_illuminate,
                   above.is_hollow || object.hollow,
-                  object.interior == scene::kNoInterior ? above.interior : object.interior};
+                  object.interior == scene::kNoInterior ? above.interior : object.interior,
+                  above.light_group};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
     const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
-    if (object.texture != scene::kNoTexture) {
-      own.texture = object.texture;
-      own.texture_space = kOwnSpace;
-      if (is_union && !database_.texture(object.texture).is_plain()) {
-        if (!meter_.grow(compiled_.charge, 2 * sizeof(scene::Transform))) return;
-        own.texture_space = static_cast<TextureSpace>(compiled_.texture_spaces.size());
-        compiled_.texture_spaces.push_back(own.world_from_parent);
-      }
+    const auto take = [&](scene::TextureId id, PlacedTexture& texture) {
+      if (id == scene::kNoTexture) return true;
+      texture = {id, kOwnSpace};
+      if (!is_union || database_.texture(id).is_plain()) return true;
+      if (!meter_.grow(compiled_.charge, 2 * sizeof(scene::Transform))) return false;
+      texture.space = static_cast<TextureSpace>(compiled_.texture_spaces.size());
+      compiled_.texture_spaces.push_back(own.world_from_parent);
+      return true;
+    };
+    if (!take(object.texture, own.texture) || !take(object.interior_texture, own.interior_texture)) return;
+    if (object.kind == scene::Object::Kind::group && database_.groups[object.shape].is_light_group &&
+        !enter_light_group(scene::GroupId{object.shape}, own)) {
+      return;
     }
     if (is_union) {
       open_.push_back({&database_.groups[object.shape].children, own});
@@ -102,12 +108,26 @@ class Flattener {
                                    own.is_hollow,
                                    is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,
                                    own.texture,
-                                   own.texture_space,
+                                   own.interior_texture,
                                    own.interior,
                                    own.world_from_parent,
                                    object.origin,
+                                   own.light_group,
                                    0,
                                    {}});
+  }
+
+  /// The lights of the innermost group count. Whether those of the world do is decided by the outermost, as in POV-Ray.
+  bool enter_light_group(scene::GroupId group, Inherited& own) {
+    // Each placed group has its own copies of its lights when pictures are made.
+    const std::size_t lights = database_.groups[index(group)].lights.size();
+    if (!meter_.grow(compiled_.charge, 2 * sizeof(LightGroup) + lights * sizeof(scene::Light))) return false;
+    const bool has_global_lights = own.light_group == scene::kNone
+                                       ? database_.groups[index(group)].global_lights
+                                       : compiled_.light_groups[own.light_group].has_global_lights;
+    own.light_group = static_cast<std::uint32_t>(compiled_.light_groups.size());
+    compiled_.light_groups.push_back({group, own.world_from_parent, has_global_lights});
+    return true;
   }
 
   const scene::Database& database_;

@@ -51,8 +51,7 @@ Box widened(Box box) {
 struct CsgBuilder::Above {
   std::uint32_t parent = scene::kNone;
   scene::Transform group_from_parent{};
-  scene::TextureId texture = scene::kNoTexture;
-  TextureSpace texture_space = kOuterSpace;
+  PlacedTexture texture{}, interior_texture{};
   scene::InteriorId interior = scene::kNoInterior;
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
@@ -119,15 +118,16 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   Above own = above;
   own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
   if (object.interior != scene::kNoInterior) own.interior = object.interior;
-  if (object.texture != scene::kNoTexture) {
-    own.texture = object.texture;
-    own.texture_space = kOwnSpace;
-    if (object.kind == Object::Kind::group && !database_.texture(object.texture).is_plain()) {
-      own.texture_space = static_cast<TextureSpace>(tree.texture_spaces.size());
-      if (!meter_.grow(charge_, 2 * sizeof(scene::Transform))) return;
-      tree.texture_spaces.push_back(own.group_from_parent);
-    }
-  }
+  const auto take = [&](scene::TextureId id, PlacedTexture& texture) {
+    if (id == scene::kNoTexture) return true;
+    texture = {id, kOwnSpace};
+    if (object.kind != Object::Kind::group || database_.texture(id).is_plain()) return true;
+    texture.space = static_cast<TextureSpace>(tree.texture_spaces.size());
+    if (!meter_.grow(charge_, 2 * sizeof(scene::Transform))) return false;
+    tree.texture_spaces.push_back(own.group_from_parent);
+    return true;
+  };
+  if (!take(object.texture, own.texture) || !take(object.interior_texture, own.interior_texture)) return;
   if (object.clip == scene::kNoGroup) {
     own.is_inverse ^= object.inverse;
     add_shape(tree, object, own);
@@ -184,9 +184,9 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.shape = object.shape;
   leaf.parent = above.parent;
   leaf.texture = above.texture;
-  leaf.texture_space = above.texture_space;
+  leaf.interior_texture = above.interior_texture;
   leaf.interior = above.interior;
-  if (leaf.texture == scene::kNoTexture) leaf.cutaway = above.cutaway;
+  if (leaf.texture.id == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));
   leaf.size = shape_size(database_, leaf.kind, leaf.shape);

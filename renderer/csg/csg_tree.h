@@ -22,6 +22,12 @@ namespace isl::render {
 using TextureSpace = std::uint32_t;
 inline constexpr TextureSpace kOwnSpace = 0xFFFFFFFF, kOuterSpace = 0xFFFFFFFE;
 
+/// A texture that an object has or inherits.
+struct PlacedTexture {
+  scene::TextureId id = scene::kNoTexture;
+  TextureSpace space = kOuterSpace;
+};
+
 struct CsgNode {
   /// `unite` differs from `merge` in that it keeps the surfaces inside.
   enum class Kind : std::uint8_t { all, unite, merge };
@@ -43,8 +49,8 @@ struct CsgLeaf {
   std::uint32_t shape = 0;
   std::uint32_t parent = 0;  ///< index of its node
   /// Its own texture, or that of the nearest group in the tree that has one; else kNoTexture.
-  scene::TextureId texture = scene::kNoTexture;
-  TextureSpace texture_space = kOuterSpace;
+  PlacedTexture texture;
+  PlacedTexture interior_texture;                   ///< likewise: of the surface seen from inside
   scene::InteriorId interior = scene::kNoInterior;  ///< its own, or that of the nearest group in the tree that has one
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;

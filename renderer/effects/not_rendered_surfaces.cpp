@@ -13,7 +13,6 @@ namespace {
 
 using scene::Colour;
 using scene::Database;
-using scene::Finish;
 using scene::Pattern;
 using scene::PatternedPigment;
 using scene::PatternKind;
@@ -109,23 +108,6 @@ constexpr TextureRow kTextureRows[] = {
      [](const Database&, Texture& texture) { texture.normal = scene::kNoNormal; }, 8},
 };
 
-struct FinishRow {
-  std::string_view name, summary;
-  std::string_view what;
-  scene::FinishItem item;
-  bool (*is_used)(const Finish&);
-  void (*leave_out)(Finish&);
-  int from_quality = 2;
-};
-
-// `conserve_energy` and `use_alpha` are not here, because they have no meaning without transparency.
-constexpr FinishRow kFinishRows[] = {
-    {"reflection_exponent", "an exponent for the reflected light", "`exponent` of a reflection",
-     scene::FinishItem::exponent,
-     [](const Finish& finish) { return reflects(finish) && finish.reflection.exponent != 1; },
-     [](Finish& finish) { finish.reflection.exponent = 1; }, 8},
-};
-
 Effect texture_effect(const TextureRow& row) {
   return {.name = row.name,
           .summary = row.summary,
@@ -147,30 +129,10 @@ Effect texture_effect(const TextureRow& row) {
               }};
 }
 
-Effect finish_effect(const FinishRow& row) {
-  return {.name = row.name,
-          .summary = row.summary,
-          .from_quality = row.from_quality,
-          .find =
-              [&row](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
-                for (const Use<Finish>& finish : use.finishes()) {
-                  if (row.is_used(*finish.record))
-                    requests.add(row.what, finish.record->said_at[row.item], finish.user);
-                }
-              },
-          .leave_out =
-              [&row](Database& database) {
-                for (Finish& finish : database.finishes) {
-                  if (row.is_used(finish)) row.leave_out(finish);
-                }
-              }};
-}
-
 }  // namespace
 
 void add_surfaces_not_rendered(std::vector<Effect>& effects) {
   for (const TextureRow& row : kTextureRows) effects.push_back(texture_effect(row));
-  for (const FinishRow& row : kFinishRows) effects.push_back(finish_effect(row));
 }
 
 }  // namespace isl::render

@@ -11,8 +11,6 @@ using scene::Database;
 using scene::Group;
 using scene::Light;
 using scene::LightItem;
-using scene::Object;
-using scene::ObjectItem;
 
 /// An effect that one kind of record calls for.
 template <class Record>
@@ -22,6 +20,7 @@ struct Row {
   OriginId (*word)(const Record&);
   bool (*is_used)(const Record&);
   void (*leave_out)(Record&);
+  int from_quality = 0;
 };
 
 /// The place of an item in the text.
@@ -33,31 +32,15 @@ OriginId said(const Record& record) {
 constexpr Row<Camera> kCameraRows[] = {
     {"focal_blur", "blur outside the focus", "focal blur", said<Camera, CameraItem::blur>,
      [](const Camera& camera) { return camera.blur.has_value(); }, [](Camera& camera) { camera.blur.reset(); }},
-    {"camera_normal", "bumps that bend the camera's rays", "`normal` of a camera", said<Camera, CameraItem::normal>,
-     [](const Camera& camera) { return camera.normal != scene::kNoNormal; },
-     [](Camera& camera) { camera.normal = scene::kNoNormal; }},
 };
 
 constexpr Row<Light> kLightRows[] = {
-    {"area_light", "lights with an area, which throw soft shadows", "`area_light`", said<Light, LightItem::area>,
-     [](const Light& light) { return light.area.has_value(); }, [](Light& light) { light.area.reset(); }},
-    {"projected_through", "light that shines only through an object", "`projected_through`",
-     said<Light, LightItem::projected_through>,
-     [](const Light& light) { return light.projected_through != scene::kNoGroup; },
-     [](Light& light) { light.projected_through = scene::kNoGroup; }},
-};
-
-// `hollow` is not here, because it only changes what is along a path, which reads it itself.
-constexpr Row<Object> kObjectRows[] = {
-    {"interior_texture", "another texture on the inside of a surface", "`interior_texture`",
-     said<Object, ObjectItem::interior_texture>,
-     [](const Object& object) { return object.interior_texture != scene::kNoTexture; },
-     [](Object& object) { object.interior_texture = scene::kNoTexture; }},
-};
-
-constexpr Row<Group> kGroupRows[] = {
-    {"light_group", "lights that shine on some objects only", "`light_group`", [](const Group&) { return OriginId{}; },
-     [](const Group& group) { return group.is_light_group; }, [](Group& group) { group.is_light_group = false; }},
+    {"jitter", "area lights whose points move at random", "`jitter` of an area light", said<Light, LightItem::jitter>,
+     [](const Light& light) { return light.area && light.area->jitter; },
+     [](Light& light) {
+       if (light.area) light.area->jitter = false;
+     },
+     5},
 };
 
 Effect camera_effect(const Row<Camera>& row) {
@@ -86,6 +69,7 @@ template <class Record, class Uses, class LeaveOut>
 Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) {
   return {.name = row.name,
           .summary = row.summary,
+          .from_quality = row.from_quality,
           .find =
               [&row, uses](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
                 for (const Use<Record>& record : (use.*uses)()) {
@@ -101,7 +85,7 @@ Effect dispersion() {
           .summary = "colours that refraction parts",
           .find =
               [](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
-                for (const Use<Object>& object : use.objects()) {
+                for (const Use<scene::Object>& object : use.objects()) {
                   const scene::InteriorId interior = object.record->interior;
                   if (interior == scene::kNoInterior) continue;
                   if (use.database().interiors[index(interior)].dispersion != 1)
@@ -124,18 +108,7 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
       for (Group& group : database.groups) leave_out(light_row, group.lights);
     }));
   }
-  for (const Row<Object>& row : kObjectRows) {
-    effects.push_back(record_effect(row, &SceneUse::objects, [](const Row<Object>& object_row, Database& database) {
-      leave_out(object_row, database.objects);
-      for (Group& group : database.groups) leave_out(object_row, group.children);
-    }));
-  }
   effects.push_back(dispersion());
-  for (const Row<Group>& row : kGroupRows) {
-    effects.push_back(record_effect(row, &SceneUse::groups, [](const Row<Group>& group_row, Database& database) {
-      leave_out(group_row, database.groups);
-    }));
-  }
 }
 
 std::vector<Effect> effects_not_rendered() {

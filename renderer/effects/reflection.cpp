@@ -3,7 +3,7 @@
 // above it do not filter its reflection.
 //
 // Layers and textures of a point that have the same normal mirror in the same direction, so their reflectivities add up
-// to one ray.
+// to one ray, if they have no `exponent` that bends the light each in its own way.
 #include "renderer/effects/effect.h"
 #include "renderer/shading/interiors.h"
 #include "renderer/shading/irid.h"
@@ -40,6 +40,8 @@ Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture>
   return sum;
 }
 
+double exponent_of(const LitTexture& texture) { return texture.material->finish->reflection.exponent; }
+
 class ReflectionStage final : public Stage<SpawnWork> {
  public:
   explicit ReflectionStage(const StageContext& context)
@@ -60,7 +62,7 @@ class ReflectionStage final : public Stage<SpawnWork> {
         continue;
       }
       for (std::size_t first = 0; first < point.textures.size();) {
-        const std::size_t last = same_normals(work.block, point, first);
+        const std::size_t last = mirroring_alike(work.block, point, first);
         mirror(work, at, point, point.textures.subspan(first, last - first));
         first = last;
       }
@@ -68,12 +70,15 @@ class ReflectionStage final : public Stage<SpawnWork> {
   }
 
  private:
-  /// The textures from `first` up to here have the same normal.
-  static std::size_t same_normals(const SurfaceBlock& block, const ShadingPoint& point, std::size_t first) {
-    if (block.normals.empty()) return point.textures.size();
+  /// The textures from `first` up to here send one ray on.
+  static std::size_t mirroring_alike(const SurfaceBlock& block, const ShadingPoint& point, std::size_t first) {
     const Vec3& normal = block.normal_of(point, point.textures[first]);
+    const double exponent = exponent_of(point.textures[first]);
     std::size_t last = first + 1;
-    while (last < point.textures.size() && block.normal_of(point, point.textures[last]) == normal) ++last;
+    while (last < point.textures.size() && block.normal_of(point, point.textures[last]) == normal &&
+           exponent_of(point.textures[last]) == exponent) {
+      ++last;
+    }
     return last;
   }
 
@@ -83,15 +88,19 @@ class ReflectionStage final : public Stage<SpawnWork> {
     const double cosine = -point.view.dot(normal);
     const Reflectivity sum =
         reflectivity(point, textures, film_, cosine, work.batch.entries[at].weight, least_weight_, work.ended);
-    if (sum.share != Rgb(0)) push(work, at, point, normal, sum);
+    if (sum.share != Rgb(0)) push(work, at, point, normal, sum, exponent_of(textures.front()));
   }
 
   static void push(SpawnWork& work, std::uint32_t at, const ShadingPoint& point, const Vec3& normal,
-                   const Reflectivity& reflectivity) {
+                   const Reflectivity& reflectivity, double exponent) {
     const Ray& ray = work.batch.rays[at];
     const Hit& hit = work.batch.hits[at];
     PathEntry child = work.batch.entries[at];
     child.factor *= reflectivity.share;
+    if (exponent != 1) {
+      child.sample = work.bent.add(child.sample, child.factor, 1 / exponent);
+      child.factor = Rgb(1);
+    }
     child.weight *= reflectivity.bound;
     ++child.level;
     child.kind = RayKind::reflection;

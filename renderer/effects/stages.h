@@ -3,6 +3,7 @@
 // effects and knows none of them by name.
 #pragma once
 
+#include "renderer/paths/bent_light.h"
 #include "renderer/paths/bodies.h"
 #include "renderer/paths/path.h"
 #include "renderer/shading/lighting.h"
@@ -73,9 +74,11 @@ struct SurfaceWork {
 
 /// The light that goes towards each point of a block.
 struct ReachWork {
+  const PathBatch& batch;
   const SurfaceBlock& block;
   const scene::Light& light;
-  std::span<LightSample> samples;  ///< by point
+  std::uint32_t light_group = scene::kNone;  ///< the light's, as Tracer::light_groups() counts; kNone: the world's
+  std::span<LightSample> samples;            ///< by point
 };
 
 /// A point of a block that one light may reach, because it faces the light.
@@ -90,6 +93,7 @@ struct LitPoint {
 using Shine = std::vector<Rgb>;
 
 struct LightWork {
+  const PathBatch& batch;
   const SurfaceBlock& block;
   const scene::Light& light;
   std::span<LitPoint> lit;
@@ -120,6 +124,7 @@ struct SpawnWork {
   std::span<std::uint8_t>
       is_total;  ///< by point: true if all light is reflected within the surface, whatever it is like
   EndedPaths& ended;
+  BentLight& bent;
 };
 
 template <class Work>
@@ -149,7 +154,9 @@ struct StageMakers {
   MakeStage<ReachWork> reach = nullptr;
   MakeStage<LightWork> diffuse = nullptr;
   MakeStage<LightWork> shine = nullptr;
+  MakeStage<LightWork> dim = nullptr;  ///< after all others of the light: what it loses on its way
   MakeStage<SpawnWork> spawn = nullptr;
+  bool windows = false;     ///< some lights shine only through an object
   bool shadows = false;     ///< light goes through the queue of shadow rays
   bool back_light = false;  ///< some textures are lit from behind
   bool bumps = false;       ///< every texture of a point has a normal of its own

@@ -18,8 +18,7 @@ class CameraRays {
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
   /// where the camera shows nothing.
   [[nodiscard]] Ray through(double x, double y) const {
-    const double u = x * per_column_ - 0.5;
-    const double v = 0.5 - y * per_row_;
+    const auto [u, v] = picture_point(x, y);
     Ray ray;
     if (camera_.kind == scene::CameraKind::perspective) {
       ray.origin = camera_.location;
@@ -32,7 +31,14 @@ class CameraRays {
     return ray;
   }
 
+  /// The place at which the camera's `normal` bends that ray.
+  [[nodiscard]] PicturePoint bent_at(double x, double y) const { return render::bent_at(camera_, picture_point(x, y)); }
+
  private:
+  [[nodiscard]] PicturePoint picture_point(double x, double y) const {
+    return {x * per_column_ - 0.5, 0.5 - y * per_row_};
+  }
+
   scene::Camera camera_;
   double per_column_, per_row_;
 };

@@ -31,10 +31,16 @@ Vec3 turned_aside(const Axes& axes, double angle, double a, double b, double len
   return axes.right * (a * sine) + axes.up * (b * sine) + axes.ahead * std::cos(angle);
 }
 
+/// The place in the disc that a fisheye shows.
+PicturePoint in_disc(const Axes& axes, const PicturePoint& at) {
+  return {2 * at.u * axes.width, 2 * at.v * axes.height};
+}
+
 /// The angle grows with the distance from the picture's middle: half of the camera's angle at its edge.
 Vec3 fisheye(const Camera& camera, const PicturePoint& at) {
   const Axes axes(camera);
-  const double a = 2 * at.u * axes.width, b = 2 * at.v * axes.height, length = std::hypot(a, b);
+  const auto [a, b] = in_disc(axes, at);
+  const double length = std::hypot(a, b);
   if (length > 1) return Vec3(0);
   return turned_aside(axes, length * camera.angle / 2, a, b, length);
 }
@@ -45,25 +51,28 @@ Vec3 ultra_wide_angle(const Camera& camera, const PicturePoint& at) {
   return axes.right * std::sin(across) + axes.up * std::sin(along) + axes.ahead * (std::cos(across) * std::cos(along));
 }
 
-/// A fisheye of 180° for the dome of an Omnimax theatre, whose screen ends 45° below the horizon. The constants are
-/// POV-Ray's.
-Vec3 omnimax(const Camera& camera, const PicturePoint& at) {
+/// The place on the dome of an Omnimax theatre, seen from above. The constants are POV-Ray's.
+PicturePoint on_dome(const Axes& axes, const PicturePoint& at) {
   constexpr double kShape = 1.283458;
+  const double shape = axes.width / axes.height, a = 2 * at.u, b = 2 * at.v;
+  if (shape < 1) return {a, b / shape};
+  if (shape < kShape) return {a, (b - 1) / shape + 1};
+  return {a * shape / kShape, (b - 1) / kShape + 1};
+}
+
+/// The angle from the axis of rays at a distance from the middle of the dome. The constants are POV-Ray's.
+double dome_angle(double length) {
+  const double squared = length * length;
+  return length * (1.411269 + squared * (-0.09439 + squared * 0.25674));
+}
+
+/// A fisheye of 180° for such a dome, whose screen ends 45° below the horizon.
+Vec3 omnimax(const Camera& camera, const PicturePoint& at) {
   const Axes axes(camera);
-  const double shape = axes.width / axes.height;
-  double a = 2 * at.u, b = 2 * at.v;
-  if (shape < 1) {
-    b /= shape;
-  } else if (shape < kShape) {
-    b = (b - 1) / shape + 1;
-  } else {
-    a *= shape / kShape;
-    b = (b - 1) / kShape + 1;
-  }
+  const auto [a, b] = on_dome(axes, at);
   const double length = std::hypot(a, b);
   if (length > 1) return Vec3(0);
-  const double squared = length * length;
-  const double angle = length * (1.411269 + squared * (-0.09439 + squared * 0.25674));
+  const double angle = dome_angle(length);
   const double rise = length > 0 ? std::sin(angle) * b / length : 0;
   if (rise < -std::cos(angle)) return Vec3(0);
   return turned_aside(axes, angle, a, b, length);
@@ -99,6 +108,14 @@ Vec3 spherical(const Camera& camera, const PicturePoint& at) {
   return turned(raised, axes.up, at.u * camera.angle);
 }
 
+/// The angle of a place of a disc to the horizontal, from -90° on over 90° on the right to 270°.
+double bearing(const PicturePoint& place) {
+  const double length = std::hypot(place.u, place.v);
+  if (length == 0) return 0;
+  const double angle = std::asin(place.v / length);
+  return place.u < 0 ? kPi - angle : angle;
+}
+
 ViewRay unnormalized(const Camera& camera, const PicturePoint& at) {
   const Vec3 across = camera.right * at.u + camera.up * at.v;
   switch (camera.kind) {
@@ -120,6 +137,29 @@ ViewRay view_ray(const Camera& camera, const PicturePoint& at) {
   ViewRay ray = unnormalized(camera, at);
   ray.direction.normalize();
   return ray;
+}
+
+PicturePoint bent_at(const Camera& camera, const PicturePoint& at) {
+  const Axes axes(camera);
+  switch (camera.kind) {
+    case CameraKind::perspective:
+    case CameraKind::orthographic: return at;
+    case CameraKind::fisheye: {
+      const PicturePoint place = in_disc(axes, at);
+      return {bearing(place), std::hypot(place.u, place.v) * camera.angle / 2};
+    }
+    case CameraKind::ultra_wide_angle: return {at.u * camera.angle, at.v * camera.angle * axes.height / axes.width};
+    case CameraKind::omnimax: {
+      const PicturePoint place = on_dome(axes, at);
+      return {bearing(place), dome_angle(std::hypot(place.u, place.v))};
+    }
+    case CameraKind::panoramic: return {(0.5 - at.u) * kPi, at.v * kPi};
+    case CameraKind::cylinder:
+      if (camera.cylinder_type % 2 == 1) return {at.u * camera.angle, at.v * axes.height};
+      return {at.u * axes.width, at.v * camera.angle};
+    case CameraKind::spherical: return {at.u * camera.angle, at.v * camera.vertical_angle};
+  }
+  return at;
 }
 
 }  // namespace isl::render

@@ -19,4 +19,8 @@ struct ViewRay {
 /// The ray of a camera through a point of its picture. The direction has unit length. Formulas as in POV-Ray.
 [[nodiscard]] ViewRay view_ray(const scene::Camera& camera, const PicturePoint& at);
 
+/// The place at which the camera's `normal` bends this ray, in the units in which POV-Ray measures it: shares of the
+/// picture, angles in radians, or lengths, as the kind of camera has them.
+[[nodiscard]] PicturePoint bent_at(const scene::Camera& camera, const PicturePoint& at);
+
 }  // namespace isl::render

@@ -8,11 +8,6 @@
 namespace isl::render {
 namespace {
 
-/// Shadow rays after which the queue is traced before the batch's last point, so that a scene of thousands of lights
-/// needs no more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the
-/// lights.
-constexpr std::size_t kLongestShadowQueue = 8192;
-
 /// Levels of a path. max_trace_level ends a path before, unless it goes straight on through more surfaces than these:
 /// POV-Ray does not count such segments.
 constexpr std::size_t kMostLevels = 512;
@@ -38,7 +33,12 @@ void add(MakeStage<Work> make, const StageContext& context, std::vector<std::uni
 
 Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan,
                        bool transparent_background, const RunLimits& run)
-    : database_(database), tracer_(tracer), run_(run), refusals_(run), textures_(database, run) {
+    : database_(database),
+      tracer_(tracer),
+      run_(run),
+      refusals_(run),
+      lights_(placed_lights(database, tracer)),
+      textures_(database, run) {
   const StageContext context{database, tracer, textures_, refusals_};
   for (const PlannedEffect& planned : plan.called_for) {
     const StageMakers& make = planned.effect->stages;
@@ -48,8 +48,10 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     add(make.reach, context, reach_);
     add(make.diffuse, context, diffuse_);
     add(make.shine, context, shine_);
+    add(make.dim, context, dim_);
     add(make.spawn, context, spawn_);
     shadows_ |= make.shadows;
+    if (make.windows) make_windows();
     back_light_ |= make.back_light;
     bumps_ |= make.bumps;
     passing_ |= make.passing;
@@ -70,13 +72,21 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
   }
 }
 
+void Integrator::make_windows() {
+  std::optional<scene::Refusal> refusal;
+  windows_.emplace(database_, run_, refusal);
+  if (refusal) refusals_.report(*refusal);
+}
+
 bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
   if (memory.counts.camera == 0) {
     memory.texture_bytes = Charge(run_.budget);
     memory.queue_bytes = Charge(run_.budget);
     memory.shadow_filter.texture_bytes = Charge(run_.budget);
+    memory.area_shadows.charge_to(Charge(run_.budget));
   }
   memory.bodies.clear();
+  memory.bent.start(memory.camera_rays().size());
   PathBatch& batch = memory.levels.front().batch;
   batch.entries.assign(batch.rays.size(), {.in_solid = camera_in_solid_});
   for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
@@ -101,15 +111,27 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   }
   if (is_over()) return give_up(level, memory);
   see_background(level, batch, memory);
+  const std::size_t samples = memory.bent.sample_count();
   shade_surfaces(level, memory, observer);
   trace_shadows(memory);
   if (is_over()) return give_up(level, memory);
   trace_children(level, memory);
+  if (memory.bent.sample_count() == samples) return;
+  memory.bent.finish_from(samples, memory.colours, memory.certainties);
+  resize_samples(memory);
+}
+
+void Integrator::resize_samples(PathMemory& memory) {
+  const std::size_t count = memory.bent.sample_count();
+  memory.colours.resize(count, Rgb(0));
+  memory.alphas.resize(count, 1);
+  memory.certainties.resize(count, Certainty::certified);
 }
 
 void Integrator::give_up(std::size_t level, PathMemory& memory) {
   memory.levels[level].children.clear();
   memory.shadows.clear();
+  memory.area_shadows.clear();
 }
 
 void Integrator::see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const {
@@ -202,15 +224,15 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
   SurfaceWork own{at.batch, memory.block, memory.colours};
   run(own_light_, own);
   if (!diffuse_.empty() || !shine_.empty()) {
-    for (const scene::Light& light : database_.lights) {
+    for (const PlacedLight& light : lights_) {
       if (is_over()) return;
       light_block(at.batch, light, memory);
-      if (memory.shadows.size() >= kLongestShadowQueue) trace_shadows(memory);
+      trace_long_queues(memory);
     }
   }
   if (spawn_.empty()) return;
   memory.is_total.assign(memory.block.points.size(), 0);
-  SpawnWork work{at.batch, memory.block, at.children, memory.bodies, memory.is_total, memory.counts.ended};
+  SpawnWork work{at.batch, memory.block, at.children, memory.bodies, memory.is_total, memory.counts.ended, memory.bent};
   memory.counts.spawned.resize(spawn_.size());
   for (std::size_t i = 0; i < spawn_.size(); ++i) {
     const std::size_t before = at.children.size();
@@ -218,104 +240,24 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
     memory.counts.spawned[i] += at.children.size() - before;
   }
   charge_children(level, memory);
+  if (memory.bent.sample_count() != memory.colours.size()) resize_samples(memory);
 }
 
 void Integrator::charge_children(std::size_t level, PathMemory& memory) const {
   PathMemory::Level& at = memory.levels[level];
-  if (at.children.size() <= at.children_counted) return;
   // A list grows to twice its size.
   constexpr std::size_t kSegment = 2 * (sizeof(Ray) + sizeof(PathEntry) + 2 * sizeof(Body));
-  if (memory.queue_bytes.grow((at.children.size() - at.children_counted) * kSegment)) {
-    at.children_counted = at.children.size();
+  constexpr std::size_t kSample = 2 * (3 * sizeof(Rgb) + 2 * sizeof(double) + sizeof(Certainty));
+  const auto more = [](std::size_t count, std::size_t counted) { return count > counted ? count - counted : 0; };
+  const std::size_t segments = more(at.children.size(), at.children_counted);
+  const std::size_t samples = more(memory.bent.sample_count(), memory.samples_counted);
+  if (segments + samples == 0) return;
+  if (memory.queue_bytes.grow(segments * kSegment + samples * kSample)) {
+    at.children_counted += segments;
+    memory.samples_counted += samples;
   } else {
     refusals_.report("this object", tracer_.origin_of(at.batch.hits[memory.block.paths.back()]));
   }
-}
-
-std::size_t Integrator::face_light(const scene::Light& light, PathMemory& memory) const {
-  std::size_t count = 0;
-  if (reach_.empty() && !back_light_ && memory.block.normals.empty()) {
-    for (std::uint32_t i = 0; i < memory.block.points.size(); ++i) {
-      const ShadingPoint& point = memory.block.points[i];
-      const LightSample sample = sample_light(light, point.position);
-      const double incidence = point.normal.dot(sample.direction);
-      if (incidence > 0) memory.lit[count++] = {i, sample, incidence, Rgb(0)};
-    }
-    return count;
-  }
-  const std::span<LightSample> samples = std::span(memory.samples).first(memory.block.points.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = sample_light(light, memory.block.points[i].position);
-  ReachWork work{memory.block, light, samples};
-  run(reach_, work);
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].strength == 0 || samples[i].distance == 0) continue;
-    if (add_cosines(memory.block, memory.block.points[i], samples[i], memory.cosines))
-      memory.lit[count++] = {i, samples[i], 0, Rgb(0)};
-  }
-  return count;
-}
-
-bool Integrator::add_cosines(const SurfaceBlock& block, const ShadingPoint& point, const LightSample& sample,
-                             std::vector<double>& cosines) const {
-  bool is_lit = false;
-  const std::size_t first = cosines.size();
-  for (const LitTexture& texture : point.textures) {
-    double cosine = block.normal_of(point, texture).dot(sample.direction);
-    if (cosine < 0) {
-      // Light from behind counts as from the front, shines through (and keeps its sign), or is none.
-      const bool is_turned = back_light_ && point.is_lit_from_both_sides;
-      const bool shines_through = back_light_ && texture.material->diffuse_back > 0;
-      if (is_turned) cosine = -cosine;
-      if (!is_turned && !shines_through) cosine = 0;
-    }
-    is_lit |= cosine != 0;
-    cosines.push_back(cosine);
-  }
-  if (!is_lit) cosines.resize(first);
-  return is_lit;
-}
-
-void Integrator::light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const {
-  memory.cosines.clear();
-  const std::size_t count = face_light(light, memory);
-  memory.shine.clear();
-  const std::span<LitPoint> lit_points = std::span(memory.lit).first(count);
-  LightWork work{memory.block, light, lit_points, memory.cosines, memory.shine};
-  run(diffuse_, work);
-  if (!light.shadowless) run(shine_, work);
-  const Rgb light_colour = rgb(light.colour);
-  const bool is_shadowed = shadows_ && !light.shadowless;
-  auto shine = memory.shine.begin();
-  for (LitPoint& lit : lit_points) {
-    const ShadingPoint& point = memory.block.points[lit.point];
-    if (!memory.shine.empty()) {
-      for (const LitTexture& texture : point.textures) lit.colour += texture.let_through * (*shine++ * texture.weight);
-    }
-    if (!reach_.empty()) lit.colour *= lit.light.strength;
-    const std::uint32_t at = memory.block.paths[lit.point];
-    const PathEntry& path = batch.entries[at];
-    const Rgb colour = path.factor * (lit.colour * light_colour);
-    if (colour == Rgb(0)) continue;
-    if (!is_shadowed) {
-      memory.colours[path.sample] += colour;
-      continue;
-    }
-    const Hit& hit = batch.hits[at];
-    memory.shadows.push(
-        path.sample,
-        {point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t, hit.start()},
-        colour);
-  }
-}
-
-void Integrator::trace_shadows(PathMemory& memory) const {
-  if (shadow_filter_) {
-    memory.shadows.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
-  } else {
-    memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
-  }
-  memory.counts.shadow += memory.shadows.size();
-  memory.shadows.clear();
 }
 
 void Integrator::trace_children(std::size_t level, PathMemory& memory) const {

@@ -8,6 +8,9 @@
 #pragma once
 
 #include "renderer/effects/plan.h"
+#include "renderer/integrator/placed_lights.h"
+#include "renderer/paths/area_shadows.h"
+#include "renderer/paths/light_windows.h"
 #include "renderer/paths/shadow_queue.h"
 
 #include <array>
@@ -39,10 +42,13 @@ struct PathMemory {
   std::vector<double> alphas;
   std::vector<Certainty> certainties;  ///< by sample: the worst of all its rays
   ShadowQueue shadows;
+  AreaShadows area_shadows;
   std::vector<std::uint32_t> misses;
   SurfaceBlock block;
-  Bodies bodies;                       ///< of the paths of the present camera rays
-  std::vector<std::uint8_t> is_total;  ///< SpawnWork::is_total
+  BentLight bent;
+  std::size_t samples_counted = kBatchSize;  ///< of these samples the memory is charged, or need not be
+  Bodies bodies;                             ///< of the paths of the present camera rays
+  std::vector<std::uint8_t> is_total;        ///< SpawnWork::is_total
   ShadowFilterMemory shadow_filter;
   SurfacePoint surface;
   std::vector<LitTexture> textures;  ///< the textures of the block's points
@@ -81,24 +87,53 @@ class Integrator {
   /// `observer` may be null. False if the run was stopped or refused meanwhile: the colours are then meaningless.
   [[nodiscard]] bool trace(PathMemory& memory, SurfaceObserver* observer) const;
 
+  /// Refuses the rendering because the patterns of a thing, made at `origin`, take too long at a point.
+  void refuse(std::string_view thing, OriginId origin) const { refusals_.report(thing, origin); }
   /// Why the rendering cannot go on, once trace() has returned false; null if it was stopped.
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return refusals_.refusal(); }
 
  private:
+  void make_windows();
   void run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   /// Drops the segments and shadow rays that wait, so that the next batch begins without them.
   static void give_up(std::size_t level, PathMemory& memory);
+  /// Makes room for the samples of `bent`, or drops those that are finished.
+  static void resize_samples(PathMemory& memory);
   void see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const;
   void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
   void shade_block(std::size_t level, PathMemory& memory) const;
+  // Of lighting a block (lighting.cpp).
   /// Fills memory.lit with the block's points that the light may reach, and memory.cosines if textures of a point may
   /// differ in that. The number of the points.
-  [[nodiscard]] std::size_t face_light(const scene::Light& light, PathMemory& memory) const;
+  [[nodiscard]] std::size_t face_light(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;
+  /// The same, with cosines, where memory.samples are the ways to the light.
+  [[nodiscard]] std::size_t face_samples(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;
+  /// True if light may come with less than its full strength (LightSample::strength).
+  [[nodiscard]] bool has_strengths() const { return !reach_.empty() || windows_; }
+  /// True if the rays to the light are those to the points of its area, so that the ray to its centre does not count.
+  [[nodiscard]] bool throws_soft_shadows(const scene::Light& light) const {
+    return light.area && shadows_ && !light.shadowless;
+  }
+  /// Lets memory.samples end at the light's window; light that does not come through it loses its strength.
+  void pass_window(const scene::Light& light, PathMemory& memory) const;
   /// Appends the cosines of a point's textures (LightWork::cosines); false, with nothing appended, if all are 0.
   [[nodiscard]] bool add_cosines(const SurfaceBlock& block, const ShadingPoint& point, const LightSample& sample,
                                  std::vector<double>& cosines) const;
-  void light_block(const PathBatch& batch, const scene::Light& light, PathMemory& memory) const;
+  /// The first `count` of memory.lit, with the light that they throw back where nothing is in the way: of a light of
+  /// the colour 1.
+  [[nodiscard]] std::span<LitPoint> throw_back(const PathBatch& batch, const scene::Light& light, std::size_t count,
+                                               PathMemory& memory) const;
+  /// All points of the block, lit by the points of an area light with `area_illumination`, each of which has its share
+  /// of the light.
+  [[nodiscard]] std::span<LitPoint> throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
+                                                         PathMemory& memory) const;
+  void light_block(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;
+  /// Queues the rays to all points of an area light; `to_light` leads to its centre.
+  void push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
+                 PathMemory& memory) const;
+  /// Traces the shadow rays that wait if they are many.
+  void trace_long_queues(PathMemory& memory) const;
   void trace_shadows(PathMemory& memory) const;
   void trace_children(std::size_t level, PathMemory& memory) const;
   /// Charges the memory of the segments that wait at a level. A surface of many mirrors, seen in many mirrors, makes
@@ -119,14 +154,16 @@ class Integrator {
   const Tracer& tracer_;
   RunLimits run_;
   mutable PointRefusals refusals_;
+  std::vector<PlacedLight> lights_;
   PointTextures textures_;
   Stages<AlongWork> along_;
   Stages<MissWork> miss_;
   Stages<SurfaceWork> own_light_;
   Stages<ReachWork> reach_;
-  Stages<LightWork> diffuse_, shine_;
+  Stages<LightWork> diffuse_, shine_, dim_;
   Stages<SpawnWork> spawn_;
   bool shadows_ = false, back_light_ = false, bumps_ = false, passing_ = false, mirrors_ = false;
+  std::optional<LightWindows> windows_;        ///< if some lights shine only through an object
   std::optional<Interiors> interiors_;         ///< if some surface mirrors by their refraction
   std::optional<ShadowFilter> shadow_filter_;  ///< if surfaces let light through
   Rgb background_{0};

@@ -22,11 +22,22 @@ class LayerKeeper final : public SurfaceObserver {
 
 }  // namespace
 
+bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (rays[i].direction == Vec3(0)) continue;
+    if (bumps_->bend(camera_.bent_at(samples[i].x, samples[i].y), rays[i].direction)) continue;
+    integrator_.refuse("the camera", camera_origin_);
+    return false;
+  }
+  return true;
+}
+
 bool Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace) const {
   PathMemory& paths = workspace.paths;
   std::vector<Ray>& rays = paths.camera_rays();
   rays.clear();
   for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
+  if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {

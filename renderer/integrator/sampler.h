@@ -3,11 +3,13 @@
 #pragma once
 
 #include "renderer/film/camera.h"
+#include "renderer/film/camera_bumps.h"
 #include "renderer/film/film.h"
 #include "renderer/film/tiles.h"
 #include "renderer/image/transfer.h"
 #include "renderer/integrator/integrator.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,9 +37,12 @@ class Sampler {
           bool transparent_background, Film& film, const RunLimits& run = {})
       : integrator_(database, tracer, plan, transparent_background, run),
         camera_(camera),
+        camera_origin_(database.camera.value_or(scene::Camera{}).origin),
         working_space_(database.settings),
         blank_alpha_(transparent_background ? 0 : 1),
-        film_(film) {}
+        film_(film) {
+    if (plan.has("camera_normal")) bumps_.emplace(database, run);
+  }
 
   /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
   /// a time. False if the run was stopped or refused meanwhile: the film gets none of them.
@@ -46,8 +51,13 @@ class Sampler {
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
 
  private:
+  /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
+  [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
+
   Integrator integrator_;
   CameraRays camera_;
+  OriginId camera_origin_;
+  std::optional<CameraBumps> bumps_;  ///< if the camera has a `normal`
   WorkingSpace working_space_;
   double blank_alpha_;  ///< of samples where the camera shows nothing, which are black
   Film& film_;

@@ -30,7 +30,7 @@ struct AreaLight {
 };
 
 /// Items whose places are kept.
-enum class LightItem : std::uint8_t { kind, parallel, area, fade, projected_through, count };
+enum class LightItem : std::uint8_t { kind, parallel, area, jitter, fade, projected_through, count };
 
 struct Light {
   Vec3 location{0};

@@ -62,18 +62,24 @@ struct LightSample {
   return light.parallel || light.kind == scene::LightKind::cylinder;
 }
 
-/// The only sampler of lights: both pictures and measurements of shadow rays use it. Parallel light comes from the
-/// plane through its location.
-[[nodiscard]] inline LightSample sample_light(const scene::Light& light, const Vec3& position) {
+/// Light from a point of a light source. Parallel light runs from that point towards point_at everywhere, and comes
+/// from the plane through the point.
+[[nodiscard]] inline LightSample sample_light_from(const scene::Light& light, const Vec3& source,
+                                                   const Vec3& position) {
   if (is_parallel(light)) [[unlikely]] {
-    const Vec3 axis = axis_of(light);
-    const double distance = (position - light.location).dot(axis);
+    const Vec3 axis = (light.point_at - source).normalized();
+    const double distance = (position - source).dot(axis);
     return distance > 0 ? LightSample{-axis, distance} : LightSample{};
   }
-  const Vec3 way = light.location - position;
+  const Vec3 way = source - position;
   const double distance = way.length();
   if (!(distance > 0)) return {};
   return {way / distance, distance};
+}
+
+/// The only sampler of lights: both pictures and measurements of shadow rays use it.
+[[nodiscard]] inline LightSample sample_light(const scene::Light& light, const Vec3& position) {
+  return sample_light_from(light, light.location, position);
 }
 
 // In the following sums, a share is the texture's weight times the light that the layers above it let through.

@@ -24,6 +24,10 @@ class PointRefusals {
                                thing, static_cast<double>(run_.steps_at_point)),
                    "`--max-turns` and `--max-memory` raise the limits", origin});
   }
+  /// Called when something that pictures need cannot be made.
+  void report(const scene::Refusal& refusal) {
+    if (!isl::is_set(run_.stop)) first_.report(refusal);
+  }
   /// Called when the steps did not suffice to find whether the camera is in an object.
   void report_camera() {
     if (isl::is_set(run_.stop)) return;

@@ -28,7 +28,7 @@ const CsgLeaf* leaf_cut_away(const CompiledScene& scene, const CsgTree& tree, co
   const CsgLeaf* first = nullptr;
   if (leaf.cutaway == scene::kNone) return first;
   for (const CsgLeaf& other : tree.leaves) {
-    if (other.texture == scene::kNoTexture || other.is_inverse || !is_below(tree, other, leaf.cutaway)) continue;
+    if (other.texture.id == scene::kNoTexture || other.is_inverse || !is_below(tree, other, leaf.cutaway)) continue;
     if (!first) first = &other;
     if (holds(scene, other, point)) return &other;
   }

@@ -98,24 +98,34 @@ const scene::Transform* placing(const Instance& instance) {
 }
 const scene::Transform* placing(const CsgLeaf& leaf) { return leaf.is_placed ? &leaf.group_from_leaf : nullptr; }
 
-/// The texture of an instance, as the only one of a surface.
-TextureShare texture_of(const CompiledScene& scene, const Instance& instance, const Vec3& world, const Vec3& local) {
-  const TextureSpace space = instance.texture_space;
-  if (space == kOwnSpace) return {instance.texture, 1, local, {placing(instance), nullptr}};
-  if (space == kOuterSpace) return {instance.texture, 1, world};
-  const scene::Transform& world_from_space = scene.texture_spaces[space];
-  return {instance.texture, 1, world_from_space.inverse_point(world), {&world_from_space, nullptr}};
+/// A texture of an instance, as the only one of a surface.
+TextureShare share_of(const PlacedTexture& texture, const CompiledScene& scene, const Instance& instance,
+                      const Vec3& world, const Vec3& local) {
+  if (texture.space == kOwnSpace) return {texture.id, 1, local, {placing(instance), nullptr}};
+  if (texture.space == kOuterSpace) return {texture.id, 1, world};
+  const scene::Transform& world_from_space = scene.texture_spaces[texture.space];
+  return {texture.id, 1, world_from_space.inverse_point(world), {&world_from_space, nullptr}};
 }
 
-/// The texture of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has one.
-TextureShare texture_of(const Instance& instance, const CsgTree& tree, const CsgLeaf& leaf, const Vec3& point) {
-  const TextureSpace space = leaf.texture_space;
+/// A texture of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has it.
+TextureShare share_of(const PlacedTexture& texture, const Instance& instance, const CsgTree& tree, const CsgLeaf& leaf,
+                      const Vec3& point) {
   const scene::Transform* const world_from_group = placing(instance);
-  if (space == kOwnSpace)
-    return {leaf.texture, 1, leaf.group_from_leaf.inverse_point(point), {world_from_group, placing(leaf)}};
-  if (space == kOuterSpace) return {leaf.texture, 1, point, {world_from_group, nullptr}};
-  const scene::Transform& group_from_space = tree.texture_spaces[space];
-  return {leaf.texture, 1, group_from_space.inverse_point(point), {world_from_group, &group_from_space}};
+  if (texture.space == kOwnSpace)
+    return {texture.id, 1, leaf.group_from_leaf.inverse_point(point), {world_from_group, placing(leaf)}};
+  if (texture.space == kOuterSpace) return {texture.id, 1, point, {world_from_group, nullptr}};
+  const scene::Transform& group_from_space = tree.texture_spaces[texture.space];
+  return {texture.id, 1, group_from_space.inverse_point(point), {world_from_group, &group_from_space}};
+}
+
+/// Replaces the textures of a surface that is seen from inside. Their shares stay, because a texture may ask where on
+/// each component of a blob the point is.
+void replace_textures(SurfacePoint& surface, const TextureShare& by) {
+  for (TextureShare& share : surface.textures) {
+    share.texture = by.texture;
+    share.place = by.place;
+    share.frame = by.frame;
+  }
 }
 
 }  // namespace
@@ -187,12 +197,12 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
     const CsgTree& tree = impl_->scene.trees[instance.shape];
     if (leaf.interior != scene::kNoInterior) point.interior = leaf.interior;
-    TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
-    if (leaf.texture != scene::kNoTexture) {
-      texture = texture_of(instance, tree, leaf, local);
+    TextureShare texture = share_of(instance.texture, impl_->scene, instance, point.position, local);
+    if (leaf.texture.id != scene::kNoTexture) {
+      texture = share_of(leaf.texture, instance, tree, leaf, local);
     } else if (texture.texture == scene::kNoTexture) {
       if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local))
-        texture = texture_of(instance, tree, *cut, local);
+        texture = share_of(cut->texture, instance, tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     if (leaf.is_placed) step = leaf.group_from_leaf.inverse_vector(step);
@@ -201,7 +211,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
-    const TextureShare texture = texture_of(impl_->scene, instance, point.position, local);
+    const TextureShare texture = share_of(instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
     normal = impl_->shape_at(instance.kind, instance.shape, texture, own, hit, local, step, point, counters);
   }
@@ -211,6 +221,19 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   // A gradient of zero on the surface (a saddle exactly at the threshold) gives no normal; facing the ray is as good as
   // any.
   point.normal = length > 0 ? normal / length : -ray.direction;
+  if (point.normal.dot(ray.direction) > 0) set_interior_texture(hit, local, point);
+}
+
+void Tracer::set_interior_texture(const Hit& hit, const Vec3& local, SurfacePoint& point) const {
+  const Instance& instance = impl_->scene.instances[hit.instance];
+  if (instance.kind == scene::Object::Kind::group) {
+    const CsgTree& tree = impl_->scene.trees[instance.shape];
+    const CsgLeaf& leaf = tree.leaves[hit.leaf];
+    if (leaf.interior_texture.id != scene::kNoTexture)
+      return replace_textures(point, share_of(leaf.interior_texture, instance, tree, leaf, local));
+  }
+  if (instance.interior_texture.id != scene::kNoTexture)
+    replace_textures(point, share_of(instance.interior_texture, impl_->scene, instance, point.position, local));
 }
 
 Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const {
@@ -227,6 +250,10 @@ Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const
 }
 
 const std::optional<scene::Refusal>& Tracer::refusal() const { return impl_->scene.refusal; }
+
+std::span<const LightGroup> Tracer::light_groups() const { return impl_->scene.light_groups; }
+
+std::uint32_t Tracer::light_group_of(const Hit& hit) const { return impl_->scene.instances[hit.instance].light_group; }
 
 OriginId Tracer::origin_of(const Hit& hit) const { return impl_->scene.instances[hit.instance].origin; }
 

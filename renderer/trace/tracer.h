@@ -3,6 +3,7 @@
 // vector width.
 #pragma once
 
+#include "renderer/rays/light_group.h"
 #include "renderer/rays/ray.h"
 #include "renderer/rays/surface_point.h"
 #include "renderer/rays/trace_counters.h"
@@ -49,6 +50,11 @@ class Tracer {
     surface_at(ray, hit, point, unread);
   }
 
+  /// The light groups of the world, each as often as it is placed.
+  [[nodiscard]] std::span<const LightGroup> light_groups() const;
+  /// The light group that the object of a hit, which is no miss, belongs to: its index, or kNone.
+  [[nodiscard]] std::uint32_t light_group_of(const Hit& hit) const;
+
   /// The statement that made the object of a hit, which is no miss.
   [[nodiscard]] OriginId origin_of(const Hit& hit) const;
 
@@ -67,6 +73,10 @@ class Tracer {
   [[nodiscard]] const char* simd_target() const;
 
  private:
+  /// Gives a point that is seen from inside the texture of the inside, if there is one. `local` is the point in the
+  /// instance's space.
+  void set_interior_texture(const Hit& hit, const Vec3& local, SurfacePoint& point) const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

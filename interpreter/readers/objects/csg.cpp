@@ -62,6 +62,12 @@ void check_children(ElementStream& stream, const scene::Group& group, std::size_
   if (count == 0) context.warn(stream.span(), fmt::format("this `{}` is empty", name));
   if (count == 1 && needs_inside)
     context.warn(stream.span(), fmt::format("`{}` needs two objects or more, found one", name));
+  const auto is_light_group = [&](const scene::Object& child) {
+    return child.kind == scene::Object::Kind::group && context.database.groups[child.shape].is_light_group;
+  };
+  if (group.operation != Operation::unite && std::ranges::any_of(group.children, is_light_group))
+    context.warn(stream.span(), fmt::format("the lights of a `light_group` within `{}` do not shine", name),
+                 fmt::format("put the `{}` into the `light_group`", name));
   if (!needs_inside) return;
   const auto has_no_inside = [&](const scene::Object& child) { return is_triangle(context, child); };
   if (std::ranges::any_of(group.children, has_no_inside))

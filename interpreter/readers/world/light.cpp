@@ -28,6 +28,7 @@ class LightReader {
   LightReader(ElementStream& stream, ObjectDraft& draft) : stream_(stream), context_(stream.context()), draft_(draft) {}
 
   void read() {
+    light_.area.emplace();  // so that transforms move it; finish() takes it away if there is none
     light_.origin = draft_.object.origin;
     light_.location = read_vector(stream_, "the location of the light");
     stream_.accept_comma();
@@ -47,10 +48,13 @@ class LightReader {
       word::kw_falloff,    word::kw_tightness,  word::kw_point_at,          word::kw_fade_distance, word::kw_fade_power,
       word::kw_shadowless, word::kw_looks_like, word::kw_projected_through, word::kw_translate,     word::kw_rotate};
 
-  static constexpr ItemWord<LightItem> kPlaces[] = {
-      {word::kw_spotlight, LightItem::kind},     {word::kw_cylinder, LightItem::kind},
-      {word::kw_parallel, LightItem::parallel},  {word::kw_area_light, LightItem::area},
-      {word::kw_fade_distance, LightItem::fade}, {word::kw_projected_through, LightItem::projected_through}};
+  static constexpr ItemWord<LightItem> kPlaces[] = {{word::kw_spotlight, LightItem::kind},
+                                                    {word::kw_cylinder, LightItem::kind},
+                                                    {word::kw_parallel, LightItem::parallel},
+                                                    {word::kw_area_light, LightItem::area},
+                                                    {word::kw_jitter, LightItem::jitter},
+                                                    {word::kw_fade_distance, LightItem::fade},
+                                                    {word::kw_projected_through, LightItem::projected_through}};
 
   bool read_item() {
     if (const std::optional<scene::Transform> transform = read_transform(stream_)) {
@@ -116,9 +120,9 @@ class LightReader {
     switch (static_cast<word::Index>(item.word)) {
       case word::kIndex_shadowless: stream_.drop(); return light_.shadowless = true;
       case word::kIndex_parallel: stream_.drop(); return light_.parallel = true;
-      case word::kIndex_jitter: stream_.drop(); return area_.jitter = true;
-      case word::kIndex_circular: stream_.drop(); return area_.circular = true;
-      case word::kIndex_orient: stream_.drop(); return area_.orient = true;
+      case word::kIndex_jitter: stream_.drop(); return area().jitter = true;
+      case word::kIndex_circular: stream_.drop(); return area().circular = true;
+      case word::kIndex_orient: stream_.drop(); return area().orient = true;
       case word::kIndex_point_at:
         if (!light_.parallel) need_beam(item);
         stream_.drop();
@@ -127,11 +131,11 @@ class LightReader {
       case word::kIndex_area_light: stream_.drop(); return read_area();
       case word::kIndex_adaptive:
         stream_.drop();
-        area_.adaptive = static_cast<int>(read_number_in(stream_, "`adaptive`", 0, 20));
+        area().adaptive = static_cast<int>(read_number_in(stream_, "`adaptive`", 0, 20));
         return true;
       case word::kIndex_area_illumination:
         stream_.drop();
-        area_.area_illumination = read_optional_truth(stream_);
+        area().area_illumination = read_optional_truth(stream_);
         return true;
       case word::kIndex_media_interaction:
         stream_.drop();
@@ -148,13 +152,13 @@ class LightReader {
   /// `area_light edge, edge, count, count`
   bool read_area() {
     has_area_ = true;
-    area_.edge_a = read_vector(stream_, "an edge of the area light");
+    area().edge_a = read_vector(stream_, "an edge of the area light");
     stream_.accept_comma();
-    area_.edge_b = read_vector(stream_, "the other edge of the area light");
+    area().edge_b = read_vector(stream_, "the other edge of the area light");
     stream_.accept_comma();
-    area_.count_a = read_count();
+    area().count_a = read_count();
     stream_.accept_comma();
-    area_.count_b = read_count();
+    area().count_b = read_count();
     return true;
   }
 
@@ -215,26 +219,31 @@ class LightReader {
   // ---- The whole ----------------------------------------------------------------------------------------------------
 
   void finish() {
-    if (area_.orient) check_orient();
-    if (has_area_) light_.area = area_;
+    if (light_.area->orient) check_orient();
+    if (!has_area_) return light_.area.reset();
+    const AreaLight& area = *light_.area;
+    const bool is_point = area.edge_a.length() == 0 && area.edge_b.length() == 0;
+    if (is_point && area.count_a * area.count_b > 1)
+      context_.warn(stream_.span(), "both edges of this area light are 0, so it throws the hard shadows of a point");
   }
 
   /// A light that turns to the lit point looks the same from everywhere.
   void check_orient() {
     if (!has_area_) return context_.warn(stream_.span(), "`orient` has no effect without `area_light`");
-    if (!area_.circular) context_.warn(stream_.span(), "`orient` makes this area light circular");
-    area_.circular = true;
-    if (std::abs(area_.edge_a.length() - area_.edge_b.length()) > kTolerance)
+    if (!area().circular) context_.warn(stream_.span(), "`orient` makes this area light circular");
+    area().circular = true;
+    if (std::abs(area().edge_a.length() - area().edge_b.length()) > kTolerance)
       context_.warn(stream_.span(), "with `orient` both edges get the length of the first");
-    if (area_.count_a != area_.count_b)
+    if (area().count_a != area().count_b)
       context_.warn(stream_.span(), "with `orient` both edges should have the same number of lights");
   }
+
+  AreaLight& area() { return *light_.area; }
 
   ElementStream& stream_;
   Context& context_;
   ObjectDraft& draft_;
   Light light_;
-  AreaLight area_;
   bool has_area_ = false;
   bool looks_like_ = false;
 };

@@ -16,10 +16,11 @@ using testing::Not;
 class PlanCommand : public ProgramTest {
  protected:
   PlanCommand() {
+    write("a.df3", "");
     write("metal.inc",
-          "#declare Metal = texture { pigment { rgb 1 }\n"
+          "#declare Metal = texture { pigment { density_file df3 \"a.df3\" }\n"
           "  finish { specular 1 metallic\n"
-          "    reflection .5 reflection_exponent 2 } }\n");
+          "    reflection .5 } }\n");
     write("scene.isl",
           "#include \"metal.inc\"\n"
           "light_source { -9*z, rgb 1 }\n"
@@ -47,16 +48,16 @@ TEST_F(PlanCommand, NamesTheStatementsThatAsked) {
   EXPECT_THAT(
       result.out,
       HasSubstr(
-          "called for, and not rendered yet\n  reflection_exponent  `exponent` of a reflection at metal.inc:3:19"));
+          "called for, and not rendered yet\n  pigment_by_file  a pigment that depends on a file at metal.inc:1:38"));
   EXPECT_THAT(result.out, HasSubstr("there is no sky_sphere"));
 }
 
 TEST_F(PlanCommand, LeavesOutWhatTheUserSays) {
   const ProcessResult result =
-      run({"plan", "scene.isl", "--without", "reflection,reflection_exponent", "--without", "shadows"});
+      run({"plan", "scene.isl", "--without", "reflection,pigment_by_file", "--without", "shadows"});
   EXPECT_THAT(result.out, HasSubstr("excluded by --without"));
   EXPECT_THAT(result.out, Not(HasSubstr("not rendered yet")));
-  EXPECT_EQ(run({"render", "scene.isl", "-s", "8x6", "--without", "reflection_exponent"}).exit_code, 0);
+  EXPECT_EQ(run({"render", "scene.isl", "-s", "8x6", "--without", "pigment_by_file"}).exit_code, 0);
 }
 
 TEST_F(PlanCommand, HasTheQualityOfAPicture) {
@@ -73,7 +74,7 @@ TEST_F(PlanCommand, AnswersInJson) {
   EXPECT_EQ(request.at("what"), "`reflection`");
   EXPECT_EQ(request.at("place"), (json{{"file", "metal.inc"}, {"line", 3}, {"column", 5}}));
   EXPECT_EQ(request.at("used_at").at("file"), "scene.isl");
-  EXPECT_FALSE(effect(document, "not_rendered", "reflection_exponent").is_null());
+  EXPECT_FALSE(effect(document, "not_rendered", "pigment_by_file").is_null());
   EXPECT_EQ(effect(document, "left_out", "fog").at("reason"), "there is no fog");
 }
 
@@ -86,7 +87,7 @@ TEST_F(PlanCommand, AnUnknownEffectIsACommandLineError) {
 TEST_F(PlanCommand, ARefusalPointsAtTheWordAndAtTheTextureThatItBelongsTo) {
   const ProcessResult result = run({"check", "scene.isl"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("metal.inc:3:19: error: `exponent` of a reflection is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("metal.inc:1:38: error: a pigment that depends on a file is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("scene.isl:3:25: note: it belongs to `Metal`, which is used here"));
 }
 

@@ -8,11 +8,11 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::string_view kScene = R"(camera { location -4*z }
-light_source { -9*z, rgb 1 area_light x, y, 2, 2 }
-#macro Ring(R) light_group { torus { R, .1 } } #end
+constexpr std::string_view kScene = R"(camera { location -4*z
+  aperture 0.2 focal_point 0 blur_samples 9 }
+#macro Lamp(X) light_source { <X, 0, -9>, rgb 1 area_light x, y, 2, 2 jitter } #end
 sphere { 0, 1 pigment { rgb 1 } }
-Ring(1) Ring(2)
+Lamp(1) Lamp(2)
 )";
 
 class Unrendered : public ProgramTest {
@@ -23,17 +23,17 @@ class Unrendered : public ProgramTest {
 TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:28: error: `area_light` is not rendered yet"));
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:16: error: `light_group` is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:3: error: focal blur is not rendered yet"));
+  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:71: error: `jitter` of an area light is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
-  EXPECT_THAT(result.err, HasSubstr("Ring"));
+  EXPECT_THAT(result.err, HasSubstr("Lamp"));
   EXPECT_FALSE(exists("scene.png"));
 }
 
 TEST_F(Unrendered, IsLeftOutWithAWarningWhereTheUserIsLenient) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24", "--lenient"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("warning: `light_group` is not rendered yet; left out"));
+  EXPECT_THAT(result.err, HasSubstr("warning: `jitter` of an area light is not rendered yet; left out"));
   EXPECT_TRUE(exists("scene.png"));
 }
 
@@ -44,11 +44,11 @@ TEST_F(Unrendered, IsToldByCheckInTheSameWords) {
 }
 
 TEST_F(Unrendered, IsNoMatterWhereItIsLeftOut) {
-  const ProcessResult result = run({"check", "scene.isl", "--without", "area_light,light_group"});
+  const ProcessResult result = run({"check", "scene.isl", "--without", "jitter,focal_blur"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("rendered")));
-  EXPECT_THAT(result.out, HasSubstr("3 primitives, 3 solids, 1 light"));
-  EXPECT_THAT(result.out, HasSubstr("bounding box: <-2.1, -1, -2.1> to <2.1, 1, 2.1>"));
+  EXPECT_THAT(result.out, HasSubstr("1 primitive, 1 solid, 2 lights"));
+  EXPECT_THAT(result.out, HasSubstr("bounding box: <-1, -1, -1> to <1, 1, 1>"));
 }
 
 TEST_F(Unrendered, StopsADumpOfTheGridAndNoOther) {

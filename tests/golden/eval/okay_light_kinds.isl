@@ -14,3 +14,5 @@ light_source { 9*x, rgb 1 translate y looks_like { sphere { 0, 2 } } translate y
 light_source { 0, rgb 1 projected_through { box { -1, 1 translate z } } translate 5*y }
 #declare Lamp = light_source { 0, rgb 1 looks_like { sphere { 0, 3 } } }
 union { sphere { 0, 4 } light_source { Lamp translate x } rotate 90*z }
+light_source { x, rgb 1 area_light 2*x, y, 3, 5 circular jitter rotate 90*z scale 2 translate 9 }
+light_source { x, rgb 1 rotate 90*z area_light 0, 0, 2, 2 }

@@ -50,41 +50,44 @@ TEST(NotRendered, IsNothingWhereEverythingIsDrawn) {
   EXPECT_THAT(names(database), ElementsAre());
 }
 
+Light jittered(std::uint32_t origin) {
+  Light light;
+  light.area.emplace();
+  light.area->jitter = true;
+  light.origin = OriginId{origin};
+  return light;
+}
+
 TEST(NotRendered, TellsEachKindOnceWithItsFirstPlaceAndHowOften) {
   Database database;
-  database.solids.resize(1);
-  database.objects = {object(Object::Kind::solid, 0, 7), object(Object::Kind::solid, 0, 8),
-                      object(Object::Kind::solid, 0, 9)};
-  database.objects[0].interior_texture = database.objects[2].interior_texture = TextureId{0};
-  database.textures.resize(1);
+  database.lights = {jittered(7), jittered(8), jittered(9)};
+  database.lights[1].area->jitter = false;
   database.camera = Camera{.blur = FocalBlur{}};
   const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 2u);
   EXPECT_EQ(things[0].what, "focal blur");
-  EXPECT_EQ(things[1].what, "`interior_texture`");
+  EXPECT_EQ(things[1].what, "`jitter` of an area light");
   EXPECT_EQ(things[1].origin, OriginId{7});
   EXPECT_EQ(things[1].count, 2u);
 }
 
 TEST(NotRendered, LooksIntoEachSharedGroupOnce) {
   Database database;
-  database.solids.resize(1);
-  database.textures.resize(1);
-  Object hidden = object(Object::Kind::solid, 0, 5);
-  hidden.interior_texture = TextureId{0};
-  database.groups = {{.children = {hidden}}, {.operation = Operation::subtract, .children = {hidden}}};
+  database.groups = {{.is_light_group = true, .lights = {jittered(5)}},
+                     {.is_light_group = true, .lights = {jittered(6)}}};
   database.objects = {object(Object::Kind::group, 0), object(Object::Kind::group, 0), object(Object::Kind::group, 1)};
   const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 1u);
-  EXPECT_EQ(things[0].what, "`interior_texture`");
+  EXPECT_EQ(things[0].what, "`jitter` of an area light");
   EXPECT_EQ(things[0].count, 2u);
 }
 
 TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
   Database database;
-  database.finishes = {{.reflection = {.maximum = {0, 1, 0}, .exponent = 2}}};
-  database.finishes[0].said_at[FinishItem::exponent] = OriginId{3};
-  database.textures = {{.finish = FinishId{0}, .named_at = OriginId{4}}};
+  database.pigments.resize(1);
+  database.pigments[0].pattern.kind = PatternKind::density_file;
+  database.pigments[0].pattern.said_at = OriginId{3};
+  database.textures = {{.pigment = {.pattern = PigmentId{0}}, .named_at = OriginId{4}}};
   database.solids.resize(1);
   database.objects = {object(Object::Kind::solid, 0, 5)};
   database.objects[0].texture = TextureId{0};
@@ -98,20 +101,15 @@ TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
 Database everything() {
   Database database;
   database.camera = Camera{.blur = FocalBlur{}};
-  Light light;
-  light.area.emplace();
-  light.projected_through = GroupId{0};
-  database.lights = {light};
-  database.camera->normal = NormalId{0};
+  database.lights = {jittered(1)};
   database.normals.resize(1);
   database.normals[0].pattern.kind = PatternKind::density_file;
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
                        {.pigment = {.pattern = PigmentId{0}}, .below = TextureId{0}},
                        {.pattern = TexturePatternId{0}}};
-  database.finishes = {{.reflection = {.maximum = {0, 1, 0}, .exponent = 2}}};
-  database.interiors = {{.dispersion = 1.1}};
+  database.finishes.resize(1);
   database.pigments.resize(1);
-  database.pigments[0].pattern.kind = PatternKind::image_map;
+  database.pigments[0].pattern.kind = PatternKind::density_file;
   database.pigments[0].map = PigmentMapId{0};
   database.pigment_maps = {{{0, {{1, 0, 0}}}, {1, {{0, 1, 0}}}}};
   database.texture_patterns.resize(1);
@@ -120,11 +118,8 @@ Database everything() {
   database.texture_maps = {{{0, TextureId{1}}}};
   database.solids.resize(1);
   database.objects.push_back(object(Object::Kind::solid, 0));
-  database.groups = {{.is_light_group = true, .lights = {{}}}};
-  database.objects.push_back(object(Object::Kind::group, 0));
   Object odd = object(Object::Kind::solid, 0);
-  odd.interior_texture = odd.texture = TextureId{0};
-  odd.interior = InteriorId{0};
+  odd.texture = TextureId{0};
   database.objects.push_back(odd);
   for (std::uint32_t texture = 1; texture < 3; ++texture) {
     database.objects.push_back(object(Object::Kind::solid, 0));
@@ -135,7 +130,7 @@ Database everything() {
 
 TEST(NotRendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 11u);
+  EXPECT_EQ(names(database).size(), 5u);
   leave_out(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";
@@ -153,14 +148,15 @@ TEST(Transparency, IsCalledForByTheLowestLayerAlone) {
 
 TEST(NotRendered, WhatAPatternChoosesIsLookedInto) {
   Database database;
-  database.finishes = {{.reflection = {.maximum = {0, 1, 0}, .exponent = 2}}};
-  database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {{.transmit = 1}}, .finish = FinishId{0}}};
+  database.pigments.resize(1);
+  database.pigments[0].pattern.kind = PatternKind::density_file;
+  database.textures = {{.pigment = {{1, 0, 0}}}, {.pigment = {.pattern = PigmentId{0}}}};
   database.texture_patterns.resize(1);
   database.texture_patterns[0].pattern.kind = PatternKind::checker;
   database.texture_patterns[0].map = TextureMapId{0};
   database.texture_maps = {{{0, TextureId{0}}, {1, TextureId{1}}}};
   database.default_texture = {.pattern = TexturePatternId{0}};
-  EXPECT_THAT(names(database), ElementsAre("`exponent` of a reflection"));
+  EXPECT_THAT(names(database), ElementsAre("a pigment that depends on a file"));
 }
 
 TEST(NotRendered, APatternThatNeedsOnlyThePointIsDrawn) {

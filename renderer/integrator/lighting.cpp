@@ -1,0 +1,212 @@
+// The part of the integrator that lights the points of a block: which of them a light reaches, the light that they
+// throw back, and the shadow rays that decide whether it counts.
+#include "renderer/integrator/integrator.h"
+#include "renderer/shading/area_grid.h"
+
+#include <algorithm>
+
+namespace isl::render {
+namespace {
+
+/// Shadow rays after which the queue is traced before the batch's last point, so that a scene of thousands of lights
+/// needs no more memory than one of a few: about a megabyte. Every sample still gets its light in the order of the
+/// lights.
+constexpr std::size_t kLongestShadowQueue = 8192;
+
+bool has_area_illumination(const scene::Light& light) { return light.area && light.area->area_illumination; }
+
+}  // namespace
+
+std::size_t Integrator::face_light(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const {
+  const scene::Light& light = placed.light;
+  std::size_t count = 0;
+  if (!has_strengths() && !back_light_ && memory.block.normals.empty()) {
+    for (std::uint32_t i = 0; i < memory.block.points.size(); ++i) {
+      const ShadingPoint& point = memory.block.points[i];
+      const LightSample sample = sample_light(light, point.position);
+      const double incidence = point.normal.dot(sample.direction);
+      if (incidence > 0) memory.lit[count++] = {i, sample, incidence, Rgb(0)};
+    }
+    return count;
+  }
+  for (std::size_t i = 0; i < memory.block.points.size(); ++i)
+    memory.samples[i] = sample_light(light, memory.block.points[i].position);
+  return face_samples(batch, placed, memory);
+}
+
+std::size_t Integrator::face_samples(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const {
+  std::size_t count = 0;
+  const std::span<LightSample> samples = std::span(memory.samples).first(memory.block.points.size());
+  ReachWork work{batch, memory.block, placed.light, placed.group, samples};
+  run(reach_, work);
+  if (windows_ && LightWindows::has_window(placed.light) && !throws_soft_shadows(placed.light))
+    pass_window(placed.light, memory);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].strength == 0 || samples[i].distance == 0) continue;
+    if (add_cosines(memory.block, memory.block.points[i], samples[i], memory.cosines))
+      memory.lit[count++] = {i, samples[i], 0, Rgb(0)};
+  }
+  return count;
+}
+
+void Integrator::pass_window(const scene::Light& light, PathMemory& memory) const {
+  std::vector<Ray> rays(memory.block.points.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    rays[i].origin = memory.block.points[i].position;
+    rays[i].direction = memory.samples[i].direction;
+    rays[i].t_max = memory.samples[i].distance;
+  }
+  windows_->trim(light, rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (rays[i].t_max < 0) memory.samples[i].strength = 0;
+    memory.samples[i].distance = rays[i].t_max;
+  }
+}
+
+bool Integrator::add_cosines(const SurfaceBlock& block, const ShadingPoint& point, const LightSample& sample,
+                             std::vector<double>& cosines) const {
+  bool is_lit = false;
+  const std::size_t first = cosines.size();
+  for (const LitTexture& texture : point.textures) {
+    double cosine = block.normal_of(point, texture).dot(sample.direction);
+    if (cosine < 0) {
+      if (back_light_ && point.is_lit_from_both_sides) {
+        cosine = -cosine;
+      } else if (!back_light_ || !(texture.material->diffuse_back > 0)) {
+        cosine = 0;
+      }
+    }
+    is_lit |= cosine != 0;
+    cosines.push_back(cosine);
+  }
+  if (!is_lit) cosines.resize(first);
+  return is_lit;
+}
+
+std::span<LitPoint> Integrator::throw_back(const PathBatch& batch, const scene::Light& light, std::size_t count,
+                                           PathMemory& memory) const {
+  memory.shine.clear();
+  const std::span<LitPoint> lit_points = std::span(memory.lit).first(count);
+  LightWork work{batch, memory.block, light, lit_points, memory.cosines, memory.shine};
+  run(diffuse_, work);
+  if (!light.shadowless) run(shine_, work);
+  if (!memory.shine.empty() || has_strengths()) {
+    auto shine = memory.shine.begin();
+    for (LitPoint& lit : lit_points) {
+      if (!memory.shine.empty()) {
+        for (const LitTexture& texture : memory.block.points[lit.point].textures)
+          lit.colour += texture.let_through * (*shine++ * texture.weight);
+      }
+      if (has_strengths()) lit.colour *= lit.light.strength;
+    }
+  }
+  run(dim_, work);
+  return lit_points;
+}
+
+std::span<LitPoint> Integrator::throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
+                                                     PathMemory& memory) const {
+  const scene::Light& light = placed.light;
+  const scene::AreaLight& area = *light.area;
+  const std::size_t count = memory.block.points.size();
+  std::array<LightSample, kBlockSize> centres;
+  std::array<Rgb, kBlockSize> sums;
+  for (std::size_t i = 0; i < count; ++i) {
+    centres[i] = sample_light(light, memory.block.points[i].position);
+    sums[i] = Rgb(0);
+  }
+  for (int u = 0; u < area.count_a; ++u) {
+    for (int v = 0; v < area.count_b; ++v) {
+      if (is_over()) return {};
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 offset = area_offset(area, edges_of(area, centres[i].direction), u, v);
+        memory.samples[i] = sample_light_from(light, light.location + offset, memory.block.points[i].position);
+      }
+      memory.cosines.clear();
+      for (const LitPoint& lit : throw_back(batch, light, face_samples(batch, placed, memory), memory))
+        sums[lit.point] += lit.colour;
+    }
+  }
+  const double share = 1.0 / (static_cast<double>(area.count_a) * area.count_b);
+  for (std::uint32_t i = 0; i < count; ++i) memory.lit[i] = {i, centres[i], 0, sums[i] * share};
+  return std::span(memory.lit).first(count);
+}
+
+void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const {
+  const scene::Light& light = placed.light;
+  memory.cosines.clear();
+  const std::span<LitPoint> lit_points = has_area_illumination(light)
+                                             ? throw_back_from_area(batch, placed, memory)
+                                             : throw_back(batch, light, face_light(batch, placed, memory), memory);
+  const Rgb light_colour = rgb(light.colour);
+  const bool is_shadowed = shadows_ && !light.shadowless;
+  for (const LitPoint& lit : lit_points) {
+    const ShadingPoint& point = memory.block.points[lit.point];
+    const std::uint32_t at = memory.block.paths[lit.point];
+    const PathEntry& path = batch.entries[at];
+    const Rgb colour = path.factor * (lit.colour * light_colour);
+    if (colour == Rgb(0)) continue;
+    if (!is_shadowed) {
+      memory.colours[path.sample] += colour;
+      continue;
+    }
+    const Hit& hit = batch.hits[at];
+    const Ray to_light{point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t,
+                       hit.start()};
+    if (!light.area) [[likely]] {
+      memory.shadows.push(path.sample, to_light, colour);
+    } else if (light.area->adaptive == scene::AreaLight::kNotAdaptive) {
+      push_area(light, to_light, path.sample, colour, memory);
+    } else {
+      // The strengths of the points of a light with `area_illumination` are in the colour already.
+      const double strength = has_area_illumination(light) ? 1 : lit.light.strength;
+      if (!memory.area_shadows.push({&light, path.sample, colour, light_colour * strength, to_light}))
+        return refusals_.report("this object", tracer_.origin_of(hit));
+      trace_long_queues(memory);
+    }
+  }
+}
+
+void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
+                           PathMemory& memory) const {
+  const scene::AreaLight& area = *light.area;
+  const AreaEdges edges = edges_of(area, to_light.direction);
+  const std::vector<double> weights_a = area_weights(area.count_a), weights_b = area_weights(area.count_b);
+  for (int u = 0; u < area.count_a; ++u) {
+    for (int v = 0; v < area.count_b; ++v) {
+      const Vec3 source = light.location + area_offset(area, edges, u, v);
+      const LightSample way = sample_light_from(light, source, to_light.origin);
+      Ray ray = to_light;
+      ray.direction = way.direction;
+      ray.t_max = way.distance;
+      if (windows_ && LightWindows::has_window(light)) {
+        windows_->trim(light, std::span(&ray, 1));
+        if (ray.t_max < 0) continue;
+      }
+      memory.shadows.push(sample, ray,
+                          colour * (weights_a[static_cast<std::size_t>(u)] * weights_b[static_cast<std::size_t>(v)]));
+    }
+    trace_long_queues(memory);
+    if (is_over()) return;
+  }
+}
+
+void Integrator::trace_long_queues(PathMemory& memory) const {
+  if (memory.shadows.size() >= kLongestShadowQueue || memory.area_shadows.is_full()) trace_shadows(memory);
+}
+
+void Integrator::trace_shadows(PathMemory& memory) const {
+  if (shadow_filter_) {
+    memory.shadows.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
+  } else {
+    memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
+  }
+  memory.counts.shadow += memory.shadows.size();
+  memory.shadows.clear();
+  if (memory.area_shadows.is_empty()) return;
+  const ShadowTracer tracer{tracer_, shadow_filter_ ? &*shadow_filter_ : nullptr, windows_ ? &*windows_ : nullptr,
+                            memory.shadow_filter, memory.counters};
+  memory.counts.shadow += memory.area_shadows.resolve(tracer, memory.colours, memory.certainties);
+}
+
+}  // namespace isl::render
