@@ -63,30 +63,29 @@ double mean_density(double from, double to, double altitude) {
 /// POV-Ray's length of a way that meets nothing.
 constexpr double kFar = 2e10;
 
-class FogStage final : public Stage<AlongWork> {
+/// The fogs of a scene.
+class Fogs {
  public:
-  explicit FogStage(const StageContext& context)
+  explicit Fogs(const StageContext& context)
       : noise_(values::noise_generator_of(context.database.settings.noise_generator)) {
     for_each_statement<Fog>(context.database, kFog, [this](const Fog& fog, OriginId) {
       if (fog.distance != 0) fogs_.push_back(fog);
     });
   }
 
-  void run(AlongWork& work) const override {
-    for (std::size_t i = 0; i < work.batch.size(); ++i) {
-      PathEntry& path = work.batch.entries[i];
-      if (path.in_solid) continue;
-      const double length = std::min(work.batch.hits[i].t, kFar);
-      Rgb through(1), added(0);
-      for (const Fog& fog : fogs_) {
-        const double depth = optical_depth(fog, work.batch.rays[i], length);
-        const double share = std::max(power(std::numbers::e, -depth), fog.colour.transmit);
-        through *= (Rgb(1 - fog.colour.filter) + rgb(fog.colour) * fog.colour.filter) * share;
-        added += rgb(fog.colour) * (1 - share);
-      }
-      work.colours[path.sample] += path.factor * added;
-      path.factor *= through;
+  struct Air {
+    Rgb through{1};  ///< the share of the light that comes along
+    Rgb added{0};    ///< the light of the fogs themselves
+  };
+  /// The fogs along a part of a ray.
+  [[nodiscard]] Air along(const Ray& ray, double length) const {
+    Air air;
+    for (const Fog& fog : fogs_) {
+      const double share = std::max(power(std::numbers::e, -optical_depth(fog, ray, length)), fog.colour.transmit);
+      air.through *= (Rgb(1 - fog.colour.filter) + rgb(fog.colour) * fog.colour.filter) * share;
+      air.added += rgb(fog.colour) * (1 - share);
     }
+    return air;
   }
 
  private:
@@ -110,6 +109,44 @@ class FogStage final : public Stage<AlongWork> {
   values::NoiseGenerator noise_;
 };
 
+class FogStage final : public Stage<AlongWork> {
+ public:
+  explicit FogStage(const StageContext& context) : fogs_(context) {}
+
+  void run(AlongWork& work) const override {
+    for (std::size_t i = 0; i < work.batch.size(); ++i) {
+      PathEntry& path = work.batch.entries[i];
+      if (path.in_solid) continue;
+      const Fogs::Air air = fogs_.along(work.batch.rays[i], std::min(work.batch.hits[i].t, kFar));
+      work.colours[path.sample] += path.factor * air.added;
+      path.factor *= air.through;
+    }
+  }
+
+ private:
+  Fogs fogs_;
+};
+
+/// Fog dims the lights that say `media_attenuation`.
+class FogOnLightStage final : public Stage<LightWork> {
+ public:
+  explicit FogOnLightStage(const StageContext& context) : fogs_(context) {}
+
+  void run(LightWork& work) const override {
+    if (!work.light.media_attenuation || !work.light.media_interaction) return;
+    for (LitPoint& lit : work.lit) {
+      if (work.batch.entries[work.block.paths[lit.point]].in_solid) continue;
+      Ray to_light;
+      to_light.origin = work.block.points[lit.point].position;
+      to_light.direction = lit.light.direction;
+      lit.colour *= fogs_.along(to_light, std::min(lit.light.distance, kFar)).through;
+    }
+  }
+
+ private:
+  Fogs fogs_;
+};
+
 }  // namespace
 
 Effect fog() {
@@ -124,7 +161,7 @@ Effect fog() {
                   if (fog.distance != 0) requests.add("`fog`", origin);
                 });
               },
-          .stages = {.along = make_stage<FogStage, AlongWork>}};
+          .stages = {.along = make_stage<FogStage, AlongWork>, .dim = make_stage<FogOnLightStage, LightWork>}};
 }
 
 }  // namespace isl::render

@@ -228,5 +228,24 @@ TEST(LightGroup, has_shadows_of_everything) {
   expect_middle(at(-.8, green_group("") + shade), 0, .5, 0);
 }
 
+// ---- Fog on the way of light ----------------------------------------------------------------------------------------
+
+TEST(MediaAttenuation, dims_light_by_the_fog_before_it) {
+  // The camera is in the fog, too: half of its distance.
+  const auto lit = [](const char* items, const char* fog, double value) {
+    expect_middle(fmt::format("camera {{ location -5*z direction z right .001*x up .001*y }} fog {{ distance 10 {} }} "
+                              "light_source {{ -2*z rgb 1 {} }} ",
+                              fog, items) +
+                      kWhite,
+                  value, value, value);
+  };
+  const double seen = std::exp(-.5), way = std::exp(-.2);
+  lit("", "rgb 0", seen);
+  lit("media_attenuation on", "rgb 0", seen * way);
+  lit("media_attenuation on media_interaction off", "rgb 0", seen);
+  lit("media_attenuation on", "rgbt <0, 0, 0, .9>", .9 * .9);
+  lit("media_attenuation on area_light x/1000, y/1000, 5, 5", "rgb 0", seen * way);
+}
+
 }  // namespace
 }  // namespace isl::test
