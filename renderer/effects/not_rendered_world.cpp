@@ -79,25 +79,6 @@ Effect record_effect(const Row<Record>& row, Uses uses, LeaveOut leave_out_all) 
           .leave_out = [&row, leave_out_all](Database& database) { leave_out_all(row, database); }};
 }
 
-/// The interiors of objects that let light through are not told from others.
-Effect dispersion() {
-  return {.name = "dispersion",
-          .summary = "colours that refraction parts",
-          .find =
-              [](const SceneUse& use, Requests& requests, std::string_view& /*reason*/) {
-                for (const Use<scene::Object>& object : use.objects()) {
-                  const scene::InteriorId interior = object.record->interior;
-                  if (interior == scene::kNoInterior) continue;
-                  if (use.database().interiors[index(interior)].dispersion != 1)
-                    requests.add("`dispersion`", object.user);
-                }
-              },
-          .leave_out =
-              [](Database& database) {
-                for (scene::Interior& interior : database.interiors) interior.dispersion = 1;
-              }};
-}
-
 }  // namespace
 
 void add_world_not_rendered(std::vector<Effect>& effects) {
@@ -108,7 +89,6 @@ void add_world_not_rendered(std::vector<Effect>& effects) {
       for (Group& group : database.groups) leave_out(light_row, group.lights);
     }));
   }
-  effects.push_back(dispersion());
 }
 
 std::vector<Effect> effects_not_rendered() {

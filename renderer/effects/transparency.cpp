@@ -49,14 +49,40 @@ class TransparencyStage final : public Stage<SpawnWork> {
           const Body body{work.batch.hits[path].instance, point.interior, point.is_hollow};
           found = behind(interiors_, work.bodies, work.batch.entries[path], body, point.from_inside);
         }
-        send_on(work, i, normal, passing, share, *found);
+        if (const int colours = found->colours();
+            colours > 1 && work.batch.entries[work.block.paths[i]].wave.is_white()) {
+          part(work, i, normal, passing, share, *found, colours);
+        } else {
+          send_on(work, i, normal, passing, share, *found, {});
+        }
       }
     }
   }
 
  private:
+  /// Light of one of the colours into which a surface parts white light.
+  struct Part {
+    Wave wave;
+    Rgb tint{1};
+  };
+
+  void part(SpawnWork& work, std::size_t i, const Vec3& normal, const Rgb& passing, double share, const Behind& there,
+            int colours) const {
+    bool all_are_total = true;
+    for (int colour = 0; colour < colours; ++colour) {
+      const Wave wave((colour + 0.5) / colours);
+      const auto end = [&](int number) { return light_up_to(static_cast<double>(number) / colours); };
+      Behind of_wave = there;
+      of_wave.ratio = there.ratio_of(wave);
+      work.is_total[i] = 0;
+      send_on(work, i, normal, passing, share, of_wave, {wave, end(colour + 1) - end(colour)});
+      all_are_total &= work.is_total[i] != 0;
+    }
+    work.is_total[i] = all_are_total;
+  }
+
   void send_on(SpawnWork& work, std::size_t i, const Vec3& normal, const Rgb& passing, double share,
-               const Behind& there) const {
+               const Behind& there, const Part& part) const {
     const ShadingPoint& point = work.block.points[i];
     const std::uint32_t at = work.block.paths[i];
     const PathEntry& path = work.batch.entries[at];
@@ -66,6 +92,8 @@ class TransparencyStage final : public Stage<SpawnWork> {
       return;
     }
     PathEntry child = path;
+    child.factor *= part.tint;
+    if (!part.wave.is_white()) child.wave = part.wave;
     child.weight *= largest(passing);
     if (child.weight < least_weight_) {
       ++work.ended.by_weight;

@@ -5,6 +5,7 @@
 
 #include "renderer/rays/ray.h"
 #include "renderer/shading/material.h"
+#include "renderer/shading/spectrum.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,6 +20,7 @@ struct PathEntry {
   std::uint32_t sample = 0;  ///< the number, in the batch, of the camera sample whose colour it adds to
   std::uint16_t level = 1;   ///< segments of the path so far, this one included
   RayKind kind = RayKind::image;
+  Wave wave{};               ///< white until dispersion parts the light
   std::uint32_t bodies = 0;  ///< the bodies that the segment runs in: a list of Bodies
   bool in_solid = false;     ///< the segment runs in something that is not `hollow`, which keeps media out
 };

@@ -1,8 +1,10 @@
 // The media inside bodies, as light meets them: refraction at their surfaces, and what is left of it on the way out.
 #pragma once
 
+#include "renderer/numerics/power.h"
 #include "renderer/scene/database.h"
 #include "renderer/shading/material.h"
+#include "renderer/shading/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,12 @@ struct Medium {
   double caustics = 0;
   double fade_distance = 0, fade_power = 0;
   Rgb fade_colour{0};
+  double dispersion = 1;  ///< the index for violet over that for red
+  int colours = 1;        ///< into which white light is parted
+
+  [[nodiscard]] double ior_of(const Wave& wave) const {
+    return wave.is_white() || dispersion == 1 ? ior : ior * power(dispersion, wave.bend());
+  }
 
   /// The share of light that is left after a way through the medium: all of it at 0, and half of what fades at
   /// fade_distance; with a power of 1000 or more it fades exponentially. As in POV-Ray.
@@ -37,7 +45,8 @@ class Interiors {
   explicit Interiors(const scene::Database& database) {
     for (const scene::Interior& interior : database.interiors) {
       media_.push_back({interior.ior == 0 ? 1 : interior.ior, interior.caustics, interior.fade_distance,
-                        interior.fade_power, rgb(interior.fade_colour)});
+                        interior.fade_power, rgb(interior.fade_colour), interior.dispersion,
+                        static_cast<int>(interior.dispersion_samples)});
     }
   }
   [[nodiscard]] const Medium& operator[](scene::InteriorId id) const {
