@@ -1,5 +1,5 @@
-// Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/. If
-// a block marked `text` follows directly, the scene prints exactly its content.
+// Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/ and
+// bench/pairs/. If a block marked `text` follows directly, the scene prints exactly its content.
 #include "tests/cli/program/program_fixture.h"
 #include "tests/support/source_folder.h"
 
@@ -89,6 +89,16 @@ TEST_F(Docs, ScenesCanBeRead) {
   EXPECT_FALSE(scenes.empty());
   for (const fs::path& scene : scenes) {
     const ProcessResult result = run({"check", scene.string()});
+    EXPECT_EQ(result.exit_code, 0) << scene << "\n" << result.err;
+  }
+}
+
+TEST_F(Docs, ScenesThatArePairedWithPovraysCanBeRead) {
+  const std::vector<fs::path> scenes = files_below(fs::path(ISL_SOURCE_DIR) / "bench" / "pairs", ".pov");
+  EXPECT_GE(scenes.size(), 100u) << "bench/pairs.py compares at least a hundred";
+  for (const fs::path& scene : scenes) {
+    // Some are about what is not rendered yet.
+    const ProcessResult result = run({"check", "--lenient", scene.string()});
     EXPECT_EQ(result.exit_code, 0) << scene << "\n" << result.err;
   }
 }

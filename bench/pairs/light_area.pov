@@ -1,0 +1,3 @@
+// Soft shadows from a grid of five by five lamps.
+#include "stage.inc"
+Lit(light_source { <3, 6, -4> rgb 1 area_light 4*x, 4*z, 5, 5 })

@@ -1,0 +1,3 @@
+// Round spots.
+#include "stage.inc"
+Bumpy(normal { leopard 3 scale 0.05 })
