@@ -27,16 +27,17 @@ def find_programs(options):
 
 
 class Ran:
-    """What a command left: `code` (None after a timeout), `errors` (standard error), processor `seconds` on all cores."""
+    """What a command left: `code` (None after a timeout), standard `output`, `errors`, processor `seconds` on all cores."""
 
     def __init__(self, command, folder, timeout):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         try:
             process = subprocess.run(command, capture_output=True, timeout=timeout, stdin=subprocess.DEVNULL, cwd=folder)
-            self.code, errors = process.returncode, process.stderr
+            self.code, output, errors = process.returncode, process.stdout, process.stderr
         except subprocess.TimeoutExpired as expired:
-            self.code, errors = None, expired.stderr or b''
+            self.code, output, errors = None, expired.stdout or b'', expired.stderr or b''
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.output = output.decode('utf8', 'replace')
         self.errors = errors.decode('utf8', 'replace')
         self.seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
