@@ -32,6 +32,11 @@ SCENES = '/usr/share/povray-3.7/scenes'
 BLACK = 3  # of 255: no pixel of a black picture is brighter
 
 
+def is_animation(scene):
+    """True if there is a settings file of the scene's name. Then its first frame is rendered."""
+    return os.path.exists(os.path.splitext(scene)[0] + '.ini')
+
+
 def verdict(ran):
     """accepted, refused (by which words) or failed (the first message that is no refusal)."""
     if ran.code == 0:
@@ -62,8 +67,8 @@ class Comparison:
         return found if sample >= len(found) else [found[i * len(found) // sample] for i in range(sample)]
 
     def arguments(self, scene):
-        """Options of isl for a scene. One with a settings file of its name is an animation: its first frame."""
-        frame = ['--frame', '1'] if os.path.exists(os.path.splitext(scene)[0] + '.ini') else []
+        """Options of isl for a scene."""
+        frame = ['--frame', '1'] if is_animation(scene) else []
         include = [] if self.options.no_include else ['-I', self.options.include]
         return ['--allow-write', self.written, *include, *frame]
 
@@ -89,7 +94,11 @@ class Comparison:
 
     def theirs(self, scene, picture, size):
         """POV-Ray's verdict; a scene that is only parsed gets a size of a few pixels."""
-        ran = programs.run_povray(self.options, scene, picture, size, folder=os.path.dirname(scene), timeout=self.options.timeout)
+        frame = ['+KFI1', '+KFF2', '+SF1', '+EF1'] if is_animation(scene) else []
+        ran = programs.run_povray(self.options, scene, picture, size, *frame, folder=os.path.dirname(scene),
+                                  timeout=self.options.timeout)
+        if frame and ran.code == 0:  # POV-Ray puts the number of the frame behind the name
+            os.replace(picture.replace('.png', '1.png'), picture)
         trace = re.search(r'Trace Time:.*?\(([\d.]+) seconds\)', ran.errors)
         rendered = ran.code == 0 and os.path.exists(picture)
         return {'parses': rendered or 'Parse Time:' in ran.errors and 'Parse Error' not in ran.errors, 'renders': rendered,

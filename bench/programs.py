@@ -48,7 +48,7 @@ def run_isl(options, scene, picture, size, *arguments, folder=None, timeout=120)
 
 
 def run_povray(options, scene, picture, size, *arguments, folder=None, timeout=120):
-    return Ran([options.povray, f'+I{scene}', f'+O{picture}', f'+W{size[0]}', f'+H{size[1]}', '-D', '-A', '-P', '-GA', '+WT1',
+    return Ran([options.povray, f'+I{scene}', f'+O{picture}', f'+W{size[0]}', f'+H{size[1]}', '-D', '-A', '-P', '+WT1',
                 f'+L{options.include}', *arguments], folder, timeout)
 
 
@@ -64,8 +64,9 @@ def is_refusal(message):
 
 
 def povray_message(ran):
-    found = re.search(r'(?:Parse|Fatal|Possible Parse) [Ee]rror[^\n]*:([^\n]*(?:\n[^\n=]+)?)', ran.errors)
-    return ' '.join(found.group(1).split())[-200:] if found else describe(ran)
+    """The first error, which POV-Ray breaks over lines that begin with a blank."""
+    found = re.search(r'(?:Parse Error|Fatal error)[^\n:]*:\s*([^\n]+(?:\n [^\n]+)*)', ran.errors)
+    return ' '.join(found.group(1).split())[:200] if found else describe(ran)
 
 
 def describe(ran):
