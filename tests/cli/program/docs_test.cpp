@@ -3,7 +3,10 @@
 #include "tests/cli/program/program_fixture.h"
 #include "tests/support/source_folder.h"
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
+#include <iterator>
 #include <optional>
 
 namespace isl::test {
@@ -101,6 +104,49 @@ TEST_F(Docs, ScenesThatArePairedWithPovraysCanBeRead) {
     const ProcessResult result = run({"check", "--lenient", scene.string()});
     EXPECT_EQ(result.exit_code, 0) << scene << "\n" << result.err;
   }
+}
+
+/// The text of a page below the heading of an effect, to the next heading; empty if there is none.
+std::string section_of(const std::string& page, const std::string& effect) {
+  const std::string heading = "\n### `" + effect + "`\n";
+  const std::size_t begin = page.find(heading);
+  if (begin == std::string::npos) return "";
+  const std::size_t text = begin + heading.size();
+  return page.substr(text, page.find("\n##", text) - text);
+}
+
+/// The files that a page links to, as it writes them.
+std::vector<std::string> linked_files(const std::string& page) {
+  std::vector<std::string> files;
+  for (std::size_t at = page.find("]("); at != std::string::npos; at = page.find("](", at + 1)) {
+    const std::string target = page.substr(at + 2, page.find(')', at) - at - 2);
+    if (const std::string file = target.substr(0, target.find('#')); !file.empty()) files.push_back(file);
+  }
+  return files;
+}
+
+TEST_F(Docs, EveryEffectIsDescribedWithAnExampleAndAScene) {
+  const fs::path folder = fs::path(ISL_SOURCE_DIR) / "docs";
+  std::ifstream stream(folder / "effects.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  const ProcessResult result = run({"plan", "--format", "json", write("nothing.isl", "sphere { 3*z, 1 }\n")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json plan = nlohmann::json::parse(result.out);
+  std::size_t count = 0;
+  for (const char* const list : {"called_for", "left_out"}) {
+    for (const nlohmann::json& effect : plan.at(list)) {
+      ++count;
+      const std::string name = effect.at("name");
+      // Effects that are not rendered yet have a row each at the end of the page.
+      if (page.find("\n| `" + name + "` |") != std::string::npos) continue;
+      const std::string section = section_of(page, name);
+      EXPECT_NE(section, "") << "docs/effects.md has no section `" << name << "`";
+      EXPECT_THAT(section, testing::HasSubstr("```isl\n")) << name;
+      EXPECT_FALSE(linked_files(section).empty()) << name << ": no scene shows it";
+    }
+  }
+  EXPECT_GT(count, 20u) << "the plan lists every effect";
+  for (const std::string& file : linked_files(page)) EXPECT_TRUE(fs::exists(folder / file)) << file;
 }
 
 }  // namespace
