@@ -36,6 +36,8 @@ class Ran:
             self.code, output, errors = process.returncode, process.stdout, process.stderr
         except subprocess.TimeoutExpired as expired:
             self.code, output, errors = None, expired.stdout or b'', expired.stderr or b''
+        except OSError as error:
+            sys.exit(f'{os.path.basename(sys.argv[0])}: cannot start {command[0]}: {error.strerror}')
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.output = output.decode('utf8', 'replace')
         self.errors = errors.decode('utf8', 'replace')
