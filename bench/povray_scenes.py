@@ -38,16 +38,16 @@ def is_animation(scene):
 
 
 def verdict(ran):
-    """accepted, refused (by which words) or failed (the first message that is no refusal)."""
+    """accepted, refused (by which words) or failed (with the first message). Errors after a refusal may be its consequences."""
     if ran.code == 0:
         return 'accepted', ''
     if ran.code is None:
         return 'failed', 'timed out'
     messages = re.findall(r'error: (.*)', ran.errors)
-    others = [m for m in messages if not programs.is_refusal(m) and 'errors found' not in m]
-    if others or not messages:
-        return 'failed', others[0] if others else (ran.errors.strip()[-200:] or programs.describe(ran))
-    return 'refused', ', '.join(sorted({re.split(r' (?:is|are) not ', m)[0] for m in messages}))
+    refusals = filter(programs.is_refusal, messages)
+    if messages and programs.is_refusal(messages[0]):
+        return 'refused', ', '.join(sorted({re.split(r' (?:is|are) not ', m)[0] for m in refusals}))
+    return 'failed', messages[0] if messages else (ran.errors.strip()[-200:] or programs.describe(ran))
 
 
 class Comparison:
