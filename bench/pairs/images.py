@@ -15,6 +15,7 @@ def draw(folder):
     colours = np.stack([columns * 17, rows * 23, 255 * ((rows // 3 + columns // 4) % 2)], 2).astype(np.uint8)
     colours[2:4, 2:5] = 255, 240, 0  # one mark, by which mirrored and turned pictures are told from others
     save('colours.png', Image.fromarray(colours))
+    Image.fromarray(colours).save(os.path.join(folder, 'colours.ppm'))
     rows, columns = np.mgrid[0:16, 0:16]
     tiles = 255 * np.clip(1.2 - np.hypot(rows % 8 - 3.5, columns % 8 - 3.5) / 5, 0, 1)
     save('tiles.png', Image.fromarray(tiles.astype(np.uint8)))
