@@ -1,5 +1,6 @@
 #include "renderer/integrator/integrator.h"
 
+#include "renderer/extents/extents.h"
 #include "renderer/paths/behind.h"
 #include "renderer/queries/inside.h"
 
@@ -15,12 +16,15 @@ constexpr std::size_t kMostLevels = 512;
 /// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
 
-/// True if the camera stands in something that keeps media out. Precondition: there are some.
+/// True if the camera stands in something that keeps media out. Precondition: there are some. As in POV-Ray, an object
+/// holds nothing beyond the box around its surface. Otherwise each disc, which bounds a half-space in combinations of
+/// solids, would keep the fog out of half of the world.
 bool is_in_solid(const scene::Database& database, StepCounter& steps) {
   const PatternInsides insides(database);
+  Extents extents(database);
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
   return std::ranges::any_of(database.objects, [&](const scene::Object& object) {
-    return !object.hollow && insides.is_inside(object, eye, steps);
+    return !object.hollow && insides.is_inside(object, eye, steps) && extents.of(object).intersects(eye);
   });
 }
 

@@ -115,6 +115,10 @@ TEST(Fog, hides_the_background_and_stays_out_of_solids) {
   expect_middle(fog, 1, .5, 0);
   expect_middle(fog + "sphere { -5*z, 1000 pigment { rgb .5 } finish { ambient 1 diffuse 0 } }", .5, .5, .5);
   expect_middle(fog + "sphere { -5*z, 1000 pigment { rgb .5 } finish { ambient 1 diffuse 0 } hollow }", 1, .5, 0, 1e-4);
+  // A disc bounds a half-space in combinations of solids only, and an inverse ball nothing beyond its box.
+  expect_middle(fog + "disc { 90*x, z, 1 } disc { 90*x, -z, 1 } union { disc { 90*x, z, 1 } disc { 90*x, -z, 1 } }", 1,
+                .5, 0);
+  expect_middle(fog + "sphere { 90*x, 1 inverse }", 1, .5, 0);
 }
 
 TEST(Fog, of_type_2_thins_out_above_its_offset) {
