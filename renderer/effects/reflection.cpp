@@ -17,8 +17,14 @@ namespace {
 
 struct Reflectivity {
   Rgb share{0};
-  double bound = 0;  ///< the greatest reflectivity of a layer that POV-Ray assumes, at any angle
+  double weight = 0;  ///< the factor of a path's weight: the greatest of any layer's
 };
+
+/// The reflectivity by which POV-Ray weighs a mirrored path: with Fresnel's formula the one at this angle, else the
+/// greatest at any angle.
+double weighed(const scene::Finish& finish, const Rgb& share) {
+  return finish.fresnel ? largest(share) : largest_reflectivity(finish);
+}
 
 /// The reflectivity of some of a point's textures for the path. Layers that adc_bailout ends are left out.
 Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture> textures, const FilmLight& film,
@@ -27,15 +33,15 @@ Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture>
   for (const LitTexture& texture : textures) {
     const scene::Finish& finish = *texture.material->finish;
     if (!reflects(finish)) continue;
-    const double bound = largest_reflectivity(finish) * largest(texture.let_through);
-    if (weight * bound < least_weight) {
+    Rgb share = reflectivity_at(finish, cosine, point.ior_ratio, texture.colour);
+    const double factor = weighed(finish, share) * largest(texture.let_through);
+    if (weight * factor < least_weight) {
       ++ended.by_weight;
       continue;
     }
-    Rgb share = reflectivity_at(finish, cosine, point.ior_ratio, texture.colour);
     if (finish.irid != 0) share *= film_factor(finish, film, point.position, cosine, cosine);
     sum.share += share * texture.weight;
-    sum.bound = std::max(sum.bound, bound);
+    sum.weight = std::max(sum.weight, factor);
   }
   return sum;
 }
@@ -101,7 +107,7 @@ class ReflectionStage final : public Stage<SpawnWork> {
       child.sample = work.bent.add(child.sample, child.factor, 1 / exponent);
       child.factor = Rgb(1);
     }
-    child.weight *= reflectivity.bound;
+    child.weight *= reflectivity.weight;
     ++child.level;
     child.kind = RayKind::reflection;
     Ray reflected;

@@ -113,8 +113,8 @@ class TransparencyStage final : public Stage<SpawnWork> {
       next.direction = *direction;
     } else {
       work.is_total[i] = 1;
+      // The surface takes nothing from the light. As in POV-Ray, the path's weight still falls as if it let it through.
       child.factor *= faded * share;
-      child.weight = path.weight;
       child.kind = RayKind::reflection;
       next.direction = mirrored(point.view, normal, point.normal);
     }

@@ -84,6 +84,14 @@ TEST(Reflection, ends_below_adc_bailout) {
       "plane { -z, -1 } plane { z, -1 } ";
   expect_middle("global_settings { adc_bailout .05 max_trace_level 20 } " + mirrors, .33, .33, .33);
   expect_middle("global_settings { adc_bailout .005 max_trace_level 20 } " + mirrors, .333, .333, .333);
+  // Fresnel's reflectivity counts as it is at this angle, 0.08919, and any other as at its greatest angle.
+  const auto at_60 = [](const char* adc_bailout, const char* reflection) {
+    return fmt::format("global_settings {{ adc_bailout {} }} {} {} {}", adc_bailout, kAt60, kBackground,
+                       plane(fmt::format("reflection {{ {} }} }} interior {{ ior 1.5", reflection)));
+  };
+  expect_middle(at_60(".08", "0, 1 fresnel"), .07135, .03568, .01784);
+  expect_middle(at_60(".1", "0, 1 fresnel"), 0, 0, 0);
+  expect_middle(at_60(".1", "0, .1"), .04, .02, .01);
 }
 
 TEST(Reflection, is_counted) {

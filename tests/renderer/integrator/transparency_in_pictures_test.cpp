@@ -50,6 +50,18 @@ TEST(Transparency, ends_at_max_trace_level_and_adc_bailout) {
   expect_middle(through(clear_slab("ior 1.5"), "1", 3), 1, 1, 1);
 }
 
+TEST(Transparency, weighs_total_reflection_by_what_the_surface_lets_through) {
+  // The camera is in the box. Both the reflecting face and the one behind it weigh 1/4, which adc_bailout ends or not.
+  const auto within = [](const char* adc_bailout) {
+    return fmt::format(
+        "global_settings {{ adc_bailout {} }} {} {} box {{ <-50, -50, -60>, <50, 50, 0> pigment {{ rgbf .5 }} finish "
+        "{{ ambient 0 diffuse 0 }} interior {{ ior 1.5 }} }} ",
+        adc_bailout, kAt60, kBackground);
+  };
+  expect_middle(within(".05"), .2, .1, .05);
+  expect_middle(within(".07"), 0, 0, 0);
+}
+
 TEST(Interior, fades_light_as_povrays) {
   const auto faded = [](const char* power) {
     return through(clear_slab(fmt::format("fade_distance 2 fade_color <.2, .4, .6> fade_power {}", power).c_str()),
