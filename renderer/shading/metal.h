@@ -27,9 +27,10 @@ namespace isl::render {
 }
 
 /// The factor by which metal of this colour tints its reflections: 1 + amount (1 − F)(colour − 1). `cosine`: of the
-/// angle between the normal and the light or the view, from 0 to 1.
+/// angle between the normal and the light or the view, from -1 to 1; it is below 0 where bumps turn the normal away.
 [[nodiscard]] inline Rgb metal_tint(double amount, double cosine, const Rgb& colour) {
-  const double x = right_angles(std::clamp(cosine, 0.0, 1.0)) - 1.12;
+  const double angle = right_angles(std::min(std::abs(cosine), 1.0));
+  const double x = (cosine < 0 ? 2 - angle : angle) - 1.12;
   const double whiteness = std::clamp(0.014567225 / (x * x) - 0.011612903, 0.0, 1.0);
   return Rgb(1) + (colour - Rgb(1)) * (amount * (1 - whiteness));
 }

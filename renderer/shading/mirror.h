@@ -39,7 +39,7 @@ namespace isl::render {
     const double grazing = mirror.falloff == 1 ? away : power(away, mirror.falloff);
     share += (maximum - minimum) * grazing;
   }
-  if (mirror.metallic != 0) share *= metal_tint(mirror.metallic, std::clamp(cosine, 0.0, 1.0), colour);
+  if (mirror.metallic != 0) share *= metal_tint(mirror.metallic, cosine, colour);
   return share;
 }
 

@@ -23,5 +23,10 @@ TEST(MetallicTint, IsTheColourHeadOnAndWhiteAtGrazingAngles) {
   EXPECT_EQ(metal_tint(0, 0.3, colour), Rgb(1));
 }
 
+TEST(MetallicTint, FallsWhereBumpsTurnTheNormalAwayAsInPovray) {
+  EXPECT_NEAR(metal_tint(1, -0.1, Rgb(0)).x, 1, 1e-6);
+  EXPECT_NEAR(metal_tint(1, -0.6395, Rgb(0)).x, 0.1291, 1e-4);
+}
+
 }  // namespace
 }  // namespace isl::render::test
