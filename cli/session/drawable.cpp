@@ -19,13 +19,14 @@ void add_user(const Session& session, OriginId user, Diagnostic& diagnostic) {
                                             : std::string("it belongs to this")});
 }
 
-Diagnostic complaint(const Session& session, const render::Request& request, bool lenient) {
+Diagnostic complaint(const Session& session, const render::Effect& effect, const render::Request& request,
+                     bool lenient) {
   const interpreter::Origin origin = session.scene().origins.resolve(request.origin);
   const std::string times =
       request.count > 1 ? fmt::format("{} times in the scene, this is the first", request.count) : std::string();
   Diagnostic diagnostic{lenient ? Severity::warning : Severity::error,
                         origin.span,
-                        fmt::format("{} is not rendered yet", request.what),
+                        fmt::format("{} {}", request.what, effect.lack),
                         {},
                         {},
                         origin.chain};
@@ -48,7 +49,7 @@ DrawableScene::DrawableScene(Session& session, int quality)
   for (const render::PlannedEffect& refused : plan.refused) {
     for (const render::Request& request : refused.requests) {
       if (session.sink().is_full()) break;
-      session.sink().report(complaint(session, request, options.lenient));
+      session.sink().report(complaint(session, *refused.effect, request, options.lenient));
     }
   }
   is_refused_ = !plan.refused.empty() && !options.lenient;

@@ -38,7 +38,8 @@ class Rendering {
     if (render::must_leave_out(plan)) {
       if (!copied_.grow(session.scene().charge.bytes())) {
         refusal_ = scene::Refusal{
-            .message = "a copy of the scene without one of its effects takes more memory than the limit leaves"};
+            .message = "a copy of the scene without one of its effects takes more memory than the limit leaves",
+            .hint = "`--max-memory` raises the limit"};
         return;
       }
       reduced_ = whole;

@@ -7,7 +7,7 @@
 
 namespace isl::render {
 
-#define ISL_EFFECT(function) Effect function();
+#define ISL_EFFECT(function, group) Effect function();
 #include "renderer/effects/effects.def"
 #undef ISL_EFFECT
 
@@ -22,10 +22,24 @@ void Requests::add(std::string_view what, OriginId word, OriginId user) {
   }
 }
 
+namespace {
+
+/// Without its stages if its group was left out when the program was built.
+Effect as_built(Effect effect, std::string_view group) {
+  constexpr std::string_view kLeftOut = ISL_WITHOUT_EFFECTS;
+  if (kLeftOut.find(group) == std::string_view::npos) return effect;
+  effect.is_rendered = false;
+  effect.lack = "was left out of this program when it was built";
+  effect.stages = {};
+  return effect;
+}
+
+}  // namespace
+
 std::span<const Effect> all_effects() {
   static const std::vector<Effect> kEffects = [] {
     std::vector<Effect> effects{
-#define ISL_EFFECT(function) function(),
+#define ISL_EFFECT(function, group) as_built(function(), #group),
 #include "renderer/effects/effects.def"
 #undef ISL_EFFECT
     };

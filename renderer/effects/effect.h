@@ -47,7 +47,8 @@ struct Effect {
   /// Adds the statements that call for it. If there is none, `reason` may be set to why not.
   std::function<void(const SceneUse&, Requests&, std::string_view& reason)> find;
   StageMakers stages = {};
-  bool is_rendered = true;  ///< if not, a scene that calls for it is refused
+  bool is_rendered = true;                        ///< if not, a scene that calls for it is refused
+  std::string_view lack = "is not rendered yet";  ///< what a refusal says of it
   /// Changes the scene so that it does not call for it. Needed if the effect is not rendered, or changes more than
   /// stages.
   std::function<void(scene::Database&)> leave_out = {};

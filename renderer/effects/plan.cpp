@@ -57,7 +57,9 @@ namespace {
 /// Calls visit(effect) with each effect that the database calls for and the picture does not have.
 template <class Visit>
 void for_each_lacking(const Plan& plan, Visit&& visit) {
-  for (const PlannedEffect& planned : plan.refused) visit(*planned.effect);
+  for (const PlannedEffect& planned : plan.refused) {
+    if (planned.effect->leave_out) visit(*planned.effect);
+  }
   for (const PlannedEffect& planned : plan.left_out) {
     if (!planned.requests.empty() && planned.effect->leave_out) visit(*planned.effect);
   }

@@ -141,10 +141,15 @@ template <class Work>
 using MakeStage = std::unique_ptr<const Stage<Work>> (*)(const StageContext&);
 
 /// Used in a record: `.along = make_stage<MistStage, AlongWork>`.
+#ifdef ISL_LEAVES_STAGES_OUT  // CMakeLists.txt
+template <class Made, class Work>
+inline constexpr MakeStage<Work> make_stage = nullptr;
+#else
 template <class Made, class Work>
 std::unique_ptr<const Stage<Work>> make_stage(const StageContext& context) {
   return std::make_unique<const Made>(context);
 }
+#endif
 
 /// The stages that an effect has; most have one.
 struct StageMakers {
