@@ -79,7 +79,8 @@ TEST(Aoi, is_nothing_where_there_is_no_surface) {
 TEST(Aoi, filters_shadows_by_their_own_angle) {
   // The sheet lets light through that falls in steeply: 45 degrees to the normal give 3/4.
   const std::string sheet =
-      "polygon { 5, <-9, -9>, <9, -9>, <9, 9>, <-9, 9>, <-9, -9> translate -z no_image pigment { aoi color_map { [.5 rgbt 0] "
+      "polygon { 5, <-9, -9>, <9, -9>, <9, 9>, <-9, 9>, <-9, -9> translate -z no_image pigment { aoi color_map { [.5 "
+      "rgbt 0] "
       "[1 rgbt <0, 0, 0, 1>] } } } ";
   expect_grey(0, 0, "light_source { 1e6*<1, 0, -1> rgb 1 } " + sheet + plane("diffuse 1", "1"), std::sqrt(.5) / 2,
               1e-3);
