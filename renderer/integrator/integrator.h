@@ -43,6 +43,7 @@ struct PathMemory {
   std::vector<Certainty> certainties;  ///< by sample: the worst of all its rays
   ShadowQueue shadows;
   AreaShadows area_shadows;
+  std::array<std::vector<double>, 2> area_weights;  ///< of the present light's grid, along both edges
   std::vector<std::uint32_t> misses;
   SurfaceBlock block;
   BentLight bent;

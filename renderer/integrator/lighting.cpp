@@ -140,6 +140,8 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
                                              : throw_back(batch, light, face_light(batch, placed, memory), memory);
   const Rgb light_colour = rgb(light.colour);
   const bool is_shadowed = shadows_ && !light.shadowless;
+  const bool is_even = light.area && light.area->adaptive == scene::AreaLight::kNotAdaptive;
+  if (is_even) memory.area_weights = {area_weights(light.area->count_a), area_weights(light.area->count_b)};
   for (const LitPoint& lit : lit_points) {
     const ShadingPoint& point = memory.block.points[lit.point];
     const std::uint32_t at = memory.block.paths[lit.point];
@@ -155,7 +157,7 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
                        hit.start()};
     if (!light.area) [[likely]] {
       memory.shadows.push(path.sample, to_light, colour);
-    } else if (light.area->adaptive == scene::AreaLight::kNotAdaptive) {
+    } else if (is_even) {
       push_area(light, to_light, path.sample, colour, memory);
     } else {
       // The strengths of the points of a light with `area_illumination` are in the colour already.
@@ -171,7 +173,7 @@ void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::
                            PathMemory& memory) const {
   const scene::AreaLight& area = *light.area;
   const AreaEdges edges = edges_of(area, to_light.direction);
-  const std::vector<double> weights_a = area_weights(area.count_a), weights_b = area_weights(area.count_b);
+  const auto& [weights_a, weights_b] = memory.area_weights;
   for (int u = 0; u < area.count_a; ++u) {
     for (int v = 0; v < area.count_b; ++v) {
       const Vec3 source = light.location + area_offset(area, edges, u, v);
