@@ -3,6 +3,6 @@
 View() Sun() Haze()
 Bodies(texture {
   pigment { rgb <1, 0.5, 0.1> }
-  #ifndef (Without) normal { agate 0.8 scale 0.5 } #end
+  #ifndef (Without) normal { agate 1.6 scale 0.5 } #end
   finish { diffuse 0.2 reflection { 0.7 metallic } }
 })
