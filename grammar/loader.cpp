@@ -25,6 +25,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t kHeightPerNesting = 4;
 
 constexpr std::string_view kMoreMemory = "`--max-memory` raises the limit";
+constexpr std::string_view kTooMuchMemory = "the files of the scene take more memory than its limit";
+
+/// A file's content, charged to the budget until nobody holds it any more.
+struct HeldBytes {
+  Charge charge;
+  std::string bytes;
+};
 
 }  // namespace
 
@@ -86,8 +93,7 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
 std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {
   const std::size_t bytes = text.size();
   if (!texts_.grow(bytes)) {
-    problem = {AccessError::refused, "the files of the scene take more memory than its limit",
-               std::string(kMoreMemory)};
+    problem = {AccessError::refused, std::string(kTooMuchMemory), std::string(kMoreMemory)};
     return std::nullopt;
   }
   const std::optional<SourceSpan> span = map_.add(std::move(name), std::move(text));
@@ -214,34 +220,31 @@ std::unique_ptr<DataFile> Loader::open_data(std::string_view name, const Unit& f
   return std::make_unique<DataFile>(map_.text(*span), span->begin, symbols_, arena_, sink_);
 }
 
-std::optional<std::string> Loader::read_found(const FoundFile& found, AccessProblem& problem) {
+std::shared_ptr<const std::string> Loader::use_file(std::string_view name, const Unit& from, AccessProblem& problem) {
+  const FoundFile found = access_.find(name, from.file.parent_path());
+  problem = found.problem;
+  if (problem.error != AccessError::none) return nullptr;
+  CachedBytes& known = used_bytes_[found.canonical.string()];
+  if (known.stamp == found.stamp) {
+    if (auto bytes = known.bytes.lock()) return bytes;
+  }
   const std::size_t max_bytes = max_file_bytes();
   TextFile file = access_.read_bytes(found, max_bytes);
   explain(file, max_bytes);
   if (!file.trouble.empty()) {
     problem = {AccessError::refused, fmt::format("cannot read `{}`: {}", found.shown.string(), file.trouble),
                file.hint};
-    return std::nullopt;
+    return nullptr;
   }
-  if (!note_input(found, file, problem)) return std::nullopt;
-  used_bytes_[found.canonical.string()] = file.stamp;
-  return std::move(file.text);
-}
-
-bool Loader::use_file(std::string_view name, const Unit& from, AccessProblem& problem) {
-  const FoundFile found = access_.find(name, from.file.parent_path());
-  problem = found.problem;
-  if (problem.error != AccessError::none) return false;
-  const auto known = used_bytes_.find(found.canonical.string());
-  const bool is_known = known != used_bytes_.end() && known->second == found.stamp;
-  return is_known || read_found(found, problem);
-}
-
-std::optional<std::string> Loader::read_bytes(std::string_view name, const Unit& from, AccessProblem& problem) {
-  const FoundFile found = access_.find(name, from.file.parent_path());
-  problem = found.problem;
-  if (problem.error != AccessError::none) return std::nullopt;
-  return read_found(found, problem);
+  if (!note_input(found, file, problem)) return nullptr;
+  const auto held = std::make_shared<HeldBytes>(HeldBytes{Charge(options_.run.budget), std::move(file.text)});
+  if (!held->charge.grow(held->bytes.size())) {
+    problem = {AccessError::refused, std::string(kTooMuchMemory), std::string(kMoreMemory)};
+    return nullptr;
+  }
+  std::shared_ptr<const std::string> bytes(held, &held->bytes);
+  known = {bytes, file.stamp};
+  return bytes;
 }
 
 bool Loader::exists(std::string_view name, const Unit& from) const {

@@ -87,11 +87,10 @@ class Loader {
   [[nodiscard]] std::unique_ptr<DataFile> open_data(std::string_view name, const Unit& from, AccessProblem& problem);
 
   /// Reads the file `name`, which a scene in `from` uses for pictures, densities or letters, so that it appears in
-  /// used_files(). Returns false if it cannot be read, and `problem` says why.
-  [[nodiscard]] bool use_file(std::string_view name, const Unit& from, AccessProblem& problem);
-
-  /// The same, and returns the file's bytes; nothing if it cannot be read.
-  [[nodiscard]] std::optional<std::string> read_bytes(std::string_view name, const Unit& from, AccessProblem& problem);
+  /// used_files(). Returns its bytes, which the budget is charged with as long as someone holds them; null if it cannot
+  /// be read, and `problem` says why.
+  [[nodiscard]] std::shared_ptr<const std::string> use_file(std::string_view name, const Unit& from,
+                                                            AccessProblem& problem);
 
   /// Every file read so far, in the order of first use.
   [[nodiscard]] const std::vector<UsedFile>& used_files() const { return used_; }
@@ -128,14 +127,17 @@ class Loader {
     FileStamp stamp;
   };
 
+  struct CachedBytes {
+    std::weak_ptr<const std::string> bytes;
+    FileStamp stamp;
+  };
+
   const Unit* fail(LoadError error, SourceSpan where, std::string message, std::string hint = {});
   const Unit* parse(std::string name, std::filesystem::path file, std::string text, SourceSpan where);
   const Unit* load_file(const FoundFile& file, SourceSpan where);
   [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
   /// Records that a file was read. `name` is its portable name; a file without one is not recorded.
   void note_use(std::string name, std::filesystem::path shown, std::string_view content);
-  /// Reads a found file as an input of the run.
-  [[nodiscard]] std::optional<std::string> read_found(const FoundFile& found, AccessProblem& problem);
   /// Notes a file that was read as an input. False: the run writes it, and `problem` says so.
   bool note_input(const FoundFile& found, const TextFile& file, AccessProblem& problem);
   /// Adds a hint if a file was refused for its size, and would not be with more memory.
@@ -154,7 +156,7 @@ class Loader {
   std::deque<Complaint> complaints_;               ///< the trees point into it
   std::unordered_map<std::string, Cached> cache_;  ///< by canonical path
   std::unordered_map<std::string, CachedData> data_;
-  std::unordered_map<std::string, FileStamp> used_bytes_;  ///< by canonical path: files that use_file() has read
+  std::unordered_map<std::string, CachedBytes> used_bytes_;  ///< by canonical path: files that use_file() has read
   std::vector<UsedFile> used_;
   std::set<std::pair<std::string, std::uint64_t>> used_keys_;  ///< name and hash of each in `used_`
   Charge texts_;                                               ///< kept for the whole run

@@ -62,6 +62,7 @@ class Context {
   OpenFiles files;
   FontShelf fonts;
   scene::Database database;
+  render::ImageTable images;  ///< those of the database that called functions may look at
   ValueDepths depths;
   OriginTable origins;
   LanguageVersion version;

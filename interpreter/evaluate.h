@@ -8,6 +8,7 @@
 #include "grammar/loader.h"
 #include "grammar/symbols.h"
 #include "interpreter/origin_table.h"
+#include "renderer/patterns/kinds/sampled_image.h"
 #include "renderer/scene/database.h"
 #include "renderer/scene/queries.h"
 
@@ -47,6 +48,8 @@ struct EvaluateOptions {
   std::function<void(std::string_view)> print_debug;
   /// Answers `trace`, `inside`, `min_extent` and `max_extent`; if it is null they are errors.
   scene::Queries* queries = nullptr;
+  /// Prepares the images of functions that the scene calls; if it is null, such calls are errors.
+  render::ImageSource* images = nullptr;
   /// When its flag is set, the evaluation ends with an error. Its budget is charged with all that `limits` counts; if
   /// there is none, evaluate() makes one of limits.max_memory_bytes. Its steps are those of `limits`.
   RunLimits run;

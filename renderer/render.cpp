@@ -34,9 +34,19 @@ PixelRect with_neighbours(const PixelRect& window, const RenderOptions& options)
   return clipped({window.x0 - 1, window.y0 - 1, window.x1 + 1, window.y1 + 1}, options);
 }
 
+/// The images that the scene's textures refer to. Those of functions cannot be told apart, so that they are all needed.
+std::vector<bool> needed_images(const scene::Database& database) {
+  std::vector<bool> is_needed(database.images.size(), !database.functions.empty());
+  const SceneUse use(database);
+  for (const Use<scene::Image>& image : use.images())
+    is_needed[static_cast<std::size_t>(image.record - database.images.data())] = true;
+  return is_needed;
+}
+
 class Rendering {
  public:
-  Rendering(const scene::Database& database, const Tracer& tracer, const RenderOptions& options, const Plan& plan)
+  Rendering(const scene::Database& database, const Tracer& tracer, const RenderOptions& options, const Plan& plan,
+            const ImageTable* images)
       : options_(options),
         window_(clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options)),
         film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
@@ -44,7 +54,7 @@ class Rendering {
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
                             options.width, options.height),
-                 options.alpha, film_, options.run),
+                 options.alpha, film_, options.run, images),
         progress_(options.progress) {}
 
   void run() {
@@ -145,7 +155,17 @@ RenderResult render(const scene::Database& database, const Tracer& tracer, const
   ISL_CHECK(options.width >= 1 && options.height >= 1, "picture of {}x{}", options.width, options.height);
   ISL_CHECK(options.threads >= 0, "{} threads", options.threads);
   Plan plan = plan_of(database, {.quality = options.quality, .without = options.without});
-  Rendering rendering(database, tracer, options, plan);
+  ImageTable images;
+  if (plan.has("images")) {
+    ImageLibrary own(options.run);
+    ImageSource& source = options.images ? *options.images : own;
+    if (auto refusal = source.prepare(database, needed_images(database), images)) {
+      RenderResult refused;
+      refused.refusal = std::move(refusal);
+      return refused;
+    }
+  }
+  Rendering rendering(database, tracer, options, plan, &images);
   const int threads = options.threads > 0 ? options.threads : default_thread_count();
   const auto begin = std::chrono::steady_clock::now();
   with_threads(threads, [&] { rendering.run(); });

@@ -6,6 +6,7 @@
 #include "renderer/effects/plan.h"
 #include "renderer/film/tiles.h"
 #include "renderer/image/image.h"
+#include "renderer/image/image_library.h"
 #include "renderer/integrator/sampler.h"
 #include "renderer/trace/tracer.h"
 
@@ -33,6 +34,7 @@ struct RenderOptions {
   /// Called from time to time with the share that is done (0 to 1, never falling), on a rendering thread, one call at a
   /// time.
   std::function<void(double)> progress;
+  ImageSource* images = nullptr;  ///< where images that are decoded already may be found; may be null
   RunLimits run;  ///< once its flag is set, rendering ends early with the batches that are finished
 };
 

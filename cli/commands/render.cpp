@@ -123,9 +123,10 @@ std::optional<OutputProblem> take_picture_memory(const RenderCommand& command, C
 }
 
 Picture make_picture(const RenderCommand& command, RenderSettings settings, const scene::Database& database,
-                     const RunLimits& limits) {
+                     Session& session) {
   Picture picture;
-  settings.tracer.run = settings.render.run = limits;
+  settings.tracer.run = settings.render.run = session.limits();
+  settings.render.images = &session.images();
   const Stopwatch compiling;
   const render::Tracer tracer(database, settings.tracer);
   picture.compile_seconds = compiling.seconds();
@@ -146,7 +147,7 @@ Picture make_picture(const RenderCommand& command, RenderSettings settings, cons
     picture.refusal = render::measure_layers(
         database, settings.tracer, tracer, settings.render.aovs, settings.render.threads,
         [&](double done) { bar.update(render_share + (1 - render_share) * done); }, picture.result.image);
-    if (is_set(limits.stop)) picture.result.complete = false;
+    if (is_set(session.limits().stop)) picture.result.complete = false;
   }
   return picture;
 }
@@ -218,7 +219,7 @@ ExitCode run(const RenderCommand& command) {
 
   const scene::Database& database = drawable.database();
   const RenderSettings settings = render_settings(command, database);
-  const Picture picture = make_picture(command, settings, database, session.limits());
+  const Picture picture = make_picture(command, settings, database, session);
   if (picture.refusal) return refuse(session, *picture.refusal);
   const bool complete = picture.result.complete;
   if (!complete) files = partial_names(files);

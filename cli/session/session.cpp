@@ -103,6 +103,7 @@ ExitCode Session::evaluate() {
   options.run = limits_;
   render::ObjectQueries queries(limits_);
   options.queries = &queries;
+  options.images = &images_;
 
   const Stopwatch stopwatch;
   scene_ = interpreter::evaluate(loader_, symbols_, *unit_, options, sink_);

@@ -11,6 +11,7 @@
 #include "grammar/source_map.h"
 #include "grammar/symbols.h"
 #include "interpreter/evaluate.h"
+#include "renderer/image/image_library.h"
 
 #include <memory>
 #include <optional>
@@ -39,6 +40,8 @@ class Session {
   [[nodiscard]] const SceneOptions& options() const { return options_; }
   /// The memory, time and steps that are left to this run. Everything that works on the scene gets them.
   [[nodiscard]] const RunLimits& limits() const { return limits_; }
+  /// The scene's images, decoded when the first part of the program needs them.
+  [[nodiscard]] render::ImageSource& images() { return images_; }
   [[nodiscard]] DiagnosticSink& sink() { return sink_; }
   [[nodiscard]] const grammar::SourceMap& sources() const { return sources_; }
   [[nodiscard]] grammar::SymbolTable& symbols() { return symbols_; }
@@ -72,6 +75,7 @@ class Session {
   std::shared_ptr<OutputSet> outputs_ = std::make_shared<OutputSet>();
   Budget budget_;
   RunLimits limits_;
+  render::ImageLibrary images_{limits_};
   grammar::SourceMap sources_;
   grammar::SymbolTable symbols_;
   grammar::Arena arena_;

@@ -26,8 +26,8 @@ std::unique_ptr<Font> opened(Context& context, std::string bytes, const std::str
 
 std::unique_ptr<Font> FontShelf::open_file(Context& context, const std::string& name, SourceSpan where,
                                            grammar::AccessProblem& problem) {
-  std::optional<std::string> bytes = context.loader.read_bytes(name, context.current_unit(), problem);
-  return bytes ? opened(context, std::move(*bytes), grammar::shown_name(name), where) : nullptr;
+  const std::shared_ptr<const std::string> bytes = context.loader.use_file(name, context.current_unit(), problem);
+  return bytes ? opened(context, *bytes, grammar::shown_name(name), where) : nullptr;
 }
 
 std::unique_ptr<Font> FontShelf::open_installed(Context& context, const fs::path& file, SourceSpan where) {

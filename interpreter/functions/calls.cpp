@@ -67,6 +67,16 @@ class Numbers {
   std::size_t count_ = 0;
 };
 
+/// Decodes the images that were read since the last call of a function with patterns.
+void prepare_images(Context& context, const grammar::Call& call) {
+  const std::size_t count = context.database.images.size();
+  if (context.images.size() == count || !context.options.images) return;
+  context.database.settings.language_version = context.version.of_defaults();
+  const std::vector<bool> all(count, true);
+  if (const auto refusal = context.options.images->prepare(context.database, all, context.images))
+    context.fail(call.span, refusal->message, refusal->hint);
+}
+
 Value to_value(const std::array<double, 5>& terms, int count) { return {count, terms}; }
 
 Value call(Context& context, const grammar::Call& call, const FunctionValue& value) {
@@ -81,8 +91,9 @@ Value call(Context& context, const grammar::Call& call, const FunctionValue& val
     throw Failed{};
   }
   const NestingGuard guard(context, call.span, kEvaluationUnits * (1 + function.pattern_depth));
+  if (function.pattern_depth > 0) prepare_images(context, call);
   const Surroundings surroundings(context);
-  const render::Patterns patterns(context.database, &surroundings);
+  const render::Patterns patterns(context.database, &surroundings, scene::Settings{}.number_of_waves, &context.images);
   values::Environment environment(values::noise_generator_of(context.noise_generator()), context.run, &patterns);
   const auto terms = values::evaluate(function, arguments.span(), environment);
   if (environment.is_spent()) {

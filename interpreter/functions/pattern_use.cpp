@@ -53,9 +53,10 @@ class Walk {
 
  private:
   [[nodiscard]] std::string_view missing_of(const scene::Pattern& pattern) const {
+    const bool lacks_images = std::holds_alternative<scene::ImageId>(pattern.operands) && !context_.options.images;
     const bool asks_objects = std::holds_alternative<scene::ObjectOperands>(pattern.operands);
     const bool is_known = render::info_of(pattern.kind).lack == render::PatternLack::nothing;
-    if (is_known && (!asks_objects || context_.options.queries)) return {};
+    if (is_known && !lacks_images && (!asks_objects || context_.options.queries)) return {};
     return kFunctionOf[static_cast<std::size_t>(pattern.kind)];
   }
 

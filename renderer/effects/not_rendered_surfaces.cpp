@@ -25,7 +25,9 @@ using Found = std::optional<OriginId>;
 
 bool is_undrawable(const Pattern& pattern) { return info_of(pattern.kind).lack != PatternLack::nothing; }
 
-bool is_undrawable(const Pigment&, const PatternedPigment* record) { return record && is_undrawable(record->pattern); }
+bool is_undrawable(const Database&, const Pigment&, const PatternedPigment* record) {
+  return record && is_undrawable(record->pattern);
+}
 
 Found find_in(const Database& database, const Pigment& pigment) {
   return find_pigment(database, pigment, is_undrawable);
@@ -93,14 +95,14 @@ struct TextureRow {
 };
 
 constexpr TextureRow kTextureRows[] = {
-    {"texture_by_file", "textures that depend on a file", "a texture that depends on a file", chosen_unseen,
+    {"texture_by_file", "textures that depend on a density", "a texture that depends on a density file", chosen_unseen,
      choose_first},
-    {"pigment_by_file", "pigments that depend on a file", "a pigment that depends on a file",
+    {"pigment_by_file", "pigments that depend on a density", "a pigment that depends on a density file",
      [](const Database& database, const Texture& texture) { return find_in(database, texture.pigment); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
-    {"normal_by_file", "bumps that depend on a file", "a `normal` that depends on a file",
+    {"normal_by_file", "bumps that depend on a density", "a `normal` that depends on a density file",
      [](const Database& database, const Texture& texture) {
        std::unordered_set<std::uint32_t> seen;
        return undrawable_bumps(database, texture.normal, seen);

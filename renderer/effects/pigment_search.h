@@ -8,7 +8,8 @@
 namespace isl::render {
 
 /// `record`: null for a plain pigment.
-using IsSuchPigment = bool (*)(const scene::Pigment& pigment, const scene::PatternedPigment* record);
+using IsSuchPigment = bool (*)(const scene::Database& database, const scene::Pigment& pigment,
+                               const scene::PatternedPigment* record);
 
 /// The place of the first of the pigments that one is made of, itself included, for which `is_such` holds; nothing if
 /// there is none. The place may be unknown.

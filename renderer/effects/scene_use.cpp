@@ -84,4 +84,9 @@ void SceneUse::follow(const scene::Finish& finish, OriginId origin) {
 
 void SceneUse::follow(const scene::Interior& interior, OriginId origin) { interiors_.push_back({&interior, origin}); }
 
+void SceneUse::follow(const scene::Image& image, OriginId origin) {
+  images_.push_back({&image, origin});
+  scene::for_each_edge(image, [&](const auto& id) { reach(id, origin); });
+}
+
 }  // namespace isl::render

@@ -29,6 +29,7 @@ class SceneUse {
   [[nodiscard]] std::span<const Use<scene::Texture>> textures() const { return textures_; }
   [[nodiscard]] std::span<const Use<scene::Finish>> finishes() const { return finishes_; }
   [[nodiscard]] std::span<const Use<scene::Interior>> interiors() const { return interiors_; }
+  [[nodiscard]] std::span<const Use<scene::Image>> images() const { return images_; }
 
  private:
   struct Pending {
@@ -48,6 +49,7 @@ class SceneUse {
   void follow(const scene::Texture& texture, OriginId origin);
   void follow(const scene::Finish& finish, OriginId origin);
   void follow(const scene::Interior& interior, OriginId origin);
+  void follow(const scene::Image& image, OriginId origin);
 
   const scene::Database& database_;
   std::vector<Use<scene::Object>> objects_;
@@ -56,6 +58,7 @@ class SceneUse {
   std::vector<Use<scene::Texture>> textures_;
   std::vector<Use<scene::Finish>> finishes_;
   std::vector<Use<scene::Interior>> interiors_;
+  std::vector<Use<scene::Image>> images_;
   std::array<std::vector<bool>, std::tuple_size_v<decltype(scene::kColumns)>> is_reached_;
   std::vector<Pending> pending_;
 };

@@ -5,7 +5,9 @@
 // A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
 // the surface's normal.
 #include "renderer/effects/effect.h"
+#include "renderer/effects/image_transparency.h"
 #include "renderer/effects/pigment_search.h"
+#include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/paths/behind.h"
 #include "renderer/shading/interiors.h"
 
@@ -126,7 +128,12 @@ class TransparencyStage final : public Stage<SpawnWork> {
   int most_levels_;
 };
 
-bool lets_light_through(const scene::Pigment& pigment, const scene::PatternedPigment* record) {
+bool lets_light_through(const scene::Database& database, const scene::Pigment& pigment,
+                        const scene::PatternedPigment* record) {
+  if (record) {
+    const auto* const image = std::get_if<scene::ImageId>(&record->pattern.operands);
+    if (image && info_of(record->pattern.kind).colour && may_be_transparent(database.images[index(*image)])) return true;
+  }
   if (record && record->pattern.kind != scene::PatternKind::plain) return false;
   const scene::Colour& colour = record ? record->colour : pigment.colour;
   return colour.filter != 0 || colour.transmit != 0;

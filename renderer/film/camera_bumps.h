@@ -12,12 +12,12 @@ namespace isl::render {
 /// Serves one database, which must outlive it; shared by all threads.
 class CameraBumps {
  public:
-  /// Precondition: the database has a camera with a `normal`.
-  CameraBumps(const scene::Database& database, const RunLimits& run)
+  /// Precondition: the database has a camera with a `normal`. `images` may be null if it has none of them.
+  CameraBumps(const scene::Database& database, const RunLimits& run, const ImageTable* images)
       : bumps_(database.normals[index(database.camera->normal)]),
         run_(run),
         insides_(database),
-        patterns_(database, &insides_, database.settings.number_of_waves),
+        patterns_(database, &insides_, database.settings.number_of_waves, images),
         noise_generator_(values::noise_generator_of(database.settings.noise_generator)) {}
   CameraBumps(const CameraBumps&) = delete;
   CameraBumps& operator=(const CameraBumps&) = delete;

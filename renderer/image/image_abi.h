@@ -46,7 +46,7 @@ struct IslEncoded {
 };
 
 /// Raise this whenever anything above changes, or which module writes which format.
-#define ISL_IMAGE_ABI 2
+#define ISL_IMAGE_ABI 3
 
 typedef int (*IslImageAbi)(void);
 typedef void (*IslImageEncode)(const struct IslImage*, struct IslEncoded*);

@@ -19,6 +19,10 @@ const char* module_name(std::string_view format) {
 struct Module {
   IslImageEncode encode = nullptr;
   IslImageRelease release = nullptr;
+  // Null in modules that only encode.
+  IslImageOpen open = nullptr;
+  IslImageRead read = nullptr;
+  IslImageClose close = nullptr;
   std::string error;  ///< the reason why the module could not be loaded
 };
 
@@ -32,12 +36,16 @@ Module load(const char* name) {
     loaded.fail_as_foreign();
     return {.error = loaded.error};
   }
-  return {encode, release, {}};
+  return {encode,
+          release,
+          loaded.function<IslImageOpen>("isl_image_open"),
+          loaded.function<IslImageRead>("isl_image_read"),
+          loaded.function<IslImageClose>("isl_image_close"),
+          {}};
 }
 
-/// Each module is loaded once, when the first file of its formats is written.
-const Module& module_of(std::string_view format) {
-  const char* const name = module_name(format);
+/// Each module is loaded once, when it is first needed.
+const Module& module_named(const char* name) {
   static std::mutex mutex;
   static std::map<std::string_view, Module> loaded;
   const std::lock_guard lock(mutex);
@@ -48,7 +56,7 @@ const Module& module_of(std::string_view format) {
 }  // namespace
 
 EncodedFile encode_by_module(const IslImage& image) {
-  const Module& module = module_of(image.format);
+  const Module& module = module_named(module_name(image.format));
   EncodedFile file;
   if (module.encode == nullptr) {
     file.error = module.error;
@@ -64,5 +72,29 @@ EncodedFile encode_by_module(const IslImage& image) {
   module.release(&encoded);
   return file;
 }
+
+OpenPicture::OpenPicture(std::string_view bytes, const char* format) {
+  // The module of EXR files only encodes; a picture that is read pays for OpenImageIO once.
+  const Module& module = module_named(std::string_view(format) == "png" ? "isl_png.so" : "isl_image.so");
+  if (module.open == nullptr || module.read == nullptr || module.close == nullptr) {
+    problem_ = module.error.empty() ? "the image module cannot decode" : module.error;
+    return;
+  }
+  read_ = module.read;
+  close_ = module.close;
+  module.open(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), format, &picture_);
+}
+
+OpenPicture::~OpenPicture() {
+  if (close_ != nullptr) close_(&picture_);
+}
+
+std::string OpenPicture::error() const {
+  if (!problem_.empty()) return problem_;
+  if (picture_.error != nullptr) return picture_.error;
+  return picture_.reader == nullptr ? "the image module ran out of memory" : "";
+}
+
+bool OpenPicture::read(void* values) { return read_(&picture_, values) != 0; }
 
 }  // namespace isl::render

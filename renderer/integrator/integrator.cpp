@@ -36,13 +36,13 @@ void add(MakeStage<Work> make, const StageContext& context, std::vector<std::uni
 }  // namespace
 
 Integrator::Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan,
-                       bool transparent_background, const RunLimits& run)
+                       bool transparent_background, const RunLimits& run, const ImageTable* images)
     : database_(database),
       tracer_(tracer),
       run_(run),
       refusals_(run),
       lights_(placed_lights(database, tracer)),
-      textures_(database, run) {
+      textures_(database, run, images) {
   const StageContext context{database, tracer, textures_, refusals_};
   for (const PlannedEffect& planned : plan.called_for) {
     const StageMakers& make = planned.effect->stages;

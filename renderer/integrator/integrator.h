@@ -76,10 +76,11 @@ class SurfaceObserver {
 };
 
 /// The state that all batches of a rendering share; immutable. Everything that it refers to must outlive it.
+/// `images` may be null if the plan calls for none.
 class Integrator {
  public:
   Integrator(const scene::Database& database, const Tracer& tracer, const Plan& plan, bool transparent_background,
-             const RunLimits& run = {});
+             const RunLimits& run = {}, const ImageTable* images = nullptr);
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 

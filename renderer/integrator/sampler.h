@@ -34,14 +34,14 @@ struct Workspace {
 class Sampler {
  public:
   Sampler(const scene::Database& database, const Tracer& tracer, const Plan& plan, const CameraRays& camera,
-          bool transparent_background, Film& film, const RunLimits& run = {})
-      : integrator_(database, tracer, plan, transparent_background, run),
+          bool transparent_background, Film& film, const RunLimits& run = {}, const ImageTable* images = nullptr)
+      : integrator_(database, tracer, plan, transparent_background, run, images),
         camera_(camera),
         camera_origin_(database.camera.value_or(scene::Camera{}).origin),
         working_space_(database.settings),
         blank_alpha_(transparent_background ? 0 : 1),
         film_(film) {
-    if (plan.has("camera_normal")) bumps_.emplace(database, run);
+    if (plan.has("camera_normal")) bumps_.emplace(database, run, images);
   }
 
   /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at

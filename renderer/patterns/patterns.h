@@ -20,13 +20,15 @@ struct PatternPlace {
 /// its own environment. Nested patterns recurse; scene::Function::pattern_depth bounds the depth.
 class Patterns final : public values::PatternSource {
  public:
-  /// `surroundings` may be null if there is no `object` pattern. `number_of_waves` is the scene's for pictures, and
-  /// POV-Ray's default for functions that the scene itself calls; it is limited to kMaxWaves.
+  /// `surroundings` may be null if there is no `object` pattern, and `images` if there are no images. `number_of_waves`
+  /// is the scene's for pictures, and POV-Ray's default for functions that the scene itself calls; it is limited to
+  /// kMaxWaves.
   explicit Patterns(const scene::Database& database, const PatternSurroundings* surroundings = nullptr,
-                    int number_of_waves = scene::Settings{}.number_of_waves)
-      : world_{database, *this, surroundings, number_of_waves} {}
+                    int number_of_waves = scene::Settings{}.number_of_waves, const ImageTable* images = nullptr)
+      : world_{database, *this, surroundings, number_of_waves, images} {}
   Patterns(const Patterns& other)
-      : world_{other.world_.database, *this, other.world_.surroundings, other.world_.number_of_waves} {}
+      : world_{other.world_.database, *this, other.world_.surroundings, other.world_.number_of_waves,
+               other.world_.images} {}
   Patterns& operator=(const Patterns&) = delete;
 
   /// The value after warps, turbulence, frequency and waveform. `point` is in the space that the pattern is placed

@@ -15,7 +15,7 @@ constexpr std::string_view kPatternKinds[] = {
 
 constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
 constexpr std::string_view kShapes[] = {"cylindrical", "spherical", "toroidal", "planar", "cubic"};
-constexpr std::string_view kImageTypes[] = {"unnamed", "exr", "gif", "hdr", "iff", "jpeg", "pgm",
+constexpr std::string_view kImageTypes[] = {"unnamed", "bmp", "exr", "gif", "hdr",  "iff",  "jpeg",    "pgm",
                                             "png",     "pot", "ppm", "sys", "tga", "tiff", "function"};
 constexpr std::string_view kChannels[] = {"automatic", "index", "colour", "alpha"};
 
@@ -117,6 +117,8 @@ Json image_json(const Image& i) {
   if (i.map_type != 0) json["map_type"] = i.map_type;
   if (i.interpolate != 0) json["interpolate"] = i.interpolate;
   if (i.once) json["once"] = true;
+  if (i.repeat_x != 1 || i.repeat_y != 1) json["repeat"] = Json::array({i.repeat_x, i.repeat_y});
+  if (i.offset_x != 0 || i.offset_y != 0) json["offset"] = Json::array({i.offset_x, i.offset_y});
   if (i.channel != ImageChannel::automatic) json["channel"] = name(kChannels, i.channel);
   if (i.gamma) json["gamma"] = *i.gamma;
   if (i.gamma_srgb) json["gamma"] = "srgb";

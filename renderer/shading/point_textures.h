@@ -35,14 +35,14 @@ struct LayerLists {
 /// Serves one database; immutable, shared by all threads.
 class PointTextures {
  public:
-  /// `run` limits the steps at each point.
-  explicit PointTextures(const scene::Database& database, const RunLimits& run = {})
+  /// `run` limits the steps at each point. `images` may be null if no texture has one.
+  explicit PointTextures(const scene::Database& database, const RunLimits& run = {}, const ImageTable* images = nullptr)
       : database_(database),
         run_(run),
         materials_(database),
         coordinate_textures_(database),
         insides_(database),
-        patterns_(database, &insides_, database.settings.number_of_waves),
+        patterns_(database, &insides_, database.settings.number_of_waves, images),
         noise_generator_(values::noise_generator_of(database.settings.noise_generator)),
         is_old_(database.settings.language_version < 3.7) {}
   PointTextures(const PointTextures&) = delete;

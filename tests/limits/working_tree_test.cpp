@@ -57,7 +57,7 @@ TEST_F(WorkingTree, IsReadByIncludesAndPictures) {
   write(
       "tree/scenes/scene.isl",
       "#include \"../common.inc\" #debug Common\nsphere { 0, 1 pigment { image_map { png \"../maps/paper.png\" } } }");
-  const ProcessResult result = check_file("tree/scenes/scene.isl", {"--without", "pigment_by_surface"});
+  const ProcessResult result = check_file("tree/scenes/scene.isl", {"--without", "images"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("common"));
 }

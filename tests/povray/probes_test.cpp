@@ -1,5 +1,6 @@
 // Small scenes that print: both programs must print the same, to the last digit. Each line of a probe is one question
 // about an edge of the language. To ask POV-Ray something, add a line to a file in probes/.
+#include "renderer/image/image_library.h"
 #include "renderer/queries/object_queries.h"
 #include "tests/interpreter/evaluated_text.h"
 #include "tests/support/source_folder.h"
@@ -70,6 +71,8 @@ TEST_P(Probe, PrintsWhatPovrayPrints) {
   render::ObjectQueries queries;
   interpreter::EvaluateOptions options;
   options.queries = &queries;
+  render::ImageLibrary images({});
+  options.images = &images;
   const EvaluatedText ours(EvaluatedText::File{file}, options);
   EXPECT_EQ(ours.sink().error_count(), 0u) << ours.messages();
   const std::vector<std::string> said = lines_of(ours.said());

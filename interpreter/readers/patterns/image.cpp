@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
 
 namespace isl::interpreter {
 namespace {
@@ -20,13 +24,23 @@ namespace word = grammar::word;
 struct TypeRow {
   grammar::Symbol word;
   ImageType type;
+  std::array<std::string_view, 4> extensions;  ///< that a name without one gets, in POV-Ray's order
 };
 
 constexpr TypeRow kTypes[] = {
-    {word::kw_exr, ImageType::exr}, {word::kw_gif, ImageType::gif},   {word::kw_hdr, ImageType::hdr},
-    {word::kw_iff, ImageType::iff}, {word::kw_jpeg, ImageType::jpeg}, {word::kw_pgm, ImageType::pgm},
-    {word::kw_png, ImageType::png}, {word::kw_pot, ImageType::pot},   {word::kw_ppm, ImageType::ppm},
-    {word::kw_sys, ImageType::sys}, {word::kw_tga, ImageType::tga},   {word::kw_tiff, ImageType::tiff},
+    {word::kw_bmp, ImageType::bmp, {".bmp", ".BMP"}},
+    {word::kw_exr, ImageType::exr, {".exr", ".EXR"}},
+    {word::kw_gif, ImageType::gif, {".gif", ".GIF"}},
+    {word::kw_hdr, ImageType::hdr, {".hdr", ".HDR"}},
+    {word::kw_iff, ImageType::iff, {".iff", ".IFF"}},
+    {word::kw_jpeg, ImageType::jpeg, {".jpg", ".JPG", ".jpeg", ".JPEG"}},
+    {word::kw_pgm, ImageType::pgm, {".pgm", ".PGM"}},
+    {word::kw_png, ImageType::png, {".png", ".PNG"}},
+    {word::kw_pot, ImageType::pot, {".pot", ".POT"}},
+    {word::kw_ppm, ImageType::ppm, {".ppm", ".PPM"}},
+    {word::kw_sys, ImageType::sys, {}},
+    {word::kw_tga, ImageType::tga, {".tga", ".TGA"}},
+    {word::kw_tiff, ImageType::tiff, {".tif", ".TIF", ".tiff", ".TIFF"}},
 };
 
 /// Larger than any picture.
@@ -37,6 +51,7 @@ Image read_function_image(ElementStream& stream) {
   const auto& node = grammar::as<grammar::Function>(*stream.peek().node);
   Image image;
   image.type = ImageType::function;
+  image.said_at = context.origin(node.span);
   if (node.size.size() != 2) context.fail(node.span, "`function` as a picture needs its width and height");
   int* const sides[] = {&image.width, &image.height};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -76,30 +91,73 @@ void read_transparency(ElementStream& stream, std::optional<double>& all,
   entries.push_back(entry);
 }
 
+/// A whole number, of which fractions are cut off, among those that are allowed.
+int read_one_of(ElementStream& stream, std::string_view what, std::initializer_list<int> allowed) {
+  const SourceSpan span = stream.peek().span;
+  const double number = read_number(stream, what);
+  const auto* const found = std::ranges::find(allowed, std::trunc(number));
+  if (found == allowed.end()) {
+    stream.context().fail(span,
+                          fmt::format("{} must be one of {}, found {:g}", what, fmt::join(allowed, ", "), number));
+  }
+  return *found;
+}
+
+void read_repeat(ElementStream& stream, Image& image) {
+  const SourceSpan span = stream.peek().span;
+  const scene::Vec3 repeat = read_vector(stream, "a vector after `repeat`");
+  if (!(repeat.x > 0 && repeat.y > 0)) {
+    stream.context().fail(span,
+                          fmt::format("`repeat` must have terms above 0, found <{:g}, {:g}>", repeat.x, repeat.y));
+  }
+  image.repeat_x = repeat.x;
+  image.repeat_y = repeat.y;
+}
+
+void read_offset(ElementStream& stream, Image& image) {
+  const scene::Vec3 offset = read_vector(stream, "a vector after `offset`");
+  image.offset_x = offset.x;
+  image.offset_y = offset.y;
+}
+
 }  // namespace
 
-std::string read_file_name(ElementStream& stream, std::string_view what) {
+NamedFile read_file(ElementStream& stream, std::string_view what, std::span<const std::string_view> extensions) {
   Context& context = stream.context();
-  const SourceSpan where = stream.peek().span;
-  std::string name = read_name_of_file(stream, what);
-  grammar::AccessProblem problem;
-  if (!context.loader.use_file(name, context.current_unit(), problem)) {
-    context.error(where, problem.message, problem.hint);
+  const SourceSpan span = stream.peek().span;
+  NamedFile file;
+  std::string& name = file.name;
+  name = read_name_of_file(stream, what);
+  file.said_at = context.origin(span);
+  if (!std::filesystem::path(name).has_extension() && !context.loader.exists(name, context.current_unit())) {
+    const auto exists = [&](std::string_view extension) {
+      return !extension.empty() && context.loader.exists(fmt::format("{}{}", name, extension), context.current_unit());
+    };
+    if (const auto extension = std::ranges::find_if(extensions, exists); extension != extensions.end())
+      name += *extension;
   }
-  return name;
+  grammar::AccessProblem problem;
+  file.bytes = context.loader.use_file(name, context.current_unit(), problem);
+  if (!file.bytes) context.error(span, problem.message, problem.hint);
+  return file;
 }
 
 Image read_image_source(ElementStream& stream) {
   const Element next = stream.peek();
   if (next.is(ElementKind::value) && next.node->kind == grammar::NodeKind::function) return read_function_image(stream);
   Image image;
+  std::span<const std::string_view> extensions;
   if (next.is(ElementKind::word)) {
     const auto* const row = std::ranges::find(kTypes, next.word, &TypeRow::word);
     if (row == std::end(kTypes)) fail_expected(stream, "a type of picture or the name of a file");
     stream.drop();
     image.type = row->type;
+    extensions = row->extensions;
   }
-  image.file = read_file_name(stream, "the name of a picture's file");
+  NamedFile file = read_file(stream, "the name of a picture's file", extensions);
+  image.file = std::move(file.name);
+  image.bytes = std::move(file.bytes);
+  image.said_at = file.said_at;
   return image;
 }
 
@@ -121,11 +179,19 @@ bool read_image_item(ElementStream& stream, Image& image) {
       return true;
     case word::kIndex_map_type:
       stream.drop();
-      image.map_type = static_cast<int>(read_number_in(stream, "`map_type`", 0, 7));
+      image.map_type = read_one_of(stream, "`map_type`", {0, 1, 2, 5});
       return true;
     case word::kIndex_interpolate:
       stream.drop();
-      image.interpolate = static_cast<int>(read_number_in(stream, "`interpolate`", 0, 4));
+      image.interpolate = read_one_of(stream, "`interpolate`", {0, 2, 3, 4});
+      return true;
+    case word::kIndex_repeat:
+      stream.drop();
+      read_repeat(stream, image);
+      return true;
+    case word::kIndex_offset:
+      stream.drop();
+      read_offset(stream, image);
       return true;
     case word::kIndex_once:
       stream.drop();

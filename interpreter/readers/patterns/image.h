@@ -4,6 +4,8 @@
 
 #include "interpreter/element_stream.h"
 
+#include <span>
+
 namespace isl::interpreter {
 
 /// The file: its type's word, if any, and its name; or `function w, h { … }`.
@@ -12,8 +14,15 @@ namespace isl::interpreter {
 [[nodiscard]] bool read_image_item(ElementStream& stream, scene::Image& image);
 [[nodiscard]] scene::ImageId add_image(Context& context, scene::Image&& image);
 
-/// The name of a file that may be read: a string in which a backslash is an ordinary character. Reports a missing file,
-/// and goes on.
-[[nodiscard]] std::string read_file_name(ElementStream& stream, std::string_view what);
+/// A file that may be read. `bytes` is null if it is missing, which is reported.
+struct NamedFile {
+  std::string name;  ///< as written
+  OriginId said_at;  ///< place of the name
+  std::shared_ptr<const std::string> bytes;
+};
+/// The name of a file is a string in which a backslash is an ordinary character. A name without an extension that no
+/// file has is tried with these.
+[[nodiscard]] NamedFile read_file(ElementStream& stream, std::string_view what,
+                                  std::span<const std::string_view> extensions = {});
 
 }  // namespace isl::interpreter

@@ -39,7 +39,7 @@ scene::Vec3 OperandStream::vector(std::string_view what) noexcept {
 }
 
 std::string OperandStream::file_name(std::string_view what) noexcept {
-  return answer([&] { return read_file_name(stream_, what); });
+  return answer([&] { return read_file(stream_, what).name; });
 }
 
 bool OperandStream::accept_word(std::string_view word) noexcept {

@@ -26,10 +26,14 @@ using scene::Operands;
 using scene::Pattern;
 using scene::PatternKind;
 
-scene::ImageId read_image(ElementStream& stream) {
+scene::ImageId read_image(ElementStream& stream, PatternKind kind) {
   scene::Image image = read_image_source(stream);
+  image.holds_numbers = kind != PatternKind::image_map;
   while (read_image_item(stream, image)) {
   }
+  // As in POV-Ray, an image_pattern takes colours even where `use_index` asks for numbers.
+  if (kind == PatternKind::image_pattern && image.channel != scene::ImageChannel::alpha)
+    image.channel = scene::ImageChannel::colour;
   return add_image(stream.context(), std::move(image));
 }
 
@@ -109,7 +113,7 @@ bool is_operand_word(Context& context, grammar::Symbol symbol) {
 void read_operands(ElementStream& stream, Pattern& pattern, std::string_view word) {
   const render::PatternInfo& info = info_of(pattern.kind);
   switch (info.block) {
-    case PatternBlock::image: pattern.operands = read_image(stream); break;
+    case PatternBlock::image: pattern.operands = read_image(stream, pattern.kind); break;
     case PatternBlock::object: pattern.operands = read_object(stream); break;
     case PatternBlock::pigment: pattern.operands = read_pigment_operand(stream); break;
     case PatternBlock::none:

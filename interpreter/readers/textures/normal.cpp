@@ -105,6 +105,7 @@ class NormalReader {
   void read_bump_map(const Element& block) {
     ElementStream stream(context_, block);
     scene::Image image = read_image_source(stream);
+    image.holds_numbers = true;
     while (!stream.peek().is(ElementKind::end)) {
       if (read_image_item(stream, image)) continue;
       if (stream.peek().is_word(word::kw_bump_size)) {

@@ -169,6 +169,7 @@ class TextureReader {
   void read_material_map(const Element& block) {
     ElementStream stream(context_, block);
     scene::Image image = read_image_source(stream);
+    image.holds_numbers = true;
     while (read_image_item(stream, image)) {
     }
     scene::TextureMap list;
@@ -176,6 +177,7 @@ class TextureReader {
       list.push_back({static_cast<double>(list.size()), read_list_texture(stream)});
     } while (!stream.peek().is(ElementKind::end));
     set_kind(draft_, PatternKind::material_map);
+    image.choices = static_cast<int>(list.size());
     draft_.pattern.operands = add_image(context_, std::move(image));
     map_ = add_map<scene::TextureMapId>(context_, context_.database.texture_maps, std::move(list));
   }

@@ -1,4 +1,4 @@
-// Patterns of files: pictures and densities. None is evaluated yet.
+// Patterns of files that are no images: densities. They are not evaluated yet.
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 namespace isl::render {
@@ -16,25 +16,10 @@ void read_density_file(scene::OperandReader& reader, DensityFile& density, std::
   density.file = reader.file_name("the name of a file");
 }
 
-constexpr PatternHosts kPigments{.normal = false, .texture = false, .function = false};
-
 }  // namespace
 
-constinit const PatternInfo pattern_kinds::bump_map{
-    .block = PatternBlock::of_host, .hosts = kNormalsOnly, .choice = PatternChoice::own, .lack = PatternLack::file};
 constinit const PatternInfo pattern_kinds::density_file{.operands = operands_of<DensityFile, kDensityFile>,
                                                         .read = read_operands<DensityFile, read_density_file>,
-                                                        .lack = PatternLack::file};
-constinit const PatternInfo pattern_kinds::image_map{.block = PatternBlock::image,
-                                                     .hosts = kPigments,
-                                                     .instead = "image_pattern",
-                                                     .choice = PatternChoice::own,
-                                                     .lack = PatternLack::file};
-constinit const PatternInfo pattern_kinds::image_pattern{.block = PatternBlock::image, .lack = PatternLack::file};
-/// A material_map replaces a texture and is read by the reader of textures.
-constinit const PatternInfo pattern_kinds::material_map{.block = PatternBlock::of_host,
-                                                        .hosts = {.pigment = false, .normal = false, .function = false},
-                                                        .choice = PatternChoice::own,
                                                         .lack = PatternLack::file};
 
 }  // namespace isl::render

@@ -4,6 +4,7 @@
 // folder, with the name of its row in renderer/scene/patterns.def.
 #pragma once
 
+#include "renderer/patterns/kinds/sampled_image.h"
 #include "renderer/scene/database.h"
 #include "renderer/scene/operand_reader.h"
 #include "renderer/scene/operands.h"
@@ -35,6 +36,7 @@ struct PatternWorld {
   const values::PatternSource& patterns;    ///< evaluates patterns and pigments within patterns
   const PatternSurroundings* surroundings;  ///< may be null if there is no `object` pattern
   int number_of_waves;                      ///< limited to kMaxWaves
+  const ImageTable* images;                 ///< may be null if there are no images
 };
 
 /// A pattern and the point at which it is evaluated, in the pattern's own space: after warps and turbulence.
@@ -104,6 +106,8 @@ struct PatternInfo {
   PatternLack lack = PatternLack::nothing;
   /// The value, from 0 to about 1, or the item's index. Null for kinds without a value, which give 0.
   double (*value)(const PatternPoint& at) noexcept = nullptr;
+  /// The colour, for kinds with colours of their own.
+  scene::Colour (*colour)(const PatternPoint& at) noexcept = nullptr;
   /// A unit normal as bumps of this size bend it, of any length. Null for kinds whose bumps are their values' heights.
   Vec3 (*bend)(const PatternPoint& at, const Vec3& normal, double size) noexcept = nullptr;
 

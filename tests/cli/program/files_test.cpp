@@ -35,6 +35,51 @@ TEST_F(Files, ThatAreMissingAreErrorsWhereverTheyAreRead) {
   }
 }
 
+TEST_F(Files, ThatAreNoImagesAreErrorsAtTheirPlaceWhenTheyAreDecoded) {
+  write("c.png", "no picture");
+  write("b.ppm", "P6 2 1 255\n" + std::string("\xff\x80\x01", 3));
+  const auto render = [this](std::string_view use) {
+    write("a.isl", std::string(kSmallScene) + std::string(use));
+    EXPECT_EQ(run({"check", "a.isl"}).exit_code, 0) << "it decodes nothing";
+    const ProcessResult result = run({"render", "a.isl", "-s", "16x12"});
+    EXPECT_EQ(result.exit_code, 1) << use;
+    EXPECT_FALSE(exists("a.png"));
+    return result.err;
+  };
+  EXPECT_THAT(render("plane { y, -1 pigment { image_map { png \"c.png\" } } }"),
+              HasSubstr("a.isl:6:41: error: the image `c.png`: it cannot be read as png: it is not a PNG file"));
+  EXPECT_THAT(render("plane { y, -1 pigment { image_map { jpeg \"c.png\" } } }"),
+              HasSubstr("error: the image `c.png`: it cannot be read as jpeg: "));
+  EXPECT_THAT(render("plane { y, -1 pigment { image_map { \"b.ppm\" } } }"),
+              HasSubstr("error: the image `b.ppm`: it cannot be read as ppm: "));
+}
+
+TEST_F(Files, OfImagesAreDecodedOnlyForWhatIsDrawn) {
+  write("c.png", "no picture");
+  write("a.isl", std::string(kSmallScene) + "#declare Unused = pigment { image_map { png \"c.png\" } }\n");
+  EXPECT_EQ(run({"render", "a.isl", "-s", "16x12"}).exit_code, 0);
+  write("b.isl", std::string(kSmallScene) + "plane { y, -1 pigment { image_map { png \"c.png\" } } }\n");
+  EXPECT_EQ(run({"render", "b.isl", "-s", "16x12", "--without", "images"}).exit_code, 0);
+  EXPECT_THAT(run({"plan", "b.isl"}).out, HasSubstr("an image at b.isl:6:41"));
+}
+
+TEST_F(Files, OfImagesAreFoundWithoutTheirExtension) {
+  write("a.ppm", "P6 1 1 255\n" + std::string("\xff\x80\x01", 3));
+  write("a.isl", std::string(kSmallScene) + "plane { y, -1 pigment { image_map { ppm \"a\" } } }\n");
+  EXPECT_EQ(run({"render", "a.isl", "-s", "16x12"}).exit_code, 0);
+}
+
+TEST_F(Files, OfImagesAreReadByFunctionsThatTheSceneCalls) {
+  write("a.ppm", "P6 2 1 255\n" + std::string("\xff\x80\x01\x00\x00\x33", 6));
+  write("a.isl",
+        "#version 3.7; global_settings { assumed_gamma 1 }\n"
+        "#declare F = function { pigment { image_map { ppm \"a.ppm\" } } }\n"
+        "#debug concat(str(F(.7, .5, 0).blue, 0, 3), \" \", str(F(.2, .5, 0).red, 0, 3))\nsphere { 0, 1 }\n");
+  EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("0.200 1.000"));
+  write("a.ppm", "no picture");
+  EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("a.isl:3:"));
+}
+
 TEST_F(Files, AreNamedWithTheirHashesByCheck) {
   write("scene/a.isl", std::string(kSmallScene) + "#include \"inc/b.inc\"\n#include \"inc/b.inc\"\n");
   write("scene/inc/b.inc", "#declare B = pigment { image_map { png \"c.png\" } }");

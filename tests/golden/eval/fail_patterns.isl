@@ -13,6 +13,6 @@ sphere { 0, 1 pigment { rgb 1 checker rgb 1, rgb 0 } }
 sphere { 0, 1 pigment { spiral1 } }
 sphere { 0, 1 pigment { gradiant x } }
 sphere { 0, 1 pigment { density_file "a.df3" } }
-sphere { 0, 1 pigment { image_map { bmp "a.bmp" } } }
+sphere { 0, 1 pigment { image_map { webp "a.webp" } } }
 sphere { 0, 1 pigment { image_map { png "a.png" map_type 9 } } }
 sphere { 0, 1 pigment { <1, 0, 0> } }

@@ -156,7 +156,7 @@ TEST(NotRendered, WhatAPatternChoosesIsLookedInto) {
   database.texture_patterns[0].map = TextureMapId{0};
   database.texture_maps = {{{0, TextureId{0}}, {1, TextureId{1}}}};
   database.default_texture = {.pattern = TexturePatternId{0}};
-  EXPECT_THAT(names(database), ElementsAre("a pigment that depends on a file"));
+  EXPECT_THAT(names(database), ElementsAre("a pigment that depends on a density file"));
 }
 
 TEST(NotRendered, APatternThatNeedsOnlyThePointIsDrawn) {

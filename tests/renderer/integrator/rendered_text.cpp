@@ -8,7 +8,10 @@
 namespace isl::test {
 
 render::RenderResult rendered(std::string_view scene, int size, render::RenderOptions options) {
-  const EvaluatedText text(scene);
+  render::ImageLibrary images({});
+  interpreter::EvaluateOptions reading;
+  reading.images = &images;
+  const EvaluatedText text(scene, reading);
   EXPECT_EQ(text.messages(), "") << scene;
   scene::Database database = text.database();
   leave_out(render::plan_of(database, {.without = options.without}), database);

@@ -1,0 +1,59 @@
+// Where an image lies in space: from a point to a place on the image, by its map type and repetition, and from there to
+// the texels that are mixed, by its interpolation. The formulas are POV-Ray's, as measured. Colours are unknown here.
+#pragma once
+
+#include "renderer/scene/image.h"
+#include "renderer/scene/transform.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace isl::render {
+
+/// A place on an image in texels: x from the left border, y from the lower one; either may be outside.
+struct TexelPlace {
+  double x, y;
+};
+
+/// One of the texels that a value is the weighted mean of; they are numbered row by row from the top.
+struct TexelTap {
+  std::size_t texel;
+  double weight;
+};
+struct TexelTaps {
+  std::array<TexelTap, 16> taps{};
+  int count = 0;
+  void add(std::size_t texel, double weight) noexcept { taps[static_cast<std::size_t>(count++)] = {texel, weight}; }
+};
+
+class ImagePlacing {
+ public:
+  ImagePlacing(const scene::Image& image, int width, int height)
+      : map_type_(image.map_type),
+        interpolate_(image.interpolate),
+        once_(image.once),
+        repeat_x_(image.repeat_x),
+        repeat_y_(image.repeat_y),
+        offset_x_(image.offset_x),
+        offset_y_(image.offset_y),
+        width_(width),
+        height_(height) {}
+
+  /// Nullopt outside an image that is mapped once.
+  [[nodiscard]] std::optional<TexelPlace> place_of(const scene::Vec3& p) const noexcept;
+  /// The place some texels away. It is on the other side of the image if that is beyond a border.
+  [[nodiscard]] TexelPlace neighbour(const TexelPlace& place, double dx, double dy) const noexcept;
+  [[nodiscard]] TexelTaps taps_of(const TexelPlace& place) const noexcept;
+
+ private:
+  /// The texel of a column and a row from below, which may be outside.
+  [[nodiscard]] std::size_t texel_number(double column, double row) const noexcept;
+
+  int map_type_, interpolate_;
+  bool once_;
+  double repeat_x_, repeat_y_, offset_x_, offset_y_;
+  int width_, height_;
+};
+
+}  // namespace isl::render
