@@ -12,7 +12,8 @@ class PigmentSearch {
   PigmentSearch(const scene::Database& database, IsSuchPigment is_such) : database_(database), is_such_(is_such) {}
 
   std::optional<OriginId> find(const scene::Pigment& pigment) {
-    if (pigment.is_plain()) return is_such_(database_, pigment, nullptr) ? std::optional(pigment.said_at) : std::nullopt;
+    if (pigment.is_plain())
+      return is_such_(database_, pigment, nullptr) ? std::optional(pigment.said_at) : std::nullopt;
     if (!seen_.insert(index(pigment.pattern)).second) return std::nullopt;
     const scene::PatternedPigment& record = database_.pigments[index(pigment.pattern)];
     if (is_such_(database_, pigment, &record)) return record.pattern.said_at;
