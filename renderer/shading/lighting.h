@@ -20,6 +20,7 @@
 #include "renderer/shading/material.h"
 
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace isl::render {
@@ -62,14 +63,19 @@ struct LightSample {
   return light.parallel || light.kind == scene::LightKind::cylinder;
 }
 
-/// Light from a point of a light source. Parallel light runs from that point towards point_at everywhere, and comes
-/// from the plane through the point.
+/// The distance of light that comes from no place in particular: no surface is nearer.
+inline constexpr double kNothingBetween = std::numeric_limits<double>::denorm_min();
+
+/// Light from a point of a light source. Parallel light runs from that point towards point_at everywhere. It comes from
+/// the plane through the point; what lies before that plane has it too, as in POV-Ray, and nothing can be in between.
+/// The beam of a `cylinder` begins at the plane.
 [[nodiscard]] inline LightSample sample_light_from(const scene::Light& light, const Vec3& source,
                                                    const Vec3& position) {
   if (is_parallel(light)) [[unlikely]] {
     const Vec3 axis = (light.point_at - source).normalized();
     const double distance = (position - source).dot(axis);
-    return distance > 0 ? LightSample{-axis, distance} : LightSample{};
+    if (distance > 0) return {-axis, distance};
+    return light.kind == scene::LightKind::cylinder ? LightSample{} : LightSample{-axis, kNothingBetween};
   }
   const Vec3 way = source - position;
   const double distance = way.length();

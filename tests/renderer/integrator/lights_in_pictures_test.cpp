@@ -46,8 +46,9 @@ TEST(FadingLight, is_povrays) {
 TEST(ParallelLight, is_povrays) {
   expect_across("light_source { <3, 0, -4> rgb 1 parallel point_at 0 fade_distance 2 fade_power 1 } " + white(),
                 {.45715, .47140, .48658});
-  // It comes from the plane through its location, so a wall behind that has none.
-  expect_at(0, "light_source { z rgb 1 parallel point_at 2*z } " + white(), 0);
+  // A wall before the plane through its location has it too, and nothing throws a shadow there.
+  expect_at(0, "light_source { z rgb 1 parallel point_at 2*z } box { <-1, -1, -2>, <1, 1, -1.9> no_image } " + white(),
+            1);
 }
 
 TEST(Lights, that_a_scene_can_do_without_are_plain_without_them) {
