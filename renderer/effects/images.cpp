@@ -12,7 +12,7 @@ namespace {
 bool is_of_image(const scene::Pattern& pattern) { return std::holds_alternative<scene::ImageId>(pattern.operands); }
 
 /// The mean of the plain colours that a pigment chooses from; grey if there are none.
-scene::Colour mean_colour(const scene::Database& database, const scene::PatternedPigment& pigment) {
+scene::Colour colour_without_image(const scene::Database& database, const scene::PatternedPigment& pigment) {
   if (pigment.quick_colour) return *pigment.quick_colour;
   scene::Colour sum;
   int count = 0;
@@ -33,7 +33,7 @@ scene::Colour mean_colour(const scene::Database& database, const scene::Patterne
 void without_images(scene::Database& database) {
   for (scene::PatternedPigment& pigment : database.pigments) {
     if (!is_of_image(pigment.pattern)) continue;
-    pigment.colour = mean_colour(database, pigment);
+    pigment.colour = colour_without_image(database, pigment);
     pigment.pattern = {};
   }
   for (scene::Normal& normal : database.normals) {
