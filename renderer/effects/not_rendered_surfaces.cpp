@@ -29,7 +29,7 @@ bool is_undrawable(const Database&, const Pigment&, const PatternedPigment* reco
   return record && is_undrawable(record->pattern);
 }
 
-Found find_in(const Database& database, const Pigment& pigment) {
+Found find_undrawable(const Database& database, const Pigment& pigment) {
   return find_pigment(database, pigment, is_undrawable);
 }
 
@@ -39,7 +39,7 @@ Found undrawable_bumps(const Database& database, scene::NormalId id, std::unorde
   const scene::Normal& bumps = database.normals[index(id)];
   if (is_undrawable(bumps.pattern)) return bumps.pattern.said_at;
   if (const auto* const inner = std::get_if<scene::PigmentOperands>(&bumps.pattern.operands)) {
-    if (const Found found = find_in(database, {.pattern = inner->pigment})) return found;
+    if (const Found found = find_undrawable(database, {.pattern = inner->pigment})) return found;
   }
   if (bumps.map == scene::kNoNormalMap) return {};
   for (const scene::NormalEntry& entry : database.normal_maps[index(bumps.map)]) {
@@ -73,7 +73,7 @@ Found chosen_unseen(const Database& database, const Texture& texture) {
   const Pattern& pattern = database.texture_patterns[index(texture.pattern)].pattern;
   if (is_undrawable(pattern)) return pattern.said_at;
   const auto* const inner = std::get_if<scene::PigmentOperands>(&pattern.operands);
-  return inner ? find_in(database, {.pattern = inner->pigment}) : Found();
+  return inner ? find_undrawable(database, {.pattern = inner->pigment}) : Found();
 }
 
 /// Takes the first of the textures that the pattern chooses from.
@@ -98,7 +98,7 @@ constexpr TextureRow kTextureRows[] = {
     {"texture_by_file", "textures that depend on a density", "a texture that depends on a density file", chosen_unseen,
      choose_first},
     {"pigment_by_file", "pigments that depend on a density", "a pigment that depends on a density file",
-     [](const Database& database, const Texture& texture) { return find_in(database, texture.pigment); },
+     [](const Database& database, const Texture& texture) { return find_undrawable(database, texture.pigment); },
      [](const Database& database, Texture& texture) {
        texture.pigment = {stand_in(database, database.pigments[index(texture.pigment.pattern)])};
      }},
