@@ -18,7 +18,7 @@ double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.
 
 /// True if the camera stands in something that keeps media out. Precondition: there are some. As in POV-Ray, an object
 /// holds nothing beyond the box around its surface. Otherwise each disc, which bounds a half-space in combinations of
-/// solids, would keep the fog out of half of the world.
+/// solids, would keep the air out of half of the world.
 bool is_in_solid(const scene::Database& database, StepCounter& steps) {
   const PatternInsides insides(database);
   Extents extents(database);
