@@ -11,7 +11,7 @@ namespace {
 /// "function { image_map }" by kind: the names that functions keep of patterns that cannot be evaluated.
 constexpr std::string_view kFunctionOf[] = {
     "",
-#define ISL_PATTERN(name, frequency) "function { " #name " }",
+#define ISL_PATTERN(name, frequency) std::string_view("function { " #name " }"),
 #include "renderer/scene/patterns.def"
 #undef ISL_PATTERN
 };
