@@ -24,6 +24,7 @@ SCENES = [
     "scenes/paper/sphereflake.isl",
 ]
 BOUND = 0.005
+REPEATS = 3
 
 
 def instructions(program, scene, size, folder):
@@ -49,6 +50,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for scene in SCENES:
             counts = [instructions(program, scene, options.size, folder) for program in programs]
+            # Now and then a start takes a million more, for what the system does; the least of several runs is the program's own.
+            for _ in range(REPEATS):
+                if max(counts) <= (1 + BOUND) * min(counts):
+                    break
+                counts = [min(count, instructions(program, scene, options.size, folder)) for count, program in zip(counts, programs)]
             shares = [count / counts[0] - 1 for count in counts[1:]]
             worst = max([worst, *map(abs, shares)])
             print(f"{scene:36} {counts[0] / 1e6:10.1f} M " + " ".join(f"{100 * share:+7.2f} %" for share in shares), flush=True)
