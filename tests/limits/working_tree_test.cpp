@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 class WorkingTree : public AttackTest {
- protected:
+ public:
   WorkingTree() {
     write("secret/key.inc", "#declare Key = \"opensesame\";");
     write("tree/.git/config", "#declare Key = \"opensesame\";");
@@ -24,6 +24,7 @@ class WorkingTree : public AttackTest {
   }
   ~WorkingTree() override { set_home(home_); }
 
+ protected:
   static void set_home(const std::optional<std::string>& home) {
     if (home) {
       setenv("HOME", home->c_str(), 1);

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 class Files : public ProgramTest {
- protected:
+ public:
   ~Files() override { unsetenv("ISL_SYSTEM_LIBRARIES"); }
 };
 
