@@ -7,9 +7,10 @@
 #include "renderer/effects/effect.h"
 #include "renderer/effects/image_transparency.h"
 #include "renderer/effects/pigment_search.h"
-#include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/paths/behind.h"
+#include "renderer/patterns/kinds/pattern_kind.h"
 #include "renderer/shading/interiors.h"
+#include "renderer/shading/irid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
  public:
   explicit TransparencyStage(const StageContext& context)
       : interiors_(context.database),
+        film_(context.database.settings),
         least_weight_(context.database.settings.adc_bailout),
         most_levels_(context.database.settings.max_trace_level) {}
 
@@ -31,8 +33,8 @@ class TransparencyStage final : public Stage<SpawnWork> {
       std::optional<Behind> found;
       for (std::size_t first = 0; first < point.textures.size();) {
         // Textures that have the same normal send one ray on.
-        Rgb passing(0);
-        double share = 0;
+        Rgb passing(0), kept(0);
+        bool lets_through = false;
         const Vec3& normal = work.block.normal_of(point, point.textures[first]);
         std::size_t at = first;
         for (; at < point.textures.size(); ++at) {
@@ -40,12 +42,13 @@ class TransparencyStage final : public Stage<SpawnWork> {
           const Rgb through = work.block.passing_of(texture);
           // A layer below the top does not let light through by itself.
           if (through == Rgb(0)) continue;
-          if (share > 0 && work.block.normal_of(point, texture) != normal) break;
+          if (lets_through && work.block.normal_of(point, texture) != normal) break;
+          lets_through = true;
           passing += through * texture.weight;
-          share += texture.weight;
+          kept += kept_within(point, texture, normal) * texture.weight;
         }
         first = std::max(at, first + 1);
-        if (share == 0) continue;
+        if (!lets_through) continue;
         if (!found) {
           const std::uint32_t path = work.block.paths[i];
           const Body body{work.batch.hits[path].instance, point.interior, point.is_hollow};
@@ -53,22 +56,35 @@ class TransparencyStage final : public Stage<SpawnWork> {
         }
         if (const int colours = found->colours();
             colours > 1 && work.batch.entries[work.block.paths[i]].wave.is_white()) {
-          part(work, i, normal, passing, share, *found, colours);
+          part(work, i, normal, {passing, kept}, *found, colours);
         } else {
-          send_on(work, i, normal, passing, share, *found, {});
+          send_on(work, i, normal, {passing, kept}, *found, {});
         }
       }
     }
   }
 
  private:
+  /// The shares of light that a surface lets through, and that it keeps within where it reflects totally.
+  struct Shares {
+    Rgb passing, kept;
+  };
+
+  /// Total reflection takes nothing from the light, but films colour it as they colour all that a surface throws back.
+  [[nodiscard]] Rgb kept_within(const ShadingPoint& point, const LitTexture& texture, const Vec3& normal) const {
+    const scene::Finish& finish = *texture.material->finish;
+    if (finish.irid == 0) return Rgb(1);
+    const double cosine = normal.dot(point.view);
+    return film_factor(finish, film_, point.position, cosine, cosine);
+  }
+
   /// Light of one of the colours into which a surface parts white light.
   struct Part {
     Wave wave;
     Rgb tint{1};
   };
 
-  void part(SpawnWork& work, std::size_t i, const Vec3& normal, const Rgb& passing, double share, const Behind& there,
+  void part(SpawnWork& work, std::size_t i, const Vec3& normal, const Shares& shares, const Behind& there,
             int colours) const {
     bool all_are_total = true;
     for (int colour = 0; colour < colours; ++colour) {
@@ -77,14 +93,14 @@ class TransparencyStage final : public Stage<SpawnWork> {
       Behind of_wave = there;
       of_wave.ratio = there.ratio_of(wave);
       work.is_total[i] = 0;
-      send_on(work, i, normal, passing, share, of_wave, {wave, end(colour + 1) - end(colour)});
+      send_on(work, i, normal, shares, of_wave, {wave, end(colour + 1) - end(colour)});
       all_are_total &= work.is_total[i] != 0;
     }
     work.is_total[i] = all_are_total;
   }
 
-  void send_on(SpawnWork& work, std::size_t i, const Vec3& normal, const Rgb& passing, double share,
-               const Behind& there, const Part& part) const {
+  void send_on(SpawnWork& work, std::size_t i, const Vec3& normal, const Shares& shares, const Behind& there,
+               const Part& part) const {
     const ShadingPoint& point = work.block.points[i];
     const std::uint32_t at = work.block.paths[i];
     const PathEntry& path = work.batch.entries[at];
@@ -96,7 +112,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
     PathEntry child = path;
     child.factor *= part.tint;
     if (!part.wave.is_white()) child.wave = part.wave;
-    child.weight *= largest(passing);
+    child.weight *= largest(shares.passing);
     if (child.weight < least_weight_) {
       ++work.ended.by_weight;
       return;
@@ -109,14 +125,14 @@ class TransparencyStage final : public Stage<SpawnWork> {
     // POV-Ray does not count a segment that goes straight on.
     child.level = static_cast<std::uint16_t>(path.level + (there.ratio == 1 ? 0 : 1));
     if (const std::optional<Vec3> direction = refracted(point.view, normal, there.ratio)) {
-      child.factor *= passing * faded;
+      child.factor *= shares.passing * faded;
       child.bodies = there.bodies;
       child.in_solid = there.in_solid;
       next.direction = *direction;
     } else {
       work.is_total[i] = 1;
-      // The surface takes nothing from the light. As in POV-Ray, the path's weight still falls as if it let it through.
-      child.factor *= faded * share;
+      // As in POV-Ray, the path's weight falls as if the surface let the light through.
+      child.factor *= faded * shares.kept;
       child.kind = RayKind::reflection;
       next.direction = mirrored(point.view, normal, point.normal);
     }
@@ -124,6 +140,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
   }
 
   Interiors interiors_;
+  FilmLight film_;
   double least_weight_;
   int most_levels_;
 };
@@ -132,7 +149,8 @@ bool lets_light_through(const scene::Database& database, const scene::Pigment& p
                         const scene::PatternedPigment* record) {
   if (record) {
     const auto* const image = std::get_if<scene::ImageId>(&record->pattern.operands);
-    if (image && info_of(record->pattern.kind).colour && may_be_transparent(database.images[index(*image)])) return true;
+    if (image && info_of(record->pattern.kind).colour && may_be_transparent(database.images[index(*image)]))
+      return true;
   }
   if (record && record->pattern.kind != scene::PatternKind::plain) return false;
   const scene::Colour& colour = record ? record->colour : pigment.colour;

@@ -1,6 +1,9 @@
 // Surfaces that let light through, in whole pictures.
 #include "tests/renderer/integrator/middle_pixel.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace isl::test {
 namespace {
 
@@ -101,6 +104,18 @@ TEST(Refraction, follows_snell_through_bodies_within_bodies) {
 TEST(Refraction, is_total_beyond_the_critical_angle) {
   // A prism of 45 degrees turns the ray along z to x.
   expect_exit(0, "intersection { box { -1, 1 } plane { <-1, 0, 1>, 0 } interior { ior 1.5 } } ", 1, 0);
+}
+
+TEST(Refraction, films_colour_what_is_reflected_totally) {
+  // The same prism: light comes and goes at 45 degrees to the film, whose thickness is 0.4.
+  const auto film = [](double wavelength) {
+    return 1 + .3 * std::cos(2 * std::numbers::pi * .4 * std::numbers::sqrt2 / wavelength);
+  };
+  expect_middle(
+      "camera { location -5*z direction z right .001*x up .001*y } sky_sphere { pigment { rgb .5 } } "
+      "intersection { box { -1, 1 } plane { <-1, 0, 1>, 0 } interior { ior 1.5 } pigment { rgbt 1 } "
+      "finish { ambient 0 diffuse 0 irid { .3 thickness .4 } } } ",
+      .5 * film(.70), .5 * film(.52), .5 * film(.48), 1e-6);
 }
 
 TEST(Shadows, of_what_lets_light_through_are_coloured_as_povrays) {
