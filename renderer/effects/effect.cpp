@@ -26,7 +26,7 @@ namespace {
 
 /// Without its stages if its group was left out when the program was built.
 Effect as_built(Effect effect, std::string_view group) {
-  constexpr std::string_view kLeftOut = ISL_WITHOUT_EFFECTS;
+  constexpr std::string_view kLeftOut = "without: " ISL_WITHOUT_EFFECTS;
   if (kLeftOut.find(group) == std::string_view::npos) return effect;
   effect.is_rendered = false;
   effect.lack = "was left out of this program when it was built";
