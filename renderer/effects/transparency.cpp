@@ -3,7 +3,7 @@
 // shadow rays is filtered by paths/shadow_filter.cpp.
 //
 // A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
-// the surface's normal.
+// the surface's normal; a single face, which has no inside, is entered where it is met first.
 #include "renderer/effects/effect.h"
 #include "renderer/effects/image_transparency.h"
 #include "renderer/effects/pigment_search.h"

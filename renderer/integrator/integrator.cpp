@@ -191,13 +191,14 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
     const Vec3 normal = turned_to_viewer(surface.normal, ray.direction);
-    const bool from_inside = surface.normal.dot(ray.direction) > 0;
+    const Body body{batch.hits[i].instance, surface.interior, surface.is_hollow};
+    // A single face has no inside. As in POV-Ray, a path enters it where it meets it first, whatever way its corners
+    // go.
+    const bool from_inside =
+        surface.is_sheet ? memory.bodies.holds(batch.entries[i].bodies, body) : surface.normal.dot(ray.direction) > 0;
     LayerLists lists{normal, bumps_ ? &memory.block.normals : nullptr, passing_ ? &memory.block.passing : nullptr,
                      ray.direction, mirrors_};
-    if (interiors_) {
-      const Body body{batch.hits[i].instance, surface.interior, surface.is_hollow};
-      lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
-    }
+    if (interiors_) lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
     if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));

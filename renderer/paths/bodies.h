@@ -42,6 +42,12 @@ class Bodies {
     const std::optional<std::uint32_t> below = left(node.below, body);
     return below ? std::optional(entered(*below, node.body)) : std::nullopt;
   }
+  [[nodiscard]] bool holds(std::uint32_t list, const Body& body) const {
+    for (; list != 0; list = nodes_[list].below) {
+      if (nodes_[list].body.is_same(body)) return true;
+    }
+    return false;
+  }
   [[nodiscard]] bool all_are_hollow(std::uint32_t list) const {
     for (; list != 0; list = nodes_[list].below) {
       if (!nodes_[list].body.is_hollow) return false;

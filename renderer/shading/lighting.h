@@ -34,7 +34,7 @@ struct ShadingPoint {
   Vec3 view;                             ///< unit, from the eye to the point
   std::span<const LitTexture> textures;  ///< shares that add up to one
   bool is_lit_from_both_sides = false;   ///< `double_illuminate`
-  bool from_inside = false;              ///< the eye is on the inner side of the surface
+  bool from_inside = false;              ///< the path comes from within the body
   bool is_hollow = false;                ///< of the object
   double ior_ratio =
       1;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`

@@ -178,6 +178,13 @@ void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occlu
   });
 }
 
+namespace {
+
+/// A disc bounds a half-space in combinations of solids alone.
+bool is_sheet(const scene::Solid& solid) { return is_open_surface(solid) || is_part_of_plane(solid); }
+
+}  // namespace
+
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
@@ -185,6 +192,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
+  point.is_sheet = instance.kind == scene::Object::Kind::solid && is_sheet(impl_->scene.solids[instance.shape]);
   point.is_refuted = false;
   point.textures.clear();
   // A hit may be off by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with room to spare.

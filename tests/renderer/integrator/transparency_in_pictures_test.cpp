@@ -106,6 +106,11 @@ TEST(Refraction, is_total_beyond_the_critical_angle) {
   expect_exit(0, "intersection { box { -1, 1 } plane { <-1, 0, 1>, 0 } interior { ior 1.5 } } ", 1, 0);
 }
 
+TEST(Refraction, enters_a_single_face_whatever_way_its_corners_go) {
+  for (const char* const corners : {"<-9, -9, -9>, <9, -9, 9>, <0, 9, 0>", "<9, -9, 9>, <-9, -9, -9>, <0, 9, 0>"})
+    expect_exit(0, fmt::format("triangle {{ {} interior {{ ior 1.5 }} }} ", corners), -.2903, .9570);
+}
+
 TEST(Refraction, films_colour_what_is_reflected_totally) {
   // The same prism: light comes and goes at 45 degrees to the film, whose thickness is 0.4.
   const auto film = [](double wavelength) {
