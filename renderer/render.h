@@ -35,7 +35,7 @@ struct RenderOptions {
   /// time.
   std::function<void(double)> progress;
   ImageSource* images = nullptr;  ///< where images that are decoded already may be found; may be null
-  RunLimits run;  ///< once its flag is set, rendering ends early with the batches that are finished
+  RunLimits run;                  ///< once its flag is set, rendering ends early with the batches that are finished
 };
 
 /// Total number of rays of a pixel that differs from a neighbour.

@@ -1,4 +1,4 @@
-// What each effect of a picture costs: a small picture is rendered with everything and without the effect, in turn.
+// Measures the price of each effect: a small picture is rendered with everything and without the effect, in turn.
 #pragma once
 
 #include "cli/session/session.h"

@@ -26,7 +26,7 @@ bool is_font_name(const fs::path& file) {
   return ending == ".ttf" || ending == ".otf" || ending == ".ttc" || ending == ".pfb";
 }
 
-/// Where the freedesktop and the older X conventions put fonts: the user's before the system's.
+/// The folders of fonts by freedesktop's convention and the older one of X, the user's before the system's.
 std::vector<fs::path> font_folders() {
   std::vector<fs::path> folders;
   if (const char* const home = std::getenv("HOME"); home && *home != 0) {

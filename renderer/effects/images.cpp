@@ -1,6 +1,7 @@
 // Images from files, and of functions, in pigments, normals and textures. The front door prepares them where this
 // effect is called for (render.cpp); the patterns look them up (patterns/kinds/images.cpp).
 #include "renderer/effects/effect.h"
+#include "renderer/effects/pigment_search.h"
 #include "renderer/patterns/kinds/pattern_kind.h"
 
 #include <algorithm>
@@ -11,29 +12,11 @@ namespace {
 
 bool is_of_image(const scene::Pattern& pattern) { return std::holds_alternative<scene::ImageId>(pattern.operands); }
 
-/// The mean of the plain colours that a pigment chooses from; grey if there are none.
-scene::Colour colour_without_image(const scene::Database& database, const scene::PatternedPigment& pigment) {
-  if (pigment.quick_colour) return *pigment.quick_colour;
-  scene::Colour sum;
-  int count = 0;
-  if (pigment.map != scene::kNoPigmentMap) {
-    for (const scene::PigmentEntry& entry : database.pigment_maps[index(pigment.map)]) {
-      if (!entry.pigment.is_plain()) continue;
-      sum.red += entry.pigment.colour.red;
-      sum.green += entry.pigment.colour.green;
-      sum.blue += entry.pigment.colour.blue;
-      ++count;
-    }
-  }
-  if (count == 0) return {0.5, 0.5, 0.5};
-  return {sum.red / count, sum.green / count, sum.blue / count};
-}
-
 /// Patterns of images become plain: pigments get a mean colour, bumps are flat, and the first of the textures is taken.
 void without_images(scene::Database& database) {
   for (scene::PatternedPigment& pigment : database.pigments) {
     if (!is_of_image(pigment.pattern)) continue;
-    pigment.colour = colour_without_image(database, pigment);
+    pigment.colour = stand_in(database, pigment);
     pigment.pattern = {};
   }
   for (scene::Normal& normal : database.normals) {

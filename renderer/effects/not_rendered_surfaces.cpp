@@ -11,13 +11,11 @@
 namespace isl::render {
 namespace {
 
-using scene::Colour;
 using scene::Database;
 using scene::Pattern;
 using scene::PatternedPigment;
 using scene::PatternKind;
 using scene::Pigment;
-using scene::PigmentEntry;
 using scene::Texture;
 
 /// The place of a statement, if there is one. The place may be unknown.
@@ -46,25 +44,6 @@ Found undrawable_bumps(const Database& database, scene::NormalId id, std::unorde
     if (const Found found = undrawable_bumps(database, entry.normal, seen)) return found;
   }
   return {};
-}
-
-/// Replaces a pigment that cannot be drawn: by its preview colour, else by the mean of the plain colours that it
-/// chooses from, else by grey.
-Colour stand_in(const Database& database, const PatternedPigment& pigment) {
-  if (pigment.quick_colour) return *pigment.quick_colour;
-  Colour sum;
-  int count = 0;
-  if (pigment.map != scene::kNoPigmentMap) {
-    for (const PigmentEntry& entry : database.pigment_maps[index(pigment.map)]) {
-      if (!entry.pigment.is_plain()) continue;
-      sum.red += entry.pigment.colour.red;
-      sum.green += entry.pigment.colour.green;
-      sum.blue += entry.pigment.colour.blue;
-      ++count;
-    }
-  }
-  if (count == 0) return {0.5, 0.5, 0.5};
-  return {sum.red / count, sum.green / count, sum.blue / count};
 }
 
 /// The place of the pattern that cannot be drawn and that chooses the texture.

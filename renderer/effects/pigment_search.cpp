@@ -40,4 +40,21 @@ std::optional<OriginId> find_pigment(const scene::Database& database, const scen
   return PigmentSearch(database, is_such).find(pigment);
 }
 
+scene::Colour stand_in(const scene::Database& database, const scene::PatternedPigment& pigment) {
+  if (pigment.quick_colour) return *pigment.quick_colour;
+  scene::Colour sum;
+  int count = 0;
+  if (pigment.map != scene::kNoPigmentMap) {
+    for (const scene::PigmentEntry& entry : database.pigment_maps[index(pigment.map)]) {
+      if (!entry.pigment.is_plain()) continue;
+      sum.red += entry.pigment.colour.red;
+      sum.green += entry.pigment.colour.green;
+      sum.blue += entry.pigment.colour.blue;
+      ++count;
+    }
+  }
+  if (count == 0) return {0.5, 0.5, 0.5};
+  return {sum.red / count, sum.green / count, sum.blue / count};
+}
+
 }  // namespace isl::render

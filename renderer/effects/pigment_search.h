@@ -16,4 +16,8 @@ using IsSuchPigment = bool (*)(const scene::Database& database, const scene::Pig
 [[nodiscard]] std::optional<OriginId> find_pigment(const scene::Database& database, const scene::Pigment& pigment,
                                                    IsSuchPigment is_such);
 
+/// The colour that replaces a pigment whose pattern is left out: its preview colour, else the mean of the plain colours
+/// that it chooses from, else grey.
+[[nodiscard]] scene::Colour stand_in(const scene::Database& database, const scene::PatternedPigment& pigment);
+
 }  // namespace isl::render

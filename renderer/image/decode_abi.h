@@ -17,7 +17,7 @@ struct IslPicture {
   enum IslSampleType type;  ///< ISL_UINT8, ISL_UINT16 or ISL_FLOAT
   int palette_size;         ///< 0: there is no palette
   unsigned char palette[256][4];  ///< red, green, blue, alpha
-  int hides_palette;  ///< the file has one, but only its colours can be told
+  int hides_palette;              ///< the file has one, but only its colours can be told
   int states_transfer;            ///< the file itself states how its codes mean light
   enum IslTransfer transfer;
   double gamma;  ///< of ISL_GAMMA: light = code^gamma

@@ -34,7 +34,8 @@ class CodeStream {
   int count_ = 0;
 };
 
-/// Where the rows of an interlaced picture go: every 8th from 0, every 8th from 4, every 4th from 2, every 2nd from 1.
+/// An interlaced picture has its rows in this order: every 8th from 0, every 8th from 4, every 4th from 2, every 2nd
+/// from 1.
 std::vector<int> row_order(int height, bool is_interlaced) {
   std::vector<int> rows;
   constexpr std::array<std::pair<int, int>, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};

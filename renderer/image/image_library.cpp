@@ -19,7 +19,7 @@ using scene::Refusal;
 
 constexpr const char* kMoreMemory = "`--max-memory` raises the limit";
 
-/// What the statement asks of the file's palette and the file does not have; "" if there is nothing.
+/// Names the item of the statement that needs a palette, if the file has none; "" if nothing is missing.
 std::string lack_of_palette(const scene::Image& image, const Texels& texels) {
   const bool takes_numbers = image.channel == scene::ImageChannel::index ||
                              (image.choices > 0 && image.channel != scene::ImageChannel::colour);

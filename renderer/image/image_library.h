@@ -35,7 +35,7 @@ class ImageLibrary final : public ImageSource {
   std::map<std::pair<std::shared_ptr<const std::string>, scene::ImageType>, std::shared_ptr<const Texels>> decoded_;
 };
 
-/// What the codes of files mean in a scene with these settings.
+/// Tells which values the codes of files stand for in a scene with these settings.
 [[nodiscard]] WorkingGamma working_gamma(const scene::Settings& settings);
 
 }  // namespace isl::render

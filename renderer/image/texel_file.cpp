@@ -22,7 +22,7 @@ struct FormatRow {
   std::array<std::string_view, 2> begins = {};  ///< where the module reads others, too: how these files begin
 };
 
-/// What codes mean was measured in POV-Ray 3.7: those of PPM, PGM and TIFF are values of the working space.
+/// The meaning of codes was measured in POV-Ray 3.7: those of PPM, PGM and TIFF are values of the working space.
 constexpr FormatRow kFormats[] = {
     {ImageType::png, "png", {"png"}, "png", Transfer::srgb},
     {ImageType::jpeg, "jpeg", {"jpg", "jpeg"}, "jpeg", Transfer::srgb},

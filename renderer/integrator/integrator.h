@@ -105,7 +105,7 @@ class Integrator {
   void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
   void shade_block(std::size_t level, PathMemory& memory) const;
-  // Of lighting a block (lighting.cpp).
+  // The following functions light a block (lighting.cpp).
   /// Fills memory.lit with the block's points that the light may reach, and memory.cosines if textures of a point may
   /// differ in that. The number of the points.
   [[nodiscard]] std::size_t face_light(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;

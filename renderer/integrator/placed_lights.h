@@ -13,7 +13,7 @@ struct PlacedLight {
   std::uint32_t group = scene::kNone;  ///< the index in Tracer::light_groups() of its light group, if it is in one
 };
 
-/// Those of the world first. Copies of a light group have copies of its lights.
+/// The lights of the world come first. Copies of a light group have copies of its lights.
 [[nodiscard]] inline std::vector<PlacedLight> placed_lights(const scene::Database& database, const Tracer& tracer) {
   std::vector<PlacedLight> lights;
   lights.reserve(database.lights.size());

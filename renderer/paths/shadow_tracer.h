@@ -12,7 +12,7 @@
 
 namespace isl::render {
 
-/// What one thread needs for that.
+/// The means by which one thread traces shadow rays.
 struct ShadowTracer {
   const Tracer& tracer;
   const ShadowFilter* filter;   ///< null if surfaces block all light

@@ -14,7 +14,23 @@
 namespace isl::scene {
 
 /// The word before the file's name; `unnamed` if there is none and the file's extension gives the type.
-enum class ImageType : std::uint8_t { unnamed, bmp, exr, gif, hdr, iff, jpeg, pgm, png, pot, ppm, sys, tga, tiff, function };
+enum class ImageType : std::uint8_t {
+  unnamed,
+  bmp,
+  exr,
+  gif,
+  hdr,
+  iff,
+  jpeg,
+  pgm,
+  png,
+  pot,
+  ppm,
+  sys,
+  tga,
+  tiff,
+  function
+};
 
 /// The part of a pixel that is used. `automatic`: the index if the image has a palette and is a material_map, otherwise
 /// the colour.
@@ -28,9 +44,9 @@ struct PaletteTransparency {
 
 struct Image {
   ImageType type = ImageType::unnamed;
-  std::string file;                   ///< as written
+  std::string file;                          ///< as written
   std::shared_ptr<const std::string> bytes;  ///< of the file; images of one file share them
-  FunctionId function = kNoFunction;  ///< type function: sampled over the unit square, width × height
+  FunctionId function = kNoFunction;         ///< type function: sampled over the unit square, width × height
   int width = 0, height = 0;
   int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
   int interpolate = 0;  ///< POV-Ray's: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance

@@ -15,7 +15,7 @@ constexpr std::string_view kPatternKinds[] = {
 
 constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
 constexpr std::string_view kShapes[] = {"cylindrical", "spherical", "toroidal", "planar", "cubic"};
-constexpr std::string_view kImageTypes[] = {"unnamed", "bmp", "exr", "gif", "hdr",  "iff",  "jpeg",    "pgm",
+constexpr std::string_view kImageTypes[] = {"unnamed", "bmp", "exr", "gif", "hdr", "iff",  "jpeg",    "pgm",
                                             "png",     "pot", "ppm", "sys", "tga", "tiff", "function"};
 constexpr std::string_view kChannels[] = {"automatic", "index", "colour", "alpha"};
 

@@ -1,4 +1,4 @@
-// What the codes of an image file mean as values of the scene: the file's gamma, and the space of the scene's colours.
+// Turns the codes of an image file into values of the scene, by the file's gamma and the space of the scene's colours.
 // The rules are those of POV-Ray 3.7, as measured.
 #pragma once
 

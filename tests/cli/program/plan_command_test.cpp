@@ -45,10 +45,8 @@ TEST_F(PlanCommand, NamesTheStatementsThatAsked) {
       HasSubstr(
           "metallic    `metallic` at metal.inc:2:23, in file `metal.inc` at scene.isl:1:1, used at scene.isl:3:25"));
   EXPECT_THAT(result.out, HasSubstr("lighting    a light at scene.isl:2:1"));
-  EXPECT_THAT(
-      result.out,
-      HasSubstr(
-          "called for, and not rendered yet\n  pigment_by_file  a pigment that depends on a density file at metal.inc:1:38"));
+  EXPECT_THAT(result.out, HasSubstr("called for, and not rendered yet\n  pigment_by_file  a pigment that depends on a "
+                                    "density file at metal.inc:1:38"));
   EXPECT_THAT(result.out, HasSubstr("there is no sky_sphere"));
 }
 
@@ -87,7 +85,8 @@ TEST_F(PlanCommand, AnUnknownEffectIsACommandLineError) {
 TEST_F(PlanCommand, ARefusalPointsAtTheWordAndAtTheTextureThatItBelongsTo) {
   const ProcessResult result = run({"check", "scene.isl"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("metal.inc:1:38: error: a pigment that depends on a density file is not rendered yet"));
+  EXPECT_THAT(result.err,
+              HasSubstr("metal.inc:1:38: error: a pigment that depends on a density file is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("scene.isl:3:25: note: it belongs to `Metal`, which is used here"));
 }
 
