@@ -1,7 +1,8 @@
-// Rendering makes two passes over the tiles. The first takes one centre sample in every pixel (all samples, if their
-// number is fixed); the second takes the remaining samples in the pixels that differ from a neighbour. Each tile is one
-// task, whose result depends only on its tile and the first pass: the picture does not depend on the number of threads
-// or their order.
+// Rendering makes passes over the tiles. Without a limit of noise there are two: the first takes one centre sample in
+// every pixel (all samples, if their number is fixed); the second takes the remaining samples in the pixels that differ
+// from a neighbour. With a limit, each pass doubles the samples of the pixels that have more noise. Each tile is one
+// task, whose result depends only on its tile and the passes before: the picture does not depend on the number of
+// threads or their order.
 #include "renderer/render.h"
 
 #include "base/check.h"
@@ -9,6 +10,7 @@
 #include "renderer/film/adaptive.h"
 #include "renderer/film/progress.h"
 #include "renderer/film/sample_pattern.h"
+#include "renderer/integrator/noise_observer.h"
 #include "renderer/scene/default_camera.h"
 
 #include <algorithm>
@@ -28,10 +30,12 @@ PixelRect clipped(const PixelRect& rect, const RenderOptions& options) {
   return result;
 }
 
-/// The pixels that the adaptive rule compares for `window`: the window and one pixel more on each side.
+/// The pixels on which those of `window` depend: the adaptive rule compares a pixel with its neighbours, and the rule
+/// of noise does so in every pass.
 PixelRect with_neighbours(const PixelRect& window, const RenderOptions& options) {
-  if (window.empty()) return window;
-  return clipped({window.x0 - 1, window.y0 - 1, window.x1 + 1, window.y1 + 1}, options);
+  if (window.empty() || options.samples) return window;
+  const int border = options.max_noise ? kMostNoisePasses : 1;
+  return clipped({window.x0 - border, window.y0 - border, window.x1 + border, window.y1 + border}, options);
 }
 
 /// The images that the scene's textures refer to. Those of functions cannot be told apart, so that they are all needed.
@@ -49,7 +53,8 @@ class Rendering {
             const ImageTable* images)
       : options_(options),
         window_(clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options)),
-        film_(options.samples ? window_ : with_neighbours(window_, options), options.aovs),
+        film_(with_neighbours(window_, options), options.aovs,
+              plan.is_soft() || options.max_noise ? std::optional<WorkingSpace>(database.settings) : std::nullopt),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
@@ -60,19 +65,21 @@ class Rendering {
   void run() {
     if (options_.samples) {
       progress_.begin_stage(1, tiles_of(film_.rect(), options_.tile_order).size());
-      trace_tiles(film_.rect(), 0, pattern_.size(), [](const Pixel&) { return true; });
+      trace_tiles(film_.rect(), [&](const Pixel&) { return Range{0, pattern_.size()}; });
       return;
     }
+    if (options_.max_noise) return run_until_quiet(*options_.max_noise);
     progress_.begin_stage(kFirstPassShare, tiles_of(film_.rect(), options_.tile_order).size());
-    trace_tiles(film_.rect(), 0, 1, [](const Pixel&) { return true; });
+    trace_tiles(film_.rect(), [](const Pixel&) { return Range{0, 1}; });
     if (stopped()) return;
     DisplayedPass displayed(film_.rect());
     parallel_for(static_cast<std::size_t>(film_.rect().height()), [&](std::size_t row) {
       if (!stopped()) displayed.fill_row(film_, film_.rect().y0 + static_cast<int>(row));
     });
     progress_.begin_stage(1, tiles_of(window_, options_.tile_order).size());
-    trace_tiles(window_, 1, pattern_.size(),
-                [&](const Pixel& pixel) { return displayed.is_rough(pixel.x, pixel.y, options_.aa); });
+    trace_tiles(window_, [&](const Pixel& pixel) {
+      return displayed.is_rough(pixel.x, pixel.y, options_.aa) ? Range{1, pattern_.size()} : Range{};
+    });
   }
 
   /// Reports that rendering is finished, unless it was stopped.
@@ -93,6 +100,7 @@ class Rendering {
     }
     result.statistics.undecided_pixels = film_.count(window_, Certainty::undecided);
     result.statistics.refuted_pixels = film_.count(window_, Certainty::refuted);
+    result.statistics.noisy_pixels = noisy_pixels_;
     result.complete = !skipped_;
     result.share = skipped_ ? progress_.share() : 1;
     result.refusal = sampler_.refusal();
@@ -105,37 +113,84 @@ class Rendering {
     return skipped_;
   }
 
-  /// Traces the samples from `first` up to, not including, `last` of the sampling pattern for every pixel of `rect` for
-  /// which `wanted` is true.
+  /// Doubles the samples of pixels until they have no more noise than this.
+  void run_until_quiet(double max_noise) {
+    PixelNoise noise(film_);
+    noise_ = &noise;
+    double done = 0;
+    for (int pass = 0; pass < kMostNoisePasses && noise.choose(max_noise, kMostSamples) != 0 && !stopped(); ++pass) {
+      // Half of what is left: nobody knows how many pixels need more.
+      done = (1 + done) / 2;
+      progress_.begin_stage(done, tiles_of(film_.rect(), options_.tile_order).size());
+      trace_tiles(film_.rect(), [&](const Pixel& pixel) {
+        const std::size_t at = film_.rect().index(pixel.x, pixel.y);
+        const std::size_t count = film_.samples(at);
+        if (!noise.is_chosen(at)) return Range{};
+        return count == 0 ? Range{0, kFirstSamples} : Range{count, 2 * count};
+      });
+    }
+    noise.choose(max_noise, kMostSamples);
+    noisy_pixels_ = noise.count_above(window_, max_noise);
+    noise_ = nullptr;
+  }
+
+  /// Numbers of samples, the last not included.
+  struct Range {
+    std::size_t first = 0, last = 0;
+  };
+
+  /// Traces for every pixel of `rect` the samples that wanted(pixel) returns.
   template <class Wanted>
-  void trace_tiles(const PixelRect& rect, std::size_t first, std::size_t last, const Wanted& wanted) {
+  void trace_tiles(const PixelRect& rect, const Wanted& wanted) {
     const std::vector<PixelRect> tiles = tiles_of(rect, options_.tile_order);
     parallel_for(tiles.size(), [&](std::size_t i) {
       if (stopped()) return;
-      trace_tile(tiles[i], first, last, wanted);
+      trace_tile(tiles[i], wanted);
       if (!skipped_) progress_.step();
     });
   }
 
   template <class Wanted>
-  void trace_tile(const PixelRect& tile, std::size_t first, std::size_t last, const Wanted& wanted) {
+  void trace_tile(const PixelRect& tile, const Wanted& wanted) {
     Workspace& workspace = workspaces_.local();
     pixels_of(tile, workspace.pixels);
     workspace.samples.clear();
     for (const Pixel& pixel : workspace.pixels) {
-      if (!wanted(pixel)) continue;
-      for (std::size_t i = first; i < last; ++i) {
-        workspace.samples.push_back({pixel.x + 0.5 + pattern_[i].x, pixel.y + 0.5 + pattern_[i].y,
-                                     static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y)), i == 0});
+      const Range range = wanted(pixel);
+      const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
+      for (std::size_t i = range.first; i < range.last; ++i) {
+        const auto [x, y] = noise_ ? spread_offset(seed, i) : pattern_[i];
+        workspace.samples.push_back({pixel.x + 0.5 + x, pixel.y + 0.5 + y,
+                                     static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y)), i == 0,
+                                     i + 1 == range.last, among(seed, i)});
         if (workspace.samples.size() == kBatchSize) flush(workspace);
       }
     }
     flush(workspace);
   }
 
+  [[nodiscard]] static SampleOffset spread_offset(std::uint32_t seed, std::size_t i) {
+    const auto use = static_cast<std::uint32_t>(SampleUse::pixel);
+    const UnitPoint point = centred_sample_point(derived_seed(seed, use), static_cast<std::uint32_t>(i));
+    return {point.u - 0.5, point.v - 0.5};
+  }
+
+  /// A sample takes one point of every integral if the pixel's noise tells when there are enough. Else the pixel takes
+  /// as many as the scene says: the one sample of a first pass takes all of them, and so do the samples of a second
+  /// together, which begin behind those of the first.
+  [[nodiscard]] PixelSample among(std::uint32_t seed, std::size_t i) const {
+    const auto index = static_cast<std::uint32_t>(i);
+    if (noise_) return {seed, index, static_cast<std::uint32_t>(kMostSamples)};
+    if (!options_.samples && i == 0) return {seed, 0, 1};
+    constexpr std::uint32_t kBehindFirstPass = 0x10000;
+    return {seed, options_.samples ? index : kBehindFirstPass + index, static_cast<std::uint32_t>(pattern_.size())};
+  }
+
   void flush(Workspace& workspace) {
     if (workspace.samples.empty()) return;
-    if (!sampler_.trace(workspace.samples, workspace)) skipped_ = true;
+    std::optional<NoiseObserver> observer;
+    if (noise_) observer.emplace(*noise_, workspace.noise);
+    if (!sampler_.trace(workspace.samples, workspace, observer ? &*observer : nullptr)) skipped_ = true;
     workspace.samples.clear();
   }
 
@@ -146,6 +201,8 @@ class Rendering {
   Sampler sampler_;
   Progress progress_;
   PerThread<Workspace> workspaces_;
+  PixelNoise* noise_ = nullptr;  ///< if pixels stop by their noise
+  std::uint64_t noisy_pixels_ = 0;
   std::atomic<bool> skipped_ = false;
 };
 

@@ -19,8 +19,12 @@ struct RenderOptions {
   int width = 800;  ///< width of the whole picture, at least 1
   int height = 600;
   int threads = 0;  ///< greatest number of threads; 0: one per core
-  /// The fixed number of rays per pixel (at least 1). Nullopt: one, and kAdaptiveSamples where pixels differ.
+  /// The fixed number of rays per pixel (at least 1). Nullopt: as many as `max_noise` asks for; without that, one, and
+  /// kAdaptiveSamples where pixels differ.
   std::optional<int> samples;
+  /// The noise of a pixel below which it gets no more samples (above 0): the RMS error over its channels of display
+  /// code (0 to 1), as its samples tell. Pixels get kFirstSamples at least and kMostSamples at most.
+  std::optional<double> max_noise;
   /// The greatest difference of neighbouring pixels, in any channel of display code (0 to 1), above which both get all
   /// samples.
   double aa = 0.1;
@@ -41,6 +45,10 @@ struct RenderOptions {
 /// Total number of rays of a pixel that differs from a neighbour.
 inline constexpr int kAdaptiveSamples = 16;
 
+/// Limits of the samples of a pixel that stops by its noise; powers of two.
+inline constexpr int kFirstSamples = 8;
+inline constexpr int kMostSamples = 4096;
+
 struct RenderStatistics {
   PathCounts paths;
   TraceCounters counters;
@@ -48,6 +56,7 @@ struct RenderStatistics {
   int threads = 1;     ///< greatest number of threads at work
   double samples_per_pixel = 0;
   std::uint64_t undecided_pixels = 0, refuted_pixels = 0;  ///< Certainty
+  std::uint64_t noisy_pixels = 0;                          ///< with kMostSamples and more noise than was asked for
   Plan plan;
 };
 

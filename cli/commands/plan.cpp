@@ -115,17 +115,28 @@ void print_costs(const EffectCosts& costs) {
   for (const EffectCost& cost : costs.effects)
     print(Stream::output, fmt::format("  {:<{}}  {:7.3f} s  {:4.0f} %  {:9} rays\n", cost.name, width, cost.seconds,
                                       100 * cost.seconds / costs.seconds, cost.rays));
+  if (!costs.noise) return;
+  const auto picture = [](const NoiseCost::Picture& of) {
+    return fmt::format("{:.3g} of noise takes {:.1f} samples a pixel and {:.3f} s", of.noise, of.samples, of.seconds);
+  };
+  print(Stream::output, fmt::format("\n{}; {}\n", picture(costs.noise->whole), picture(costs.noise->half)));
+}
+
+nlohmann::ordered_json as_json(const NoiseCost::Picture& picture) {
+  return {{"noise", picture.noise}, {"samples_per_pixel", picture.samples}, {"seconds", picture.seconds}};
 }
 
 nlohmann::ordered_json as_json(const EffectCosts& costs) {
   auto effects = nlohmann::ordered_json::array();
   for (const EffectCost& cost : costs.effects)
     effects.push_back({{"name", cost.name}, {"seconds", cost.seconds}, {"rays", cost.rays}});
-  return {{"width", costs.size.width},
-          {"height", costs.size.height},
-          {"seconds", costs.seconds},
-          {"rays", costs.rays},
-          {"effects", std::move(effects)}};
+  nlohmann::ordered_json document = {{"width", costs.size.width},
+                                     {"height", costs.size.height},
+                                     {"seconds", costs.seconds},
+                                     {"rays", costs.rays},
+                                     {"effects", std::move(effects)}};
+  if (costs.noise) document["noise"] = {as_json(costs.noise->whole), as_json(costs.noise->half)};
+  return document;
 }
 
 }  // namespace

@@ -188,6 +188,12 @@ bool tell_uncertain(const RenderCommand& command, const render::RenderStatistics
   return true;
 }
 
+/// Prints how many pixels have more noise than was asked for.
+void tell_noisy(const RenderCommand& command, const render::RenderStatistics& statistics) {
+  const std::string line = noisy_line(statistics);
+  if (!line.empty() && command.scene.format == OutputFormat::text) print(Stream::error, fmt::format("isl: {}\n", line));
+}
+
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
@@ -251,6 +257,7 @@ ExitCode run(const RenderCommand& command) {
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
+  tell_noisy(command, picture.result.statistics);
   const bool is_uncertain = tell_uncertain(command, picture.result.statistics);
   if (!complete) return exit_code_of(stop_flag().reason());
   return is_uncertain && command.picture.strict ? ExitCode::scene_error : ExitCode::done;

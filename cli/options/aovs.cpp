@@ -10,6 +10,7 @@ const render::Aovs& all_aovs() {
     render::Aovs all;
     for (const render::SurfaceAov& row : render::surface_aovs()) all.push_back(&row.aov);
     all.push_back(&render::samples_aov());
+    all.push_back(&render::noise_aov());
     all.push_back(&render::uncertified_aov());
     for (const render::MeasuredAov& row : render::measured_aovs()) all.push_back(&row.aov);
     return all;

@@ -250,7 +250,7 @@ class IniTranslation {
 
   /// A file without a setting for antialiasing gets isl's own default: it costs little and looks better.
   void finish_antialiasing() {
-    if (is_said_("--aa") || is_said_("--samples")) return;
+    if (is_said_("--aa") || is_said_("--samples") || is_said_("--max-noise")) return;
     if (antialias_ && !*antialias_) {
       picture_.samples = 1;
     } else if (antialias_ || threshold_) {

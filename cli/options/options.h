@@ -49,13 +49,19 @@ struct SceneOptions {
   OutputFormat format = OutputFormat::text;
 };
 
+/// The defaults of `--aa` and, for scenes with something soft, of `--max-noise`.
+inline constexpr double kEdgeThreshold = 0.1, kSoftNoise = 0.01;
+/// A smaller noise than the steps of 16 bits have is not to be seen in any file.
+inline constexpr double kLeastNoise = 1e-5;
+
 /// The further options of `isl render`. An empty optional means: not given, so the scene or the default decides.
 struct PictureOptions {
   std::vector<std::filesystem::path> outputs;  ///< files, or `png:-`; empty: `<scene name>.png`
   int bits = 0;                                ///< bits of a channel in integer formats; 0: the format's default
   int threads = 0;                             ///< 0: all cores
   std::optional<int> samples;
-  double aa_threshold = 0.1;
+  std::optional<double> aa_threshold;
+  std::optional<double> max_noise;  ///< if none of the three is given, the scene decides (render_settings())
   int quality = 9;
   bool alpha = false;
   std::optional<SolverChoice> solver;

@@ -52,7 +52,12 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.render.height = size.height;
   settings.render.threads = picture.threads;
   settings.render.samples = picture.samples;
-  settings.render.aa = picture.aa_threshold;
+  settings.render.aa = picture.aa_threshold.value_or(kEdgeThreshold);
+  settings.render.max_noise = picture.max_noise;
+  if (!picture.samples && !picture.aa_threshold && !picture.max_noise) {
+    const render::Plan plan = render::plan_of(database, {.quality = picture.quality, .without = command.scene.without});
+    if (plan.is_soft()) settings.render.max_noise = kSoftNoise;
+  }
   settings.render.quality = picture.quality;
   settings.render.without = command.scene.without;
   settings.render.alpha = picture.alpha;
@@ -68,8 +73,13 @@ std::string canonical_options(const RenderCommand& command, const RenderSettings
   const PictureOptions& picture = command.picture;
   std::string text = fmt::format("-s {}x{}", command.scene.size.width, command.scene.size.height);
   if (picture.crop) text += fmt::format(" --crop {}", fmt::join(*picture.crop, ","));
-  text +=
-      picture.samples ? fmt::format(" --samples {}", *picture.samples) : fmt::format(" --aa {}", picture.aa_threshold);
+  if (picture.samples) {
+    text += fmt::format(" --samples {}", *picture.samples);
+  } else if (settings.render.max_noise) {
+    text += fmt::format(" --max-noise {}", *settings.render.max_noise);
+  } else {
+    text += fmt::format(" --aa {}", settings.render.aa);
+  }
   text += fmt::format(" --quality {}", picture.quality);
   if (!command.scene.without.empty()) text += fmt::format(" --without {}", fmt::join(command.scene.without, ","));
   if (picture.alpha) text += " --alpha";

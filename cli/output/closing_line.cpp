@@ -28,4 +28,11 @@ std::string uncertain_line(const render::RenderStatistics& statistics) {
       all, all == 1 ? "pixel" : "pixels", undecided, refuted);
 }
 
+std::string noisy_line(const render::RenderStatistics& statistics) {
+  const std::uint64_t pixels = statistics.noisy_pixels;
+  if (pixels == 0) return {};
+  return fmt::format("{} {} more noise than `--max-noise` allows, after {} samples; `--aov noise` shows which", pixels,
+                     pixels == 1 ? "pixel has" : "pixels have", render::kMostSamples);
+}
+
 }  // namespace isl::cli

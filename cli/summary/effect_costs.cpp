@@ -26,7 +26,7 @@ double median(std::vector<double> values) {
 }
 
 std::uint64_t all_rays(const render::PathCounts& paths) {
-  return std::accumulate(paths.spawned.begin(), paths.spawned.end(), paths.camera + paths.shadow);
+  return std::accumulate(paths.spawned.begin(), paths.spawned.end(), paths.camera + paths.shadow + paths.around);
 }
 
 /// The scene with some effects left out, ready to be rendered as often as needed.
@@ -62,6 +62,11 @@ class Rendering {
     settings_.render.width = size.width;
     settings_.render.height = size.height;
     return render::render(*database_, *tracer_, settings_.render);
+  }
+  /// From now on, pixels get samples until they have no more noise than this.
+  void stop_by_noise(double noise) {
+    settings_.render.samples.reset();
+    settings_.render.max_noise = noise;
   }
 
  private:
@@ -121,6 +126,16 @@ EffectCosts measure_effects(const Session& session, const scene::Database& datab
     }
     cost.seconds = median(std::move(differences));
     costs.effects.push_back(cost);
+  }
+  if (result.statistics.plan.is_soft()) {
+    const auto priced = [&](double noise) {
+      whole.stop_by_noise(noise);
+      const render::RenderResult picture = whole.render(costs.size);
+      is_over(picture);
+      return NoiseCost::Picture{noise, picture.statistics.samples_per_pixel, picture.statistics.seconds};
+    };
+    costs.noise = NoiseCost{priced(kSoftNoise), priced(kSoftNoise / 2)};
+    if (costs.refusal || !costs.complete) return costs;
   }
   costs.seconds = whole_seconds.empty() ? result.statistics.seconds : median(std::move(whole_seconds));
   return costs;

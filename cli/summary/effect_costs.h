@@ -17,12 +17,23 @@ struct EffectCost {
   std::int64_t rays = 0;  ///< that it traces more
 };
 
+/// The price of a noise: what a picture takes that has it, and one that has half of it.
+struct NoiseCost {
+  struct Picture {
+    double noise;
+    double samples;  ///< a pixel
+    double seconds;
+  };
+  Picture whole, half;
+};
+
 struct EffectCosts {
   PictureSize size;
   double seconds = 0;      ///< of the picture with everything, on one thread
   std::uint64_t rays = 0;  ///< of all kinds
   std::vector<EffectCost> effects;
-  bool complete = true;  ///< false if the run was stopped
+  std::optional<NoiseCost> noise;  ///< if an effect has any
+  bool complete = true;            ///< false if the run was stopped
   std::optional<scene::Refusal> refusal;
 };
 

@@ -33,7 +33,8 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                       {"compile", times.compile},
                       {"trace", times.trace},
                       {"write", times.write}};
-  document["rays"] = {{"camera", render.paths.camera}, {"shadow", render.paths.shadow}};
+  document["rays"] = {
+      {"camera", render.paths.camera}, {"shadow", render.paths.shadow}, {"around", render.paths.around}};
   for (const render::Effect& effect : render::all_effects()) {
     if (!effect.rays.empty()) document["rays"][effect.rays] = render::spawned_rays(render.plan, render.paths, effect);
   }
@@ -52,6 +53,8 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                          {"left_out", names_of(render.plan.left_out)}};
   document["threads"] = render.threads;
   document["samples_per_pixel"] = render.samples_per_pixel;
+  if (settings.render.max_noise)
+    document["noise"] = {{"asked", *settings.render.max_noise}, {"noisy_pixels", render.noisy_pixels}};
   return document;
 }
 

@@ -16,7 +16,7 @@ namespace isl::render {
 [[nodiscard]] inline unsigned hidden_from(const scene::Object& object) {
   const auto bit = [](bool is_hidden, RayKind kind) { return is_hidden ? static_cast<unsigned>(kind) : 0; };
   return bit(object.no_image, RayKind::image) | bit(object.no_reflection, RayKind::reflection) |
-         bit(object.no_shadow, RayKind::shadow);
+         bit(object.no_shadow, RayKind::shadow) | bit(object.no_radiosity, RayKind::around);
 }
 
 /// Walks the tree of objects, composing transforms and handing textures down. The unions that are open are a list

@@ -43,6 +43,8 @@ struct Effect {
   std::string_view rays = {};                       ///< name in statistics of the rays that it spawns, if it does
   int from_quality = 0;                             ///< the lowest `--quality` that has it, as POV-Ray's +Q
   int to_quality = 11;                              ///< the highest `--quality` that has it
+  bool is_soft = false;                             ///< a mean over a pixel's samples, which has noise
+  std::string_view replaces = {};                   ///< an effect whose stages do not run beside it
   const scene::StatementKind* statement = nullptr;  ///< a statement that no other effect knows
   /// Adds the statements that call for it. If there is none, `reason` may be set to why not.
   std::function<void(const SceneUse&, Requests&, std::string_view& reason)> find;

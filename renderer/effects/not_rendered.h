@@ -11,8 +11,4 @@ namespace isl::render {
 
 [[nodiscard]] std::vector<Effect> effects_not_rendered();
 
-/// Parts of the above: first cameras, lights and objects; then the looks of surfaces.
-void add_world_not_rendered(std::vector<Effect>& effects);
-void add_surfaces_not_rendered(std::vector<Effect>& effects);
-
 }  // namespace isl::render

@@ -20,6 +20,10 @@ bool Plan::has(std::string_view name) const {
   return std::ranges::any_of(called_for, [&](const PlannedEffect& planned) { return planned.effect->name == name; });
 }
 
+bool Plan::is_soft() const {
+  return std::ranges::any_of(called_for, [](const PlannedEffect& planned) { return planned.effect->is_soft; });
+}
+
 std::uint64_t spawned_rays(const Plan& plan, const PathCounts& counts, const Effect& effect) {
   std::size_t stage = 0;
   for (const PlannedEffect& planned : plan.called_for) {

@@ -24,6 +24,8 @@ struct Plan {
 
   /// True if the effect is rendered.
   [[nodiscard]] bool has(std::string_view name) const;
+  /// True if some effect has noise, so that the samples of pixels are to be spread over what it integrates.
+  [[nodiscard]] bool is_soft() const;
 };
 
 /// The number of rays that an effect spawned in a rendering.

@@ -6,6 +6,8 @@
 #include "renderer/paths/bent_light.h"
 #include "renderer/paths/bodies.h"
 #include "renderer/paths/path.h"
+#include "renderer/paths/pixel_sample.h"
+#include "renderer/paths/shadow_queue.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/point_refusals.h"
 #include "renderer/shading/point_textures.h"
@@ -115,6 +117,35 @@ void for_each_lit_texture(const LightWork& work, Visit&& visit) {
   }
 }
 
+class SkySource;
+
+/// The places of a batch's samples among those of their pixels.
+struct SamplePlaces {
+  std::span<const PixelSample> samples;  ///< by camera sample
+  const BentLight& bent;
+
+  [[nodiscard]] const PixelSample& operator()(const PathEntry& path) const {
+    return samples[bent.camera_sample(path.sample)];
+  }
+};
+
+/// Light that comes to a block's points from around, from one direction a point in each call of a stage. A sample has
+/// its share of a pixel's directions, so that stages are called until all say that this call was the last.
+struct AroundWork {
+  const PathBatch& batch;
+  const SurfaceBlock& block;
+  SamplePlaces sample_of;
+  const SkySource* sky;    ///< null if no stage asks for it
+  ShadowQueue& rays;       ///< gets the light that counts if nothing is in the way
+  std::uint32_t turn = 0;  ///< the number of the call
+  bool is_last = true;     ///< a stage that has directions left makes it false
+  // Working memory of the stages.
+  std::vector<Vec3>& directions;
+  std::vector<Rgb>& colours;
+  std::vector<Rgb>& light;
+  PathBatch& scratch;
+};
+
 /// Segments that surfaces send on. They are traced after everything else of the batch.
 struct SpawnWork {
   const PathBatch& batch;
@@ -125,6 +156,7 @@ struct SpawnWork {
       is_total;  ///< by point: true if all light is reflected within the surface, whatever it is like
   EndedPaths& ended;
   BentLight& bent;
+  SamplePlaces sample_of;  ///< if there is a soft effect
 };
 
 template <class Work>
@@ -160,7 +192,9 @@ struct StageMakers {
   MakeStage<LightWork> diffuse = nullptr;
   MakeStage<LightWork> shine = nullptr;
   MakeStage<LightWork> dim = nullptr;  ///< after all others of the light: what it loses on its way
+  MakeStage<AroundWork> around = nullptr;
   MakeStage<SpawnWork> spawn = nullptr;
+  bool sky = false;         ///< the sky is a source of light
   bool windows = false;     ///< some lights shine only through an object
   bool shadows = false;     ///< light goes through the queue of shadow rays
   bool back_light = false;  ///< some textures are lit from behind

@@ -31,6 +31,22 @@ class CameraRays {
     return ray;
   }
 
+  /// The ray to the same point in focus from another point of the lens (film/lens.h). Precondition: the camera has
+  /// focal blur. Perspective cameras are in focus at a plane, others at a distance.
+  [[nodiscard]] Ray through(double x, double y, const Vec3& on_lens) const {
+    const auto [u, v] = picture_point(x, y);
+    Ray ray = through(x, y);
+    if (ray.direction == Vec3(0)) return ray;
+    const double distance = camera_.blur->focal_distance;
+    const Vec3 to_focus =
+        camera_.kind == scene::CameraKind::perspective
+            ? (camera_.direction + camera_.right * u + camera_.up * v) * (distance / camera_.direction.length())
+            : ray.direction * distance;
+    ray.origin += on_lens;
+    ray.direction = (to_focus - on_lens).normalized();
+    return ray;
+  }
+
   /// The place at which the camera's `normal` bends that ray.
   [[nodiscard]] PicturePoint bent_at(double x, double y) const { return render::bent_at(camera_, picture_point(x, y)); }
 

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isl::render {
 namespace {
@@ -35,14 +36,15 @@ std::size_t picture_bytes(std::size_t pixels, const Aovs& aovs) {
   return pixels * (image + std::max(film, encoding));
 }
 
-Film::Film(const PixelRect& rect, const Aovs& aovs)
-    : rect_(rect), sums_(4 * rect.area()), counts_(rect.area()), certainties_(rect.area()) {
+Film::Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingSpace>& space)
+    : rect_(rect), space_(space), sums_(4 * rect.area()), counts_(rect.area()), certainties_(rect.area()) {
   const auto is_asked = [&](const Aov& aov) { return std::ranges::find(aovs, &aov) != aovs.end(); };
   for (const SurfaceAov& row : surface_aovs()) {
     if (is_asked(row.aov)) surfaces_.push_back({&row, Layer(row.aov, rect.area())});
   }
   keeps_samples_ = is_asked(samples_aov());
   keeps_certainties_ = is_asked(uncertified_aov());
+  if (is_asked(noise_aov())) noise_.resize(rect.area());
 }
 
 void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
@@ -61,10 +63,39 @@ std::uint64_t Film::count(const PixelRect& window, Certainty certainty) const {
   return pixels;
 }
 
+void Film::convert(double* mean) const {
+  if (!space_) return;
+  const Rgb linear = space_->to_linear({mean[0], mean[1], mean[2]});
+  for (int i = 0; i < 3; ++i) mean[i] = linear[i];
+}
+
 std::array<double, 4> Film::mean(std::size_t pixel) const {
+  std::array<double, 4> mean = raw_mean(pixel);
+  convert(mean.data());
+  return mean;
+}
+
+std::array<double, 4> Film::raw_mean(std::size_t pixel) const {
   const double count = std::max(counts_[pixel], 1u);
   const double* sum = &sums_[4 * pixel];
   return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count};
+}
+
+std::array<double, 4> Film::display_slopes(const std::array<double, 4>& raw_mean) const {
+  // A difference of half a code of eight bits: the curve is straight enough within it, and it is far above rounding.
+  constexpr double kStep = 0.5 / 255;
+  std::array<double, 4> below = raw_mean, above = raw_mean;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double shown = std::clamp(raw_mean[i], 0.0, 1.0);
+    below[i] = shown - kStep;
+    above[i] = shown + kStep;
+  }
+  convert(below.data());
+  convert(above.data());
+  std::array<double, 4> slopes{0, 0, 0, 1};
+  for (std::size_t i = 0; i < 3; ++i)
+    slopes[i] = (srgb_from_linear(above[i]) - srgb_from_linear(below[i])) / (2 * kStep * std::sqrt(3.0));
+  return slopes;
 }
 
 Image Film::develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) {
@@ -84,20 +115,23 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
     for (int x = window.x0; x < window.x1; ++x) {
       const std::size_t pixel = rect_.index(x, y);
       const double count = std::max(counts_[pixel], 1u);
-      for (std::size_t i = 0; i < 4; ++i) means[4 * window.index(x, y) + i] = sums[4 * pixel + i] / count;
+      double* const mean = &means[4 * window.index(x, y)];
+      for (std::size_t i = 0; i < 4; ++i) mean[i] = sums[4 * pixel + i] / count;
+      convert(mean);
     }
   });
   image.rgba = std::move(means);
   sums_ = {};
   for (const SurfaceLayer& surface : surfaces_) image.layers.push_back(cropped(surface.layer, rect_, window));
-  const auto add_whole_numbers = [&](const Aov& aov, const auto& numbers) {
+  const auto add_numbers = [&](const Aov& aov, const auto& numbers) {
     Layer layer(aov, 0);
     layer.values.reserve(numbers.size());
     for (const auto number : numbers) layer.values.push_back(static_cast<double>(number));
     image.layers.push_back(cropped(layer, rect_, window));
   };
-  if (keeps_samples_) add_whole_numbers(samples_aov(), counts_);
-  if (keeps_certainties_) add_whole_numbers(uncertified_aov(), certainties_);
+  if (keeps_samples_) add_numbers(samples_aov(), counts_);
+  if (keeps_certainties_) add_numbers(uncertified_aov(), certainties_);
+  if (!noise_.empty()) add_numbers(noise_aov(), noise_);
   return image;
 }
 

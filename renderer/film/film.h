@@ -1,12 +1,14 @@
 // Sums of samples, pixel by pixel, and the layers of the surfaces seen. Samples of one pixel must come in a fixed order
-// and from one thread at a time; different pixels are independent. Linear light only.
+// and from one thread at a time; different pixels are independent.
 #pragma once
 
 #include "renderer/film/surface_aovs.h"
 #include "renderer/image/image.h"
+#include "renderer/image/transfer.h"
 #include "renderer/shading/material.h"
 
 #include <array>
+#include <optional>
 
 namespace isl::render {
 
@@ -16,8 +18,9 @@ namespace isl::render {
 class Film {
  public:
   /// Covers `rect` of the picture. Every pixel starts without samples: transparent black. Of `aovs` those of surfaces
-  /// and samples are kept.
-  Film(const PixelRect& rect, const Aovs& aovs);
+  /// and samples are kept. Samples are linear light, unless `space` is given: then they are colours of that space, and
+  /// their means are converted.
+  Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingSpace>& space = std::nullopt);
 
   /// Precondition: `colour` is already multiplied by `alpha`.
   void add_sample(std::size_t pixel, const Rgb& colour, double alpha) {
@@ -37,8 +40,22 @@ class Film {
 
   /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros if it has no samples.
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
+  /// The same, in the space of the samples.
+  [[nodiscard]] std::array<double, 4> raw_mean(std::size_t pixel) const;
+
+  [[nodiscard]] std::uint32_t samples(std::size_t pixel) const { return counts_[pixel]; }
+  /// How fast a display's codes change with the channels of such a mean: the roots of their shares in the mean square
+  /// of the colour's three, and the whole of alpha's. Colours beyond the display's range have the slope at its end.
+  [[nodiscard]] std::array<double, 4> display_slopes(const std::array<double, 4>& raw_mean) const;
+
+  /// For the layer of noise (noise_aov()).
+  void set_noise(std::size_t pixel, double noise) {
+    if (!noise_.empty()) noise_[pixel] = static_cast<float>(noise);
+  }
 
   [[nodiscard]] const PixelRect& rect() const { return rect_; }
+  /// True if samples are linear light, false if they are colours of the scene's working space.
+  [[nodiscard]] bool is_linear() const { return !space_; }
   /// True if the film has layers that set_surface() fills.
   [[nodiscard]] bool keeps_surfaces() const { return !surfaces_.empty(); }
 
@@ -48,7 +65,11 @@ class Film {
   [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha);
 
  private:
+  /// Makes a mean of samples linear.
+  void convert(double* mean) const;
+
   PixelRect rect_;
+  std::optional<WorkingSpace> space_;
   std::vector<double> sums_;  ///< 4 a pixel
   std::vector<std::uint32_t> counts_;
   std::vector<Certainty> certainties_;
@@ -57,6 +78,7 @@ class Film {
     Layer layer;  ///< over rect_
   };
   std::vector<SurfaceLayer> surfaces_;
+  std::vector<float> noise_;  ///< if the layer is asked for
   bool keeps_samples_ = false, keeps_certainties_ = false;
 };
 

@@ -39,6 +39,11 @@ const Aov& samples_aov() {
   return kAov;
 }
 
+const Aov& noise_aov() {
+  static const Aov kAov{.name = "noise", .channels = {"rms"}};
+  return kAov;
+}
+
 const Aov& uncertified_aov() {
   static const Aov kAov{
       .name = "uncertified",

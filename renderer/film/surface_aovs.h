@@ -27,6 +27,10 @@ struct SurfaceAov {
 /// How many camera rays a pixel got. The film counts them anyway.
 [[nodiscard]] const Aov& samples_aov();
 
+/// The noise that is left in a pixel's colour, as its own samples tell: the root of the variance, averaged over the
+/// channels as a display gets them (0 to 1). 0 where a picture's samples are not evenly spread, or fewer than 8.
+[[nodiscard]] const Aov& noise_aov();
+
 /// How sure a pixel is: the worst Certainty of all its rays.
 [[nodiscard]] const Aov& uncertified_aov();
 

@@ -28,6 +28,11 @@ bool is_in_solid(const scene::Database& database, StepCounter& steps) {
   });
 }
 
+bool is_replaced(const Effect& effect, const Plan& plan) {
+  return std::ranges::any_of(plan.called_for,
+                             [&](const PlannedEffect& other) { return other.effect->replaces == effect.name; });
+}
+
 template <class Work>
 void add(MakeStage<Work> make, const StageContext& context, std::vector<std::unique_ptr<const Stage<Work>>>& stages) {
   if (make) stages.push_back(make(context));
@@ -42,9 +47,12 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
       run_(run),
       refusals_(run),
       lights_(placed_lights(database, tracer)),
-      textures_(database, run, images) {
+      textures_(database, run, images),
+      soft_(plan.is_soft()) {
   const StageContext context{database, tracer, textures_, refusals_};
+  bool is_lit_by_sky = false;
   for (const PlannedEffect& planned : plan.called_for) {
+    if (is_replaced(*planned.effect, plan)) continue;
     const StageMakers& make = planned.effect->stages;
     add(make.along, context, along_);
     add(make.miss, context, miss_);
@@ -53,7 +61,9 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     add(make.diffuse, context, diffuse_);
     add(make.shine, context, shine_);
     add(make.dim, context, dim_);
+    add(make.around, context, around_);
     add(make.spawn, context, spawn_);
+    is_lit_by_sky |= make.sky;
     shadows_ |= make.shadows;
     if (make.windows) make_windows();
     back_light_ |= make.back_light;
@@ -74,6 +84,8 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
   } else {
     background_ = rgb(background) * (1 - background.transmit);
   }
+  // A transparent background lights the scene all the same.
+  if (is_lit_by_sky) sky_.emplace(miss_, rgb(background) * (1 - background.transmit));
 }
 
 void Integrator::make_windows() {
@@ -109,12 +121,14 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   for (std::size_t i = 0; i < batch.size(); ++i) {
     lower(memory.certainties[batch.entries[i].sample], batch.hits[i].certainty);
   }
-  if (!along_.empty()) {
+  // Light from surfaces around comes through clear air, and from nowhere else.
+  const bool is_surface_light = is_around(batch);
+  if (!along_.empty() && !is_surface_light) {
     AlongWork work{batch, memory.colours};
     run(along_, work);
   }
   if (is_over()) return give_up(level, memory);
-  see_background(level, batch, memory);
+  if (!is_surface_light) see_background(level, batch, memory);
   const std::size_t samples = memory.bent.sample_count();
   shade_surfaces(level, memory, observer);
   trace_shadows(memory);
@@ -135,6 +149,7 @@ void Integrator::resize_samples(PathMemory& memory) {
 void Integrator::give_up(std::size_t level, PathMemory& memory) {
   memory.levels[level].children.clear();
   memory.shadows.clear();
+  memory.around.clear();
   memory.area_shadows.clear();
 }
 
@@ -235,9 +250,11 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
       trace_long_queues(memory);
     }
   }
-  if (spawn_.empty()) return;
+  light_from_around(at.batch, memory);
+  if (spawn_.empty() || is_around(at.batch)) return;
   memory.is_total.assign(memory.block.points.size(), 0);
-  SpawnWork work{at.batch, memory.block, at.children, memory.bodies, memory.is_total, memory.counts.ended, memory.bent};
+  SpawnWork work{at.batch,        memory.block,        at.children, memory.bodies,
+                 memory.is_total, memory.counts.ended, memory.bent, {memory.pixel_samples, memory.bent}};
   memory.counts.spawned.resize(spawn_.size());
   for (std::size_t i = 0; i < spawn_.size(); ++i) {
     const std::size_t before = at.children.size();
@@ -246,6 +263,25 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
   }
   charge_children(level, memory);
   if (memory.bent.sample_count() != memory.colours.size()) resize_samples(memory);
+}
+
+void Integrator::light_from_around(const PathBatch& batch, PathMemory& memory) const {
+  if (around_.empty()) return;
+  AroundWork work{.batch = batch,
+                  .block = memory.block,
+                  .sample_of = {memory.pixel_samples, memory.bent},
+                  .sky = sky_ ? &*sky_ : nullptr,
+                  .rays = memory.around,
+                  .directions = memory.directions,
+                  .colours = memory.direction_colours,
+                  .light = memory.direction_light,
+                  .scratch = memory.direction_batch};
+  do {
+    work.is_last = true;
+    run(around_, work);
+    trace_long_queues(memory);
+    ++work.turn;
+  } while (!work.is_last && !is_over());
 }
 
 void Integrator::charge_children(std::size_t level, PathMemory& memory) const {

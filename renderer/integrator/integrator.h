@@ -8,9 +8,11 @@
 #pragma once
 
 #include "renderer/effects/plan.h"
+#include "renderer/effects/sky_source.h"
 #include "renderer/integrator/placed_lights.h"
 #include "renderer/paths/area_shadows.h"
 #include "renderer/paths/light_windows.h"
+#include "renderer/paths/pixel_sample.h"
 #include "renderer/paths/shadow_queue.h"
 
 #include <array>
@@ -41,7 +43,10 @@ struct PathMemory {
   std::vector<Rgb> colours;     ///< by sample, in the scene's working space
   std::vector<double> alphas;
   std::vector<Certainty> certainties;  ///< by sample: the worst of all its rays
-  ShadowQueue shadows;
+  /// By camera sample, if the integrator is soft. All of a batch share points with as many others (PixelSample::of).
+  std::vector<PixelSample> pixel_samples;
+  ShadowQueue shadows{RayKind::shadow};
+  ShadowQueue around{RayKind::around};
   AreaShadows area_shadows;
   std::array<std::vector<double>, 2> area_weights;  ///< of the present light's grid, along both edges
   std::vector<std::uint32_t> misses;
@@ -52,6 +57,9 @@ struct PathMemory {
   std::vector<std::uint8_t> is_total;        ///< SpawnWork::is_total
   ShadowFilterMemory shadow_filter;
   SurfacePoint surface;
+  std::vector<Vec3> directions;  ///< these four serve the stages of light from around
+  std::vector<Rgb> direction_colours, direction_light;
+  PathBatch direction_batch;
   std::vector<LitTexture> textures;  ///< the textures of the block's points
   Charge queue_bytes;                ///< of the segments that wait, at all levels
   Charge texture_bytes;              ///< of `textures`
@@ -65,6 +73,9 @@ struct PathMemory {
 
   /// The caller fills these before each call of Integrator::trace.
   [[nodiscard]] std::vector<Ray>& camera_rays() { return levels.front().batch.rays; }
+  [[nodiscard]] const PixelSample& pixel_sample(std::uint32_t sample) const {
+    return pixel_samples[bent.camera_sample(sample)];
+  }
 };
 
 /// Is told of the first surfaces that camera rays meet, for layers. Misses are not told.
@@ -89,6 +100,9 @@ class Integrator {
   /// `observer` may be null. False if the run was stopped or refused meanwhile: the colours are then meaningless.
   [[nodiscard]] bool trace(PathMemory& memory, SurfaceObserver* observer) const;
 
+  /// True if there is something soft that has to be sampled, so that the caller fills memory.pixel_samples, too.
+  [[nodiscard]] bool is_soft() const { return soft_; }
+
   /// Refuses the rendering because the patterns of a thing, made at `origin`, take too long at a point.
   void refuse(std::string_view thing, OriginId origin) const { refusals_.report(thing, origin); }
   /// Why the rendering cannot go on, once trace() has returned false; null if it was stopped.
@@ -105,6 +119,7 @@ class Integrator {
   void shade_surfaces(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   void fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const;
   void shade_block(std::size_t level, PathMemory& memory) const;
+  void light_from_around(const PathBatch& batch, PathMemory& memory) const;
   // The following functions light a block (lighting.cpp).
   /// Fills memory.lit with the block's points that the light may reach, and memory.cosines if textures of a point may
   /// differ in that. The number of the points.
@@ -130,18 +145,36 @@ class Integrator {
   /// of the light.
   [[nodiscard]] std::span<LitPoint> throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
                                                          PathMemory& memory) const;
+  /// The number of points of the light from which each point of the block is lit.
+  [[nodiscard]] std::uint32_t points_of(const PathBatch& batch, const PlacedLight& placed,
+                                        const PathMemory& memory) const;
+  /// The place of one of these, relative to the light's centre; `path` is the path that ends at the lit point.
+  [[nodiscard]] Vec3 offset_of(const PlacedLight& placed, const LightSample& centre, const PathEntry& path,
+                               std::uint32_t number, const PathMemory& memory) const;
   void light_block(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;
-  /// Queues the rays to all points of an area light; `to_light` leads to its centre.
+  /// Queues the ray to a point of an area light; `to_light` leads to its centre.
+  void push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
+                const Rgb& colour, PathMemory& memory) const;
+  /// Queues the rays to all points of an area light.
   void push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
                  PathMemory& memory) const;
+  /// Queues the rays to the sample's share of points at random on an area light.
+  void push_scattered(const PlacedLight& placed, const Ray& to_light, const PathEntry& path, const Rgb& colour,
+                      PathMemory& memory) const;
   /// Traces the shadow rays that wait if they are many.
   void trace_long_queues(PathMemory& memory) const;
   void trace_shadows(PathMemory& memory) const;
+  /// Adds the light of the rays of a queue that nothing stops.
+  void resolve(ShadowQueue& queue, std::uint64_t& count, PathMemory& memory) const;
   void trace_children(std::size_t level, PathMemory& memory) const;
   /// Charges the memory of the segments that wait at a level. A surface of many mirrors, seen in many mirrors, makes
   /// millions of them.
   void charge_children(std::size_t level, PathMemory& memory) const;
 
+  /// True if the batch brings light from surfaces to others.
+  [[nodiscard]] static bool is_around(const PathBatch& batch) {
+    return batch.size() != 0 && batch.entries.front().kind == RayKind::around;
+  }
   /// True if the rest of a batch need not be traced.
   [[nodiscard]] bool is_over() const noexcept { return is_set(run_.stop) || refusals_.is_set(); }
 
@@ -163,8 +196,11 @@ class Integrator {
   Stages<SurfaceWork> own_light_;
   Stages<ReachWork> reach_;
   Stages<LightWork> diffuse_, shine_, dim_;
+  Stages<AroundWork> around_;
   Stages<SpawnWork> spawn_;
+  bool soft_ = false;
   bool shadows_ = false, back_light_ = false, bumps_ = false, passing_ = false, mirrors_ = false;
+  std::optional<SkySource> sky_;               ///< if it is a source of light
   std::optional<LightWindows> windows_;        ///< if some lights shine only through an object
   std::optional<Interiors> interiors_;         ///< if some surface mirrors by their refraction
   std::optional<ShadowFilter> shadow_filter_;  ///< if surfaces let light through

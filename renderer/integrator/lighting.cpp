@@ -89,7 +89,7 @@ std::span<LitPoint> Integrator::throw_back(const PathBatch& batch, const scene::
   const std::span<LitPoint> lit_points = std::span(memory.lit).first(count);
   LightWork work{batch, memory.block, light, lit_points, memory.cosines, memory.shine};
   run(diffuse_, work);
-  if (!light.shadowless) run(shine_, work);
+  if (!light.shadowless && !is_around(batch)) run(shine_, work);
   if (!memory.shine.empty() || has_strengths()) {
     auto shine = memory.shine.begin();
     for (LitPoint& lit : lit_points) {
@@ -104,10 +104,30 @@ std::span<LitPoint> Integrator::throw_back(const PathBatch& batch, const scene::
   return lit_points;
 }
 
+std::uint32_t Integrator::points_of(const PathBatch& batch, const PlacedLight& placed, const PathMemory& memory) const {
+  const scene::AreaLight& area = *placed.light.area;
+  const int count = area.count_a * area.count_b;
+  if (!placed.scattered || memory.block.paths.empty()) return static_cast<std::uint32_t>(count);
+  return memory.pixel_sample(batch.entries[memory.block.paths.front()].sample).share_of(count);
+}
+
+Vec3 Integrator::offset_of(const PlacedLight& placed, const LightSample& centre, const PathEntry& path,
+                           std::uint32_t number, const PathMemory& memory) const {
+  const scene::AreaLight& area = *placed.light.area;
+  const AreaEdges edges = edges_of(area, centre.direction);
+  if (!placed.scattered) {
+    const auto rows = static_cast<std::uint32_t>(area.count_b);
+    return area_offset(area, edges, number / rows, number % rows);
+  }
+  const PixelSample& sample = memory.pixel_sample(path.sample);
+  const std::uint32_t share = sample.share_of(placed.scattered->count());
+  return placed.scattered->even_offset(
+      edges, sample.point(SampleUse::lit_from_area, share, number, path.level, placed.number));
+}
+
 std::span<LitPoint> Integrator::throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
                                                      PathMemory& memory) const {
   const scene::Light& light = placed.light;
-  const scene::AreaLight& area = *light.area;
   const std::size_t count = memory.block.points.size();
   std::array<LightSample, kBlockSize> centres;
   std::array<Rgb, kBlockSize> sums;
@@ -115,19 +135,19 @@ std::span<LitPoint> Integrator::throw_back_from_area(const PathBatch& batch, con
     centres[i] = sample_light(light, memory.block.points[i].position);
     sums[i] = Rgb(0);
   }
-  for (int u = 0; u < area.count_a; ++u) {
-    for (int v = 0; v < area.count_b; ++v) {
-      if (is_over()) return {};
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 offset = area_offset(area, edges_of(area, centres[i].direction), u, v);
-        memory.samples[i] = sample_light_from(light, light.location + offset, memory.block.points[i].position);
-      }
-      memory.cosines.clear();
-      for (const LitPoint& lit : throw_back(batch, light, face_samples(batch, placed, memory), memory))
-        sums[lit.point] += lit.colour;
+  const std::uint32_t points = points_of(batch, placed, memory);
+  for (std::uint32_t number = 0; number < points; ++number) {
+    if (is_over()) return {};
+    for (std::size_t i = 0; i < count; ++i) {
+      const PathEntry& path = batch.entries[memory.block.paths[i]];
+      const Vec3 source = light.location + offset_of(placed, centres[i], path, number, memory);
+      memory.samples[i] = sample_light_from(light, source, memory.block.points[i].position);
     }
+    memory.cosines.clear();
+    for (const LitPoint& lit : throw_back(batch, light, face_samples(batch, placed, memory), memory))
+      sums[lit.point] += lit.colour;
   }
-  const double share = 1.0 / (static_cast<double>(area.count_a) * area.count_b);
+  const double share = 1.0 / points;
   for (std::uint32_t i = 0; i < count; ++i) memory.lit[i] = {i, centres[i], 0, sums[i] * share};
   return std::span(memory.lit).first(count);
 }
@@ -140,7 +160,7 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
                                              : throw_back(batch, light, face_light(batch, placed, memory), memory);
   const Rgb light_colour = rgb(light.colour);
   const bool is_shadowed = shadows_ && !light.shadowless;
-  const bool is_even = light.area && light.area->adaptive == scene::AreaLight::kNotAdaptive;
+  const bool is_even = light.area && !light.area->jitter && light.area->adaptive == scene::AreaLight::kNotAdaptive;
   if (is_even) memory.area_weights = {area_weights(light.area->count_a), area_weights(light.area->count_b)};
   for (const LitPoint& lit : lit_points) {
     const ShadingPoint& point = memory.block.points[lit.point];
@@ -157,6 +177,8 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
                        hit.start()};
     if (!light.area) [[likely]] {
       memory.shadows.push(path.sample, to_light, colour);
+    } else if (placed.scattered) {
+      push_scattered(placed, to_light, path, colour, memory);
     } else if (is_even) {
       push_area(light, to_light, path.sample, colour, memory);
     } else {
@@ -169,6 +191,32 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
   }
 }
 
+void Integrator::push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
+                          const Rgb& colour, PathMemory& memory) const {
+  const LightSample way = sample_light_from(light, source, to_light.origin);
+  Ray ray = to_light;
+  ray.direction = way.direction;
+  ray.t_max = way.distance;
+  if (windows_ && LightWindows::has_window(light)) {
+    windows_->trim(light, std::span(&ray, 1));
+    if (ray.t_max < 0) return;
+  }
+  memory.shadows.push(sample, ray, colour);
+}
+
+void Integrator::push_scattered(const PlacedLight& placed, const Ray& to_light, const PathEntry& path,
+                                const Rgb& colour, PathMemory& memory) const {
+  const AreaEdges edges = edges_of(*placed.light.area, to_light.direction);
+  const PixelSample& sample = memory.pixel_sample(path.sample);
+  const std::uint32_t share = sample.share_of(placed.scattered->count());
+  for (std::uint32_t i = 0; i < share; ++i) {
+    const UnitPoint at = sample.point(SampleUse::light_area, share, i, path.level, placed.number);
+    push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, at), to_light, path.sample,
+             colour / share, memory);
+  }
+  trace_long_queues(memory);
+}
+
 void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
                            PathMemory& memory) const {
   const scene::AreaLight& area = *light.area;
@@ -176,17 +224,8 @@ void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::
   const auto& [weights_a, weights_b] = memory.area_weights;
   for (int u = 0; u < area.count_a; ++u) {
     for (int v = 0; v < area.count_b; ++v) {
-      const Vec3 source = light.location + area_offset(area, edges, u, v);
-      const LightSample way = sample_light_from(light, source, to_light.origin);
-      Ray ray = to_light;
-      ray.direction = way.direction;
-      ray.t_max = way.distance;
-      if (windows_ && LightWindows::has_window(light)) {
-        windows_->trim(light, std::span(&ray, 1));
-        if (ray.t_max < 0) continue;
-      }
-      memory.shadows.push(sample, ray,
-                          colour * (weights_a[static_cast<std::size_t>(u)] * weights_b[static_cast<std::size_t>(v)]));
+      push_ray(light, light.location + area_offset(area, edges, u, v), to_light, sample,
+               colour * (weights_a[static_cast<std::size_t>(u)] * weights_b[static_cast<std::size_t>(v)]), memory);
     }
     trace_long_queues(memory);
     if (is_over()) return;
@@ -194,17 +233,24 @@ void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::
 }
 
 void Integrator::trace_long_queues(PathMemory& memory) const {
-  if (memory.shadows.size() >= kLongestShadowQueue || memory.area_shadows.is_full()) trace_shadows(memory);
+  if (memory.shadows.size() >= kLongestShadowQueue || memory.around.size() >= kLongestShadowQueue ||
+      memory.area_shadows.is_full())
+    trace_shadows(memory);
+}
+
+void Integrator::resolve(ShadowQueue& queue, std::uint64_t& count, PathMemory& memory) const {
+  if (shadow_filter_) {
+    queue.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
+  } else {
+    queue.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
+  }
+  count += queue.size();
+  queue.clear();
 }
 
 void Integrator::trace_shadows(PathMemory& memory) const {
-  if (shadow_filter_) {
-    memory.shadows.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
-  } else {
-    memory.shadows.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
-  }
-  memory.counts.shadow += memory.shadows.size();
-  memory.shadows.clear();
+  resolve(memory.shadows, memory.counts.shadow, memory);
+  resolve(memory.around, memory.counts.around, memory);
   if (memory.area_shadows.is_empty()) return;
   const ShadowTracer tracer{tracer_, shadow_filter_ ? &*shadow_filter_ : nullptr, windows_ ? &*windows_ : nullptr,
                             memory.shadow_filter, memory.counters};

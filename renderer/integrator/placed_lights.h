@@ -2,15 +2,19 @@
 #pragma once
 
 #include "renderer/scene/database.h"
+#include "renderer/shading/area_points.h"
 #include "renderer/trace/tracer.h"
 
+#include <optional>
 #include <vector>
 
 namespace isl::render {
 
 struct PlacedLight {
   scene::Light light;
-  std::uint32_t group = scene::kNone;  ///< the index in Tracer::light_groups() of its light group, if it is in one
+  std::uint32_t group = scene::kNone;     ///< the index in Tracer::light_groups() of its light group, if it is in one
+  std::uint32_t number = 0;               ///< among all lights
+  std::optional<AreaPoints> scattered{};  ///< if the points of its area are at random places
 };
 
 /// The lights of the world come first. Copies of a light group have copies of its lights.
@@ -25,6 +29,11 @@ struct PlacedLight {
       scene::move(lights.back().light, group.world_from_group);
     }
     ++number;
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    lights[i].number = static_cast<std::uint32_t>(i);
+    const std::optional<scene::AreaLight>& area = lights[i].light.area;
+    if (area && area->jitter) lights[i].scattered.emplace(*area);
   }
   return lights;
 }

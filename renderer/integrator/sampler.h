@@ -2,9 +2,11 @@
 // one thread.
 #pragma once
 
+#include "renderer/film/block_noise.h"
 #include "renderer/film/camera.h"
 #include "renderer/film/camera_bumps.h"
 #include "renderer/film/film.h"
+#include "renderer/film/lens.h"
 #include "renderer/film/tiles.h"
 #include "renderer/image/transfer.h"
 #include "renderer/integrator/integrator.h"
@@ -21,12 +23,22 @@ struct CameraSample {
   double x = 0, y = 0;
   std::uint32_t pixel = 0;  ///< its index in the film
   bool is_centre = false;   ///< the pixel's first sample, which fills the layers
+  bool is_last = false;     ///< of the pixel's in its pass
+  PixelSample among{};      ///< its place among the pixel's samples, if the picture has something soft
+};
+
+/// Is told of the colours of samples, in their order, as they are added to the film.
+class SampleObserver {
+ public:
+  virtual ~SampleObserver() = default;
+  virtual void add(const CameraSample& sample, const std::array<double, 4>& value) = 0;
 };
 
 /// Memory of one thread, and its counts. `pixels` and `samples` serve the caller that makes the batches.
 struct Workspace {
   std::vector<Pixel> pixels;
   std::vector<CameraSample> samples;
+  BlockNoise noise;  ///< of the present pixel
   PathMemory paths;
 };
 
@@ -42,22 +54,26 @@ class Sampler {
         blank_alpha_(transparent_background ? 0 : 1),
         film_(film) {
     if (plan.has("camera_normal")) bumps_.emplace(database, run, images);
+    if (plan.has("focal_blur")) lens_.emplace(database, run, images);
   }
 
   /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
-  /// a time. False if the run was stopped or refused meanwhile: the film gets none of them.
-  [[nodiscard]] bool trace(std::span<const CameraSample> samples, Workspace& workspace) const;
+  /// a time. False if the run was stopped or refused meanwhile: the film gets none of them. `observer` may be null.
+  [[nodiscard]] bool trace(std::span<const CameraSample> samples, Workspace& workspace,
+                           SampleObserver* observer = nullptr) const;
 
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
 
  private:
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
+  [[nodiscard]] Ray camera_ray(const CameraSample& sample) const;
 
   Integrator integrator_;
   CameraRays camera_;
   OriginId camera_origin_;
   std::optional<CameraBumps> bumps_;  ///< if the camera has a `normal`
+  std::optional<Lens> lens_;          ///< if it has focal blur
   WorkingSpace working_space_;
   double blank_alpha_;  ///< of samples where the camera shows nothing, which are black
   Film& film_;

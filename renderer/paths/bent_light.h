@@ -26,6 +26,11 @@ class BentLight {
     bends_.push_back({of, factor, power});
     return static_cast<std::uint32_t>(first_ + bends_.size() - 1);
   }
+  /// The camera's sample to which a sample adds in the end.
+  [[nodiscard]] std::uint32_t camera_sample(std::uint32_t sample) const {
+    while (sample >= first_) sample = bends_[sample - first_].of;
+    return sample;
+  }
   /// The number of samples, the camera's included.
   [[nodiscard]] std::size_t sample_count() const { return first_ + bends_.size(); }
 

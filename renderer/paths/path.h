@@ -47,22 +47,26 @@ struct PathBatch {
 class ChildQueues {
  public:
   void push(const Ray& ray, const PathEntry& entry) { of(entry.kind).push(ray, entry); }
-  [[nodiscard]] std::size_t size() const { return image_.size() + reflection_.size(); }
+  [[nodiscard]] std::size_t size() const { return image_.size() + reflection_.size() + around_.size(); }
   void clear() {
     image_.clear();
     reflection_.clear();
+    around_.clear();
   }
   /// Calls visit(batch) with the queue of each kind.
   template <class Visit>
   void for_each(Visit&& visit) const {
     visit(image_);
     visit(reflection_);
+    visit(around_);
   }
 
  private:
-  PathBatch& of(RayKind kind) { return kind == RayKind::reflection ? reflection_ : image_; }
+  PathBatch& of(RayKind kind) {
+    return kind == RayKind::reflection ? reflection_ : kind == RayKind::around ? around_ : image_;
+  }
 
-  PathBatch image_, reflection_;
+  PathBatch image_, reflection_, around_;
 };
 
 /// Paths that a limit ended.
@@ -75,12 +79,14 @@ struct EndedPaths {
 struct PathCounts {
   std::uint64_t camera = 0;
   std::uint64_t shadow = 0;
+  std::uint64_t around = 0;            ///< for light from around, without those that go on as paths
   std::vector<std::uint64_t> spawned;  ///< by effect of the plan that spawns rays, in the plan's order
   EndedPaths ended;
 
   PathCounts& operator+=(const PathCounts& other) {
     camera += other.camera;
     shadow += other.shadow;
+    around += other.around;
     spawned.resize(std::max(spawned.size(), other.spawned.size()));
     for (std::size_t i = 0; i < other.spawned.size(); ++i) spawned[i] += other.spawned[i];
     ended.by_level += other.ended.by_level;

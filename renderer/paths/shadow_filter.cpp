@@ -33,7 +33,7 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& m
   return leaves && medium.fade_power > 0 ? share * medium.left_after(hit.t) : share;
 }
 
-void ShadowFilter::run(std::span<const Ray> rays, std::span<Rgb> shares, std::span<Certainty> certainties,
+void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> shares, std::span<Certainty> certainties,
                        ShadowFilterMemory& memory, TraceCounters& counters) const {
   memory.rays.assign(rays.begin(), rays.end());
   memory.numbers.resize(rays.size());
@@ -44,7 +44,7 @@ void ShadowFilter::run(std::span<const Ray> rays, std::span<Rgb> shares, std::sp
   // Every step takes all rays that have not ended past one more surface.
   while (!memory.rays.empty()) {
     memory.hits.assign(memory.rays.size(), Hit{});
-    tracer_.first_hits(memory.rays, memory.hits, counters, RayKind::shadow);
+    tracer_.first_hits(memory.rays, memory.hits, counters, kind);
     if (refusals_.is_set()) return;
     std::size_t left = 0;
     for (std::size_t i = 0; i < memory.rays.size(); ++i) {

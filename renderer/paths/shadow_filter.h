@@ -32,7 +32,7 @@ class ShadowFilter {
       : interiors_(database), tracer_(tracer), textures_(textures), refusals_(refusals), has_bumps_(has_bumps) {}
 
   /// shares[i] becomes the share of light that comes along rays[i], and certainties[i] falls where that is undecided.
-  void run(std::span<const Ray> rays, std::span<Rgb> shares, std::span<Certainty> certainties,
+  void run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> shares, std::span<Certainty> certainties,
            ShadowFilterMemory& memory, TraceCounters& counters) const;
 
  private:

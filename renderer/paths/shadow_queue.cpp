@@ -13,7 +13,7 @@ void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, std::spa
                           TraceCounters& counters) {
   if (size_ == 0) return;
   occluded_.resize(size_);
-  tracer.occlusions(std::span(rays_).first(size_), occluded_, counters);
+  tracer.occlusions(std::span(rays_).first(size_), occluded_, counters, kind_);
   for (std::size_t i = 0; i < size_; ++i) {
     if (occluded_[i] == kOccluded) continue;
     const std::uint32_t sample = lights_[i].sample;
@@ -27,7 +27,7 @@ void ShadowQueue::resolve(const ShadowFilter& filter, std::span<Rgb> colours, st
   if (size_ == 0) return;
   shares_.resize(size_);
   certainties_.assign(size_, Certainty::certified);
-  filter.run(std::span(rays_).first(size_), shares_, certainties_, memory, counters);
+  filter.run(std::span(rays_).first(size_), kind_, shares_, certainties_, memory, counters);
   for (std::size_t i = 0; i < size_; ++i) {
     const std::uint32_t sample = lights_[i].sample;
     colours[sample] += lights_[i].colour * shares_[i];

@@ -15,6 +15,8 @@ namespace isl::render {
 /// Its memory is kept from batch to batch.
 class ShadowQueue {
  public:
+  explicit ShadowQueue(RayKind kind) : kind_(kind) {}
+
   void clear() { size_ = 0; }
 
   /// Queues light `colour` for a sample. It counts if nothing lies on `ray`, which leads from a surface to the light.
@@ -42,6 +44,7 @@ class ShadowQueue {
 
   void grow();
 
+  RayKind kind_;
   // These may be longer than size_, so that one check makes room in both.
   std::vector<Ray> rays_;
   std::vector<Light> lights_;

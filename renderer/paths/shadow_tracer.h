@@ -25,7 +25,7 @@ struct ShadowTracer {
   void run(std::span<const Ray> rays, std::span<Rgb> shares, std::span<Certainty> certainties,
            std::vector<std::uint8_t>& occluded) const {
     std::ranges::fill(certainties, Certainty::certified);
-    if (filter) return filter->run(rays, shares, certainties, memory, counters);
+    if (filter) return filter->run(rays, RayKind::shadow, shares, certainties, memory, counters);
     occluded.resize(rays.size());
     tracer.occlusions(rays, occluded, counters);
     for (std::size_t i = 0; i < rays.size(); ++i) {

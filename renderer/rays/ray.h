@@ -28,7 +28,8 @@ enum class RayKind : std::uint8_t {
   image = 1,       ///< from the camera, with no reflection on the way
   reflection = 2,  ///< with a reflection on the way from the camera
   shadow = 4,
-  query = 0,  ///< for a question about the scene: meets every object
+  around = 8,  ///< for light that comes to a point from around: occlusion, the sky, other surfaces
+  query = 0,   ///< for a question about the scene: meets every object
 };
 
 /// A half-line in world space. The direction has unit length. A ray with NaN or infinite entries, or a zero direction,

@@ -53,9 +53,10 @@ void rival_first_hits(const CompiledScene& scene, const SolverSettings& settings
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
 }
 
-void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
-                      std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
-  WorldTrace<RivalSearch> world(scene, settings, RayKind::shadow, memory, counters);
+void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings, RayKind kind,
+                      std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceMemory& memory,
+                      TraceCounters& counters) {
+  WorldTrace<RivalSearch> world(scene, settings, kind, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = occlusion_of(world.trace(rays[i], true));
 }
 

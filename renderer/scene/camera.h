@@ -26,7 +26,7 @@ enum class CameraKind : std::uint8_t {
 /// Depth of field: a lens in whose picture only one distance is sharp.
 struct FocalBlur {
   double aperture = 0;                   ///< diameter of the lens; above 0
-  double focal_distance = 0;             ///< from the location along the direction to the plane in focus
+  double focal_distance = 0;             ///< from the location to the plane, or the sphere, in focus
   int min_samples = 0, max_samples = 0;  ///< rays a pixel
   double confidence = 0.9;               ///< probability that the error of a pixel's value …
   double variance = 1.0 / 128;           ///< … is within this variance; ranges: ]0, 1[ and [0, 1]

@@ -149,6 +149,7 @@ class Writer {
     const std::pair<std::string_view, bool> flags[] = {{"no_shadow", object.no_shadow},
                                                        {"no_image", object.no_image},
                                                        {"no_reflection", object.no_reflection},
+                                                       {"no_radiosity", object.no_radiosity},
                                                        {"double_illuminate", object.double_illuminate},
                                                        {"hollow", object.hollow},
                                                        {"inverse", object.inverse}};

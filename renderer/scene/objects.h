@@ -22,6 +22,7 @@ struct Object {
   bool no_shadow = false;
   bool no_image = false;                    ///< not seen by the camera, only in reflections and through refraction
   bool no_reflection = false;               ///< not seen in reflections
+  bool no_radiosity = false;                ///< neither keeps light from around away from others nor gives them some
   bool double_illuminate = false;           ///< light from behind lights the surface too
   bool hollow = false;                      ///< media, such as air, fill its inside
   bool inverse = false;                     ///< inside and outside are exchanged

@@ -77,6 +77,7 @@ template <auto member>
 struct StatementKind {
   std::string_view word;       ///< the word that begins it
   std::string_view noun;       ///< in messages: "a mist"
+  bool is_setting = false;     ///< it stands in `global_settings`; its word may be one of ours, not reserved
   std::string_view list = {};  ///< in a dump; empty: a later statement replaces an earlier one
   std::any (*make)();          ///< a record with the defaults
   std::span<const StatementField> fields;

@@ -29,9 +29,10 @@ struct AreaEdges {
   return {a * length, to_light.cross(a).normalized() * length};
 }
 
-/// The point (u, v) of the grid, relative to the light's centre; u and v count from 0.
-[[nodiscard]] inline Vec3 area_offset(const scene::AreaLight& area, const AreaEdges& edges, int u, int v) {
-  const auto across = [](int i, int count) { return count > 1 ? static_cast<double>(i) / (count - 1) - 0.5 : 0; };
+/// The point (u, v) of the grid, relative to the light's centre; u and v count from 0, and may lie between points or
+/// beside them.
+[[nodiscard]] inline Vec3 area_offset(const scene::AreaLight& area, const AreaEdges& edges, double u, double v) {
+  const auto across = [](double i, int count) { return count > 1 ? i / (count - 1) - 0.5 : 0; };
   double a = across(u, area.count_a), b = across(v, area.count_b);
   if (area.circular) {
     // POV-Ray moves the points of such a light by a thousandth of its edges, so that none is in the middle, where the

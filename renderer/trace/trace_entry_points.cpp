@@ -64,10 +64,10 @@ void first_hits(const CompiledScene& scene, const SolverSettings& settings, RayK
             [&](const Hit& hit, std::size_t i) { hits[i] = hit; });
 }
 
-void occlusions(const CompiledScene& scene, const SolverSettings& settings, std::span<const Ray> rays,
+void occlusions(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
-  trace_all(scene, settings, RayKind::shadow, true, rays, memory, counters,
+  trace_all(scene, settings, kind, true, rays, memory, counters,
             [&](const Hit& hit, std::size_t i) { occluded[i] = occlusion_of(hit); });
 }
 

@@ -29,8 +29,8 @@ struct TraceMemory {
 struct TraceLoops {
   void (*first_hits)(const CompiledScene&, const SolverSettings&, RayKind, std::span<const Ray>, std::span<Hit>,
                      TraceMemory&, TraceCounters&);
-  void (*occlusions)(const CompiledScene&, const SolverSettings&, std::span<const Ray>, std::span<std::uint8_t>,
-                     TraceMemory&, TraceCounters&);
+  void (*occlusions)(const CompiledScene&, const SolverSettings&, RayKind, std::span<const Ray>,
+                     std::span<std::uint8_t>, TraceMemory&, TraceCounters&);
 };
 
 struct TraceEntryPoints {

@@ -170,11 +170,12 @@ void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCou
   });
 }
 
-void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const {
+void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
+                        RayKind kind) const {
   ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
   impl_->in_parts(rays.size(), [&](std::size_t first, std::size_t count) {
-    impl_->loops->occlusions(impl_->scene, impl_->settings, rays.subspan(first, count), occluded.subspan(first, count),
-                             thread_memory(), counters);
+    impl_->loops->occlusions(impl_->scene, impl_->settings, kind, rays.subspan(first, count),
+                             occluded.subspan(first, count), thread_memory(), counters);
   });
 }
 

@@ -41,7 +41,8 @@ class Tracer {
                   RayKind kind = RayKind::image) const;
 
   /// occluded[i] becomes an Occlusion: whether anything that throws a shadow lies on rays[i] with 0 < t < t_max.
-  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters) const;
+  void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
+                  RayKind kind = RayKind::shadow) const;
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;

@@ -92,8 +92,13 @@ global_settings { assumed_gamma 1 }
   }
 #end
 
-light_source { <-5, 8, -6>, srgb <1.0, 0.96, 0.90> }
-light_source { <7, 5, -4>, srgb <0.80, 0.88, 1.0> * 0.35 shadowless }
+#ifdef (Soft)
+  #include "../soft_studio.isl"
+  Soft_studio(<-5, 8, -6>, 3, y, 6)
+#else
+  light_source { <-5, 8, -6>, srgb <1.0, 0.96, 0.90> }
+  light_source { <7, 5, -4>, srgb <0.80, 0.88, 1.0> * 0.35 shadowless }
+#end
 
 camera {
   location <1.0, 3.25, -6.0>

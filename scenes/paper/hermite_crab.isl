@@ -8,9 +8,14 @@ global_settings { assumed_gamma 1 }
 #ifndef (Ground) #declare Ground = 1; #end
 
 camera { location <1.2, 3.4, -7.6> look_at <0, -0.15, -0.35> angle 44 right 1.5*x up y }
-light_source { <6, 10, -7> rgb 0.95 }
-light_source { <-8, 4, -5> rgb <0.26, 0.28, 0.34> shadowless }
-background { rgb <0.83, 0.88, 0.92> }
+#ifdef (Soft)
+  #include "../soft_studio.isl"
+  Soft_studio(<6, 10, -7>, 4, y, 8)
+#else
+  light_source { <6, 10, -7> rgb 0.95 }
+  light_source { <-8, 4, -5> rgb <0.26, 0.28, 0.34> shadowless }
+  background { rgb <0.83, 0.88, 0.92> }
+#end
 
 #declare Shell = <0.78, 0.26, 0.16>;
 #declare Pale = <0.93, 0.72, 0.52>;

@@ -8,9 +8,14 @@ global_settings { assumed_gamma 1 }
 #ifndef (Spikes) #declare Spikes = 420; #end
 
 camera { location <0, 1.6, -7.5> look_at 0 angle 38 right x up y }
-light_source { <6, 9, -7> rgb 0.95 }
-light_source { <-7, 1, -4> rgb <0.30, 0.30, 0.42> shadowless }
-background { rgb <0.86, 0.90, 0.93> }
+#ifdef (Soft)
+  #include "../soft_studio.isl"
+  Soft_studio(<6, 9, -7>, 4, y, 8)
+#else
+  light_source { <6, 9, -7> rgb 0.95 }
+  light_source { <-7, 1, -4> rgb <0.30, 0.30, 0.42> shadowless }
+  background { rgb <0.86, 0.90, 0.93> }
+#end
 
 // Directions spread evenly: equal steps of height, and the golden angle from one to the next.
 #declare GoldenAngle = 180 * (3 - sqrt(5));

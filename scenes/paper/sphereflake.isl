@@ -79,10 +79,15 @@ camera {
   look_at 0
 }
 
-background { rgb <0.078, 0.361, 0.753> }
-light_source { <4, 3, 2>, 0.7 }
-light_source { <1, -4, 4>, 0.7 }
-light_source { <-3, 1, 5>, 0.7 }
+#ifdef (Soft)
+  #include "../soft_studio.isl"
+  Soft_studio(<4, 3, 2>, 2, z, 3)
+#else
+  background { rgb <0.078, 0.361, 0.753> }
+  light_source { <4, 3, 2>, 0.7 }
+  light_source { <1, -4, 4>, 0.7 }
+  light_source { <-3, 1, 5>, 0.7 }
+#end
 
 #if (Floor)
   plane { z, -0.5 pigment { rgb <1, 0.75, 0.33> } finish { ambient 0.1 diffuse 0.9 } }

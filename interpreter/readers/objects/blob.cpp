@@ -196,9 +196,10 @@ class BlobReader {
 
   void take_over(BlobReader& part, const ObjectDraft& draft, std::uint32_t branch, const Element& block) {
     const scene::Object& object = draft.object;
-    const bool has_more = object.no_shadow || object.no_image || object.no_reflection || object.double_illuminate ||
-                          object.hollow || object.inverse || object.clip != scene::kNoGroup ||
-                          draft.interior != scene::kNoInterior || draft.interior_texture;
+    const bool has_more = object.no_shadow || object.no_image || object.no_reflection || object.no_radiosity ||
+                          object.double_illuminate || object.hollow || object.inverse ||
+                          object.clip != scene::kNoGroup || draft.interior != scene::kNoInterior ||
+                          draft.interior_texture;
     if (has_more) {
       context_.fail(block.word_span, "a part of a blob accepts only transforms and a texture",
                     "put modifiers of the whole blob after its components");

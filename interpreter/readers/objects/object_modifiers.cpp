@@ -34,6 +34,7 @@ struct Flag {
 constexpr Flag kObjectFlags[] = {{word::kw_no_shadow, &Object::no_shadow},
                                  {word::kw_no_image, &Object::no_image},
                                  {word::kw_no_reflection, &Object::no_reflection},
+                                 {word::kw_no_radiosity, &Object::no_radiosity},
                                  {word::kw_double_illuminate, &Object::double_illuminate}};
 
 constexpr ItemWord<ObjectItem> kObjectPlaces[] = {{word::kw_no_image, ObjectItem::no_image},
@@ -82,13 +83,9 @@ bool takes_cutaway_textures(const ElementStream& stream, const ObjectDraft& draf
   return group->operation == scene::Operation::intersect || group->operation == scene::Operation::subtract;
 }
 
-/// Words without an effect on our pictures: hints for POV-Ray's root finders, and an exception from radiosity.
+/// Words without an effect on our pictures: hints for POV-Ray's root finders.
 bool read_hint(ElementStream& stream, const ObjectDraft& draft) {
   const grammar::Symbol name = stream.peek().word;
-  if (name == word::kw_no_radiosity) {
-    stream.drop();
-    return true;
-  }
   const bool is_blob = draft.object.kind == Object::Kind::blob;
   const bool is_hint = (name == word::kw_sturm && takes_sturm(stream, draft)) ||
                        (name == word::kw_hierarchy && is_blob) || name == word::kw_split_union;

@@ -33,6 +33,7 @@ bool FocalBlurReader::read(ElementStream& stream) {
     case word::kIndex_aperture:
       stream.drop();
       blur_.aperture = std::abs(read_number(stream, "a number after `aperture`"));
+      is_pinhole_ = blur_.aperture == 0;
       return true;
     case word::kIndex_focal_point:
       stream.drop();
@@ -93,16 +94,22 @@ void FocalBlurReader::read_share(ElementStream& stream, double& share, bool may_
 }
 
 std::optional<scene::FocalBlur> FocalBlurReader::result(ElementStream& stream, const scene::Camera& camera) const {
+  Context& context = stream.context();
+  if (is_pinhole_ && blur_.max_samples > 0)
+    context.warn(stream.span(), "an `aperture` of 0 is a pinhole, which makes no blur");
   if (blur_.aperture == 0 || blur_.max_samples == 0) return std::nullopt;
   scene::FocalBlur blur = blur_;
   if (focal_point_) {
-    blur.focal_distance = (*focal_point_ - camera.location).dot(camera.direction) / camera.direction.length();
+    const scene::Vec3 way = *focal_point_ - camera.location;
+    // As in POV-Ray, the distance alone counts, in whatever direction the point lies.
+    blur.focal_distance = way.length();
+    if (blur.focal_distance > 0 && way.dot(camera.direction) <= 0)
+      context.warn(stream.span(), "the `focal_point` is not in front of the camera; it is sharp as far away in front");
   } else if (blur.focal_distance == 0) {
     blur.focal_distance = kDefaultFocalDistance;
   }
   if (blur.focal_distance == 0) {
-    stream.context().warn(stream.span(),
-                          "the `focal_point` lies beside the camera, not in front of it; there is no blur");
+    context.warn(stream.span(), "the `focal_point` is the camera's location; there is no blur");
     return std::nullopt;
   }
   return blur;

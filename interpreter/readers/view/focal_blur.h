@@ -29,6 +29,7 @@ class FocalBlurReader {
 
   scene::FocalBlur blur_;
   std::optional<scene::Vec3> focal_point_;
+  bool is_pinhole_ = false;  ///< the scene says so
 };
 
 }  // namespace isl::interpreter

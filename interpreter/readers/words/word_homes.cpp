@@ -45,6 +45,7 @@ void add_patterns(Homes& homes, Context& context) {
 /// The numbers of statements that effects declare.
 void add_statements(Homes& homes, Context& context) {
   for (const scene::StatementKind* const kind : render::statement_kinds()) {
+    if (kind->is_setting) continue;  // its items are better known from elsewhere
     std::any record = kind->make();
     for (const scene::StatementField& field : kind->fields) {
       const scene::FieldPlace place = field.place(record);

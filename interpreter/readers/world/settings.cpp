@@ -3,6 +3,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/readers/words/arguments.h"
 #include "interpreter/readers/words/colour.h"
+#include "interpreter/readers/world/statements.h"
 
 #include <fmt/format.h>
 
@@ -155,7 +156,7 @@ bool read_contextual_item(ElementStream& stream) {
 void read_item(ElementStream& stream) {
   Context& context = stream.context();
   const Element next = stream.peek();
-  if (read_contextual_item(stream)) return;
+  if (read_contextual_item(stream) || read_setting_block(stream)) return;
   if (next.is(ElementKind::word)) {
     const auto* const row = std::ranges::find(kSettings, next.word, &SettingWord::word);
     if (row != std::end(kSettings)) {
@@ -163,8 +164,9 @@ void read_item(ElementStream& stream) {
       return row->read(stream, context.database.settings);
     }
   }
-  const grammar::Symbol known[] = {word::kw_assumed_gamma, word::kw_ambient_light, word::kw_max_trace_level,
-                                   word::kw_adc_bailout,   context.words.solver,   context.words.tolerance};
+  std::vector<grammar::Symbol> known = setting_words(context);
+  known.insert(known.end(), {word::kw_assumed_gamma, word::kw_ambient_light, word::kw_max_trace_level,
+                             word::kw_adc_bailout, context.words.solver, context.words.tolerance});
   refuse(stream, known);
 }
 

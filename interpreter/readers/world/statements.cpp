@@ -200,17 +200,18 @@ std::vector<grammar::Symbol> item_words(Context& context, const StatementKind& k
 
 }  // namespace
 
-const StatementKind* statement_kind(const Context& context, grammar::Symbol word) {
-  if (!grammar::is_reserved(word)) return nullptr;
+namespace {
+
+const StatementKind* find_kind(const Context& context, grammar::Symbol word, bool is_setting) {
   const std::string_view text = context.text(word);
   const auto kinds = render::statement_kinds();
-  const auto kind = std::ranges::find_if(kinds, [&](const StatementKind* k) { return k->word == text; });
+  const auto kind = std::ranges::find_if(
+      kinds, [&](const StatementKind* k) { return k->is_setting == is_setting && k->word == text; });
   return kind == kinds.end() ? nullptr : *kind;
 }
 
-Statement read_statement(Context& context, const Element& block) {
+Statement read_statement(Context& context, const Element& block, const StatementKind& kind) {
   ElementStream stream(context, block);
-  const StatementKind& kind = *statement_kind(context, block.word);
   Statement statement{&kind, kind.make(), context.origin(block.span)};
   read_declared_name(stream, statement);
   while (!stream.peek().is(ElementKind::end)) {
@@ -221,8 +222,7 @@ Statement read_statement(Context& context, const Element& block) {
   return statement;
 }
 
-void place_statement(Context& context, const Element& block) {
-  Statement statement = read_statement(context, block);
+void place(Context& context, const Element& block, Statement statement) {
   context.count_primitive(block.span, sizeof(Statement));
   auto& statements = context.database.statements;
   if (statement.kind->list.empty()) {
@@ -233,6 +233,37 @@ void place_statement(Context& context, const Element& block) {
     }
   }
   statements.push_back(std::move(statement));
+}
+
+}  // namespace
+
+const StatementKind* statement_kind(const Context& context, grammar::Symbol word) {
+  return grammar::is_reserved(word) ? find_kind(context, word, /*is_setting=*/false) : nullptr;
+}
+
+Statement read_statement(Context& context, const Element& block) {
+  return read_statement(context, block, *statement_kind(context, block.word));
+}
+
+void place_statement(Context& context, const Element& block) { place(context, block, read_statement(context, block)); }
+
+bool read_setting_block(ElementStream& stream) {
+  Context& context = stream.context();
+  const Element block = stream.peek();
+  if (!block.is(ElementKind::block)) return false;
+  const StatementKind* const kind = find_kind(context, block.word, /*is_setting=*/true);
+  if (!kind) return false;
+  stream.drop();
+  place(context, block, read_statement(context, block, *kind));
+  return true;
+}
+
+std::vector<grammar::Symbol> setting_words(Context& context) {
+  std::vector<grammar::Symbol> words;
+  for (const StatementKind* const kind : render::statement_kinds()) {
+    if (kind->is_setting) words.push_back(context.symbols.intern(kind->word));
+  }
+  return words;
 }
 
 }  // namespace isl::interpreter

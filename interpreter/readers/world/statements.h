@@ -15,4 +15,9 @@ namespace isl::interpreter {
 /// Reads it and adds it to the scene.
 void place_statement(Context& context, const Element& block);
 
+/// Reads a statement of `global_settings`, which may begin with a word of ours; false if the next element is none.
+bool read_setting_block(ElementStream& stream);
+/// The words that begin such statements.
+[[nodiscard]] std::vector<grammar::Symbol> setting_words(Context& context);
+
 }  // namespace isl::interpreter

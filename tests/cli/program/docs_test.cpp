@@ -1,5 +1,5 @@
 // Every scene that README.md and docs/ show in a code block marked `isl` can be read, as can every scene in scenes/ and
-// bench/pairs/. If a block marked `text` follows directly, the scene prints exactly its content.
+// bench/. If a block marked `text` follows directly, the scene prints exactly its content.
 #include "tests/cli/program/program_fixture.h"
 #include "tests/support/source_folder.h"
 
@@ -97,8 +97,11 @@ TEST_F(Docs, ScenesCanBeRead) {
 }
 
 TEST_F(Docs, ScenesThatArePairedWithPovraysCanBeRead) {
-  const std::vector<fs::path> scenes = files_below(fs::path(ISL_SOURCE_DIR) / "bench" / "pairs", ".pov");
+  std::vector<fs::path> scenes = files_below(fs::path(ISL_SOURCE_DIR) / "bench" / "pairs", ".pov");
   EXPECT_GE(scenes.size(), 100u) << "bench/pairs.py compares at least a hundred";
+  const std::vector<fs::path> soft = files_below(fs::path(ISL_SOURCE_DIR) / "bench" / "soft", ".pov");
+  EXPECT_GE(soft.size(), 20u) << "bench/soft_noise.py compares twenty";
+  scenes.insert(scenes.end(), soft.begin(), soft.end());
   for (const fs::path& scene : scenes) {
     // Some are about what is not rendered yet.
     const ProcessResult result = run({"check", "--lenient", scene.string()});

@@ -8,32 +8,40 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::string_view kScene = R"(camera { location -4*z
-  aperture 0.2 focal_point 0 blur_samples 9 }
-#macro Lamp(X) light_source { <X, 0, -9>, rgb 1 area_light x, y, 2, 2 jitter } #end
-sphere { 0, 1 pigment { rgb 1 } }
-Lamp(1) Lamp(2)
+constexpr std::string_view kScene = R"(camera { location -4*z }
+sphere { 3*x, 1 texture { pigment { rgb 1 } normal { density_file df3 "one.df3" 0.5 } } }
+#macro Ball(X) sphere { X*x, 1 pigment { density_file df3 "one.df3" } } #end
+light_source { <0, 0, -9>, rgb 1 }
+Ball(0) Ball(6)
 )";
+
+/// A density of one voxel: three sizes of two bytes, and its value.
+constexpr std::string_view kDensity("\0\1\0\1\0\1\200", 7);
 
 class Unrendered : public ProgramTest {
  protected:
-  Unrendered() { write("scene.isl", kScene); }
+  Unrendered() {
+    write("one.df3", kDensity);
+    write("scene.isl", kScene);
+  }
 };
 
 TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:2:3: error: focal blur is not rendered yet"));
-  EXPECT_THAT(result.err, HasSubstr("scene.isl:3:71: error: `jitter` of an area light is not rendered yet"));
+  EXPECT_THAT(result.err,
+              HasSubstr("scene.isl:2:54: error: a `normal` that depends on a density file is not rendered yet"));
+  EXPECT_THAT(result.err,
+              HasSubstr("scene.isl:3:41: error: a pigment that depends on a density file is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
-  EXPECT_THAT(result.err, HasSubstr("Lamp"));
+  EXPECT_THAT(result.err, HasSubstr("Ball"));
   EXPECT_FALSE(exists("scene.png"));
 }
 
 TEST_F(Unrendered, IsLeftOutWithAWarningWhereTheUserIsLenient) {
   const ProcessResult result = run({"render", "scene.isl", "-s", "32x24", "--lenient"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("warning: `jitter` of an area light is not rendered yet; left out"));
+  EXPECT_THAT(result.err, HasSubstr("warning: a pigment that depends on a density file is not rendered yet; left out"));
   EXPECT_TRUE(exists("scene.png"));
 }
 
@@ -44,11 +52,11 @@ TEST_F(Unrendered, IsToldByCheckInTheSameWords) {
 }
 
 TEST_F(Unrendered, IsNoMatterWhereItIsLeftOut) {
-  const ProcessResult result = run({"check", "scene.isl", "--without", "jitter,focal_blur"});
+  const ProcessResult result = run({"check", "scene.isl", "--without", "pigment_by_file,normal_by_file"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("rendered")));
-  EXPECT_THAT(result.out, HasSubstr("1 primitive, 1 solid, 2 lights"));
-  EXPECT_THAT(result.out, HasSubstr("bounding box: <-1, -1, -1> to <1, 1, 1>"));
+  EXPECT_THAT(result.out, HasSubstr("3 primitives, 3 solids, 1 light"));
+  EXPECT_THAT(result.out, HasSubstr("bounding box: <-1, -1, -1> to <7, 1, 1>"));
 }
 
 TEST_F(Unrendered, StopsADumpOfTheGridAndNoOther) {

@@ -50,36 +50,46 @@ TEST(NotRendered, IsNothingWhereEverythingIsDrawn) {
   EXPECT_THAT(names(database), ElementsAre());
 }
 
-Light jittered(std::uint32_t origin) {
-  Light light;
-  light.area.emplace();
-  light.area->jitter = true;
-  light.origin = OriginId{origin};
-  return light;
+/// The database with a pigment and bumps by a density, and the textures 0 and 1 that have them.
+void add_densities(Database& database) {
+  database.pigments.resize(1);
+  database.pigments[0].pattern.kind = PatternKind::density_file;
+  database.normals.resize(1);
+  database.normals[0].pattern.kind = PatternKind::density_file;
+  database.textures = {{.pigment = {.pattern = PigmentId{0}}}, {.normal = NormalId{0}}};
+  database.solids.resize(1);
+}
+
+Object textured(std::uint32_t texture, std::uint32_t origin) {
+  Object result = object(Object::Kind::solid, 0, origin);
+  result.texture = TextureId{texture};
+  return result;
 }
 
 TEST(NotRendered, TellsEachKindOnceWithItsFirstPlaceAndHowOften) {
   Database database;
-  database.lights = {jittered(7), jittered(8), jittered(9)};
-  database.lights[1].area->jitter = false;
-  database.camera = Camera{.blur = FocalBlur{}};
+  add_densities(database);
+  database.textures.push_back({.normal = NormalId{0}});
+  database.objects = {textured(1, 7), textured(0, 8), textured(2, 9)};
   const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 2u);
-  EXPECT_EQ(things[0].what, "focal blur");
-  EXPECT_EQ(things[1].what, "`jitter` of an area light");
+  EXPECT_EQ(things[0].what, "a pigment that depends on a density file");
+  EXPECT_EQ(things[0].origin, OriginId{8});
+  EXPECT_EQ(things[1].what, "a `normal` that depends on a density file");
   EXPECT_EQ(things[1].origin, OriginId{7});
   EXPECT_EQ(things[1].count, 2u);
 }
 
 TEST(NotRendered, LooksIntoEachSharedGroupOnce) {
   Database database;
-  database.groups = {{.is_light_group = true, .lights = {jittered(5)}},
-                     {.is_light_group = true, .lights = {jittered(6)}}};
+  add_densities(database);
+  database.groups = {{.children = {textured(0, 5)}}, {.children = {textured(0, 6)}}};
   database.objects = {object(Object::Kind::group, 0), object(Object::Kind::group, 0), object(Object::Kind::group, 1)};
   const std::vector<Request> things = refused(database);
   ASSERT_EQ(things.size(), 1u);
-  EXPECT_EQ(things[0].what, "`jitter` of an area light");
-  EXPECT_EQ(things[0].count, 2u);
+  EXPECT_EQ(things[0].what, "a pigment that depends on a density file");
+  EXPECT_EQ(things[0].origin, OriginId{5});
+  EXPECT_EQ(things[0].count, 1u);
 }
 
 TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
@@ -100,8 +110,6 @@ TEST(NotRendered, PointsAtTheWordWhereItsPlaceIsKnown) {
 /// A database that calls for every effect on the list.
 Database everything() {
   Database database;
-  database.camera = Camera{.blur = FocalBlur{}};
-  database.lights = {jittered(1)};
   database.normals.resize(1);
   database.normals[0].pattern.kind = PatternKind::density_file;
   database.textures = {{.pigment = {{.transmit = 1}}, .normal = NormalId{0}, .finish = FinishId{0}},
@@ -130,7 +138,7 @@ Database everything() {
 
 TEST(NotRendered, NothingOfItIsThereAfterItWasLeftOut) {
   Database database = everything();
-  EXPECT_EQ(names(database).size(), 5u);
+  EXPECT_EQ(names(database).size(), 3u);
   leave_out(database);
   EXPECT_THAT(names(database), ElementsAre());
   EXPECT_EQ(database.textures[1].pigment.colour, (Colour{0.5, 0.5, 0})) << "the mean of what the pattern chooses from";

@@ -17,8 +17,8 @@ render::RenderResult rendered(std::string_view scene, int size, render::RenderOp
   leave_out(render::plan_of(database, {.without = options.without}), database);
   EXPECT_TRUE(render::plan_of(database).refused.empty()) << scene;
   options.width = options.height = size;
-  options.samples = 1;
-  options.threads = 1;
+  if (!options.samples && !options.max_noise) options.samples = 1;
+  if (options.threads == 0) options.threads = 1;
   render::TracerOptions tracing;
   tracing.pixel_angle = render::pixel_angle(database.camera.value_or(scene::Camera{}), size, size);
   return render::render(database, render::Tracer(database, tracing), options);

@@ -7,7 +7,8 @@
 
 namespace isl::test {
 
-/// Traces one ray a pixel, with `size` pixels a side. Fails the test if the scene has errors or is refused.
+/// Traces one ray a pixel on one thread, unless the options say more, with `size` pixels a side. Fails the test if the
+/// scene has errors or is refused.
 [[nodiscard]] render::RenderResult rendered(std::string_view scene, int size = 17, render::RenderOptions options = {});
 
 /// The linear colour of the middle pixel.

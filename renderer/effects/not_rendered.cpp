@@ -112,8 +112,11 @@ Effect texture_effect(const TextureRow& row) {
 
 }  // namespace
 
-void add_surfaces_not_rendered(std::vector<Effect>& effects) {
+std::vector<Effect> effects_not_rendered() {
+  std::vector<Effect> effects;
   for (const TextureRow& row : kTextureRows) effects.push_back(texture_effect(row));
+  for (Effect& effect : effects) effect.is_rendered = false;
+  return effects;
 }
 
 }  // namespace isl::render

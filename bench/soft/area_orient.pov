@@ -1,0 +1,4 @@
+// A round light that faces every point.
+#include "stage.inc"
+Sharp() Floor() Flake(2)
+light_source { <-4, 6, -4> rgb 1 area_light <2.5, 0, 0>, <0, 0, 2.5>, 8, 8 circular orient jitter }

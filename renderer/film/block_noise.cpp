@@ -1,0 +1,102 @@
+#include "renderer/film/block_noise.h"
+
+#include "base/check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace isl::render {
+namespace {
+
+/// Mean squares of half the differences of blocks of one size.
+struct Scale {
+  double square;  ///< the sum over `pairs`
+  double pairs;
+  double halvings;  ///< of the samples that the mean is made of, to get the block
+};
+
+/// d(n) as scales of a part of the blocks estimate it, if d falls like m^-p.
+struct Fit {
+  double sum = 0, pairs = 0;
+  void add(const Scale& scale, double p) {
+    sum += scale.square * std::exp2(-p * scale.halvings);
+    pairs += scale.pairs;
+  }
+  [[nodiscard]] double mean() const { return sum / pairs; }
+};
+
+/// The largest blocks, of which there are few, and smaller ones that tell with the others how d falls.
+constexpr std::size_t kLargeScales = 3, kSmallScales = 2;
+
+struct Fits {
+  Fit large, small;
+};
+
+Fits fits(const std::vector<Scale>& scales, double p) {
+  Fits result;
+  for (std::size_t i = 0; i < scales.size() && i < kLargeScales + kSmallScales; ++i)
+    (i < kLargeScales ? result.large : result.small).add(scales[i], p);
+  return result;
+}
+
+/// The rate p at which both parts agree on d(n). That of random samples is 1 and that of smooth integrands 3; as much
+/// below 1 as a few blocks err above it keeps the mean honest.
+double rate(const std::vector<Scale>& scales) {
+  double low = 0.75, high = 3;
+  if (scales.size() <= kLargeScales) return 1;
+  constexpr int kHalvings = 12;  // far more exact than the few blocks can tell
+  for (int i = 0; i < kHalvings; ++i) {
+    const double p = (low + high) / 2;
+    const Fits at = fits(scales, p);
+    (at.small.mean() > at.large.mean() ? low : high) = p;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+void BlockNoise::add(const Value& sample) {
+  const double brightness = (sample[0] + sample[1] + sample[2]) / 3;
+  darkest_ = std::min(darkest_, brightness);
+  brightest_ = std::max(brightest_, brightness);
+  Value mean = sample;
+  std::size_t level = 0;
+  for (std::uint32_t bit = count_; (bit & 1U) != 0; bit >>= 1, ++level) {
+    for (std::size_t i = 0; i < kChannels; ++i) {
+      const double half = (partial_[level][i] - mean[i]) / 2;
+      squares_[level][i] += half * half;
+      mean[i] = (partial_[level][i] + mean[i]) / 2;
+    }
+  }
+  partial_[level] = mean;
+  ++count_;
+}
+
+double BlockNoise::variance(const Value* before, const Value& weights) const {
+  ISL_CHECK(std::has_single_bit(count_) && count_ >= 4, "{} samples", count_);
+  const auto top = static_cast<std::size_t>(std::countr_zero(count_));
+  const auto weighted = [&](const Value& squares) {
+    double sum = 0;
+    for (std::size_t i = 0; i < kChannels; ++i) sum += weights[i] * weights[i] * squares[i];
+    return sum;
+  };
+  std::vector<Scale> scales;
+  double halvings = 1;
+  if (before) {
+    Value squares;
+    for (std::size_t i = 0; i < kChannels; ++i) {
+      const double half = ((*before)[i] - partial_[top][i]) / 2;
+      squares[i] = half * half;
+    }
+    scales.push_back({weighted(squares), 1, halvings++});
+  }
+  for (std::size_t level = top; level-- > 0; ++halvings)
+    scales.push_back({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1)), halvings});
+  const double p = rate(scales);
+  const Fits at = fits(scales, p);
+  return (at.large.sum + at.small.sum) / (at.large.pairs + at.small.pairs) / (1 - std::exp2(-p));
+}
+
+}  // namespace isl::render

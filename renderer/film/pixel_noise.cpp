@@ -1,0 +1,83 @@
+#include "renderer/film/pixel_noise.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace isl::render {
+
+/// The error that a pixel may have because of what its samples miss, in codes of a display.
+double PixelNoise::missed(int x, int y) const {
+  // Of n evenly spread samples none falls into a part of the size a < 1/n with the probability 1 - n a. If all sizes
+  // are equally likely beforehand, the mean of a² is 1/(6 n²) then. What is there differs by no more than all samples
+  // around do; the mean square of such a difference is a third of the greatest.
+  constexpr double kShare = 0.2357022603955158;  // √(1/18)
+  const PixelRect& rect = film_.rect();
+  double darkest = std::numeric_limits<double>::infinity(), brightest = -darkest;
+  for (int row = std::max(y - 1, rect.y0); row < std::min(y + 2, rect.y1); ++row) {
+    for (int column = std::max(x - 1, rect.x0); column < std::min(x + 2, rect.x1); ++column) {
+      const Pixel& pixel = pixels_[rect.index(column, row)];
+      darkest = std::min(darkest, static_cast<double>(pixel.darkest));
+      brightest = std::max(brightest, static_cast<double>(pixel.brightest));
+    }
+  }
+  const std::size_t own = rect.index(x, y);
+  return kShare * pixels_[own].slope * (brightest - darkest) / film_.samples(own);
+}
+
+std::uint64_t PixelNoise::choose(double most, std::uint32_t most_samples) {
+  const PixelRect& rect = film_.rect();
+  std::atomic<std::uint64_t> chosen = 0;
+  parallel_for(static_cast<std::size_t>(rect.height()), [&](std::size_t row) {
+    const int y = rect.y0 + static_cast<int>(row);
+    std::uint64_t count = 0;
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const std::size_t at = rect.index(x, y);
+      Pixel& pixel = pixels_[at];
+      if (film_.samples(at) != 0) {
+        pixel.noise = static_cast<float>(std::hypot(pixel.own, missed(x, y)));
+        film_.set_noise(at, static_cast<double>(pixel.noise));
+      }
+      pixel.is_chosen = static_cast<double>(pixel.noise) > most && film_.samples(at) < most_samples;
+      count += pixel.is_chosen ? 1 : 0;
+    }
+    chosen += count;
+  });
+  return chosen;
+}
+
+std::uint64_t PixelNoise::count_above(const PixelRect& window, double noise) const {
+  std::uint64_t count = 0;
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x)
+      count += static_cast<double>(pixels_[film_.rect().index(x, y)].noise) > noise ? 1 : 0;
+  }
+  return count;
+}
+
+void PixelNoise::finish(std::size_t pixel, const BlockNoise& samples) {
+  const BlockNoise::Value mean = film_.raw_mean(pixel);
+  const bool has_earlier = film_.samples(pixel) == 2 * samples.count();
+  BlockNoise::Value before = mean;
+  if (has_earlier) {
+    const BlockNoise::Value& last = samples.mean();
+    for (std::size_t i = 0; i < before.size(); ++i) before[i] = 2 * mean[i] - last[i];
+  }
+  BlockNoise::Value slopes = film_.display_slopes(mean);
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A channel is white in the display if its mean is certainly above 1: three standard deviations of what is left.
+    BlockNoise::Value channel{};
+    channel[i] = 1;
+    if (mean[i] > 1 && mean[i] - 1 > 3 * std::sqrt(samples.variance(has_earlier ? &before : nullptr, channel)))
+      slopes[i] = 0;
+  }
+  Pixel& noise = pixels_[pixel];
+  noise.own = std::sqrt(samples.variance(has_earlier ? &before : nullptr, slopes));
+  noise.slope = std::hypot(slopes[0], slopes[1], slopes[2]);
+  noise.darkest = std::min(noise.darkest, static_cast<float>(samples.darkest()));
+  noise.brightest = std::max(noise.brightest, static_cast<float>(samples.brightest()));
+}
+
+}  // namespace isl::render

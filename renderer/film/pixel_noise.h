@@ -1,0 +1,50 @@
+// The noise of every pixel, as its samples tell (film/block_noise.h), and the choice of the pixels that get more.
+//
+// A pixel whose few samples are all equal may have missed what others see, such as the light that comes through a gap.
+// Its neighbours tell how much that can be.
+#pragma once
+
+#include "renderer/film/block_noise.h"
+#include "renderer/film/film.h"
+
+#include <limits>
+#include <vector>
+
+namespace isl::render {
+
+/// Passes after which a picture is finished. Each looks at the neighbours of the pixels that the one before looked at,
+/// so a pixel depends on others up to this distance.
+inline constexpr int kMostNoisePasses = 16;
+
+class PixelNoise {
+ public:
+  /// `film` gets the noise for its layer.
+  explicit PixelNoise(Film& film) : film_(film), pixels_(film.rect().area()) {}
+
+  /// Chooses the pixels that have more noise than `most` and less than `most_samples`; all at first. Returns their
+  /// number. Rows are worked on in parallel.
+  std::uint64_t choose(double most, std::uint32_t most_samples);
+  [[nodiscard]] bool is_chosen(std::size_t pixel) const { return pixels_[pixel].is_chosen; }
+  /// The number of pixels with more noise than that, once nothing is to be chosen any more.
+  [[nodiscard]] std::uint64_t count_above(const PixelRect& window, double noise) const;
+
+  /// Takes the samples of a pass, which are in the film already: as many as the pixel had before, or all it has. Other
+  /// threads may do so for other pixels meanwhile.
+  void finish(std::size_t pixel, const BlockNoise& samples);
+
+ private:
+  struct Pixel {
+    double own = std::numeric_limits<double>::infinity();  ///< as its samples tell
+    double slope = 0;                                      ///< of a display's codes over the samples' brightness
+    float noise = std::numeric_limits<float>::infinity();  ///< together with what may be missed
+    float darkest = std::numeric_limits<float>::infinity(), brightest = -std::numeric_limits<float>::infinity();
+    bool is_chosen = false;
+  };
+
+  [[nodiscard]] double missed(int x, int y) const;
+
+  Film& film_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace isl::render

@@ -1,0 +1,26 @@
+// Puts the samples of one pixel after the other together, and tells the pixel's noise when the last one has come.
+#pragma once
+
+#include "renderer/film/pixel_noise.h"
+#include "renderer/integrator/sampler.h"
+
+namespace isl::render {
+
+class NoiseObserver final : public SampleObserver {
+ public:
+  /// `present` holds the samples that have come of a pixel whose others are in the next batch.
+  NoiseObserver(PixelNoise& noise, BlockNoise& present) : noise_(noise), present_(present) {}
+
+  void add(const CameraSample& sample, const std::array<double, 4>& value) override {
+    present_.add(value);
+    if (!sample.is_last) return;
+    noise_.finish(sample.pixel, present_);
+    present_.clear();
+  }
+
+ private:
+  PixelNoise& noise_;
+  BlockNoise& present_;
+};
+
+}  // namespace isl::render
