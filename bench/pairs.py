@@ -105,15 +105,15 @@ def judge(ours, theirs, is_noise):
     return figures, failures + (['mean'] if figures['mean'] > 1 else [])
 
 
-def compare(options, scene, folder):
+def compare(options, scene, folder, size=SIZE):
     """One row: a verdict (same, differs, not rendered, failed), a message, the figures, and both pictures."""
     exr, ppm = os.path.join(folder, 'isl.exr'), os.path.join(folder, 'povray.ppm')
     for picture in exr, ppm:
         if os.path.exists(picture):
             os.remove(picture)
     row = {'scene': scene, 'verdict': 'failed', 'message': '', 'figures': None, 'ours': None, 'theirs': None}
-    theirs = programs.run_povray(options, scene.file, ppm, SIZE, f'+L{HERE}', '+FP16', 'File_Gamma=1.0', folder=folder)
-    ours = programs.run_isl(options, scene.file, exr, SIZE, '-I', options.include, folder=folder)
+    theirs = programs.run_povray(options, scene.file, ppm, size, f'+L{HERE}', '+FP16', 'File_Gamma=1.0', folder=folder)
+    ours = programs.run_isl(options, scene.file, exr, size, '-I', options.include, folder=folder)
     if theirs.code == 0:
         row['theirs'] = read_ppm(ppm)
     if ours.code == 0:

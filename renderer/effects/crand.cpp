@@ -1,4 +1,5 @@
-// Grain: each light's diffuse share is darkened by a random part of `crand`, anew at each point.
+// Grain: what a surface throws back of each light is darkened by a random part of `crand`, anew at each point. As in
+// POV-Ray, clear surfaces are darkened as much as opaque ones.
 #include "renderer/effects/requests.h"
 #include "renderer/numerics/chance.h"
 
@@ -19,7 +20,7 @@ class GrainStage final : public Stage<LightWork> {
       const auto layer = static_cast<std::uint64_t>(&texture - point.textures.data());
       const Vec3& place = point.position;
       const double dark = amount * chance_at(place.x, place.y, place.z, of_light + layer);
-      lit.colour -= texture.pigment * texture.let_through * (dark * texture.weight);
+      lit.colour -= texture.colour * texture.let_through * (dark * texture.weight);
     });
   }
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace isl::render {
@@ -33,7 +34,7 @@ using scene::FieldRule;
 constexpr scene::StatementField kFogFields[] = {
     field<&Fog::type>("fog_type").within(1, 2),
     field<&Fog::colour>("").with_key("colour").with(FieldRule::bare),
-    field<&Fog::distance>("distance").with(FieldRule::bare),
+    field<&Fog::distance>("distance").with(FieldRule::bare).within(0, std::numeric_limits<double>::infinity()),
     field<&Fog::turbulence>(""),
     field<&Fog::turbulence_depth>("turb_depth"),
     field<&Fog::offset>("fog_offset"),

@@ -13,7 +13,8 @@ bool has_cone(const scene::Light& light) { return light.kind == scene::LightKind
 
 double strength_in_cone(const scene::Light& light, double cosine) {
   const double full = std::cos(light.radius), none = std::cos(light.falloff);
-  if (!(cosine > none) || !(cosine > 0)) return 0;
+  // A `radius` above `falloff` is that of a cone with a sharp edge.
+  if (!(cosine > std::min(full, none)) || !(cosine > 0)) return 0;
   const double strength = light.tightness == 0 ? 1 : power(cosine, light.tightness);
   if (cosine >= full) return strength;
   const double x = (cosine - none) / (full - none);

@@ -60,7 +60,7 @@ Vec3 Patterns::bent_by_map(const Normal& bumps, const Vec3& p, const Vec3& norma
       sum += of_entry(entry) * entry.value;
       total += entry.value;
     }
-    return sum / total;
+    return total == 0 ? normal : sum / total;
   }
   const auto interval = find_in(map, value_at_own_point(bumps.pattern, p, environment));
   const Vec3 second = of_entry(*interval.second);

@@ -111,6 +111,7 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
   if (info_of(choice.pattern.kind).choice == PatternChoice::mean_of_map) {
     double total = 0;
     for (const scene::TextureEntry& entry : map) total += entry.value;
+    if (total == 0) return;
     for (const scene::TextureEntry& entry : map)
       add(entry.texture, weight * (entry.value / total), place.point, making);
     return;

@@ -43,6 +43,12 @@ bool read_item(ElementStream& stream, Interior& interior) {
     stream.drop();
     const SourceSpan span = stream.peek().span;
     interior.*row->value = read_number(stream, fmt::format("a number after `{}`", context.text(next.word)));
+    if (next.word == word::kw_fade_distance && interior.fade_distance < 0) {
+      context.warn(span, fmt::format("`fade_distance` must be above 0, found {:g}: no light is absorbed",
+                                     interior.fade_distance));
+    }
+    if (next.word == word::kw_dispersion && !(interior.dispersion > 0))
+      context.warn(span, fmt::format("`dispersion` must be above 0, found {:g}", interior.dispersion));
     if (interior.dispersion_samples < kMinDispersionSamples) {
       context.fail(span,
                    fmt::format("`dispersion_samples` must be at least 2, found {:g}", interior.dispersion_samples));

@@ -116,7 +116,9 @@ double read_number_in(ElementStream& stream, std::string_view what, double low, 
   const SourceSpan span = stream.peek().span;
   const double value = read_number(stream, what);
   if (!(value >= low && value <= high)) {
-    stream.context().fail(span, fmt::format("{} must be from {:g} to {:g}, found {:g}", what, low, high, value));
+    const std::string range =
+        std::isinf(high) ? fmt::format("at least {:g}", low) : fmt::format("from {:g} to {:g}", low, high);
+    stream.context().fail(span, fmt::format("{} must be {}, found {:g}", what, range, value));
   }
   return value;
 }

@@ -112,6 +112,8 @@ class LightReader {
     const double number = read_number(stream_, fmt::format("a number after `{}`", context_.text(item.word)));
     if (!std::isfinite(number))
       context_.fail(span, fmt::format("`{}` must be finite, found {:g}", context_.text(item.word), number));
+    if (item.word == word::kw_fade_distance && number < 0)
+      context_.warn(span, fmt::format("`fade_distance` must be above 0, found {:g}: this light does not fade", number));
     light_.*row->member = row->is_angle && light_.kind == LightKind::spotlight ? radians_from_degrees(number) : number;
     return true;
   }

@@ -32,6 +32,7 @@ void WeightedMean::add(const Colour& c, double weight) noexcept {
 
 Colour WeightedMean::colour() const noexcept {
   const Colour& c = sum_;
+  if (total_ == 0) return {};
   return in_single({c.red / total_, c.green / total_, c.blue / total_, c.filter / total_, c.transmit / total_});
 }
 

@@ -12,7 +12,7 @@ namespace isl::render {
 class WeightedMean {
  public:
   void add(const scene::Colour& colour, double weight) noexcept;
-  /// The mean; NaN or infinite where the weights sum to 0.
+  /// The mean; black where the weights sum to 0.
   [[nodiscard]] scene::Colour colour() const noexcept;
 
  private:

@@ -32,6 +32,17 @@ TEST(Spotlight, is_povrays) {
   expect_across(light(10) + white(), {1, .52430, .02246});
 }
 
+TEST(Spotlight, with_a_radius_above_its_falloff_has_a_sharp_edge_at_its_radius) {
+  // The pixels are at 0, 19.4 and 35.2 degrees from the axis.
+  const auto light = [](int radius, int falloff) {
+    return fmt::format("light_source {{ -z rgb 1 spotlight point_at 0 radius {} falloff {} }} ", radius, falloff);
+  };
+  for (const int falloff : {0, 10, 30}) {
+    for (const double x : {kPixels[0], kPixels[1]}) expect_at(x, light(30, falloff) + white(), 1 / std::hypot(1, x));
+    expect_at(kPixels[2], light(30, falloff) + white(), 0);
+  }
+}
+
 TEST(CylinderLight, is_povrays) {
   expect_across("light_source { -z rgb 1 cylinder point_at 0 radius .4 falloff .8 tightness 2 } " + white(),
                 {1, .31229, .00194});
@@ -89,8 +100,9 @@ TEST(Irid, is_povrays) {
   expect_middle(kStraight + light_at(30) + plane("diffuse .6 irid { .4 thickness .3 }", ".5"), .29175, .35193, .31200);
 }
 
-TEST(Crand, darkens_by_half_of_its_amount_in_the_mean) {
-  const std::string scene = std::string(kHead) + kStraight + light_at(60) + plane("diffuse .8 crand .2");
+/// Expects red to be `brightest` − 0.2·0.2·u, with u evenly distributed from 0 to 1.
+void expect_grain(const std::string& surface, double brightest) {
+  const std::string scene = std::string(kHead) + kStraight + light_at(60) + surface;
   constexpr int kSize = 64;
   const render::RenderResult result = rendered(scene, kSize);
   double sum = 0, squares = 0;
@@ -100,10 +112,16 @@ TEST(Crand, darkens_by_half_of_its_amount_in_the_mean) {
   }
   constexpr double kCount = kSize * kSize;
   const double mean = sum / kCount, deviation = std::sqrt(squares / kCount - mean * mean);
-  // Red is 0.2 (0.4 − 0.2 u), u evenly distributed; the bounds are five standard errors.
+  // The bounds are five standard errors.
   const double expected = .2 * .2 / std::sqrt(12.0);
-  EXPECT_NEAR(mean, .2 * .3, 5 * expected / kSize);
+  EXPECT_NEAR(mean, brightest - .2 * .2 / 2, 5 * expected / kSize);
   EXPECT_NEAR(deviation, expected, 5 * expected / kSize);
+}
+
+TEST(Crand, darkens_by_half_of_its_amount_in_the_mean) { expect_grain(plane("diffuse .8 crand .2"), .2 * .4); }
+
+TEST(Crand, darkens_clear_surfaces_as_much_as_opaque_ones) {
+  expect_grain("plane { z, 0 pigment { rgbt <.2, .4, .6, .5> } finish { ambient 0 diffuse .8 crand .2 } } ", .2 * .2);
 }
 
 }  // namespace
