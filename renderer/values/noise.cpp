@@ -22,45 +22,71 @@ constexpr double kPerlinOrigin = 8390272 + 0.023157212883234024;
 
 double s_curve(double t) { return t * t * (3 - 2 * t); }
 
-struct Corner {
-  double weight;
-  const double* terms;  ///< a value and a slope, perhaps more than once
-  double x, y, z;       ///< from the corner to the point
+/// Two numbers that are computed side by side. Both have the digits that they would have alone.
+using Pair [[gnu::vector_size(16)]] = double;
 
-  /// The linear function whose coefficients are the terms from `first` on.
-  [[nodiscard]] double at(std::size_t first) const {
-    return weight * (terms[first] * 0.5 + terms[first + 1] * x + terms[first + 2] * y + terms[first + 3] * z);
-  }
+/// The lattice cell around a point. Arrays are by corner, the near one first.
+struct Cell {
+  double fraction[3];            ///< of the cell's edges, from the near corner to the point
+  double weight[3][2];           ///< along each axis
+  std::uint32_t point_xy[2][2];  ///< hashes, by x and y
+  std::uint32_t z[2];            ///< coordinates modulo kHashes
 };
 
-/// Calls `add` with the eight corners of the lattice cell around p.
-template <class Add>
-void for_corners(const Vec3& p, Add add) {
-  const NoiseTables& tables = noise_tables();
-  constexpr std::uint32_t kMask = NoiseTables::kHashes - 1;
-  double fraction[3], far_weight[3];
-  std::uint32_t cell[3];
-  for (int i = 0; i < 3; ++i) {
-    const double below = std::floor(p[i]);
-    cell[i] = static_cast<std::uint32_t>(to_integer(below)) + kLatticeOrigin;
-    fraction[i] = std::isfinite(p[i]) ? p[i] - below : 0.0;
-    far_weight[i] = s_curve(fraction[i]);
+/// The lattice coordinate below p, and p's distance from it.
+std::uint32_t cell_of(double p, double& fraction) {
+  // The library's floor and the checked conversion take as long as the rest.
+  constexpr double kPlain = 0x1p30;
+  if (std::abs(p) < kPlain) [[likely]] {
+    const auto whole = static_cast<std::int32_t>(p);
+    const std::int32_t below = whole - (static_cast<double>(whole) > p ? 1 : 0);
+    fraction = p - static_cast<double>(below) + 0.0;  // the sum makes 0 of −0
+    return static_cast<std::uint32_t>(below) + kLatticeOrigin;
   }
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const std::uint32_t dx = corner & 1u, dy = corner >> 1 & 1u, dz = corner >> 2;
-    const std::uint32_t of_x = tables.hash[(cell[0] + dx) & kMask];
-    const std::uint32_t of_xy = tables.hash[of_x ^ ((cell[1] + dy) & kMask)];
-    const std::uint32_t of_xyz = tables.hash[of_xy ^ ((cell[2] + dz) & kMask)];
-    const double weight = (dx != 0 ? far_weight[0] : 1 - far_weight[0]) *
-                          (dy != 0 ? far_weight[1] : 1 - far_weight[1]) * (dz != 0 ? far_weight[2] : 1 - far_weight[2]);
-    add(Corner{weight, &tables.terms[of_xyz % NoiseTables::kSlopes], fraction[0] - dx, fraction[1] - dy,
-               fraction[2] - dz});
-  }
+  const double below = std::floor(p);
+  fraction = std::isfinite(p) ? p - below : 0.0;
+  return static_cast<std::uint32_t>(to_integer(below)) + kLatticeOrigin;
 }
 
+Cell cell_around(const Vec3& p, const NoiseTables& tables) {
+  constexpr std::uint32_t kMask = NoiseTables::kHashes - 1;
+  const std::uint16_t* const hash = tables.hash.data();
+  Cell cell;
+  std::uint32_t at[3];
+  for (int i = 0; i < 3; ++i) {
+    at[i] = cell_of(p[i], cell.fraction[i]);
+    cell.weight[i][1] = s_curve(cell.fraction[i]);
+    cell.weight[i][0] = 1 - cell.weight[i][1];
+  }
+  const std::uint32_t y[2] = {at[1] & kMask, (at[1] + 1) & kMask};
+  for (std::uint32_t dx = 0; dx < 2; ++dx) {
+    const std::uint32_t of_x = hash[(at[0] + dx) & kMask];
+    for (int dy = 0; dy < 2; ++dy) cell.point_xy[dx][dy] = hash[of_x ^ y[dy]];
+  }
+  for (std::uint32_t dz = 0; dz < 2; ++dz) cell.z[dz] = (at[2] + dz) & kMask;
+  return cell;
+}
+
+/// The sum of the corners' linear functions, x first, then y, then z: the order is part of the value.
 double lattice_sum(const Vec3& p) {
+  const NoiseTables& tables = noise_tables();
+  const Cell cell = cell_around(p, tables);
+  const Pair x = {cell.fraction[0], cell.fraction[0] - 1}, of_x = {cell.weight[0][0], cell.weight[0][1]};
   double sum = 0;
-  for_corners(p, [&](const Corner& corner) { sum += corner.at(0); });
+  for (int dz = 0; dz < 2; ++dz) {
+    for (int dy = 0; dy < 2; ++dy) {
+      const auto slope = [&](int dx) -> const NoiseTables::Slope& {
+        return tables.slopes.data()[tables.point.data()[cell.point_xy[dx][dy] ^ cell.z[dz]]];
+      };
+      const NoiseTables::Slope &a = slope(0), &b = slope(1);
+      const double y = cell.fraction[1] - dy, z = cell.fraction[2] - dz;
+      const Pair value =
+          Pair{a.half_value, b.half_value} + Pair{a.x, b.x} * x + Pair{a.y, b.y} * y + Pair{a.z, b.z} * z;
+      const Pair weighed = of_x * cell.weight[1][dy] * cell.weight[2][dz] * value;
+      sum += weighed[0];
+      sum += weighed[1];
+    }
+  }
   return sum;
 }
 
@@ -118,9 +144,24 @@ double noise(const Vec3& p, NoiseGenerator generator) noexcept {
 }
 
 Vec3 vector_noise(const Vec3& p) noexcept {
-  Vec3 sum(0, 0, 0);
-  for_corners(p, [&](const Corner& corner) { sum += Vec3(corner.at(0), corner.at(4), corner.at(8)); });
-  return sum;
+  const NoiseTables& tables = noise_tables();
+  const Cell cell = cell_around(p, tables);
+  const auto pair = [](const double(&terms)[2]) { return Pair{terms[0], terms[1]}; };
+  Pair first_two = {0, 0};
+  double third = 0;
+  for (int dz = 0; dz < 2; ++dz) {
+    for (int dy = 0; dy < 2; ++dy) {
+      for (int dx = 0; dx < 2; ++dx) {
+        const NoiseTables::VectorSlope& slope =
+            tables.vector_slopes.data()[tables.point.data()[cell.point_xy[dx][dy] ^ cell.z[dz]]];
+        const double weight = cell.weight[0][dx] * cell.weight[1][dy] * cell.weight[2][dz];
+        const double x = cell.fraction[0] - dx, y = cell.fraction[1] - dy, z = cell.fraction[2] - dz;
+        first_two += weight * (pair(slope.half_value) + pair(slope.x) * x + pair(slope.y) * y + pair(slope.z) * z);
+        third += weight * (slope.third.half_value + slope.third.x * x + slope.third.y * y + slope.third.z * z);
+      }
+    }
+  }
+  return {first_two[0], first_two[1], third};
 }
 
 Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) noexcept {

@@ -83,10 +83,26 @@ void make_gradients(NoiseTables& tables) {
   }
 }
 
+/// The terms once more, by lattice point. Halves are exact.
+void arrange_slopes(NoiseTables& tables) {
+  for (std::size_t i = 0; i < tables.hash.size(); ++i)
+    tables.point[i] = static_cast<std::uint16_t>(tables.hash[i] % NoiseTables::kSlopes);
+  for (std::size_t i = 0; i < NoiseTables::kSlopes; ++i) {
+    const auto of = [&](std::size_t first) {
+      const double* const terms = &tables.terms[i + first];
+      return NoiseTables::Slope{terms[0] * 0.5, terms[1], terms[2], terms[3]};
+    };
+    const NoiseTables::Slope a = of(0), b = of(4);
+    tables.slopes[i] = a;
+    tables.vector_slopes[i] = {{a.half_value, b.half_value}, {a.x, b.x}, {a.y, b.y}, {a.z, b.z}, of(8)};
+  }
+}
+
 NoiseTables make_tables() {
   NoiseTables tables{};
   for (std::size_t i = 0; i < tables.terms.size(); ++i) tables.terms[i] = random_term(i);
   shuffle(tables);
+  arrange_slopes(tables);
   make_gradients(tables);
   return tables;
 }
