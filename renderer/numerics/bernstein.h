@@ -18,6 +18,16 @@ struct Bernstein {
   double operator[](int i) const { return b[static_cast<std::size_t>(i)]; }
 };
 
+/// The same of a degree that the compiler knows, so that its loops are none.
+template <int n>
+struct FixedBernstein {
+  static constexpr int degree = n;
+  std::array<double, n + 1> b;
+
+  double& operator[](int i) { return b[static_cast<std::size_t>(i)]; }
+  double operator[](int i) const { return b[static_cast<std::size_t>(i)]; }
+};
+
 /// Binomial coefficients, exact: C(35, 17) is below 2³³.
 [[nodiscard]] inline double binomial(int n, int i) {
   static constexpr auto kRows = [] {
@@ -33,7 +43,8 @@ struct Bernstein {
 
 /// The value at u in [0, 1], by Horner's rule in u/(1−u) from the nearer end: all terms are products of numbers in
 /// [0, 1] with coefficients, so the rounding is below 2n units of the largest.
-[[nodiscard]] inline double value_at(const Bernstein& p, double u) {
+template <class Polynomial>
+[[nodiscard]] double value_at(const Polynomial& p, double u) {
   const bool from_left = u <= 0.5;
   const double far = from_left ? u : 1 - u, near = from_left ? 1 - u : u;
   const double ratio = far / near;
@@ -45,10 +56,10 @@ struct Bernstein {
   return sum * scale;
 }
 
-/// Splits at ½ (de Casteljau): `p` becomes the left half, `right` the right one.
-inline void halve(Bernstein& p, Bernstein& right) {
+/// Splits at ½ (de Casteljau): `p` becomes the left half, `right`, of the same degree, the right one.
+template <class Polynomial>
+void halve(Polynomial& p, Polynomial& right) {
   const int n = p.degree;
-  right.degree = n;
   right[n] = p[n];
   for (int level = 1; level <= n; ++level) {
     for (int i = n; i >= level; --i) p[i] = 0.5 * (p[i - 1] + p[i]);
@@ -61,6 +72,12 @@ inline void halve(Bernstein& p, Bernstein& right) {
   Bernstein quotient;
   quotient.degree = p.degree - 1;
   for (int i = 0; i < p.degree; ++i) quotient[i] = p[i + 1] * p.degree / (i + 1);
+  return quotient;
+}
+template <int n>
+[[nodiscard]] FixedBernstein<n - 1> over_u(const FixedBernstein<n>& p) {
+  FixedBernstein<n - 1> quotient;
+  for (int i = 0; i < n; ++i) quotient[i] = p[i + 1] * n / (i + 1);
   return quotient;
 }
 

@@ -44,24 +44,29 @@ class SignFollower {
   [[nodiscard]] int sign() const { return sign_; }
 
   /// Calls crossed(u) for every u in [0, 1] where the sign changes, ascending. `band` is E above.
-  template <class Crossed>
-  void follow(const Bernstein& whole, double band, Crossed&& crossed) {
-    Part stack[kMostHalvings + 1];
+  template <class Polynomial, class Crossed>
+  void follow(const Polynomial& whole, double band, Crossed&& crossed) {
+    bracket(whole, band, [&](double low, double high) { crossed(root_between(whole, low, high)); });
+  }
+
+  /// Calls is_between(low, high) for every such place, which is the only one there.
+  template <class Polynomial, class IsBetween>
+  void bracket(const Polynomial& whole, double band, IsBetween&& is_between) {
+    Part<Polynomial> stack[kMostHalvings + 1];
     int top = 0;
     stack[0] = {whole, 0, 1};
     double certain = 0;  // the last place where the sign was certain, or the beginning
     while (top >= 0) {
-      Part& part = stack[top];
-      const Shape shape = shape_of(part.p, band);
-      const int n = part.p.degree;
-      const int right = sign_of(part.p[n], band);
+      Part<Polynomial>& part = stack[top];
+      const Signs signs = signs_of(part.p, band);
+      const int right = sign_of(part.p[part.p.degree], band);
       if (sign_ == 0) sign_ = sign_of(part.p[0], band);
-      const bool may_cross = sign_ > 0 ? shape.has_negative : (sign_ < 0 ? shape.has_positive : shape.has_both());
-      const bool changes_once = shape.changes == 0 || (shape.changes == 1 && sign_of(part.p[0], band) == sign_);
-      const bool is_decided = !may_cross || (sign_ != 0 && right == -sign_ && changes_once);
-      if (!is_decided && part.high - part.low > kShortest && (shape.has_positive || shape.has_negative)) {
+      const bool may_cross =
+          sign_ > 0 ? signs.negative : (sign_ < 0 ? signs.positive : signs.positive && signs.negative);
+      const bool is_decided = !may_cross || (sign_ != 0 && right == -sign_ && changes_once(part.p, band));
+      if (!is_decided && part.high - part.low > kShortest) {
         const double middle = 0.5 * (part.low + part.high);
-        Part& left = stack[top + 1];
+        Part<Polynomial>& left = stack[top + 1];
         left = part;
         halve(left.p, part.p);
         left.high = middle;
@@ -70,7 +75,7 @@ class SignFollower {
         continue;
       }
       if (right != 0) {
-        if (sign_ != 0 && right != sign_) crossed(root_between(whole, certain, part.high));
+        if (sign_ != 0 && right != sign_) is_between(certain, part.high);
         sign_ = right;
         certain = part.high;
       }
@@ -78,39 +83,50 @@ class SignFollower {
     }
   }
 
+  /// The only place between these where the sign changes, to the last digit.
+  template <class Polynomial>
+  [[nodiscard]] double root_between(const Polynomial& whole, double low, double high) const {
+    // The value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
+    return root_in_bracket([&](double u) { return value_at(whole, u); }, low, high, sign_);
+  }
+
  private:
   static constexpr int kMostHalvings = 52;
   static constexpr double kShortest = 0x1p-50;
 
+  template <class Polynomial>
   struct Part {
-    Bernstein p;
+    Polynomial p;
     double low, high;
   };
-  /// The signs of the certain coefficients.
-  struct Shape {
-    bool has_positive = false, has_negative = false;
-    int changes = 0;
-    [[nodiscard]] bool has_both() const { return has_positive && has_negative; }
+  /// Whether there are certain coefficients of these signs.
+  struct Signs {
+    bool positive = false, negative = false;
   };
 
   [[nodiscard]] static int sign_of(double value, double band) { return value > band ? 1 : (value < -band ? -1 : 0); }
 
-  [[nodiscard]] static Shape shape_of(const Bernstein& p, double band) {
-    Shape shape;
-    int last = 0;
+  template <class Polynomial>
+  [[nodiscard]] static Signs signs_of(const Polynomial& p, double band) {
+    Signs signs;
     for (int i = 0; i <= p.degree; ++i) {
-      const int sign = sign_of(p[i], band);
-      if (sign == 0) continue;
-      (sign > 0 ? shape.has_positive : shape.has_negative) = true;
-      if (last != 0 && sign != last) ++shape.changes;
-      last = sign;
+      signs.positive |= p[i] > band;
+      signs.negative |= p[i] < -band;
     }
-    return shape;
+    return signs;
   }
 
-  /// Precondition: the value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
-  [[nodiscard]] double root_between(const Bernstein& p, double low, double high) const {
-    return root_in_bracket([&](double u) { return value_at(p, u); }, low, high, sign_);
+  /// Whether the certain coefficients change their sign once, from sign_ on, or not at all. Precondition: the last one
+  /// is certain and of the other sign.
+  template <class Polynomial>
+  [[nodiscard]] bool changes_once(const Polynomial& p, double band) const {
+    bool has_changed = sign_of(p[0], band) != sign_;
+    for (int i = 0; i < p.degree; ++i) {
+      const int sign = sign_of(p[i], band);
+      if (sign == sign_ && has_changed) return false;
+      has_changed |= sign == -sign_;
+    }
+    return true;
   }
 
   int sign_;

@@ -4,9 +4,10 @@
 //   f = (|p|² − R² − r²)² − 4R²(r² − y²)
 // is zero: near the surface both terms are small where r is, unlike those of the textbook's (|p|² + R² − r²)² − 4R²(x²
 // + z²). Along the stretch of a line within the ball of radius R + r and the slab |y| ≤ r, f is a quartic over [0, 1];
-// its Bernstein coefficients are products of those of |p|² (p₀², p₀·p₁, p₁²) and y. polynomial_roots.h finds where it
-// changes sign, and Newton's steps on the distance itself, √((ρ − R)² + y²) − r, ρ² = x² + z², take out what the
-// coefficients' rounding, of the size of R⁴, left.
+// its Bernstein coefficients are products of those of |p|² (p₀², p₀·p₁, p₁²) and y. polynomial_roots.h finds brackets
+// within which it changes sign once. There Newton's steps on the quartic come near the root, and those on the distance
+// itself, √((ρ − R)² + y²) − r, ρ² = x² + z², take out what the coefficients' rounding, of the size of R⁴, left. Where
+// they do not converge within the bracket, the sign change is found to the last digit first.
 //
 // For r > R (a spindle) f is also zero on the lemon within, which bounds nothing, and touches zero where the axis meets
 // the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
@@ -48,13 +49,14 @@ TorusStretch stretch_of(const scene::Solid& solid, const Vec3& origin, const Vec
   return result;
 }
 
+using Quartic = FixedBernstein<4>;
+
 /// f along the line from `a` to `b`, and the band of its coefficients.
-Bernstein quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, double& band) {
+Quartic quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, double& band) {
   const double big = solid.radius_a * solid.radius_a, small = solid.radius_b * solid.radius_b;
   const double s0 = a.dot(a) - big - small, s1 = a.dot(b) - big - small, s2 = b.dot(b) - big - small;
   const double y0 = a.y * a.y - small, y1 = a.y * b.y - small, y2 = b.y * b.y - small;
-  Bernstein p;
-  p.degree = 4;
+  Quartic p;
   const double four = 4 * big;
   p[0] = s0 * s0 + four * y0;
   p[1] = s0 * s1 + four * 0.5 * (y0 + y1);
@@ -63,24 +65,77 @@ Bernstein quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, doubl
   p[4] = s2 * s2 + four * y2;
   // The points are in the ball of radius R + r: |p|² has 5 roundings of at most (R + r)², f as many again of its
   // square.
-  const double largest = 2 * (std::sqrt(big) + std::sqrt(small)) * (std::sqrt(big) + std::sqrt(small));
+  const double reach = solid.radius_a + solid.radius_b, largest = 2 * reach * reach;
   band = rounding_of_order(4) * largest * largest;
   return p;
 }
 
-/// Newton's steps on the distance while they help; the root is simple wherever they are long.
-double polished(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double t, double longest) {
+/// Newton's steps on the distance while they help; the root is simple wherever they are long. True if the last one was
+/// not longer than `shortest`.
+bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double longest, double shortest,
+            double& t) {
   for (int step = 0; step < 3; ++step) {
     const Vec3 p = origin + direction * t;
     const double rho = from_axis(p), across = rho - solid.radius_a;
     const double distance = std::sqrt(across * across + p.y * p.y);
     const double slope = (across * (p.x * direction.x + p.z * direction.z) / rho + p.y * direction.y) / distance;
     const double move = (distance - solid.radius_b) / slope;
-    if (!(std::abs(move) <= longest)) break;
+    if (!(std::abs(move) <= longest)) return false;
     t -= move;
+    if (std::abs(move) <= shortest) return true;
     longest = 0.5 * std::abs(move);
   }
-  return t;
+  return false;
+}
+
+/// Newton's steps on a polynomial from the middle of the bracket: true if they converge within it.
+template <int n>
+bool approach(const FixedBernstein<n>& p, double low, double high, double& u) {
+  // The powers' coefficients are n over k times the k-th differences. What they lose is put right by polish().
+  FixedBernstein<n> power = p;
+  for (int k = 1; k <= n; ++k) {
+    for (int i = n; i >= k; --i) power[i] -= power[i - 1];
+  }
+  for (int k = 1; k < n; ++k) power[k] *= binomial(n, k);
+  constexpr double kNear = 0x1p-22;  // the next step would be of the order of its square
+  u = 0.5 * (low + high);
+  for (int step = 0; step < 8; ++step) {
+    double value = power[n], slope = 0;
+    for (int k = n - 1; k >= 0; --k) {
+      slope = slope * u + value;
+      value = value * u + power[k];
+    }
+    const double move = value / slope;
+    u -= move;
+    if (!(u >= low && u <= high)) return false;
+    if (std::abs(move) <= kNear) return true;
+  }
+  return false;
+}
+
+/// Calls crossed(t) for the line's crossings from `begin` on, where p is f over the stretch of this length. The sign of
+/// f at its end.
+template <int n, class Crossed>
+int follow(const FixedBernstein<n>& p, double band, int sign, const scene::Solid& solid, const Vec3& begin,
+           const Vec3& direction, double length, Crossed&& crossed) {
+  // Rounding of the coefficients moves a root that Newton's steps can tell from its neighbours by less than this.
+  constexpr double kMoved = 0x1p-20;
+  // After a step as short as this, what is left is of the size of its square.
+  constexpr double kConverged = 0x1p-40;
+  SignFollower follower(sign);
+  follower.bracket(p, band, [&](double low, double high) {
+    double u = 0;
+    if (approach(p, low, high, u)) {
+      double t = u * length;
+      if (polish(solid, begin, direction, kMoved * length, kConverged * length, t) && t >= low * length &&
+          t <= high * length)
+        return crossed(t);
+    }
+    double t = follower.root_between(p, low, high) * length;
+    polish(solid, begin, direction, kMoved * length, 0, t);
+    crossed(std::clamp(t, 0.0, length));
+  });
+  return follower.sign();
 }
 
 /// h of the head comment, at t.
@@ -122,19 +177,10 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
     last = search.sign();
   } else {
     double band = 0;
-    Bernstein p = quartic(solid, begin, begin + direction * length, band);
-    if (starts_on_surface) {
-      p = over_u(p);
-      band *= 4;
-    }
-    // Rounding of the coefficients moves a root that Newton's steps can tell from its neighbours by less than this.
-    constexpr double kMoved = 0x1p-20;
-    SignFollower follower(sign);
-    follower.follow(p, band, [&](double u) {
-      const double t = polished(solid, begin, direction, u * length, kMoved * length);
-      result.add(stretch.from + std::clamp(t, 0.0, length), kSide);
-    });
-    last = follower.sign();
+    const Quartic p = quartic(solid, begin, begin + direction * length, band);
+    const auto crossed = [&](double t) { result.add(stretch.from + t, kSide); };
+    last = starts_on_surface ? follow(over_u(p), 4 * band, sign, solid, begin, direction, length, crossed)
+                             : follow(p, band, sign, solid, begin, direction, length, crossed);
   }
   // Beyond the stretch everything is outside.
   if (last < 0) result.add(stretch.to, kSide);

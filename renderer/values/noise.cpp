@@ -33,11 +33,13 @@ struct Cell {
   std::uint32_t z[2];            ///< coordinates modulo kHashes
 };
 
+/// Below it, a coordinate and its neighbours are integers of 32 bits.
+constexpr double kPlainCoordinate = 0x1p30;
+
 /// The lattice coordinate below p, and p's distance from it.
 std::uint32_t cell_of(double p, double& fraction) {
   // The library's floor and the checked conversion take as long as the rest.
-  constexpr double kPlain = 0x1p30;
-  if (std::abs(p) < kPlain) [[likely]] {
+  if (std::abs(p) < kPlainCoordinate) [[likely]] {
     const auto whole = static_cast<std::int32_t>(p);
     const std::int32_t below = whole - (static_cast<double>(whole) > p ? 1 : 0);
     fraction = p - static_cast<double>(below) + 0.0;  // the sum makes 0 of −0
@@ -90,6 +92,53 @@ double lattice_sum(const Vec3& p) {
   return sum;
 }
 
+/// The sums at two points, or nothing if one is far out. Both have the digits of lattice_sum: only what is computed
+/// side by side differs.
+bool lattice_sums(const Vec3& p, const Vec3& q, Pair& sums) {
+  using PairOfIntegers [[gnu::vector_size(8)]] = std::int32_t;
+  constexpr std::uint32_t kMask = NoiseTables::kHashes - 1;
+  const NoiseTables& tables = noise_tables();
+  const std::uint16_t *const hash = tables.hash.data(), *const number = tables.point.data();
+  const NoiseTables::Slope* const slopes = tables.slopes.data();
+  Pair from_corner[3][2], weight[3][2];
+  std::uint32_t at[3][2];
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(p[i]) < kPlainCoordinate && std::abs(q[i]) < kPlainCoordinate)) return false;
+    const Pair t = {p[i], q[i]};
+    const Pair whole = __builtin_convertvector(__builtin_convertvector(t, PairOfIntegers), Pair);
+    const Pair below = whole > t ? whole - 1 : whole;
+    const PairOfIntegers cell = __builtin_convertvector(below, PairOfIntegers);
+    const Pair fraction = t - below + 0.0;
+    from_corner[i][0] = fraction;
+    from_corner[i][1] = fraction - 1;
+    weight[i][1] = fraction * fraction * (3 - 2 * fraction);
+    weight[i][0] = 1 - weight[i][1];
+    at[i][0] = static_cast<std::uint32_t>(cell[0]) + kLatticeOrigin;
+    at[i][1] = static_cast<std::uint32_t>(cell[1]) + kLatticeOrigin;
+  }
+  std::uint32_t of_xy[2][2][2];  // by point, x and y
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    for (std::uint32_t dx = 0; dx < 2; ++dx) {
+      const std::uint32_t of_x = hash[(at[0][i] + dx) & kMask];
+      for (std::uint32_t dy = 0; dy < 2; ++dy) of_xy[i][dx][dy] = hash[of_x ^ ((at[1][i] + dy) & kMask)];
+    }
+  }
+  Pair sum = {0, 0};
+  for (std::uint32_t dz = 0; dz < 2; ++dz) {
+    const std::uint32_t za = (at[2][0] + dz) & kMask, zb = (at[2][1] + dz) & kMask;
+    for (int dy = 0; dy < 2; ++dy) {
+      for (int dx = 0; dx < 2; ++dx) {
+        const NoiseTables::Slope &a = slopes[number[of_xy[0][dx][dy] ^ za]], &b = slopes[number[of_xy[1][dx][dy] ^ zb]];
+        const Pair value = Pair{a.half_value, b.half_value} + Pair{a.x, b.x} * from_corner[0][dx] +
+                           Pair{a.y, b.y} * from_corner[1][dy] + Pair{a.z, b.z} * from_corner[2][dz];
+        sum += weight[0][dx] * weight[1][dy] * weight[2][dz] * value;
+      }
+    }
+  }
+  sums = sum;
+  return true;
+}
+
 double perlin(const Vec3& p) {
   const NoiseTables& tables = noise_tables();
   constexpr std::uint32_t kMask = NoiseTables::kGradients - 1;
@@ -113,6 +162,12 @@ double perlin(const Vec3& p) {
   return std::lerp(along_y(0), along_y(1), s[2]);
 }
 
+/// The lattice noise whose sum is `sum`.
+double noise_of(double sum, NoiseGenerator generator) {
+  const double value = generator == NoiseGenerator::original ? sum + 0.5 : (sum + kRangeOffset) * kRangeScale;
+  return std::clamp(value, 0.0, 1.0);
+}
+
 /// Σ omegaⁱ · f(lambdaⁱ · p).
 template <class Result, class Function>
 Result sum_octaves(const Vec3& p, const Octaves& octaves, Function function) {
@@ -134,13 +189,15 @@ NoiseGenerator noise_generator_of(double number) noexcept {
 }
 
 double noise(const Vec3& p, NoiseGenerator generator) noexcept {
-  double value = 0;
-  switch (generator) {
-    case NoiseGenerator::original: value = lattice_sum(p) + 0.5; break;
-    case NoiseGenerator::range_corrected: value = (lattice_sum(p) + kRangeOffset) * kRangeScale; break;
-    case NoiseGenerator::perlin: value = kPerlinMiddle + kPerlinScale * perlin(p); break;
-  }
-  return std::clamp(value, 0.0, 1.0);
+  if (generator == NoiseGenerator::perlin) return std::clamp(kPerlinMiddle + kPerlinScale * perlin(p), 0.0, 1.0);
+  return noise_of(lattice_sum(p), generator);
+}
+
+std::array<double, 2> noise_at_two(const Vec3& p, const Vec3& q, NoiseGenerator generator) noexcept {
+  Pair sums;
+  if (generator == NoiseGenerator::perlin || !lattice_sums(p, q, sums))
+    return {noise(p, generator), noise(q, generator)};
+  return {noise_of(sums[0], generator), noise_of(sums[1], generator)};
 }
 
 Vec3 vector_noise(const Vec3& p) noexcept {
@@ -169,7 +226,12 @@ Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) noexcept {
 }
 
 double turbulence(const Vec3& p, const Octaves& octaves, NoiseGenerator generator) noexcept {
-  return sum_octaves<double>(p, octaves, [&](const Vec3& q) { return noise(q, generator); });
+  double sum = 0, weight = 1;
+  for_octaves(p, octaves, generator, [&](double value) {
+    sum += value * weight;
+    weight *= octaves.omega;
+  });
+  return sum;
 }
 
 }  // namespace isl::values

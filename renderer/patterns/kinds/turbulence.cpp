@@ -15,13 +15,18 @@ double stretched_noise(const Vec3& p, NoiseGenerator generator) noexcept {
 
 double turbulence_at(const Vec3& p, const scene::Turbulence& turbulence, NoiseGenerator generator) noexcept {
   const values::Octaves octaves = octaves_of(turbulence);
-  double sum = stretched_noise(p, generator), scale = 1, weight = 1;
-  for (int i = 1; i < octaves.count; ++i) {
-    scale *= octaves.lambda;
+  double sum = 0, weight = 1;
+  bool is_first = true;
+  values::for_octaves(p, octaves, generator, [&](double value) {
+    if (generator != NoiseGenerator::original) {
+      value = 2 * value - 0.5;
+      // Only the first octave is kept within its range.
+      if (is_first) value = std::clamp(value, 0.0, 1.0);
+    }
+    is_first = false;
+    sum += weight * value;
     weight *= octaves.omega;
-    sum += weight * (generator == NoiseGenerator::original ? noise(p * scale, generator)
-                                                           : 2 * noise(p * scale, generator) - 0.5);
-  }
+  });
   return sum;
 }
 

@@ -1,9 +1,16 @@
 #include "renderer/values/noise.h"
 
+#include "renderer/values/noise_tables.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace isl::values {
 namespace {
@@ -67,6 +74,75 @@ TEST(Noise, TurbulenceSumsOctaves) {
   const auto generator = NoiseGenerator::range_corrected;
   const double expected = noise(p, generator) + 0.25 * noise(p * 3, generator);
   EXPECT_DOUBLE_EQ(turbulence(p, {.lambda = 3, .omega = 0.25, .count = 2}, generator), expected);
+}
+
+/// The sum of the eight corners' linear functions with the terms from `first` on, as it is defined.
+double defined_sum(const Vec3& p, std::size_t first) {
+  const NoiseTables& tables = noise_tables();
+  constexpr std::uint32_t kMask = NoiseTables::kHashes - 1;
+  std::uint32_t cell[3];
+  double fraction[3], share[3];
+  for (int i = 0; i < 3; ++i) {
+    cell[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(p[i]))) + 10000u;
+    fraction[i] = p[i] - std::floor(p[i]);
+    share[i] = fraction[i] * fraction[i] * (3 - 2 * fraction[i]);
+  }
+  double sum = 0;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const std::uint32_t d[3] = {corner & 1u, corner >> 1 & 1u, corner >> 2};
+    std::uint32_t hash = 0;
+    double weight = 1;
+    for (int i = 0; i < 3; ++i) {
+      hash = tables.hash[hash ^ ((cell[i] + d[i]) & kMask)];
+      weight *= d[i] != 0 ? share[i] : 1 - share[i];
+    }
+    const double* const terms = &tables.terms[hash % NoiseTables::kSlopes + first];
+    sum += weight * (terms[0] * 0.5 + terms[1] * (fraction[0] - d[0]) + terms[2] * (fraction[1] - d[1]) +
+                     terms[3] * (fraction[2] - d[2]));
+  }
+  return sum;
+}
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+TEST(Noise, HasTheDigitsOfItsDefinitionHoweverManyAreComputedAtOnce) {
+  std::mt19937_64 random(7);
+  const auto point = [&](int turn) {
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const double size = std::ldexp(1.0, turn % 40 - 8);  // up to beyond 2^30, where singles are taken
+    Vec3 p(uniform(random) * size, uniform(random) * size, uniform(random) * size);
+    if (turn % 7 == 0) p.x = std::floor(p.x);
+    if (turn % 11 == 0) p.y = -0.0;
+    return p;
+  };
+  for (int turn = 0; turn < 20000; ++turn) {
+    const Vec3 p = point(turn), q = point(turn * 3 + 1);
+    const double corrected = std::clamp((defined_sum(p, 0) + 1.05242) * 0.48985582, 0.0, 1.0);
+    ASSERT_EQ(bits(noise(p, NoiseGenerator::range_corrected)), bits(corrected));
+    ASSERT_EQ(bits(noise(p, NoiseGenerator::original)), bits(std::clamp(defined_sum(p, 0) + 0.5, 0.0, 1.0)));
+    const Vec3 v = vector_noise(p);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(bits(v[i]), bits(defined_sum(p, 4 * static_cast<std::size_t>(i))));
+    for (const NoiseGenerator generator : kGenerators) {
+      const std::array<double, 2> two = noise_at_two(p, q, generator);
+      ASSERT_EQ(bits(two[0]), bits(noise(p, generator)));
+      ASSERT_EQ(bits(two[1]), bits(noise(q, generator)));
+    }
+  }
+}
+
+TEST(Noise, OctavesComeInTheirOrder) {
+  const Vec3 p(0.1, -3.2, 40.3);
+  for (int count = 1; count <= 10; ++count) {
+    std::vector<double> values;
+    for_octaves(p, {.lambda = 3, .omega = 0.25, .count = count}, NoiseGenerator::range_corrected,
+                [&](double value) { values.push_back(value); });
+    ASSERT_EQ(values.size(), static_cast<std::size_t>(count));
+    double scale = 1;
+    for (const double value : values) {
+      EXPECT_EQ(value, noise(p * scale, NoiseGenerator::range_corrected));
+      scale *= 3;
+    }
+  }
 }
 
 }  // namespace
