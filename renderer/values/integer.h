@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace isl::values {
 
 /// Rounds towards zero. A value that does not fit (NaN too) becomes −2³¹, which is the result on x86 and thus
 /// POV-Ray's.
-[[nodiscard]] std::int32_t to_integer(double value) noexcept;
+[[nodiscard]] inline std::int32_t to_integer(double value) noexcept {
+  if (value > -2147483649.0 && value < 2147483648.0) return static_cast<std::int32_t>(value);
+  return std::numeric_limits<std::int32_t>::min();
+}
 
 }  // namespace isl::values

@@ -33,20 +33,23 @@ struct Cell {
   std::uint32_t z[2];            ///< coordinates modulo kHashes
 };
 
-/// Below it, a coordinate and its neighbours are integers of 32 bits.
-constexpr double kPlainCoordinate = 0x1p30;
+/// Below it, kUnits rounds to integers.
+constexpr double kPlainCoordinate = 0x1p51;
+/// Its neighbours are the next integers, so that adding and subtracting it rounds a number of its sign.
+constexpr double kUnits = 0x1p52;
 
 /// The lattice coordinate below p, and p's distance from it.
 std::uint32_t cell_of(double p, double& fraction) {
-  // The library's floor and the checked conversion take as long as the rest.
+  double below = 0;
+  // The library's floor takes as long as the rest.
   if (std::abs(p) < kPlainCoordinate) [[likely]] {
-    const auto whole = static_cast<std::int32_t>(p);
-    const std::int32_t below = whole - (static_cast<double>(whole) > p ? 1 : 0);
-    fraction = p - static_cast<double>(below) + 0.0;  // the sum makes 0 of −0
-    return static_cast<std::uint32_t>(below) + kLatticeOrigin;
+    const double units = std::copysign(kUnits, p), nearest = (p + units) - units;
+    below = nearest > p ? nearest - 1 : nearest;
+    fraction = p - below + 0.0;  // the sum makes 0 of −0
+  } else {
+    below = std::floor(p);
+    fraction = std::isfinite(p) ? p - below : 0.0;
   }
-  const double below = std::floor(p);
-  fraction = std::isfinite(p) ? p - below : 0.0;
   return static_cast<std::uint32_t>(to_integer(below)) + kLatticeOrigin;
 }
 
@@ -95,7 +98,6 @@ double lattice_sum(const Vec3& p) {
 /// The sums at two points, or nothing if one is far out. Both have the digits of lattice_sum: only what is computed
 /// side by side differs.
 bool lattice_sums(const Vec3& p, const Vec3& q, Pair& sums) {
-  using PairOfIntegers [[gnu::vector_size(8)]] = std::int32_t;
   constexpr std::uint32_t kMask = NoiseTables::kHashes - 1;
   const NoiseTables& tables = noise_tables();
   const std::uint16_t *const hash = tables.hash.data(), *const number = tables.point.data();
@@ -105,16 +107,16 @@ bool lattice_sums(const Vec3& p, const Vec3& q, Pair& sums) {
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(p[i]) < kPlainCoordinate && std::abs(q[i]) < kPlainCoordinate)) return false;
     const Pair t = {p[i], q[i]};
-    const Pair whole = __builtin_convertvector(__builtin_convertvector(t, PairOfIntegers), Pair);
-    const Pair below = whole > t ? whole - 1 : whole;
-    const PairOfIntegers cell = __builtin_convertvector(below, PairOfIntegers);
+    const Pair units = {std::copysign(kUnits, p[i]), std::copysign(kUnits, q[i])};
+    const Pair nearest = (t + units) - units;
+    const Pair below = nearest > t ? nearest - 1 : nearest;
     const Pair fraction = t - below + 0.0;
     from_corner[i][0] = fraction;
     from_corner[i][1] = fraction - 1;
     weight[i][1] = fraction * fraction * (3 - 2 * fraction);
     weight[i][0] = 1 - weight[i][1];
-    at[i][0] = static_cast<std::uint32_t>(cell[0]) + kLatticeOrigin;
-    at[i][1] = static_cast<std::uint32_t>(cell[1]) + kLatticeOrigin;
+    at[i][0] = static_cast<std::uint32_t>(to_integer(below[0])) + kLatticeOrigin;
+    at[i][1] = static_cast<std::uint32_t>(to_integer(below[1])) + kLatticeOrigin;
   }
   std::uint32_t of_xy[2][2][2];  // by point, x and y
   for (std::uint32_t i = 0; i < 2; ++i) {

@@ -1,5 +1,6 @@
 #include "renderer/values/noise.h"
 
+#include "renderer/values/integer.h"
 #include "renderer/values/noise_tables.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ double defined_sum(const Vec3& p, std::size_t first) {
   std::uint32_t cell[3];
   double fraction[3], share[3];
   for (int i = 0; i < 3; ++i) {
-    cell[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(p[i]))) + 10000u;
+    cell[i] = static_cast<std::uint32_t>(to_integer(std::floor(p[i]))) + 10000u;
     fraction[i] = p[i] - std::floor(p[i]);
     share[i] = fraction[i] * fraction[i] * (3 - 2 * fraction[i]);
   }
@@ -109,7 +110,7 @@ TEST(Noise, HasTheDigitsOfItsDefinitionHoweverManyAreComputedAtOnce) {
   std::mt19937_64 random(7);
   const auto point = [&](int turn) {
     std::uniform_real_distribution<double> uniform(-1, 1);
-    const double size = std::ldexp(1.0, turn % 40 - 8);  // up to beyond 2^30, where singles are taken
+    const double size = std::ldexp(1.0, turn % 64 - 8);  // up to beyond 2⁵¹, where the way to round is another
     Vec3 p(uniform(random) * size, uniform(random) * size, uniform(random) * size);
     if (turn % 7 == 0) p.x = std::floor(p.x);
     if (turn % 11 == 0) p.y = -0.0;
