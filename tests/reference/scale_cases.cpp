@@ -1,6 +1,7 @@
 #include "tests/reference/scale_cases.h"
 
 #include "base/check.h"
+#include "renderer/reference/reference_field.h"
 #include "tests/reference/small_scenes.h"
 
 #include <fmt/format.h>
@@ -70,6 +71,10 @@ std::vector<Combination> every_combination() {
   kernels.insert(kernels.end(), hard.begin(), hard.end());
   kernels.push_back(quartic(500));
   kernels.push_back(kPovRay);
+  return combinations_of(kernels);
+}
+
+std::vector<Combination> combinations_of(const std::vector<scene::Kernel>& kernels) {
   std::vector<Combination> all;
   for (const scene::Kernel& kernel : kernels) {
     for (const Skeleton skeleton : {Skeleton::point, Skeleton::segment, Skeleton::cone, Skeleton::box,
@@ -128,6 +133,37 @@ ScaleCase scale_case(RandomSource& random, const Combination& combination, Extre
     Vec3 aim = aim_at(random, small);
     if (takes_transform) aim *= scale;
     const Vec3 eye = aim + (towards + random.in_ball(0.3)).normalized() * (away * detail);
+    made.lines.push_back({eye, (aim - eye).normalized()});
+  }
+  return made;
+}
+
+ScaleCase opposed_case(RandomSource& random, const Combination& combination, int lines) {
+  ScaleCase made{one_blob(combination.kernel, {}), {}, 1e-3};
+  scene::Database& database = made.database;
+  scene::Blob& blob = database.blobs.front();
+  scene::Component component = component_of(random, combination.skeleton, 1, blob);
+  component.strength = random.between(1, 3);
+  blob.components.push_back(component);
+  blob.origins.resize(1);
+
+  // The ball's field is the same as the component's at a place next to the skeleton, so a surface is close to it.
+  const ReferenceField alone(database, blob);
+  Vec3 at = aim_at(random, component);
+  for (int i = 0; i < 100 && alone.value({at.x, at.y, at.z}) < 10; ++i) at = aim_at(random, component);
+  const double hardness = 200, radius = 0.5;
+  const Vec3 centre = at + random.direction() * (radius * random.between(0.2, 0.9));
+  scene::Component ball = point(centre, radius);
+  ball.kernel = static_cast<scene::KernelId>(database.kernels.size());
+  database.kernels.push_back(quartic(hardness));
+  const double q = (at - centre).length2() / (radius * radius), depth = 1 + hardness / 2 * (1 - q);
+  ball.strength = -static_cast<double>(alone.value({at.x, at.y, at.z})) / (depth * depth);
+  blob.components.push_back(ball);
+  blob.origins.resize(2);
+
+  for (int i = 0; i < lines; ++i) {
+    const Vec3 eye = at + random.direction() * random.between(2, 10);
+    const Vec3 aim = at + random.in_ball(0.02);
     made.lines.push_back({eye, (aim - eye).normalized()});
   }
   return made;

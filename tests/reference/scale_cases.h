@@ -17,7 +17,9 @@ struct Combination {
   [[nodiscard]] std::string name() const;
 };
 
-/// Every kernel, soft and hard, with every skeleton; in every mode that the two have.
+/// These kernels with every skeleton; in every mode that the two have.
+[[nodiscard]] std::vector<Combination> combinations_of(const std::vector<scene::Kernel>& kernels);
+/// Every kernel, soft and hard.
 [[nodiscard]] std::vector<Combination> every_combination();
 
 enum class Extreme : std::uint8_t {
@@ -36,5 +38,10 @@ struct ScaleCase {
 /// The detail over the extent is 10^−exponent.
 [[nodiscard]] ScaleCase scale_case(RandomSource& random, const Combination& combination, Extreme extreme, int exponent,
                                    int lines);
+
+/// A component, and a ball that takes away from it: their surface is where the two differ by the threshold, far within
+/// both, and the fields there are a share of the component's greatest that is drawn at random. A relative error of
+/// either field moves the surface, although an error where the field is worth 1 need not.
+[[nodiscard]] ScaleCase opposed_case(RandomSource& random, const Combination& combination, int lines);
 
 }  // namespace isl::reference

@@ -6,6 +6,7 @@
 #include "tests/reference/small_scenes.h"
 #include "tests/reference/tracer_under_test.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,6 +117,29 @@ TEST_P(EveryScale, KeepsEveryHitToEightUnits) {
 
 INSTANTIATE_TEST_SUITE_P(Certified, EveryScale, testing::ValuesIn(kCertified),
                          [](const testing::TestParamInfo<Certified>& given) { return std::string(given.param.name); });
+
+/// Where two hard fields all but cancel, each is many times the threshold, and so is its error: the constants of a
+/// kernel must be right to rounding, and not only where it is worth 1.
+TEST(HardKernels, AreRightFarWithinTheirSurfaceToo) {
+  for (const double hardness : {60.0, 200.0, 300.0, 500.0}) {
+    Counts total;
+    std::uint64_t number = 0;
+    for (const Combination& combination : combinations_of(every_kernel(hardness))) {
+      RandomSource random(7000 + number++);
+      Counts counts;
+      for (int i = 0; i < 4; ++i) {
+        const ScaleCase made = opposed_case(random, combination, kLines);
+        counts += counts_of(made.database, camera_rays(made.lines), {});
+      }
+      total += counts;
+      if (counts.all_wrong() > 0) print("  " + combination.name(), counts);
+    }
+    print(fmt::format("hardness {}", hardness), total);
+    EXPECT_GT(total.hits, total.rays / 2);
+    EXPECT_LE(total.undecided, total.rays / 1000);
+    EXPECT_EQ(total.all_wrong(), 0);
+  }
+}
 
 /// A grid of rays from <0, 0, −5> about the small ball at the origin.
 std::vector<render::Ray> view_of_the_origin(double half_width, int side) {

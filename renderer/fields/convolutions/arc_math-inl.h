@@ -32,6 +32,7 @@ namespace HWY_NAMESPACE {
 HWY_INLINE double min(double a, double b) { return std::min(a, b); }
 HWY_INLINE double max(double a, double b) { return std::max(a, b); }
 HWY_INLINE double keep(bool condition, double x) { return condition ? x : 0; }
+HWY_INLINE bool none(bool condition) { return !condition; }
 
 inline constexpr double kPi = 3.14159265358979323846;
 

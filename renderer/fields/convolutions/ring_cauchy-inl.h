@@ -9,7 +9,8 @@
 // (the recurrence of ∫dφ/(C − a cos φ)ⁿ). Then with the integrals of 1 − y of ring_quartic-inl.h
 //   f = R[E₂ − 2μ/B² − 2∫(1 − y)dφ/B³],
 //   for p: R[2E₃ − 4μ/B³],   for ρ⃗: 2R²[2R K − 2 sin μ/(B³ρ)]   (whole: the second term is 0).
-// The formulas of a whole ring contain no angle and no division by ρ.
+// The formulas of a whole ring contain no angle and no division by ρ. Next to the border f is summed instead
+// (cauchy_border-inl.h), since these formulas are differences there.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_
@@ -17,6 +18,7 @@
 #define ISL_RENDERER_FIELDS_CONVOLUTIONS_RING_CAUCHY_INL_H_
 #endif
 
+#include "renderer/fields/convolutions/cauchy_border-inl.h"
 #include "renderer/fields/convolutions/cauchy_window-inl.h"
 #include "renderer/fields/convolutions/curve_integrals-inl.h"
 
@@ -55,6 +57,11 @@ template <class N>
   // Y₀ and S have an error of one unit in the last place of R, and E₃ and K of a part are differences.
   const N e3_terms = select(is_whole, e3, inverse * (N(3.0) * c * cut2 + cut1)) + e3 * (one + r) / y;
   result.value_terms = r * (e2 + two * border2 * arc.angle + two * border3 * plain) + (one + r) * r * two * e3;
+  const auto shallow = (N(0.0) < s) & (s < N(kShallow * window.border));
+  if (!none(shallow)) {
+    result.value = select(shallow, r * ring_at_border(window, s, a, arc.angle), result.value);
+    result.value_terms = select(shallow, result.value + (one + r) * abs(result.whole), result.value_terms);
+  }
   result.whole_terms = r * (two * e3_terms + N(4.0) * border3 * arc.angle);
   result.radial_terms =
       N(4.0) * r * r * r *

@@ -8,7 +8,8 @@
 // where every difference of the two ends has become a multiple of δ, so that short segments lose no digits. Then
 //   f = U₂ − 2δ/B² − 2∫(1 − y)/B³,  −∫g′ = 2U₃ − 4δ/B³,  −∫vg′ = 2V₃ − 4δm/B³,  ∫(1 − y)dv = 2δ[1 − ρ² − m² − δ²/3].
 // If ε is small and the part subtends a small angle (seen from near its line, beyond its end), U₃ is a small difference
-// of great terms. Its rounding error is reported in the `_terms`, not avoided.
+// of great terms. Its rounding error is reported in the `_terms`, not avoided. Next to the border of the support f
+// itself is summed instead (cauchy_border-inl.h), since it is a small difference there.
 #if defined(ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_
 #undef ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_
@@ -16,6 +17,7 @@
 #define ISL_RENDERER_FIELDS_CONVOLUTIONS_SEGMENT_CAUCHY_INL_H_
 #endif
 
+#include "renderer/fields/convolutions/cauchy_border-inl.h"
 #include "renderer/fields/convolutions/cauchy_window-inl.h"
 #include "renderer/fields/convolutions/curve_integrals-inl.h"
 
@@ -44,6 +46,13 @@ template <class N>
   result.across = two * (u3 - border3 * d);
   result.along = two * (v3 - border3 * d * m);
   result.value_terms = u2 + length * border2 + border3 * (window1 + length);
+  const N beyond = max(N(0.0), abs(m) - d), depth = N(1.0) - chord.rho2 - beyond * beyond;  // the greatest
+  const auto shallow = (N(0.0) < d) & (N(0.0) < depth) & (depth < N(kShallow * window.border));
+  if (!none(shallow)) {
+    result.value = select(shallow, integral_at_border(window, chord.rho2, m, d), result.value);
+    // Rounding of ρ² and of the ends moves f by half its slopes.
+    result.value_terms = select(shallow, result.value + abs(result.across) + abs(result.along), result.value_terms);
+  }
   result.across_terms = two * (u3_scale * (N(3.0) * u2 + abs(difference)) + border3 * d);
   result.along_terms = two * (abs(v3) + border3 * abs(d * m));
   return result;

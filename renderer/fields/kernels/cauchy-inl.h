@@ -46,8 +46,10 @@ struct Cauchy {
     KernelConstants constants;
     // ε is about e^{−h/2} for the hardest kernel, h = 500, and ε − least about 1/h for the softest.
     constants.a = above_least(last_where([&](double x) { return is_too_small(above_least(x)); }, -300, 300));
-    constants.support = 1 + width(constants.a);
-    constants.amplitude = 1 / Cauchy(constants).value(1.0);
+    // The amplitude is 1/φ(1). Q − 1 has lost digits in the rounded Q, which a field far within must not be off by.
+    const double a = 1 + constants.a, d = width(constants.a), b = a + d;
+    constants.support = 1 + d;
+    constants.amplitude = a * a * b * b * b / (d * d * (b + 2 * a));
     return constants;
   }
 

@@ -8,34 +8,61 @@
 namespace isl::render {
 namespace {
 
+/// The squared distance y of a line's surface, in support radii, and 1 − y, each with all its digits.
+struct SurfaceAt {
+  double y, rest;
+};
+
 /// An infinite line convolved with the Cauchy window, at y = ρ² in support radii: P = ε + y, w² = 1 − y, B = ε + 1,
 ///   L = w/(PB) + atan(w/√P)/P^{3/2} − 2w/B² − (8/3)w³/B³
 ///   L′ = −w/(PB²) − 3w/(2P²B) − (3/2)atan(w/√P)/P^{5/2} + 4w/B³.
+/// Towards the border both are small differences of great terms: L falls as w⁵. There the window is expanded in
+/// (1 − y)/B, (3 − 2z)/(1 − z)² = Σ(k + 3)zᵏ; with x = w²/B and Jₙ = ∫(1 − s²)ⁿds from −1 to 1,
+///   L = w⁵/B⁴ Σ (k + 3) J_{k+2} xᵏ,   L′ = −w³/B⁴ Σ (k + 5/2)(k + 3) J_{k+2} xᵏ,   Jₙ = Jₙ₋₁ 2n/(2n + 1),
+/// in which nothing cancels. From x = ½ on no term above is greater than twice the sum.
 struct CauchyLine {
   double epsilon;
 
-  [[nodiscard]] double value(double y) const {
-    const double p = epsilon + y, w = std::sqrt(1 - y), b = 1 + epsilon;
-    return w / (p * b) + std::atan2(w, std::sqrt(p)) / (p * std::sqrt(p)) - 2 * w / (b * b) -
-           (8.0 / 3) * w * w * w / (b * b * b);
+  [[nodiscard]] double value(const SurfaceAt& at) const { return sums(at).value; }
+  /// −yL′/L.
+  [[nodiscard]] double hardness(const SurfaceAt& at) const {
+    const Sums line = sums(at);
+    return at.y * line.fall / line.value;
   }
-  [[nodiscard]] double slope(double y) const {
-    const double p = epsilon + y, w = std::sqrt(1 - y), b = 1 + epsilon;
-    return -w / (p * b * b) - 1.5 * w / (p * p * b) - 1.5 * std::atan2(w, std::sqrt(p)) / (p * p * std::sqrt(p)) +
-           4 * w / (b * b * b);
-  }
-  /// The y at which −yL′/L = h, the surface; −yL′/L rises from 0 on the line towards the border. Bisection is in
-  /// ln(y/(1 − y)), since the surface of a soft line can lie at a tiny y.
-  [[nodiscard]] double surface(double h) const {
-    const auto is_within = [&](double u) {
-      const double y = place(u);
-      return -y * slope(y) < h * value(y);
-    };
-    return place(last_where(is_within, -140, 40));
+  /// Where −yL′/L = h; that quotient rises from 0 on the line towards the border. It is searched for 1 − y near the
+  /// border, and for ln(y/(1 − y)) elsewhere, since the surface of a soft line can lie at a tiny y.
+  [[nodiscard]] SurfaceAt surface(double h) const {
+    if (hardness({0.5, 0.5}) < h) {
+      const double rest = last_where([&](double r) { return hardness({1 - r, r}) >= h; }, 0, 0.5);
+      return {1 - rest, rest};
+    }
+    const auto place = [](double u) { return SurfaceAt{1 / (1 + std::exp(-u)), 1 / (1 + std::exp(u))}; };
+    return place(last_where([&](double u) { return hardness(place(u)) < h; }, -140, 1));
   }
 
  private:
-  [[nodiscard]] static double place(double u) { return 1 / (1 + std::exp(-u)); }
+  struct Sums {
+    double value, fall;  ///< L and −L′
+  };
+  [[nodiscard]] Sums sums(const SurfaceAt& at) const {
+    const double w = std::sqrt(at.rest), b = 1 + epsilon, x = at.rest / b;
+    if (x < 0.5) return near_border(w, b, x);
+    const double p = epsilon + at.y, angle = std::atan2(w, std::sqrt(p)) / (p * std::sqrt(p));
+    return {w / (p * b) + angle - 2 * w / (b * b) - (8.0 / 3) * w * w * w / (b * b * b),
+            w / (p * b * b) + 1.5 * w / (p * p * b) + 1.5 * angle / p - 4 * w / (b * b * b)};
+  }
+  [[nodiscard]] static Sums near_border(double w, double b, double x) {
+    constexpr int kTerms = 64;  // the rest is below 2⁻⁵⁶ of the sum
+    Sums sum{0, 0};
+    double term = 16.0 / 15;  // J_{k+2} xᵏ
+    for (int k = 0; k < kTerms; ++k) {
+      sum.value += (k + 3) * term;
+      sum.fall += (k + 2.5) * (k + 3) * term;
+      term *= x * (2 * k + 6) / (2 * k + 7);
+    }
+    const double w3 = w * w * w / (b * b * b * b);
+    return {w3 * w * w * sum.value, w3 * sum.fall};
+  }
 };
 
 KernelConstants quartic(double h) {
@@ -53,13 +80,14 @@ KernelConstants quartic(double h) {
 KernelConstants cauchy(double h) {
   const auto is_too_small = [h](double log_epsilon) {
     const CauchyLine line{std::exp(log_epsilon)};
-    return std::log(line.value(0) / line.value(line.surface(h))) > h;
+    return std::log(line.value({0, 1}) / line.value(line.surface(h))) > h;
   };
   KernelConstants constants;
   constants.a = std::exp(last_where(is_too_small, std::log(1e-40), std::log(1e6)));
   const CauchyLine line{constants.a};
-  constants.scale = line.surface(h);
-  constants.amplitude = 1 / line.value(constants.scale);
+  const SurfaceAt surface = line.surface(h);
+  constants.scale = surface.y;
+  constants.amplitude = 1 / line.value(surface);
   return constants;
 }
 

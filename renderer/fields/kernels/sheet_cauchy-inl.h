@@ -47,8 +47,10 @@ struct CauchySheet {
     KernelConstants constants;
     constants.a = above_least(last_where([&](double x) { return is_too_small(above_least(x)); }, std::log(1e-40),
                                          std::log(1e6)));  // ε − least is below 1/h for the softest
-    constants.support = 1 + width(constants.a);
-    constants.amplitude = 1 / CauchySheet(constants).value(1.0);
+    // The amplitude is 1/φ(1). Q − 1 has lost digits in the rounded Q, which a field far within must not be off by.
+    const double a = 1 + constants.a, d = width(constants.a), b_over_d = (a + d) / d;
+    constants.support = 1 + d;
+    constants.amplitude = a * b_over_d * b_over_d * b_over_d;
     return constants;
   }
 

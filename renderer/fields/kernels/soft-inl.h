@@ -7,7 +7,8 @@
 //   f″ = 2κ(φ′(v) + 2uφ″(v)), a concave quadratic of u with its top at u = (102 − 72v₀)/120,
 //   f⁗ = κ²(12φ″ + 48uφ‴) = κ²(12(34 − 24v₀) − 1440u)/9, linear in u.
 //
-// Constants: v = xq with −xφ′(x)/φ(x) = h, that is 2x(11 − 6x) = h(1 − x)(9 − 4x), and amplitude 1/φ(x).
+// Constants: v = xq with −xφ′(x)/φ(x) = h, that is 2x(11 − 6x) = h(1 − x)(9 − 4x), and amplitude 1/φ(x). With y = 1 − x
+// the condition is (12 + 4h)y² + (5h − 2)y − 10 = 0; y has all its digits only from there.
 #if defined(ISL_RENDERER_FIELDS_KERNELS_SOFT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_KERNELS_SOFT_INL_H_
 #undef ISL_RENDERER_FIELDS_KERNELS_SOFT_INL_H_
@@ -28,9 +29,10 @@ struct Soft {
     // (4h + 12)x² − (13h + 22)x + 9h = 0; the lesser root, in the form without cancellation.
     const double half = 0.5 * (13 * h + 22);
     const double x = 9 * h / (half + std::sqrt(half * half - 9 * h * (4 * h + 12)));
+    const double y = 20 / (5 * h - 2 + std::sqrt((5 * h + 14) * (5 * h + 14) + 288));
     KernelConstants constants;
     constants.scale = x;
-    constants.amplitude = 9 / ((1 - x) * (1 - x) * (9 - 4 * x));
+    constants.amplitude = 9 / (y * y * (5 + 4 * y));
     return constants;
   }
 
