@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -51,6 +52,12 @@ class PacketSetup {
     const Octet ox = load(rays_.origin[0]), oy = load(rays_.origin[1]), oz = load(rays_.origin[2]);
     const Octet dx = load(rays_.direction[0]), dy = load(rays_.direction[1]), dz = load(rays_.direction[2]);
     const Octet dd = dx * dx + dy * dy + dz * dz, inverse_dd = Octet(1.0) / dd;
+    // A field that reaches the stretch of a ray is no farther from where the ray starts than the stretch's end and the
+    // radius of its support together. The root of the sum of squares is a bound for all eight rays.
+    const double farthest = std::sqrt(sum(keep(lanes_, max(t0_ * t0_, t1_ * t1_) * dd)));
+    const KernelConstants& constants = fields.group.kernel;
+    const double per_radius = 1 / std::sqrt(constants.scale), beyond = std::sqrt(constants.support);
+    double moved = 0;
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
       const Octet cx = Octet(table.x[item]) - ox, cy = Octet(table.y[item]) - oy, cz = Octet(table.z[item]) - oz;
@@ -62,12 +69,14 @@ class PacketSetup {
       if (!adds(kernel, along[0] + along[1] * near * near, table.amplitude[item])) continue;
       PacketRow& row = new_row(table.amplitude[item]);
       store_along(along, row);
-      const Octet size = sqrt(along[0] + along[1] * middle * middle);
-      store(size, row.size);
-      if constexpr (requires { Kernel::kSteepest; }) {
-        sums_.moved = sums_.moved + Octet(Kernel::kSteepest * std::abs(table.amplitude[item])) * size;
+      const double size = std::sqrt(table.scale[item]) * farthest + beyond;
+      if constexpr (NowhereSteep<Kernel>) {
+        moved += std::abs(table.amplitude[item]) * size;
+      } else {
+        row.shape[kPointSpread][0] = spread_of(size * per_radius);
       }
     }
+    if constexpr (NowhereSteep<Kernel>) sums_.moved = sums_.moved + Octet(Kernel::kSteepest * moved);
   }
 
   template <class Shape, class Kernel>

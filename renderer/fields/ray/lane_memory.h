@@ -16,7 +16,7 @@ namespace isl::render {
 enum class InLanes : std::uint8_t { fields, rays };
 
 /// The members of a form (skeletons/ray_form-inl.h): `along` depends on field and ray, `shape` and `amplitude` on the
-/// field. `start` and `size` are those of PlacedLanes (lane_rows-inl.h); points and pieces have `size` only.
+/// field. `start` and `size` are those of PlacedLanes (lane_rows-inl.h); pieces have `size` only, points neither.
 template <InLanes kWhat>
 struct alignas(64) LaneRow {
   static constexpr std::size_t kLanes = 8, kFields = kWhat == InLanes::fields ? kLanes : 1;

@@ -12,6 +12,7 @@
 #include "renderer/fields/skeletons/ray_forms-inl.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -46,6 +47,12 @@ template <class Form, InLanes kWhat>
 /// A bound of the rounding errors of positions, in units of the greatest coordinate that they are computed from: some
 /// eight operations, each off by half a unit in the last place.
 inline constexpr double kPositionError = 4 * 0x1p-52;
+
+/// A kernel whose slope by the distance has a bound for all distances.
+template <class Kernel>
+concept NowhereSteep = requires {
+  Kernel::kSteepest;
+};
 
 /// A form that counts t from `start`, where the ray is nearest to the component's middle: there a component that is
 /// small and far from where the ray starts has small coordinates, which are known to more digits. `size` is the
@@ -86,12 +93,20 @@ template <class Form, InLanes kWhat>
   return {load_lanes<Form>(row), load(row.start), load(row.size)};
 }
 
-/// The domain of the quadratics of points; `size` is as in PieceBorders.
+/// The domain of the quadratics of points. `spread` is the greatest coordinate z that they are computed from, in
+/// surface radii, as 3 + z + 2kz², k = kPositionError (lane_values-inl.h); `surface` is v where q = 1.
 struct Everywhere {
-  Octet size;
+  Octet spread;
+  double surface;
 
   [[nodiscard]] HWY_INLINE OctetMask holds(const OctetMask& mask, const Octet&) const { return mask; }
 };
+/// The column of `shape` for the spreads of points, which have no other shape.
+inline constexpr std::size_t kPointSpread = 0;
+template <InLanes kWhat>
+[[nodiscard]] HWY_INLINE Everywhere everywhere(const LaneRow<kWhat>& row, const KernelConstants& kernel) {
+  return {of_fields(row.shape[kPointSpread]), kernel.scale};
+}
 /// The domain of the quadratics of pieces, [begin, end), and the greatest coordinate that they are computed from, as √v
 /// at that distance.
 struct PieceBorders {
@@ -107,10 +122,16 @@ template <InLanes kWhat>
   return {load(row.along[kPieceBegin]), load(row.along[kPieceEnd]), load(row.size)};
 }
 
+/// The spread of a point whose greatest coordinate is z surface radii.
+template <class N>
+[[nodiscard]] HWY_INLINE N spread_of(const N& z) {
+  return N(3.0) + z * (N(1.0) + N(2 * kPositionError) * z);
+}
+
 /// The error of a quadratic's √v at its middle.
-template <class Borders>
-[[nodiscard]] HWY_INLINE Octet error_of(const Borders& piece) {
-  return Octet(kPositionError) * piece.size;
+[[nodiscard]] HWY_INLINE Octet error_of(const PieceBorders& piece) { return Octet(kPositionError) * piece.size; }
+[[nodiscard]] HWY_INLINE Octet error_of(const Everywhere& point) {
+  return Octet(kPositionError * std::sqrt(point.surface)) * point.spread;
 }
 
 /// The part of an interval inside the domain of a quadratic.

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -51,7 +52,7 @@ class LaneSetup {
     sums_.exponent = std::max(sums_.exponent, fields.group.kernel.support);
     const Octet ox(origin_.x), oy(origin_.y), oz(origin_.z), dx(direction_.x), dy(direction_.y), dz(direction_.z);
     const double dd = direction_.length2();
-    const Octet inverse_dd(1 / dd), from(t0_), to(t1_), zero(0.0);
+    const Octet inverse_dd(1 / dd), from(t0_), to(t1_), zero(0.0), per_radius(1 / std::sqrt(fields.group.kernel.scale));
     Octet peaks(0.0), moved(0.0);
     for (std::uint32_t i = 0; i < fields.count; i += kOctet) {
       const std::uint32_t* const index = fields.items + i;
@@ -79,12 +80,12 @@ class LaneSetup {
       store(middle, row.along[2]);
       store(amplitude, row.amplitude);
       const Octet size = sqrt(v0 + kappa * middle * middle);
-      store(keep(listed, size), row.size);
-      if constexpr (requires { Kernel::kSteepest; }) moved = moved + keep(reaches, abs(amplitude) * size);
+      store(keep(listed, spread_of(size * per_radius)), row.shape[kPointSpread]);
+      if constexpr (NowhereSteep<Kernel>) moved = moved + keep(reaches, abs(amplitude) * size);
       sums_.field_count += static_cast<std::uint32_t>(std::popcount(bits(reaches)));
     }
     sums_.peak += sum(peaks);
-    if constexpr (requires { Kernel::kSteepest; }) sums_.moved += Kernel::kSteepest * sum(moved);
+    if constexpr (NowhereSteep<Kernel>) sums_.moved += Kernel::kSteepest * sum(moved);
   }
 
   template <class Kernel>

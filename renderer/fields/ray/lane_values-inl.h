@@ -12,6 +12,7 @@
 #include "renderer/fields/ray/lane_rows-inl.h"
 
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -21,34 +22,45 @@ namespace HWY_NAMESPACE {
 struct FieldTerm {
   Octet value, slope, moved;
 };
+/// The same of fields for which the setup has counted that (SetupSums::moved).
+struct CountedTerm {
+  Octet value, slope;
+};
+
+/// True for points of kernels for which the setup has one bound of `moved` for all places.
+template <class Kernel, class Borders>
+inline constexpr bool kIsCounted = NowhereSteep<Kernel>&& std::is_same_v<Borders, Everywhere>;
 
 // If a distance is off by x = size · √v/distance in √v, f is off by |φ′(v)|(2√v x + x²). The rounding of positions is a
 // small share of x, kPositionError, so that is what x² is multiplied by.
 
-template <class Kernel, class Borders>
-[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Borders& piece, const Octet& steepness, const Octet& v) {
+[[nodiscard]] HWY_INLINE Octet moved(const PieceBorders& piece, const Octet& steepness, const Octet& v) {
   const Octet root = sqrt(v), size = piece.size + root;
   return abs(steepness) * size * (Octet(2.0) * root + Octet(kPositionError) * size);
 }
-/// The setup has counted points whose kernel is nowhere steep (SetupSums::moved), so they add nothing here.
-template <class Kernel>
-requires requires { Kernel::kSteepest; }
-[[nodiscard]] HWY_INLINE Octet moved(const Kernel&, const Everywhere&, const Octet& /*steepness*/, const Octet& /*v*/) {
-  return Octet(0.0);
+// For points, which are most of all fields, the same bound without a root. With c² = v at the surface, x = cz + √v and
+// k = kPositionError, 2√v cz ≤ z(v + c²) and kx² ≤ 2k(c²z² + v), so all of it is at most (v + c²)(2 + 2k + z + 2kz²).
+// At the surface this is right but for the constant; where v is 4 or a quarter of that, it is a quarter too much.
+[[nodiscard]] HWY_INLINE Octet moved(const Everywhere& point, const Octet& steepness, const Octet& v) {
+  return abs(steepness) * point.spread * (v + Octet(point.surface));
 }
 
 /// f and f′ of quadratics at t.
 template <class Kernel, class Borders>
-[[nodiscard]] HWY_INLINE FieldTerm field_at(const Kernel& kernel, const QuadraticLanes& lane, const Octet& t,
-                                            const Borders& borders) {
+[[nodiscard]] HWY_INLINE auto field_at(const Kernel& kernel, const QuadraticLanes& lane, const Octet& t,
+                                       const Borders& borders) {
   const Octet tau = t - lane.middle;
   const Octet kappa_tau = lane.kappa * tau;
   const Octet v = lane.v0 + kappa_tau * tau;
   const OctetMask active = borders.holds(v < kernel.support(), t);
   const KernelValue phi = kernel.value_and_slope(v);
-  return {keep(active, lane.amplitude * phi.value),
-          keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau))),
-          keep(active, moved(kernel, borders, lane.amplitude * phi.slope, v))};
+  const Octet value = keep(active, lane.amplitude * phi.value);
+  const Octet slope = keep(active, lane.amplitude * (phi.slope * (Octet(2.0) * kappa_tau)));
+  if constexpr (kIsCounted<Kernel, Borders>) {
+    return CountedTerm{value, slope};
+  } else {
+    return FieldTerm{value, slope, keep(active, moved(borders, lane.amplitude * phi.slope, v))};
+  }
 }
 
 /// f and f′ of a ray form at t.
@@ -70,11 +82,14 @@ struct FieldSums {
 
   HWY_INLINE FieldSums() : value(0.0), slope(0.0), magnitude(0.0), steepness(0.0), moved(0.0), slope_excess(0.0) {}
 
-  HWY_INLINE void add(const FieldTerm& f) {
+  HWY_INLINE void add(const CountedTerm& f) {
     value = value + f.value;
     slope = slope + f.slope;
     magnitude = magnitude + abs(f.value);
     steepness = steepness + abs(f.slope);
+  }
+  HWY_INLINE void add(const FieldTerm& f) {
+    add(CountedTerm{f.value, f.slope});
     moved = moved + f.moved;
   }
   /// Adds convolved curves, whose values are sums themselves and have their own scales of rounding errors.

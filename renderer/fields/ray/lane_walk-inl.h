@@ -46,7 +46,7 @@ HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) 
       switch (run.form) {
         case LaneForm::points:
           for (; row != end; ++row)
-            visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), Everywhere{load(row->size)});
+            visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), everywhere(*row, *run.kernel));
           break;
         case LaneForm::pieces:
           for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), borders_of(*row));
