@@ -113,5 +113,18 @@ TEST_F(PlanCommand, MeasuresWhatEachEffectAdds) {
   EXPECT_THAT(refused.err, HasSubstr("is not rendered yet"));
 }
 
+TEST_F(PlanCommand, MeasuresWhatNoiseAndHalfOfItCost) {
+  write("soft.isl",
+        "light_source { <-2, 4, -4> rgb 1 area_light x, z, 4, 4 jitter }\nsphere { 3*z, 1 pigment { rgb 1 } }\n"
+        "plane { y, -1 pigment { rgb 1 } }\n");
+  const ProcessResult result = run({"plan", "soft.isl", "--measure", "-s", "40x30", "--format", "json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json noise = json::parse(result.out).at("measured").at("noise");
+  ASSERT_EQ(noise.size(), 2u);
+  EXPECT_EQ(noise[0].at("noise"), 2 * noise[1].at("noise").get<double>());
+  EXPECT_LT(noise[0].at("samples_per_pixel"), noise[1].at("samples_per_pixel"));
+  EXPECT_THAT(run({"plan", "soft.isl", "--measure", "-s", "40x30"}).out, HasSubstr("of noise takes"));
+}
+
 }  // namespace
 }  // namespace isl::test

@@ -177,6 +177,55 @@ TEST_F(RenderCommand, StatisticsHaveTheShapeOfTheManual) {
   EXPECT_EQ(stats.at("samples_per_pixel"), 3.0);
 }
 
+constexpr const char* kSoftScene =
+    "light_source { <-2, 4, -4> rgb 1 area_light x, z, 4, 4 jitter }\n"
+    "camera { location <0, 1, -4> look_at 0 }\n"
+    "plane { y, -1 pigment { rgb 1 } }\nsphere { 0, 1 pigment { rgb 1 } }\n";
+
+TEST_F(RenderCommand, ScenesWithSomethingSoftStopByTheirNoise) {
+  write("ball.isl", kSoftScene);
+  ASSERT_EQ(render({"--stats", "stats.json"}).exit_code, 0);
+  const json stats = json::parse(read("stats.json"));
+  EXPECT_EQ(stats.at("noise").at("asked"), 0.01);
+  EXPECT_EQ(stats.at("noise").at("noisy_pixels"), 0);
+  EXPECT_GT(stats.at("samples_per_pixel"), 8.0);
+  // A fixed number of samples shares the points of the light, and so does the one sample of even pixels.
+  ASSERT_EQ(render({"--stats", "stats.json", "--samples", "1"}).exit_code, 0);
+  const json fixed = json::parse(read("stats.json"));
+  EXPECT_FALSE(fixed.contains("noise"));
+  EXPECT_GT(fixed.at("rays").at("shadow"), fixed.at("rays").at("camera"));
+  // The picture says by what it was made.
+  ASSERT_EQ(render({"--max-noise", "0.2"}).exit_code, 0);
+  EXPECT_THAT(read("ball.png"), HasSubstr("--max-noise 0.2"));
+}
+
+TEST_F(RenderCommand, AWrongNoiseIsToldAndSoAreTwoRulesForSamples) {
+  for (const char* noise : {"0", "-1", "2", "much"}) {
+    const ProcessResult result = render({"--max-noise", noise});
+    EXPECT_EQ(result.exit_code, 2) << noise;
+    EXPECT_THAT(result.err, HasSubstr("--max-noise")) << noise;
+  }
+  for (const char* other : {"--samples", "--aa"}) {
+    const ProcessResult result = render({"--max-noise", "0.1", other, "4"});
+    EXPECT_EQ(result.exit_code, 2) << other;
+    EXPECT_THAT(result.err, HasSubstr(other));
+  }
+}
+
+TEST_F(RenderCommand, TellsHowManyPixelsStayNoisy) {
+  // A lamp of ten thousand, seen by few of the rays that reach it from the floor.
+  write("ball.isl",
+        "global_settings { bounce_light { } }\ncamera { location <0, 1, -4> look_at 0 }\n"
+        "plane { y, -1 pigment { rgb 1 } }\n"
+        "sphere { 2*y, 0.05 pigment { rgb 1 } finish { ambient 10000 } no_image }\n");
+  const ProcessResult result = render({"--max-noise", "0.0001", "-s", "4x3", "--stats", "stats.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const int noisy = json::parse(read("stats.json")).at("noise").at("noisy_pixels");
+  EXPECT_GT(noisy, 0);
+  EXPECT_THAT(result.err, HasSubstr(std::to_string(noisy) + " pixel"));
+  EXPECT_THAT(result.err, HasSubstr("after 4096 samples"));
+}
+
 TEST_F(RenderCommand, TellsHowManyPixelsAreUncertainAndFailsIfItIsStrict) {
   EXPECT_THAT(render({"--strict"}).err, Not(HasSubstr("could be off")));
   // Seen from inside the large ball, its surface and the small cone in it are closer than the ball's rounding.
