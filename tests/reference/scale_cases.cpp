@@ -147,10 +147,15 @@ ScaleCase opposed_case(RandomSource& random, const Combination& combination, int
   blob.components.push_back(component);
   blob.origins.resize(1);
 
-  // The ball's field is the same as the component's at a place next to the skeleton, so a surface is close to it.
+  // The ball's field is the same as the component's at a place next to the skeleton, so a surface is close to it. It is
+  // no place where a hard field is flat or a spike (within a half-space it is eʰ): there a position says nothing.
   const ReferenceField alone(database, blob);
+  const auto is_on_slope = [&](const Vec3& p) {
+    const long double value = alone.value({p.x, p.y, p.z});
+    return value > 10 && value < 1e6L;
+  };
   Vec3 at = aim_at(random, component);
-  for (int i = 0; i < 100 && alone.value({at.x, at.y, at.z}) < 10; ++i) at = aim_at(random, component);
+  for (int i = 0; i < 1000 && !is_on_slope(at); ++i) at = aim_at(random, component);
   const double hardness = 200, radius = 0.5;
   const Vec3 centre = at + random.direction() * (radius * random.between(0.2, 0.9));
   scene::Component ball = point(centre, radius);

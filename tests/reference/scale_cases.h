@@ -40,8 +40,8 @@ struct ScaleCase {
                                    int lines);
 
 /// A component, and a ball that takes away from it: their surface is where the two differ by the threshold, far within
-/// both, and the fields there are a share of the component's greatest that is drawn at random. A relative error of
-/// either field moves the surface, although an error where the field is worth 1 need not.
+/// both, where their fields are worth 10 to 10⁶. A relative error of either field moves the surface, although the same
+/// error where the field is worth 1 would hardly move it.
 [[nodiscard]] ScaleCase opposed_case(RandomSource& random, const Combination& combination, int lines);
 
 }  // namespace isl::reference
