@@ -5,9 +5,10 @@
 // is zero: near the surface both terms are small where r is, unlike those of the textbook's (|p|² + R² − r²)² − 4R²(x²
 // + z²). Along the stretch of a line within the ball of radius R + r and the slab |y| ≤ r, f is a quartic over [0, 1];
 // its Bernstein coefficients are products of those of |p|² (p₀², p₀·p₁, p₁²) and y. polynomial_roots.h finds brackets
-// within which it changes sign once. There Newton's steps on the quartic come near the root, and those on the distance
-// itself, √((ρ − R)² + y²) − r, ρ² = x² + z², take out what the coefficients' rounding, of the size of R⁴, left. Where
-// they do not converge within the bracket, the sign change is found to the last digit first.
+// within which it changes sign once. There Newton's steps on the quartic come near the root, and those on (ρ − R)² +
+// y² − r², ρ² = x² + z², take out what the coefficients' rounding, of the size of R⁴, left: its terms are of the size
+// of r² near the surface. Where they do not converge within the bracket, the sign change is found to the last digit
+// first.
 //
 // For r > R (a spindle) f is also zero on the lemon within, which bounds nothing, and touches zero where the axis meets
 // the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
@@ -70,16 +71,15 @@ Quartic quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, double&
   return p;
 }
 
-/// Newton's steps on the distance while they help; the root is simple wherever they are long. True if the last one was
-/// not longer than `shortest`.
+/// Newton's steps on the square of the distance while they help; the root is simple wherever they are long. True if the
+/// last one was not longer than `shortest`.
 bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double longest, double shortest,
             double& t) {
   for (int step = 0; step < 3; ++step) {
     const Vec3 p = origin + direction * t;
     const double rho = from_axis(p), across = rho - solid.radius_a;
-    const double distance = std::sqrt(across * across + p.y * p.y);
-    const double slope = (across * (p.x * direction.x + p.z * direction.z) / rho + p.y * direction.y) / distance;
-    const double move = (distance - solid.radius_b) / slope;
+    const double slope = across * (p.x * direction.x + p.z * direction.z) / rho + p.y * direction.y;
+    const double move = (across * across + p.y * p.y - solid.radius_b * solid.radius_b) / (2 * slope);
     if (!(std::abs(move) <= longest)) return false;
     t -= move;
     if (std::abs(move) <= shortest) return true;

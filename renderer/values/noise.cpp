@@ -4,6 +4,7 @@
 #include "renderer/values/noise_tables.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace isl::values {
@@ -24,6 +25,8 @@ double s_curve(double t) { return t * t * (3 - 2 * t); }
 
 /// Two numbers that are computed side by side. Both have the digits that they would have alone.
 using Pair [[gnu::vector_size(16)]] = double;
+using PairOfBits [[gnu::vector_size(16)]] = std::int64_t;
+constexpr Pair kOne = {1, 1};
 
 /// The lattice cell around a point. Arrays are by corner, the near one first.
 struct Cell {
@@ -33,17 +36,16 @@ struct Cell {
   std::uint32_t z[2];            ///< coordinates modulo kHashes
 };
 
-/// Below it, kUnits rounds to integers.
-constexpr double kPlainCoordinate = 0x1p51;
-/// Its neighbours are the next integers, so that adding and subtracting it rounds a number of its sign.
-constexpr double kUnits = 0x1p52;
+/// Adding and subtracting this rounds numbers below kPlainCoordinate to integers, because its neighbours are the next
+/// integers, and so are those of the sum.
+constexpr double kUnits = 0x1.8p52, kPlainCoordinate = 0x1p51;
 
 /// The lattice coordinate below p, and p's distance from it.
 std::uint32_t cell_of(double p, double& fraction) {
   double below = 0;
   // The library's floor takes as long as the rest.
   if (std::abs(p) < kPlainCoordinate) [[likely]] {
-    const double units = std::copysign(kUnits, p), nearest = (p + units) - units;
+    const double nearest = (p + kUnits) - kUnits;
     below = nearest > p ? nearest - 1 : nearest;
     fraction = p - below + 0.0;  // the sum makes 0 of −0
   } else {
@@ -107,16 +109,17 @@ bool lattice_sums(const Vec3& p, const Vec3& q, Pair& sums) {
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(p[i]) < kPlainCoordinate && std::abs(q[i]) < kPlainCoordinate)) return false;
     const Pair t = {p[i], q[i]};
-    const Pair units = {std::copysign(kUnits, p[i]), std::copysign(kUnits, q[i])};
-    const Pair nearest = (t + units) - units;
-    const Pair below = nearest > t ? nearest - 1 : nearest;
+    const Pair nearest = (t + kUnits) - kUnits;
+    const Pair below = nearest - std::bit_cast<Pair>((nearest > t) & std::bit_cast<PairOfBits>(kOne));
+    // The low bits of the sum are those of the integer. Those that do not fit have the low bits of to_integer's −2³¹.
+    const PairOfBits cell = std::bit_cast<PairOfBits>(below + kUnits) & (below < 0x1p31) & (below >= -0x1p31);
     const Pair fraction = t - below + 0.0;
     from_corner[i][0] = fraction;
     from_corner[i][1] = fraction - 1;
     weight[i][1] = fraction * fraction * (3 - 2 * fraction);
     weight[i][0] = 1 - weight[i][1];
-    at[i][0] = static_cast<std::uint32_t>(to_integer(below[0])) + kLatticeOrigin;
-    at[i][1] = static_cast<std::uint32_t>(to_integer(below[1])) + kLatticeOrigin;
+    at[i][0] = static_cast<std::uint32_t>(cell[0]) + kLatticeOrigin;
+    at[i][1] = static_cast<std::uint32_t>(cell[1]) + kLatticeOrigin;
   }
   std::uint32_t of_xy[2][2][2];  // by point, x and y
   for (std::uint32_t i = 0; i < 2; ++i) {
