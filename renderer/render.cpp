@@ -38,6 +38,13 @@ PixelRect with_neighbours(const PixelRect& window, const RenderOptions& options)
   return clipped({window.x0 - border, window.y0 - border, window.x1 + border, window.y1 + border}, options);
 }
 
+/// The part of the picture to render.
+PixelRect window_of(const RenderOptions& options) {
+  return clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options);
+}
+
+PixelRect film_rect(const RenderOptions& options) { return with_neighbours(window_of(options), options); }
+
 /// The images that the scene's textures refer to. Those of functions cannot be told apart, so that they are all needed.
 std::vector<bool> needed_images(const scene::Database& database) {
   std::vector<bool> is_needed(database.images.size(), !database.functions.empty());
@@ -52,8 +59,8 @@ class Rendering {
   Rendering(const scene::Database& database, const Tracer& tracer, const RenderOptions& options, const Plan& plan,
             const ImageTable* images)
       : options_(options),
-        window_(clipped(options.crop.value_or(PixelRect{0, 0, options.width, options.height}), options)),
-        film_(with_neighbours(window_, options), options.aovs,
+        window_(window_of(options)),
+        film_(film_rect(options), options.aovs,
               plan.is_soft() || options.max_noise ? std::optional<WorkingSpace>(database.settings) : std::nullopt),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         sampler_(database, tracer, plan,
@@ -221,6 +228,14 @@ RenderResult render(const scene::Database& database, const Tracer& tracer, const
       refused.refusal = std::move(refusal);
       return refused;
     }
+  }
+  Charge noise_memory(options.run.budget);
+  if (options.max_noise && !noise_memory.grow(PixelNoise::bytes_for(film_rect(options).area()))) {
+    RenderResult refused;
+    refused.refusal = scene::Refusal{
+        .message = "a picture of this size that stops by its noise takes more memory than the limit leaves",
+        .hint = "`--max-memory` raises the limit, and `--samples` takes less"};
+    return refused;
   }
   Rendering rendering(database, tracer, options, plan, &images);
   const int threads = options.threads > 0 ? options.threads : default_thread_count();

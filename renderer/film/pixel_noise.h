@@ -18,6 +18,9 @@ inline constexpr int kMostNoisePasses = 16;
 
 class PixelNoise {
  public:
+  /// Memory that the noise of so many pixels takes.
+  [[nodiscard]] static std::size_t bytes_for(std::size_t pixels) { return pixels * sizeof(Pixel); }
+
   /// `film` gets the noise for its layer.
   explicit PixelNoise(Film& film) : film_(film), pixels_(film.rect().area()) {}
 
