@@ -189,21 +189,18 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
       ->group(group);
 
   group = "Quality";
-  auto* const antialiasing =
-      add(app, "--aa", "T", "Take 16 samples where neighbouring pixels differ by more than T [0.1]",
-          number_from(0, kUnbounded), [&picture](double v) { picture.aa_threshold = v; });
-  antialiasing->group(group);
-  auto* const samples =
-      add(app, "--samples", "N", "Take exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
-          [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); });
-  samples->group(group);
-  auto* const noise =
-      add(app, "--max-noise", "E",
-          fmt::format("Take samples in every pixel, {} to {}, until its noise is below E, as a share of the display's "
-                      "range [{} in scenes with soft light or focal blur]",
-                      render::kFirstSamples, render::kMostSamples, kSoftNoise),
-          number_from(kLeastNoise, 1), [&picture](double v) { picture.max_noise = v; });
-  noise->group(group)->excludes(samples)->excludes(antialiasing);
+  add(app, "--aa", "T", "Take 16 samples where neighbouring pixels differ by more than T [0.1]",
+      number_from(0, kUnbounded), [&picture](double v) { picture.aa_threshold = v; })
+      ->group(group);
+  add(app, "--samples", "N", "Take exactly N samples in every pixel; turns --aa off", integer_from(1, 65536),
+      [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); })
+      ->group(group);
+  add(app, "--max-noise", "E",
+      fmt::format("Take samples in every pixel, {} to {}, until its noise is below E, as a share of the display's "
+                  "range [{} in scenes with soft light or focal blur]",
+                  render::kFirstSamples, render::kMostSamples, kSoftNoise),
+      number_from(kLeastNoise, 1), [&picture](double v) { picture.max_noise = v; })
+      ->group(group);
   add_quality(app, picture.quality, group);
   add(app, "--solver", "NAME",
       fmt::format("{}; paper and iso take switches after commas: {} [hermite]", solvers_text(), solver_switches_text()),

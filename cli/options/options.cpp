@@ -78,6 +78,11 @@ std::optional<Finished> check_picture_options(const SceneOptions& scene, const P
   if (picture.solver && picture.solver->name == render::SolverName::exact && picture.tolerance) {
     return bad_command_line("--tolerance: the solver exact takes no tolerance", "leave out one of the two");
   }
+  if (picture.max_noise && (picture.samples || picture.aa_threshold)) {
+    return bad_command_line(fmt::format("--max-noise: {} is another rule for the number of samples",
+                                        picture.samples ? "--samples" : "--aa"),
+                            "leave out one of the two");
+  }
   if (const auto complaint = check_output_options(picture, scene.format)) {
     return bad_command_line(complaint->message, complaint->hint);
   }

@@ -38,7 +38,8 @@ TEST(Options, DefaultsAreThoseOfTheManual) {
   EXPECT_EQ(command.scene.limits.max_depth, 1000u);
   EXPECT_EQ(command.scene.limits.max_include_depth, 32u);
   EXPECT_EQ(command.scene.format, OutputFormat::text);
-  EXPECT_EQ(command.picture.aa_threshold, 0.1);
+  EXPECT_FALSE(command.picture.aa_threshold.has_value());
+  EXPECT_FALSE(command.picture.max_noise.has_value());
   EXPECT_EQ(command.picture.threads, 0);
   EXPECT_EQ(command.picture.quality, 9);
   EXPECT_FALSE(command.picture.samples.has_value());

@@ -32,7 +32,7 @@ TEST_F(Unrendered, IsAnErrorOfRenderAtItsPlace) {
   EXPECT_THAT(result.err,
               HasSubstr("scene.isl:2:54: error: a `normal` that depends on a density file is not rendered yet"));
   EXPECT_THAT(result.err,
-              HasSubstr("scene.isl:3:41: error: a pigment that depends on a density file is not rendered yet"));
+              HasSubstr("scene.isl:3:42: error: a pigment that depends on a density file is not rendered yet"));
   EXPECT_THAT(result.err, HasSubstr("2 times in the scene, this is the first; `--lenient` leaves it out"));
   EXPECT_THAT(result.err, HasSubstr("Ball"));
   EXPECT_FALSE(exists("scene.png"));

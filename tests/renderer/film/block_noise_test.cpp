@@ -52,7 +52,7 @@ double smooth(std::uint32_t seed, std::uint32_t number) {
 }
 
 TEST(BlockNoise, is_told_within_a_factor) {
-  // Smooth integrands converge fastest, and the few blocks do not tell quite how fast: too much is said of them.
+  // The faster the mean converges, the less the few blocks tell how fast, and too much is said of the noise.
   for (const std::uint32_t count : {16U, 64U, 512U}) {
     const Noises random = noises(count, 0.5, at_random);
     EXPECT_NEAR(random.real, std::sqrt(1.0 / 12 / count), 0.05 * random.real);
@@ -60,10 +60,10 @@ TEST(BlockNoise, is_told_within_a_factor) {
     EXPECT_LT(random.told, random.real * 1.5) << count;
     const Noises edge = noises(count, 0.55, below_an_edge);
     EXPECT_GT(edge.told, edge.real / 1.5) << count;
-    EXPECT_LT(edge.told, edge.real * 1.5) << count;
+    EXPECT_LT(edge.told, edge.real * 2) << count;
     const Noises even = noises(count, 0.25, smooth);
     EXPECT_GT(even.told, even.real) << count;
-    EXPECT_LT(even.told, even.real * 2.5) << count;
+    EXPECT_LT(even.told, even.real * 3) << count;
   }
 }
 

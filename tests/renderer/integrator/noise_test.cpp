@@ -14,7 +14,7 @@ TEST(MaxNoise, is_kept_and_not_undercut_by_far) {
   // noise_soak draws a hundred scenes; of these few, none may be an exception.
   int told = 0;
   for (std::uint32_t scene = 1; scene <= 6; ++scene) {
-    const double ratio = noise_over_asked(noise_scene(scene), 0.04, 1024, 24);
+    const double ratio = noise_over_asked(noise_scene(scene), 0.02, 2048, 24);
     if (std::isnan(ratio)) continue;
     ++told;
     EXPECT_GE(ratio, 0.5) << scene;
