@@ -60,8 +60,9 @@ class Rendering {
             const ImageTable* images)
       : options_(options),
         window_(window_of(options)),
+        is_soft_(plan.is_soft() || options.max_noise),
         film_(film_rect(options), options.aovs,
-              plan.is_soft() || options.max_noise ? std::optional<WorkingSpace>(database.settings) : std::nullopt),
+              is_soft_ ? std::optional<WorkingSpace>(database.settings) : std::nullopt),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
@@ -162,14 +163,15 @@ class Rendering {
     Workspace& workspace = workspaces_.local();
     pixels_of(tile, workspace.pixels);
     workspace.samples.clear();
+    workspace.places.clear();
     for (const Pixel& pixel : workspace.pixels) {
       const Range range = wanted(pixel);
-      const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
+      const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
+      const std::uint32_t seed = is_soft_ ? pixel_seed(pixel.x, pixel.y) : 0;
       for (std::size_t i = range.first; i < range.last; ++i) {
         const auto [x, y] = noise_ ? spread_offset(seed, i) : pattern_[i];
-        workspace.samples.push_back({pixel.x + 0.5 + x, pixel.y + 0.5 + y,
-                                     static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y)), i == 0,
-                                     i + 1 == range.last, among(seed, i)});
+        workspace.samples.push_back({pixel.x + 0.5 + x, pixel.y + 0.5 + y, at, i == 0, i + 1 == range.last});
+        if (is_soft_) workspace.places.push_back(among(seed, i));
         if (workspace.samples.size() == kBatchSize) flush(workspace);
       }
     }
@@ -197,12 +199,15 @@ class Rendering {
     if (workspace.samples.empty()) return;
     std::optional<NoiseObserver> observer;
     if (noise_) observer.emplace(*noise_, workspace.noise);
-    if (!sampler_.trace(workspace.samples, workspace, observer ? &*observer : nullptr)) skipped_ = true;
+    if (!sampler_.trace(workspace.samples, workspace.places, workspace, observer ? &*observer : nullptr))
+      skipped_ = true;
     workspace.samples.clear();
+    workspace.places.clear();
   }
 
   const RenderOptions& options_;
   PixelRect window_;
+  bool is_soft_;  ///< samples are spread over more than the pixel, or stop by their noise
   Film film_;
   std::vector<SampleOffset> pattern_;
   Sampler sampler_;

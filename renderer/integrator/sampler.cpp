@@ -32,33 +32,37 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
   return true;
 }
 
-Ray Sampler::camera_ray(const CameraSample& sample) const {
-  if (!lens_) return camera_.through(sample.x, sample.y);
-  const std::uint32_t seed = derived_seed(sample.among.seed, static_cast<std::uint32_t>(SampleUse::lens));
-  return camera_.through(sample.x, sample.y, lens_->offset(centred_sample_point(seed, sample.among.index)));
+Ray Sampler::blurred_ray(const CameraSample& sample, const PixelSample& place) const {
+  const std::uint32_t seed = derived_seed(place.seed, static_cast<std::uint32_t>(SampleUse::lens));
+  return camera_.through(sample.x, sample.y, lens_->offset(centred_sample_point(seed, place.index)));
 }
 
-bool Sampler::trace(std::span<const CameraSample> samples, Workspace& workspace, SampleObserver* observer) const {
+void Sampler::add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
+  film_.add_sample(sample.pixel, colour, alpha);
+  if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
+}
+
+bool Sampler::trace(std::span<const CameraSample> samples, std::span<const PixelSample> places, Workspace& workspace,
+                    SampleObserver* observer) const {
   PathMemory& paths = workspace.paths;
   std::vector<Ray>& rays = paths.camera_rays();
   rays.clear();
-  paths.pixel_samples.clear();
-  for (const CameraSample& sample : samples) rays.push_back(camera_ray(sample));
-  if (integrator_.is_soft()) {
-    for (const CameraSample& sample : samples) paths.pixel_samples.push_back(sample.among);
+  paths.pixel_samples.assign(places.begin(), places.end());
+  if (lens_) {
+    for (std::size_t i = 0; i < samples.size(); ++i) rays.push_back(blurred_ray(samples[i], places[i]));
+  } else {
+    for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
   }
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const bool is_blank = rays[i].direction == Vec3(0);  // the camera shows nothing there
-    const Rgb colour = is_blank            ? Rgb(0)
-                       : film_.is_linear() ? working_space_.to_linear(paths.colours[i])
-                                           : paths.colours[i];
-    const double alpha = is_blank ? blank_alpha_ : paths.alphas[i];
-    film_.add_sample(samples[i].pixel, colour, alpha);
-    if (observer) observer->add(samples[i], {colour.x, colour.y, colour.z, alpha});
-    if (is_blank) continue;
+    if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
+      add(samples[i], Rgb(0), blank_alpha_, observer);
+      continue;
+    }
+    const Rgb& colour = paths.colours[i];
+    add(samples[i], film_.is_linear() ? working_space_.to_linear(colour) : colour, paths.alphas[i], observer);
     if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
   return true;

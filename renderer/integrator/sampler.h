@@ -24,7 +24,6 @@ struct CameraSample {
   std::uint32_t pixel = 0;  ///< its index in the film
   bool is_centre = false;   ///< the pixel's first sample, which fills the layers
   bool is_last = false;     ///< of the pixel's in its pass
-  PixelSample among{};      ///< its place among the pixel's samples, if the picture has something soft
 };
 
 /// Is told of the colours of samples, in their order, as they are added to the film.
@@ -38,7 +37,8 @@ class SampleObserver {
 struct Workspace {
   std::vector<Pixel> pixels;
   std::vector<CameraSample> samples;
-  BlockNoise noise;  ///< of the present pixel
+  std::vector<PixelSample> places;  ///< of the samples among those of their pixels, if the picture has something soft
+  BlockNoise noise;                 ///< of the present pixel
   PathMemory paths;
 };
 
@@ -57,17 +57,19 @@ class Sampler {
     if (plan.has("focal_blur")) lens_.emplace(database, run, images);
   }
 
-  /// Traces the samples and adds them to the film in their order. A pixel must not be in the batches of two threads at
-  /// a time. False if the run was stopped or refused meanwhile: the film gets none of them. `observer` may be null.
-  [[nodiscard]] bool trace(std::span<const CameraSample> samples, Workspace& workspace,
-                           SampleObserver* observer = nullptr) const;
+  /// Traces the samples and adds them to the film in their order. `places` are empty if nothing is soft. A pixel must
+  /// not be in the batches of two threads at a time. False if the run was stopped or refused meanwhile: the film gets
+  /// none of them. `observer` may be null.
+  [[nodiscard]] bool trace(std::span<const CameraSample> samples, std::span<const PixelSample> places,
+                           Workspace& workspace, SampleObserver* observer = nullptr) const;
 
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
 
  private:
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
-  [[nodiscard]] Ray camera_ray(const CameraSample& sample) const;
+  void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const;
+  [[nodiscard]] Ray blurred_ray(const CameraSample& sample, const PixelSample& place) const;
 
   Integrator integrator_;
   CameraRays camera_;

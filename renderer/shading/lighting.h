@@ -69,8 +69,8 @@ inline constexpr double kNothingBetween = std::numeric_limits<double>::denorm_mi
 /// Light from a point of a light source. Parallel light runs from that point towards point_at everywhere. It comes from
 /// the plane through the point; what lies before that plane has it too, as in POV-Ray, and nothing can be in between.
 /// The beam of a `cylinder` begins at the plane.
-[[nodiscard]] inline LightSample sample_light_from(const scene::Light& light, const Vec3& source,
-                                                   const Vec3& position) {
+[[nodiscard, gnu::always_inline]] inline LightSample sample_light_from(const scene::Light& light, const Vec3& source,
+                                                                       const Vec3& position) {
   if (is_parallel(light)) [[unlikely]] {
     const Vec3 axis = (light.point_at - source).normalized();
     const double distance = (position - source).dot(axis);
