@@ -178,7 +178,8 @@ class Rendering {
     flush(workspace);
   }
 
-  [[nodiscard]] static SampleOffset spread_offset(std::uint32_t seed, std::size_t i) {
+  // Not to be computed for pictures that have no use for it.
+  [[nodiscard, gnu::noinline]] static SampleOffset spread_offset(std::uint32_t seed, std::size_t i) {
     const auto use = static_cast<std::uint32_t>(SampleUse::pixel);
     const UnitPoint point = centred_sample_point(derived_seed(seed, use), static_cast<std::uint32_t>(i));
     return {point.u - 0.5, point.v - 0.5};
