@@ -1,5 +1,5 @@
-// What the effects of light from around have in common: their statements in global_settings, with a distance and a
-// number of samples, and the rays from a block's points.
+// The effects of light from around share these: statements in global_settings that have a distance and a number of
+// samples, and rays that start at a block's points.
 #pragma once
 
 #include "renderer/effects/effect.h"

@@ -99,7 +99,7 @@ class SignFollower {
     Polynomial p;
     double low, high;
   };
-  /// Whether there are certain coefficients of these signs.
+  /// The signs that some coefficient has for certain.
   struct Signs {
     bool positive = false, negative = false;
   };
@@ -116,7 +116,7 @@ class SignFollower {
     return signs;
   }
 
-  /// Whether the certain coefficients change their sign once, from sign_ on, or not at all. Precondition: the last one
+  /// True if the certain coefficients change their sign at most once, beginning with sign_. Precondition: the last one
   /// is certain and of the other sign.
   template <class Polynomial>
   [[nodiscard]] bool changes_once(const Polynomial& p, double band) const {
