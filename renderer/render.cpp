@@ -61,6 +61,7 @@ class Rendering {
       : options_(options),
         window_(window_of(options)),
         is_soft_(plan.is_soft() || options.max_noise),
+        first_samples_(static_cast<std::size_t>(first_samples(plan))),
         film_(film_rect(options), options.aovs,
               is_soft_ ? std::optional<WorkingSpace>(database.settings) : std::nullopt),
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
@@ -134,7 +135,7 @@ class Rendering {
         const std::size_t at = film_.rect().index(pixel.x, pixel.y);
         const std::size_t count = film_.samples(at);
         if (!noise.is_chosen(at)) return Range{};
-        return count == 0 ? Range{0, kFirstSamples} : Range{count, 2 * count};
+        return count == 0 ? Range{0, first_samples_} : Range{count, 2 * count};
       });
     }
     noise.choose(max_noise, kMostSamples);
@@ -166,23 +167,35 @@ class Rendering {
     workspace.places.clear();
     for (const Pixel& pixel : workspace.pixels) {
       const Range range = wanted(pixel);
-      const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
-      const std::uint32_t seed = is_soft_ ? pixel_seed(pixel.x, pixel.y) : 0;
-      for (std::size_t i = range.first; i < range.last; ++i) {
-        const auto [x, y] = noise_ ? spread_offset(seed, i) : pattern_[i];
-        workspace.samples.push_back({pixel.x + 0.5 + x, pixel.y + 0.5 + y, at, i == 0, i + 1 == range.last});
-        if (is_soft_) workspace.places.push_back(among(seed, i));
-        if (workspace.samples.size() == kBatchSize) flush(workspace);
+      if (range.first == range.last) continue;
+      if (is_soft_) {
+        trace_soft_pixel(pixel, range, workspace);
+      } else {
+        for (std::size_t i = range.first; i < range.last; ++i) push_sample(pixel, range, i, pattern_[i], workspace);
       }
     }
     flush(workspace);
   }
 
-  // Not to be computed for pictures that have no use for it.
-  [[nodiscard, gnu::noinline]] static SampleOffset spread_offset(std::uint32_t seed, std::size_t i) {
-    const auto use = static_cast<std::uint32_t>(SampleUse::pixel);
-    const UnitPoint point = centred_sample_point(derived_seed(seed, use), static_cast<std::uint32_t>(i));
-    return {point.u - 0.5, point.v - 0.5};
+  void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
+    const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
+    const CentredPoints points(derived_seed(seed, static_cast<std::uint32_t>(SampleUse::pixel)));
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      workspace.places.push_back(among(seed, i));
+      if (noise_) {
+        const UnitPoint point = points[static_cast<std::uint32_t>(i)];
+        push_sample(pixel, range, i, {point.u - 0.5, point.v - 0.5}, workspace);
+      } else {
+        push_sample(pixel, range, i, pattern_[i], workspace);
+      }
+    }
+  }
+
+  void push_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,
+                   Workspace& workspace) {
+    const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
+    workspace.samples.push_back({pixel.x + 0.5 + offset.x, pixel.y + 0.5 + offset.y, at, i == 0, i + 1 == range.last});
+    if (workspace.samples.size() == kBatchSize) flush(workspace);
   }
 
   /// A sample takes one point of every integral if the pixel's noise tells when there are enough. Else the pixel takes
@@ -209,6 +222,7 @@ class Rendering {
   const RenderOptions& options_;
   PixelRect window_;
   bool is_soft_;  ///< samples are spread over more than the pixel, or stop by their noise
+  std::size_t first_samples_;
   Film film_;
   std::vector<SampleOffset> pattern_;
   Sampler sampler_;
@@ -220,6 +234,12 @@ class Rendering {
 };
 
 }  // namespace
+
+int first_samples(const Plan& plan) {
+  const bool looks_around = std::ranges::any_of(
+      plan.called_for, [](const PlannedEffect& planned) { return planned.effect->stages.around != nullptr; });
+  return looks_around ? 8 : 4;
+}
 
 RenderResult render(const scene::Database& database, const Tracer& tracer, const RenderOptions& options) {
   ISL_CHECK(options.width >= 1 && options.height >= 1, "picture of {}x{}", options.width, options.height);

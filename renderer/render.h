@@ -23,7 +23,7 @@ struct RenderOptions {
   /// kAdaptiveSamples where pixels differ.
   std::optional<int> samples;
   /// The noise of a pixel below which it gets no more samples (above 0): the RMS error over its channels of display
-  /// code (0 to 1), as its samples tell. Pixels get kFirstSamples at least and kMostSamples at most.
+  /// code (0 to 1), as its samples tell. Pixels get first_samples() at least and kMostSamples at most.
   std::optional<double> max_noise;
   /// The greatest difference of neighbouring pixels, in any channel of display code (0 to 1), above which both get all
   /// samples.
@@ -45,8 +45,9 @@ struct RenderOptions {
 /// Total number of rays of a pixel that differs from a neighbour.
 inline constexpr int kAdaptiveSamples = 16;
 
-/// Limits of the samples of a pixel that stops by its noise; powers of two.
-inline constexpr int kFirstSamples = 8;
+/// Limits of the samples of a pixel that stops by its noise; powers of two. Directions all around need more first
+/// samples than the points of a light or lens: what few of them miss is often a small bright part of the sky.
+[[nodiscard]] int first_samples(const Plan& plan);
 inline constexpr int kMostSamples = 4096;
 
 struct RenderStatistics {

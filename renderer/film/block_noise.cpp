@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
 
 namespace isl::render {
 namespace {
@@ -34,22 +33,33 @@ struct Fits {
   Fit large, small;
 };
 
-Fits fits(const std::vector<Scale>& scales, double p) {
-  Fits result;
-  for (std::size_t i = 0; i < scales.size() && i < kLargeScales + kSmallScales; ++i)
-    (i < kLargeScales ? result.large : result.small).add(scales[i], p);
-  return result;
-}
+/// From the largest blocks on.
+class Scales {
+ public:
+  void add(const Scale& scale) {
+    if (count_ < list_.size()) list_[count_++] = scale;
+  }
+  [[nodiscard]] bool has_small() const { return count_ > kLargeScales; }
+  [[nodiscard]] Fits fits(double p) const {
+    Fits result;
+    for (std::size_t i = 0; i < count_; ++i) (i < kLargeScales ? result.large : result.small).add(list_[i], p);
+    return result;
+  }
+
+ private:
+  std::array<Scale, kLargeScales + kSmallScales> list_{};
+  std::size_t count_ = 0;
+};
 
 /// The rate p at which both parts agree on d(n). That of random samples is 1 and that of smooth integrands 3; as much
 /// below 1 as a few blocks err above it keeps the mean honest.
-double rate(const std::vector<Scale>& scales) {
+double rate(const Scales& scales) {
   double low = 0.75, high = 3;
-  if (scales.size() <= kLargeScales) return 1;
+  if (!scales.has_small()) return 1;
   constexpr int kHalvings = 12;  // far more exact than the few blocks can tell
   for (int i = 0; i < kHalvings; ++i) {
     const double p = (low + high) / 2;
-    const Fits at = fits(scales, p);
+    const Fits at = scales.fits(p);
     (at.small.mean() > at.large.mean() ? low : high) = p;
   }
   return (low + high) / 2;
@@ -82,7 +92,7 @@ double BlockNoise::variance(const Value* before, const Value& weights) const {
     for (std::size_t i = 0; i < kChannels; ++i) sum += weights[i] * weights[i] * squares[i];
     return sum;
   };
-  std::vector<Scale> scales;
+  Scales scales;
   double halvings = 1;
   if (before) {
     Value squares;
@@ -90,12 +100,12 @@ double BlockNoise::variance(const Value* before, const Value& weights) const {
       const double half = ((*before)[i] - partial_[top][i]) / 2;
       squares[i] = half * half;
     }
-    scales.push_back({weighted(squares), 1, halvings++});
+    scales.add({weighted(squares), 1, halvings++});
   }
   for (std::size_t level = top; level-- > 0; ++halvings)
-    scales.push_back({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1)), halvings});
+    scales.add({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1)), halvings});
   const double p = rate(scales);
-  const Fits at = fits(scales, p);
+  const Fits at = scales.fits(p);
   return (at.large.sum + at.small.sum) / (at.large.pairs + at.small.pairs) / (1 - std::exp2(-p));
 }
 

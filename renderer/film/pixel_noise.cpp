@@ -8,27 +8,40 @@
 
 namespace isl::render {
 
+PixelRect PixelNoise::around(int x, int y) const {
+  const PixelRect& rect = film_.rect();
+  return {std::max(x - 1, rect.x0), std::max(y - 1, rect.y0), std::min(x + 2, rect.x1), std::min(y + 2, rect.y1)};
+}
+
+/// True if one of the pixels was chosen for the last pass.
+bool PixelNoise::has_news(const PixelRect& around) const {
+  for (int y = around.y0; y < around.y1; ++y) {
+    const auto row = chosen_before_.begin() + static_cast<std::ptrdiff_t>(film_.rect().index(around.x0, y));
+    if (std::any_of(row, row + around.width(), [](std::uint8_t chosen) { return chosen != 0; })) return true;
+  }
+  return false;
+}
+
 /// The error that a pixel may have because of what its samples miss, in codes of a display.
-double PixelNoise::missed(int x, int y) const {
+double PixelNoise::missed(std::size_t pixel, const PixelRect& around) const {
   // Of n evenly spread samples none falls into a part of the size a < 1/n with the probability 1 - n a. If all sizes
   // are equally likely beforehand, the mean of a² is 1/(6 n²) then. What is there differs by no more than all samples
   // around do; the mean square of such a difference is a third of the greatest.
   constexpr double kShare = 0.2357022603955158;  // √(1/18)
-  const PixelRect& rect = film_.rect();
   double darkest = std::numeric_limits<double>::infinity(), brightest = -darkest;
-  for (int row = std::max(y - 1, rect.y0); row < std::min(y + 2, rect.y1); ++row) {
-    for (int column = std::max(x - 1, rect.x0); column < std::min(x + 2, rect.x1); ++column) {
-      const Pixel& pixel = pixels_[rect.index(column, row)];
-      darkest = std::min(darkest, static_cast<double>(pixel.darkest));
-      brightest = std::max(brightest, static_cast<double>(pixel.brightest));
+  for (int y = around.y0; y < around.y1; ++y) {
+    for (int x = around.x0; x < around.x1; ++x) {
+      const Pixel& other = pixels_[film_.rect().index(x, y)];
+      darkest = std::min(darkest, static_cast<double>(other.darkest));
+      brightest = std::max(brightest, static_cast<double>(other.brightest));
     }
   }
-  const std::size_t own = rect.index(x, y);
-  return kShare * pixels_[own].slope * (brightest - darkest) / film_.samples(own);
+  return kShare * pixels_[pixel].slope * (brightest - darkest) / film_.samples(pixel);
 }
 
 std::uint64_t PixelNoise::choose(double most, std::uint32_t most_samples) {
   const PixelRect& rect = film_.rect();
+  std::swap(chosen_, chosen_before_);
   std::atomic<std::uint64_t> chosen = 0;
   parallel_for(static_cast<std::size_t>(rect.height()), [&](std::size_t row) {
     const int y = rect.y0 + static_cast<int>(row);
@@ -36,12 +49,14 @@ std::uint64_t PixelNoise::choose(double most, std::uint32_t most_samples) {
     for (int x = rect.x0; x < rect.x1; ++x) {
       const std::size_t at = rect.index(x, y);
       Pixel& pixel = pixels_[at];
-      if (film_.samples(at) != 0) {
-        pixel.noise = static_cast<float>(std::hypot(pixel.own, missed(x, y)));
+      const PixelRect neighbours = around(x, y);
+      if (film_.samples(at) != 0 && has_news(neighbours)) {
+        const double may_miss = missed(at, neighbours);
+        pixel.noise = static_cast<float>(std::sqrt(pixel.own * pixel.own + may_miss * may_miss));
         film_.set_noise(at, static_cast<double>(pixel.noise));
       }
-      pixel.is_chosen = static_cast<double>(pixel.noise) > most && film_.samples(at) < most_samples;
-      count += pixel.is_chosen ? 1 : 0;
+      chosen_[at] = static_cast<double>(pixel.noise) > most && film_.samples(at) < most_samples ? 1 : 0;
+      count += chosen_[at];
     }
     chosen += count;
   });

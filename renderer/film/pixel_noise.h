@@ -7,6 +7,7 @@
 #include "renderer/film/block_noise.h"
 #include "renderer/film/film.h"
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -19,15 +20,16 @@ inline constexpr int kMostNoisePasses = 16;
 class PixelNoise {
  public:
   /// Memory that the noise of so many pixels takes.
-  [[nodiscard]] static std::size_t bytes_for(std::size_t pixels) { return pixels * sizeof(Pixel); }
+  [[nodiscard]] static std::size_t bytes_for(std::size_t pixels) { return pixels * (sizeof(Pixel) + 2); }
 
   /// `film` gets the noise for its layer.
-  explicit PixelNoise(Film& film) : film_(film), pixels_(film.rect().area()) {}
+  explicit PixelNoise(Film& film)
+      : film_(film), pixels_(film.rect().area()), chosen_(pixels_.size(), 1), chosen_before_(pixels_.size(), 1) {}
 
   /// Chooses the pixels that have more noise than `most` and less than `most_samples`; all at first. Returns their
   /// number. Rows are worked on in parallel.
   std::uint64_t choose(double most, std::uint32_t most_samples);
-  [[nodiscard]] bool is_chosen(std::size_t pixel) const { return pixels_[pixel].is_chosen; }
+  [[nodiscard]] bool is_chosen(std::size_t pixel) const { return chosen_[pixel] != 0; }
   /// The number of pixels with more noise than that, once nothing is to be chosen any more.
   [[nodiscard]] std::uint64_t count_above(const PixelRect& window, double noise) const;
 
@@ -41,13 +43,16 @@ class PixelNoise {
     double slope = 0;                                      ///< of a display's codes over the samples' brightness
     float noise = std::numeric_limits<float>::infinity();  ///< together with what may be missed
     float darkest = std::numeric_limits<float>::infinity(), brightest = -std::numeric_limits<float>::infinity();
-    bool is_chosen = false;
   };
 
-  [[nodiscard]] double missed(int x, int y) const;
+  /// A pixel and its neighbours on the film.
+  [[nodiscard]] PixelRect around(int x, int y) const;
+  [[nodiscard]] bool has_news(const PixelRect& around) const;
+  [[nodiscard]] double missed(std::size_t pixel, const PixelRect& around) const;
 
   Film& film_;
   std::vector<Pixel> pixels_;
+  std::vector<std::uint8_t> chosen_, chosen_before_;  ///< bytes, so that threads can write to neighbours
 };
 
 }  // namespace isl::render

@@ -32,9 +32,14 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
   return true;
 }
 
-Ray Sampler::blurred_ray(const CameraSample& sample, const PixelSample& place) const {
-  const std::uint32_t seed = derived_seed(place.seed, static_cast<std::uint32_t>(SampleUse::lens));
-  return camera_.through(sample.x, sample.y, lens_->offset(centred_sample_point(seed, place.index)));
+void Sampler::push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
+                           std::vector<Ray>& rays) const {
+  for (std::size_t i = 0; i < samples.size();) {
+    const std::uint32_t pixel = places[i].seed;
+    const CentredPoints points(derived_seed(pixel, static_cast<std::uint32_t>(SampleUse::lens)));
+    for (; i < samples.size() && places[i].seed == pixel; ++i)
+      rays.push_back(camera_.through(samples[i].x, samples[i].y, lens_->offset(points[places[i].index])));
+  }
 }
 
 void Sampler::add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
@@ -49,7 +54,7 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   rays.clear();
   paths.pixel_samples.assign(places.begin(), places.end());
   if (lens_) {
-    for (std::size_t i = 0; i < samples.size(); ++i) rays.push_back(blurred_ray(samples[i], places[i]));
+    push_blurred(samples, places, rays);
   } else {
     for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
   }

@@ -69,7 +69,8 @@ class Sampler {
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
   void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const;
-  [[nodiscard]] Ray blurred_ray(const CameraSample& sample, const PixelSample& place) const;
+  void push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
+                    std::vector<Ray>& rays) const;
 
   Integrator integrator_;
   CameraRays camera_;

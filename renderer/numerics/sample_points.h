@@ -70,14 +70,24 @@ namespace detail {
   return {detail::reversed_bits(first) * 0x1p-32, detail::reversed_bits(second) * 0x1p-32};
 }
 
-/// The same point, moved with its whole sequence round the edges of the square so that number 0 is in the middle.
-[[nodiscard]] constexpr UnitPoint centred_sample_point(std::uint32_t seed, std::uint32_t number) {
-  const UnitPoint point = sample_point(seed, number), first = sample_point(seed, 0);
-  const auto moved = [](double value, double middle) {
+/// The points of a seed, moved together round the edges of the square so that number 0 is in the middle.
+class CentredPoints {
+ public:
+  constexpr explicit CentredPoints(std::uint32_t seed) : seed_(seed), first_(sample_point(seed, 0)) {}
+
+  [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
+    const UnitPoint point = sample_point(seed_, number);
+    return {moved(point.u, first_.u), moved(point.v, first_.v)};
+  }
+
+ private:
+  [[nodiscard]] static constexpr double moved(double value, double middle) {
     const double sum = value - middle + 0.5;
     return sum < 0 ? sum + 1 : sum >= 1 ? sum - 1 : sum;
-  };
-  return {moved(point.u, first.u), moved(point.v, first.v)};
-}
+  }
+
+  std::uint32_t seed_;
+  UnitPoint first_;
+};
 
 }  // namespace isl::render

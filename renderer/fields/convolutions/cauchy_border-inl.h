@@ -2,6 +2,8 @@
 // With the depth d = 1 − y and Y = B − d the window is d²(B + 2Y)/(Y²B³), and all of it is positive. The closed forms
 // of segment_cauchy-inl.h and ring_cauchy-inl.h are differences there, which lose digits in proportion to (B/d)²; the
 // surfaces of hard kernels are as close to the border as d/B = 2.5/h. Gauss's rule sums what nothing is lost from.
+// Kernels whose surface is deeper than B/8 do without the sum: the error of the closed forms is the same at all depths,
+// and what it moves the surface by is decided where the surface lies.
 //
 // At most 1/32 of B deep, (B + 2Y)/Y² = Σ(k + 3)dᵏ/B^{k+1}. Along a segment d is a quadratic, so the rule of 8 points
 // is right up to the term k = 5, and the next ones are below 10⁻¹³ of the integral. Along a ring d = S − 2a sin²(φ/2);

@@ -27,8 +27,10 @@ namespace HWY_NAMESPACE {
 
 struct CauchyWindow {
   double epsilon, border;  ///< ε, B
+  bool is_steep;           ///< the surface of the kernel alone is at most B/8 deep
 
-  HWY_INLINE explicit CauchyWindow(const KernelConstants& k) : epsilon(k.a), border(1 + k.a) {}
+  HWY_INLINE explicit CauchyWindow(const KernelConstants& k)
+      : epsilon(k.a), border(1 + k.a), is_steep(8 * (1 - k.scale) < 1 + k.a) {}
 
   template <class N>
   [[nodiscard]] HWY_INLINE N value(const N& y) const {

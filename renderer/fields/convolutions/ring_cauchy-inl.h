@@ -57,10 +57,12 @@ template <class N>
   // Y₀ and S have an error of one unit in the last place of R, and E₃ and K of a part are differences.
   const N e3_terms = select(is_whole, e3, inverse * (N(3.0) * c * cut2 + cut1)) + e3 * (one + r) / y;
   result.value_terms = r * (e2 + two * border2 * arc.angle + two * border3 * plain) + (one + r) * r * two * e3;
-  const auto shallow = (N(0.0) < s) & (s < N(kShallow * window.border));
-  if (!none(shallow)) {
-    result.value = select(shallow, r * ring_at_border(window, s, a, arc.angle), result.value);
-    result.value_terms = select(shallow, result.value + (one + r) * abs(result.whole), result.value_terms);
+  if (window.is_steep) {
+    const auto shallow = (N(0.0) < s) & (s < N(kShallow * window.border));
+    if (!none(shallow)) {
+      result.value = select(shallow, r * ring_at_border(window, s, a, arc.angle), result.value);
+      result.value_terms = select(shallow, result.value + (one + r) * abs(result.whole), result.value_terms);
+    }
   }
   result.whole_terms = r * (two * e3_terms + N(4.0) * border3 * arc.angle);
   result.radial_terms =

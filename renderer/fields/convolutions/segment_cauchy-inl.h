@@ -46,12 +46,14 @@ template <class N>
   result.across = two * (u3 - border3 * d);
   result.along = two * (v3 - border3 * d * m);
   result.value_terms = u2 + length * border2 + border3 * (window1 + length);
-  const N beyond = max(N(0.0), abs(m) - d), depth = N(1.0) - chord.rho2 - beyond * beyond;  // the greatest
-  const auto shallow = (N(0.0) < d) & (N(0.0) < depth) & (depth < N(kShallow * window.border));
-  if (!none(shallow)) {
-    result.value = select(shallow, integral_at_border(window, chord.rho2, m, d), result.value);
-    // Rounding of ρ² and of the ends moves f by half its slopes.
-    result.value_terms = select(shallow, result.value + abs(result.across) + abs(result.along), result.value_terms);
+  if (window.is_steep) {
+    const N beyond = max(N(0.0), abs(m) - d), depth = N(1.0) - chord.rho2 - beyond * beyond;  // the greatest
+    const auto shallow = (N(0.0) < d) & (N(0.0) < depth) & (depth < N(kShallow * window.border));
+    if (!none(shallow)) {
+      result.value = select(shallow, integral_at_border(window, chord.rho2, m, d), result.value);
+      // Rounding of ρ² and of the ends moves f by half its slopes.
+      result.value_terms = select(shallow, result.value + abs(result.across) + abs(result.along), result.value_terms);
+    }
   }
   result.across_terms = two * (u3_scale * (N(3.0) * u2 + abs(difference)) + border3 * d);
   result.along_terms = two * (abs(v3) + border3 * abs(d * m));

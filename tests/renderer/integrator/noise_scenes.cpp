@@ -76,8 +76,9 @@ double noise_over_asked(const std::string& scene, double max_noise, int samples,
   const render::RenderResult truth = rendered(scene, size, options);
   double squares = 0;
   int pixels = 0;
+  const int first = render::first_samples(picture.statistics.plan);
   for (std::size_t i = 0; i < picture.image.window.area(); ++i) {
-    if (picture.image.layers.front().values[i] <= render::kFirstSamples) continue;
+    if (picture.image.layers.front().values[i] <= first) continue;
     ++pixels;
     for (std::size_t c = 0; c < 3; ++c) {
       const auto code = [&](const render::Image& image) { return render::display_from_linear(image.rgba[4 * i + c]); };

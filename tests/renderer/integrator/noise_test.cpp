@@ -32,7 +32,7 @@ render::RenderResult drawn(const std::string& scene, double max_noise) {
 
 TEST(MaxNoise, takes_the_first_samples_alone_where_nothing_differs) {
   const render::RenderResult flat = drawn("background { rgb .5 } camera { }", 0.01);
-  for (const double count : flat.image.layers[0].values) ASSERT_EQ(count, render::kFirstSamples);
+  for (const double count : flat.image.layers[0].values) ASSERT_EQ(count, 4);
   for (const double noise : flat.image.layers[1].values) ASSERT_EQ(noise, 0);
 }
 

@@ -75,11 +75,12 @@ TEST(SamplePoints, edges_converge_as_they_should) {
 
 TEST(SamplePoints, that_are_centred_begin_in_the_middle_and_stay_even) {
   for (const std::uint32_t seed : {3U, 4U, 99U}) {
-    EXPECT_EQ(centred_sample_point(seed, 0).u, 0.5);
-    EXPECT_EQ(centred_sample_point(seed, 0).v, 0.5);
+    const CentredPoints points(seed);
+    EXPECT_EQ(points[0].u, 0.5);
+    EXPECT_EQ(points[0].v, 0.5);
     std::vector<int> cells(16);
     for (std::uint32_t i = 0; i < 256; ++i) {
-      const UnitPoint point = centred_sample_point(seed, i);
+      const UnitPoint point = points[i];
       ASSERT_TRUE(point.u >= 0 && point.u < 1 && point.v >= 0 && point.v < 1);
       ++cells[static_cast<std::size_t>(point.u * 16)];
     }

@@ -166,12 +166,16 @@ TEST_P(Convolution, RingIsTheIntegralOfItsWindow) {
   EXPECT_LE(worst, GetParam().kernel.hardness < 100 ? 1e-12L : 1e-10L);
 }
 
-/// Next to the border, where the surfaces of hard windows are, no digits are lost however small the field is: Gauss's
+/// Next to the border, where the surfaces of hard windows are, those lose no digits however small the field is: Gauss's
 /// rule leaves 10⁻¹³ of it (cauchy_border-inl.h), and its 16 terms are rounded.
 constexpr double kAtBorder = 1e-13 + 16 * 0x1p-52;
 
-TEST_P(Convolution, LosesNoDigitsNextToTheBorder) {
+TEST_P(Convolution, LosesNoDigitsNextToTheBorderIfHard) {
   const Window window = GetParam().window();
+  if (!window.is_quartic && !lanes::CauchyWindow(GetParam().constants()).is_steep) {
+    EXPECT_LE(GetParam().kernel.hardness, 20);
+    return;
+  }
   for (int i = 0; i < 300; ++i) {
     const double depth = std::pow(2, uniform(-20, -5));
     const double rho2 = 1 - depth, reach = std::sqrt(depth), length = std::pow(10, uniform(-2, 1)) * reach;
