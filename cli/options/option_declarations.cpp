@@ -196,9 +196,9 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
       [&picture](std::int64_t v) { picture.samples = static_cast<int>(v); })
       ->group(group);
   add(app, "--max-noise", "E",
-      fmt::format("Take samples in every pixel, {} to {}, until its noise is below E, as a share of the display's "
+      fmt::format("Take samples in every pixel, at most {}, until its noise is below E, as a share of the display's "
                   "range [{} in scenes with soft light or focal blur]",
-                  render::kFirstSamples, render::kMostSamples, kSoftNoise),
+                  render::kMostSamples, kSoftNoise),
       number_from(kLeastNoise, 1), [&picture](double v) { picture.max_noise = v; })
       ->group(group);
   add_quality(app, picture.quality, group);

@@ -1,7 +1,7 @@
 #include "renderer/compiled/compiled_scene.h"
 
 #include "renderer/compiled/flattener.h"
-#include "renderer/compiled/instance_grid.h"
+#include "renderer/compiled/instance_boxes.h"
 #include "renderer/csg/expansion.h"
 #include "renderer/csg/shape_size.h"
 #include "renderer/csg/spread.h"
@@ -57,9 +57,9 @@ class Compiler {
     if (meter_.goes_on() && !refusal_) {
       for (Instance& instance : scene_.instances) set_spread(database_, scene_, instance);
       at_ = most_placed_at_;
-      wanted_ = [this] { return fmt::format("the grid over {:.4g} objects, most of them placed here,", placed_); };
-      build_instance_grid(scene_, grids_, meter_);
-      hold(scene_.grid.bytes());
+      wanted_ = [this] { return fmt::format("the boxes over {:.4g} objects, most of them placed here,", placed_); };
+      build_instance_boxes(scene_, meter_);
+      hold(scene_.boxes.bytes());
     }
     if (meter_.goes_on() && !refusal_) return std::move(scene_);
     CompiledScene none;
@@ -80,7 +80,7 @@ class Compiler {
   void take_solids() {
     wanted_ = [this] { return fmt::format("the {} solids up to here", database_.solids.size()); };
     if (!database_.objects.empty()) at_ = database_.objects.back().origin;
-    // A scene of one sphere takes a grid of 64 cells and a few small lists.
+    // A scene of one sphere takes a node of boxes and a few small lists.
     constexpr std::size_t kLeast = sizeof(CompiledScene) + 2048;
     if (!hold(kLeast + database_.solids.size() * sizeof(scene::Solid) + detail_bytes(database_))) return;
     scene_.solids = database_.solids;
@@ -181,7 +181,7 @@ class Compiler {
 }  // namespace
 
 std::size_t CompiledScene::grid_bytes() const {
-  std::size_t bytes = grid.bytes();
+  std::size_t bytes = boxes.bytes();
   for (const CompiledBlob& blob : blobs) bytes += blob.grid.bytes() + blob.components.bytes();
   for (const CsgTree& tree : trees) bytes += tree.bytes();
   return bytes;

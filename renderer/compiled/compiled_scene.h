@@ -1,8 +1,9 @@
 // A database made ready for rays: every blob is compiled once in its own space, every placed object is flattened into
-// an instance, and a top-level grid stands over the instances. Immutable; one struct on one screen.
+// an instance, and a hierarchy of boxes stands over the instances. Immutable; one struct on one screen.
 #pragma once
 
 #include "base/run_limits.h"
+#include "renderer/boxes/box_tree.h"
 #include "renderer/compiled/paper_tables.h"
 #include "renderer/csg/csg_tree.h"
 #include "renderer/fields/component_table.h"
@@ -64,8 +65,9 @@ struct CompiledScene {
   std::vector<Instance> instances;
   std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
   std::vector<std::uint32_t> bounded;    ///< all other instances
-  Grid grid;                             ///< grid over the bounded instances
+  BoxTree boxes;                         ///< over the bounded instances
   Box bounds;                            ///< bounds of the bounded instances
+  double crowd = 0;                      ///< mean number of their boxes on a line that meets `bounds`
   Charge charge;                         ///< of all this
   /// The reason why the scene takes more memory than the run allows. A scene that is refused, or was stopped while it
   /// was compiled, has no instances.

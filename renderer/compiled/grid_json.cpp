@@ -49,7 +49,8 @@ std::string grid_json(const CompiledScene& scene) {
   }
   const Json json = {{"instances", scene.instances.size()},
                      {"unbounded", scene.unbounded.size()},
-                     {"grid", to_json(scene.grid)},
+                     {"box_nodes", scene.boxes.nodes.size()},
+                     {"box_bytes", scene.boxes.bytes()},
                      {"blobs", blobs}};
   return json.dump(2) + "\n";
 }

@@ -102,6 +102,7 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
     if (!meter_.goes_on()) open_.clear();
   }
   tree.bounds = widened(extents_.of(alone));
+  add_boxes(tree);
   tree.holding_at_rest.assign(tree.nodes.size(), 0);
   for (const CsgLeaf& leaf : tree.leaves) {
     if (leaf.is_inverse && !leaf.is_open_surface) ++tree.holding_at_rest[leaf.parent];
@@ -111,6 +112,20 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   }
   trees_.push_back(std::move(tree));
   return place->second;
+}
+
+void CsgBuilder::add_boxes(CsgTree& tree) {
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> finite;
+  Charge working = meter_.new_charge();
+  if (!meter_.grow(working, tree.leaves.size() * (sizeof(Box) + 2 * sizeof(std::uint32_t)))) return;
+  boxes.reserve(tree.leaves.size());
+  for (std::uint32_t i = 0; i < tree.leaves.size(); ++i) {
+    const Box& box = boxes.emplace_back(tree.leaves[i].box);
+    if (box.isEmpty()) continue;  // the leaf is outside everywhere
+    (fits_in_tree(box) ? finite : tree.endless_leaves).push_back(i);
+  }
+  tree.boxes = build_box_tree(boxes, std::move(finite), [&] { return meter_.grow(charge_, sizeof(BoxNode)); });
 }
 
 void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {

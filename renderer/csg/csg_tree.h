@@ -6,6 +6,7 @@
 // of inverses.
 #pragma once
 
+#include "renderer/boxes/box_tree.h"
 #include "renderer/csg/spread.h"
 #include "renderer/scene/database.h"
 
@@ -65,12 +66,14 @@ struct CsgTree {
   std::vector<scene::Transform> texture_spaces;  ///< group_from_space of each group that hands a pattern down
   /// For every node, the number of its children that hold where no leaf is inside.
   std::vector<std::uint32_t> holding_at_rest;
-  Imath::Box3d bounds;  ///< bounds of the surface; sides may be infinite
-  Spread spread;        ///< covers every leaf
+  BoxTree boxes;                              ///< over the leaves with finite boxes
+  std::vector<std::uint32_t> endless_leaves;  ///< all others
+  Imath::Box3d bounds;                        ///< bounds of the surface; sides may be infinite
+  Spread spread;                              ///< covers every leaf
 
   [[nodiscard]] std::size_t bytes() const {
     return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +
-           holding_at_rest.capacity() * sizeof(std::uint32_t);
+           (holding_at_rest.capacity() + endless_leaves.capacity()) * sizeof(std::uint32_t) + boxes.bytes();
   }
 };
 

@@ -11,6 +11,9 @@
 // box just below the face it starts in and leaves through that face: until then it is no deeper than the rounding. Only
 // the state behind counts.
 //
+// Leaves are asked in the order of their boxes, each as soon as nothing nearer is left, so that those behind the first
+// surface are not asked at all.
+//
 // A solid returns all its crossings at once. A blob is asked for one crossing at a time, only as far as the ray goes,
 // and each search starts on the root before.
 #include "renderer/trace/csg_search.h"
@@ -25,19 +28,20 @@ namespace {
 
 bool is_later(const CsgEvent& a, const CsgEvent& b) { return a.t > b.t || (a.t == b.t && a.leaf > b.leaf); }
 
-/// True if a half-line from t = 0 to t_max meets a box, whose sides may be infinite.
-bool meets(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, double t_max) {
+/// Where a half-line from t = 0 to t_max meets a box, whose sides may be infinite; infinite if it does not.
+double entry_of(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, double t_max) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
   double enter = 0, leave = t_max;
   for (int i = 0; i < 3; ++i) {
     if (direction[i] == 0) {
-      if (!(origin[i] >= box.min[i] && origin[i] <= box.max[i])) return false;
+      if (!(origin[i] >= box.min[i] && origin[i] <= box.max[i])) return kNever;
       continue;
     }
     const double a = (box.min[i] - origin[i]) / direction[i], b = (box.max[i] - origin[i]) / direction[i];
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }
-  return enter <= leave;
+  return enter <= leave ? enter : kNever;
 }
 
 class CsgSearch {
@@ -50,16 +54,8 @@ class CsgSearch {
     CsgState& state = memory_.state;
     state.reset(tree_);
     memory_.events.clear();
-    for (std::uint32_t leaf = 0; leaf < tree_.leaves.size(); ++leaf) {
-      const bool is_start = leaf == ray_.start_leaf;
-      if (!is_start && !meets(tree_.leaves[leaf].box, ray_.origin, ray_.direction, ray_.t_max)) continue;
-      if (tree_.leaves[leaf].kind == scene::Object::Kind::blob) {
-        enter_blob(leaf, is_start);
-      } else {
-        enter_solid(leaf, is_start);
-      }
-    }
-    std::make_heap(memory_.events.begin(), memory_.events.end(), is_later);
+    sort_entries();
+    while (next_ < memory_.entries.size() && begins_at_start(memory_.entries[next_])) enter_next();
     while (take_group()) {
       const CsgHit hit = memory_.group.size() == 1 ? pass_one() : pass_group();
       if (!hit.is_miss()) return hit;
@@ -71,6 +67,44 @@ class CsgSearch {
   struct LocalRay {
     Vec3 origin, direction;
   };
+
+  /// All leaves that the ray may meet, in the order of their boxes. The leaf that it starts on is the first.
+  void sort_entries() {
+    std::vector<CsgEntry>& entries = memory_.entries;
+    for (const std::uint32_t leaf : tree_.endless_leaves) {
+      const double enter = entry_of(tree_.leaves[leaf].box, ray_.origin, ray_.direction, ray_.t_max);
+      if (enter <= ray_.t_max && enter < std::numeric_limits<double>::infinity()) entries.push_back({enter, leaf});
+    }
+    if (ray_.start_leaf != scene::kNone) {
+      std::erase_if(entries, [&](const CsgEntry& entry) { return entry.leaf == ray_.start_leaf; });
+      entries.push_back({0, ray_.start_leaf});
+    }
+    std::sort(entries.begin(), entries.end(), [](const CsgEntry& a, const CsgEntry& b) {
+      return a.enter < b.enter || (a.enter == b.enter && a.leaf < b.leaf);
+    });
+  }
+  /// A leaf whose box comes later is outside where the ray starts. The others tell whether they are inside there.
+  [[nodiscard]] bool begins_at_start(const CsgEntry& entry) const {
+    return entry.enter == 0 || entry.enter <= 2 * most_rounding_at(entry.enter);
+  }
+  void enter_next() {
+    const std::uint32_t leaf = memory_.entries[next_++].leaf;
+    if (tree_.leaves[leaf].kind == scene::Object::Kind::blob) {
+      enter_blob(leaf, leaf == ray_.start_leaf);
+    } else {
+      enter_solid(leaf, leaf == ray_.start_leaf);
+    }
+  }
+  /// Enters leaves until no other one can have a crossing before the nearest one that is known.
+  void enter_up_to_next() {
+    while (next_ < memory_.entries.size() &&
+           (memory_.events.empty() || memory_.entries[next_].enter <= memory_.events.front().t))
+      enter_next();
+  }
+  void push(const CsgEvent& event) {
+    memory_.events.push_back(event);
+    std::push_heap(memory_.events.begin(), memory_.events.end(), is_later);
+  }
 
   [[nodiscard]] LocalRay local(const CsgLeaf& leaf) const {
     if (!leaf.is_placed) return {ray_.origin, ray_.direction};
@@ -121,7 +155,7 @@ class CsgSearch {
     bool is_inside = found.ends_inside;
     for (std::size_t i = first; i < count; ++i) {
       is_inside = !is_inside;
-      if (found.t[i] < ray_.t_max) memory_.events.push_back(event(i));
+      if (found.t[i] < ray_.t_max) push(event(i));
     }
     if (is_inside && !leaf.is_open_surface) memory_.state.toggle(index);
   }
@@ -151,7 +185,7 @@ class CsgSearch {
       event = {hit.t, index, hit.cell, 0};
     }
     if (is_inside) memory_.state.toggle(index);
-    if (!hit.is_miss() && hit.t < ray_.t_max) memory_.events.push_back(event);
+    if (!hit.is_miss() && hit.t < ray_.t_max) push(event);
   }
 
   /// Takes the next crossing and all that coincide with it. False if there is none.
@@ -159,7 +193,7 @@ class CsgSearch {
     memory_.group.clear();
     std::vector<CsgEvent>& events = memory_.events;
     double end = 0;
-    while (!events.empty()) {
+    for (enter_up_to_next(); !events.empty(); enter_up_to_next()) {
       const CsgEvent next = events.front();
       if (!memory_.group.empty()) {
         const CsgEvent& first = memory_.group.front();
@@ -186,8 +220,7 @@ class CsgSearch {
     if (hit.is_miss() || !(hit.t < ray_.t_max)) return;
     // The published solver can come back within the rounding of where it starts, and would do so for ever.
     if (!(hit.t > event.t)) return;
-    memory_.events.push_back({hit.t, event.leaf, hit.cell, 0});
-    std::push_heap(memory_.events.begin(), memory_.events.end(), is_later);
+    push({hit.t, event.leaf, hit.cell, 0});
   }
 
   [[nodiscard]] bool is_seen(const CsgEvent& event) const {
@@ -246,13 +279,17 @@ class CsgSearch {
   RayFaces& faces_;
   const BlobSearch& blobs_;
   CsgMemory& memory_;
+  std::size_t next_ = 0;  ///< the first entry that was not entered yet
 };
 
 }  // namespace
 
+bool meets_bounds(const CsgTree& tree, const CsgRay& ray) {
+  return entry_of(tree.bounds, ray.origin, ray.direction, ray.t_max) < std::numeric_limits<double>::infinity();
+}
+
 CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
                      const BlobSearch& blobs, CsgMemory& memory) {
-  if (!meets(tree.bounds, ray.origin, ray.direction, ray.t_max)) return {};
   return CsgSearch(scene, tree, ray, faces, blobs, memory).first_hit();
 }
 

@@ -48,14 +48,25 @@ struct CsgEvent {
   std::uint8_t part;
 };
 
+/// A leaf whose box a ray meets from t = `enter` on.
+struct CsgEntry {
+  double enter;
+  std::uint32_t leaf;
+};
+
 /// Memory that is kept from ray to ray.
 struct CsgMemory {
   CsgState state;
-  std::vector<CsgEvent> events;  ///< a heap with the nearest first
-  std::vector<CsgEvent> group;   ///< the events that are taken together
+  std::vector<CsgEntry> entries;  ///< sorted
+  std::vector<CsgEvent> events;   ///< a heap with the nearest first
+  std::vector<CsgEvent> group;    ///< the events that are taken together
   std::vector<std::uint8_t> shown;
 };
 
+/// True if a half-line from t = 0 to t_max meets the bounds of a tree.
+[[nodiscard]] bool meets_bounds(const CsgTree& tree, const CsgRay& ray);
+
+/// `memory.entries` holds the leaves of `tree.boxes` whose boxes the ray meets, in any order.
 [[nodiscard]] CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,
                                    const BlobSearch& blobs, CsgMemory& memory);
 

@@ -1,5 +1,5 @@
-// One ray against the whole scene: unbounded instances first, then those of the top-level grid in the order of the
-// cells they stand in, each in its own space. t is the same in all spaces, since directions are transformed and not
+// One ray or eight against the whole scene: unbounded instances first, then those in the hierarchy of boxes, nearest
+// boxes first, each in its own space. t is the same in all spaces, since directions are transformed and not
 // normalised again.
 //
 // Hits that coincide are resolved by trace/ray_faces.h. It is asked only about crossings close to the start or to one
@@ -11,8 +11,8 @@
 #define ISL_RENDERER_TRACE_WORLD_TRACE_INL_H_
 #endif
 
+#include "renderer/boxes/box_walk-inl.h"
 #include "renderer/compiled/blob_point-inl.h"
-#include "renderer/grid/grid_walk-inl.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/solids/solid.h"
 #include "renderer/trace/ray_faces.h"
@@ -56,28 +56,16 @@ class WorldTrace {
     for (const std::uint32_t instance : scene_.unbounded) {
       if (meet(instance, ray, any, best) && any) return best;
     }
-    const Grid& grid = scene_.grid;
     if (scene_.bounded.size() <= kFewInstances) {
       for (const std::uint32_t instance : scene_.bounded) {
         if (meet(instance, ray, any, best) && any) return best;
       }
-    } else if (!grid.is_empty()) {
-      const BoxSpan span = clip_to_box(grid.box, ray.origin, ray.direction, 0, best.t);
-      if (span.enter < span.leave) {
-        recent_.fill(scene::kNone);
-        walk(grid, ray.origin, ray.direction, span.enter, span.leave,
-             [&](std::uint32_t, const Cell& cell, double t0, double) HWY_ATTR {
-               if (t0 > best.t && t0 > last_that_counts(ray, best)) return true;
-               for (std::uint32_t i = 0; i < cell.count(); ++i) {
-                 const std::uint32_t instance = grid.items[cell.first + i];
-                 std::uint32_t& recent = recent_[instance % recent_.size()];
-                 if (recent == instance) continue;
-                 recent = instance;
-                 if (meet(instance, ray, any, best) && any) return true;
-               }
-               return false;
-             });
-      }
+    } else {
+      walk_boxes(scene_.boxes, ray.origin, ray.direction, best.t, [&](std::uint32_t instance, double) HWY_ATTR {
+        if (meet(instance, ray, any, best) && any) return kEnd;
+        return any ? best.t : last_that_counts(ray, best);
+      });
+      if (any && !best.is_miss()) return best;
     }
     if (best.is_miss()) best.t = std::numeric_limits<double>::infinity();
     if (faces_.has_kept()) {
@@ -91,10 +79,6 @@ class WorldTrace {
   /// Traces up to kPacket rays at once: each instance is met by all of them, and blobs that allow it are searched for
   /// them together.
   void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
-    if (scene_.bounded.size() > kFewInstances) {
-      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = trace(rays[i], any);
-      return;
-    }
     std::uint32_t open = 0;
     all_undecided_from_.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -103,8 +87,11 @@ class WorldTrace {
       hits[i].t = rays[i].t_max;
       open |= 1u << i;
     }
-    for (const auto* const list : {&scene_.unbounded, &scene_.bounded}) {
-      for (const std::uint32_t instance : *list) open = meet_packet(instance, rays, open, any, hits);
+    for (const std::uint32_t instance : scene_.unbounded) open = meet_packet(instance, rays, open, any, hits);
+    if (scene_.bounded.size() <= kFewInstances) {
+      for (const std::uint32_t instance : scene_.bounded) open = meet_packet(instance, rays, open, any, hits);
+    } else if (open != 0) {
+      walk_packet(rays, open, any, hits);
     }
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
@@ -119,8 +106,23 @@ class WorldTrace {
   }
 
  private:
-  /// Up to this number of instances, a list is quicker than a grid.
+  /// Up to this number of instances, a list is quicker than boxes.
   static constexpr std::size_t kFewInstances = 3;
+  static constexpr double kEnd = -1;
+
+  void walk_packet(std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
+    alignas(64) double limits[kOctet] = {};
+    for (std::size_t i = 0; i < rays.size(); ++i) limits[i] = any ? hits[i].t : last_that_counts(rays[i], hits[i]);
+    walk_boxes(scene_.boxes, BoxRays(rays), limits, open, [&](std::uint32_t instance, std::uint32_t met) HWY_ATTR {
+      const std::uint32_t left = meet_packet(instance, rays, met, any, hits);
+      if (any) return left;
+      for (; met != 0; met &= met - 1) {
+        const int i = std::countr_zero(met);
+        limits[i] = last_that_counts(rays[static_cast<std::size_t>(i)], hits[i]);
+      }
+      return left;
+    });
+  }
 
   [[nodiscard]] static bool is_sound(const Ray& ray) {
     const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
@@ -251,7 +253,17 @@ class WorldTrace {
                              auto& world = *static_cast<WorldTrace*>(self);
                              return world.first_hit(world.scene_.blobs[blob], blob_ray);
                            }};
-    const CsgHit hit = first_csg_hit(scene_, scene_.trees[instance.shape], csg_ray, faces_, blobs, memory_.csg);
+    const CsgTree& tree = scene_.trees[instance.shape];
+    if (!meets_bounds(tree, csg_ray)) return false;
+    memory_.csg.entries.clear();
+    if (!tree.boxes.is_empty()) {
+      walk_boxes(tree.boxes, csg_ray.origin, csg_ray.direction, csg_ray.t_max,
+                 [&](std::uint32_t leaf, double enter) HWY_ATTR {
+                   memory_.csg.entries.push_back({enter, leaf});
+                   return csg_ray.t_max;
+                 });
+    }
+    const CsgHit hit = first_csg_hit(scene_, tree, csg_ray, faces_, blobs, memory_.csg);
     if (hit.is_miss()) return false;
     return offer(ray, {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf}, any, best);
   }
@@ -310,7 +322,6 @@ class WorldTrace {
   double undecided_from_ = 0;                         ///< the least t at which the present ray was undecided
   std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
   std::uint8_t kind_;                                 ///< one bit of RayKind
-  std::array<std::uint32_t, 16> recent_;  ///< a mailbox: the instances that the ray has met in earlier cells
   RayFaces faces_;
 };
 

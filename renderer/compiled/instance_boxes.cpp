@@ -1,0 +1,71 @@
+#include "renderer/compiled/instance_boxes.h"
+
+#include "renderer/solids/solid.h"
+
+#include <limits>
+
+namespace isl::render {
+namespace {
+
+Box local_bounds(const CompiledScene& scene, const Instance& instance) {
+  switch (instance.kind) {
+    case scene::Object::Kind::blob: return scene.blobs[instance.shape].bounds();
+    case scene::Object::Kind::group: return scene.trees[instance.shape].bounds;
+    case scene::Object::Kind::solid: break;
+  }
+  return bounds(scene.solids[instance.shape], scene.details);
+}
+
+Box endless_box() {
+  const Vec3 far(std::numeric_limits<double>::infinity());
+  return Box(-far, far);
+}
+
+Box world_bounds(const CompiledScene& scene, const Instance& instance) {
+  const Box box = local_bounds(scene, instance);
+  if (!instance.is_placed || !fits_in_tree(box)) return box;
+  Box world;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                 corner & 4 ? box.max.z : box.min.z);
+    world.extendBy(instance.world_from_object.point(p));
+  }
+  // A corner that overflows is infinite or NaN; extendBy ignores NaN.
+  return fits_in_tree(world) ? world : endless_box();
+}
+
+double surface(const Box& box) {
+  const Vec3 size = box.size();
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+}  // namespace
+
+void build_instance_boxes(CompiledScene& scene, Meter& meter) {
+  Charge working = meter.new_charge();
+  if (!meter.grow(working, scene.instances.size() * (sizeof(Box) + 2 * sizeof(std::uint32_t)))) return;
+  std::vector<Box> boxes(scene.instances.size());
+  scene.bounds = {};
+  double surfaces = 0;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (!meter.goes_on()) return;
+    const Box box = world_bounds(scene, scene.instances[i]);
+    if (box.isEmpty()) continue;  // a blob without a surface
+    if (!fits_in_tree(box)) {
+      scene.unbounded.push_back(i);
+      continue;
+    }
+    boxes[i] = box;
+    surfaces += surface(box);
+    scene.bounds.extendBy(box);
+    scene.bounded.push_back(i);
+  }
+  if (scene.bounded.empty()) return;
+  // A convex body that lies in another is met by this share of the lines that meet the outer one (Crofton).
+  const double whole = surface(scene.bounds);
+  scene.crowd = whole > 0 ? surfaces / whole : static_cast<double>(scene.bounded.size());
+  // The list of nodes doubles as it grows, so that it may take twice their memory meanwhile.
+  scene.boxes = build_box_tree(boxes, scene.bounded, [&] { return meter.grow(working, 2 * sizeof(BoxNode)); });
+}
+
+}  // namespace isl::render
