@@ -41,19 +41,35 @@ struct FixedBernstein {
   return kRows[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)];
 }
 
-/// The value at u in [0, 1], by Horner's rule in u/(1−u) from the nearer end: all terms are products of numbers in
-/// [0, 1] with coefficients, so the rounding is below 2n units of the largest.
+/// bᵢ C(n,i), for many values of one polynomial.
 template <class Polynomial>
-[[nodiscard]] double value_at(const Polynomial& p, double u) {
-  const bool from_left = u <= 0.5;
-  const double far = from_left ? u : 1 - u, near = from_left ? 1 - u : u;
-  const double ratio = far / near;
+[[nodiscard]] Polynomial with_binomials(const Polynomial& p) {
+  Polynomial weighted = p;
+  for (int i = 0; i <= p.degree; ++i) weighted[i] = binomial(p.degree, i) * p[i];
+  return weighted;
+}
+
+/// The value at u in [0, 1] of the polynomial that `weighted` was made of, by Horner's rule in u/(1−u) from the nearer
+/// end: all terms are products of numbers in [0, 1] with coefficients, so the rounding is below 2n units of the
+/// largest.
+template <class Polynomial>
+[[nodiscard]] double value_at(const Polynomial& weighted, double u) {
+  const int n = weighted.degree;
   double sum = 0, scale = 1;
-  for (int i = p.degree; i >= 0; --i) {
-    sum = sum * ratio + binomial(p.degree, i) * p[from_left ? i : p.degree - i];
-    if (i > 0) scale *= near;
+  if (u <= 0.5) {
+    const double near = 1 - u, ratio = u / near;
+    for (int i = n; i > 0; --i) {
+      sum = sum * ratio + weighted[i];
+      scale *= near;
+    }
+    return (sum * ratio + weighted[0]) * scale;
   }
-  return sum * scale;
+  const double ratio = (1 - u) / u;
+  for (int i = 0; i < n; ++i) {
+    sum = sum * ratio + weighted[i];
+    scale *= u;
+  }
+  return (sum * ratio + weighted[n]) * scale;
 }
 
 /// Splits at ½ (de Casteljau): `p` becomes the left half, `right`, of the same degree, the right one.

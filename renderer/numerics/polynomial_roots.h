@@ -26,6 +26,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace isl::render {
 
@@ -87,10 +88,25 @@ class SignFollower {
   template <class Polynomial>
   [[nodiscard]] double root_between(const Polynomial& whole, double low, double high) const {
     // The value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
-    return root_in_bracket([&](double u) { return value_at(whole, u); }, low, high, sign_);
+    if constexpr (std::is_same_v<Polynomial, FixedBernstein<2>>) {
+      const double root = quadratic_root_between(whole, low, high);
+      if (root >= low && root <= high) return root;
+    }
+    const Polynomial weighted = with_binomials(whole);
+    return root_in_bracket([&](double u) { return value_at(weighted, u); }, low, high, sign_);
   }
 
  private:
+  /// The root of b₀(1−u)² + 2b₁u(1−u) + b₂u² between two places, by the quadratic formula in v = u/(1−u), of which the
+  /// form is taken that adds terms of the same sign; NaN if rounding moves it out. It is the root of a polynomial whose
+  /// coefficients differ by a few roundings.
+  [[nodiscard]] static double quadratic_root_between(const FixedBernstein<2>& p, double low, double high) {
+    const double q = -(p[1] + std::copysign(std::sqrt(p[1] * p[1] - p[0] * p[2]), p[1]));
+    const double first = q / (p[2] + q), second = p[0] / (q + p[0]);  // v/(1 + v) for v = q/b₂ and v = b₀/q
+    if (first >= low && first <= high) return first;
+    return second;
+  }
+
   static constexpr int kMostHalvings = 52;
   static constexpr double kShortest = 0x1p-50;
 

@@ -69,6 +69,80 @@ struct Scaled {
   }
 };
 
+/// Σ cᵢ (1−u)ᵏ⁻ⁱ uⁱ of a degree k ≤ n, with zeros behind.
+template <int n>
+struct SmallScaled {
+  bool is_zero = true;
+  std::array<double, n + 1> c{};
+
+  void multiply(const LinearForm& l) {
+    if (is_zero) return;
+    for (auto i = static_cast<std::size_t>(n); i > 0; --i) c[i] = l.l0 * c[i] + l.l1 * c[i - 1];
+    c[0] *= l.l0;
+  }
+  void add_times(double factor, const SmallScaled& other) {
+    if (factor == 0 || other.is_zero) return;
+    is_zero = false;
+    for (std::size_t i = 0; i <= n; ++i) c[i] += factor * other.c[i];
+  }
+};
+
+/// P̂ along a piece, for an order that the compiler knows.
+template <int n>
+FixedBernstein<n> along(const PreparedPolynomial& polynomial, const Piece& piece) {
+  using Sum = SmallScaled<n>;
+  std::array<Sum, n + 1> powers_of_w;
+  powers_of_w[0].is_zero = false;
+  powers_of_w[0].c[0] = 1;
+  for (std::size_t k = 1; k <= n; ++k) {
+    powers_of_w[k] = powers_of_w[k - 1];
+    powers_of_w[k].multiply(piece.w);
+  }
+  const double* coefficient = polynomial.coefficients.data();
+  Sum in_x;
+  for (int i = 0; i <= n; ++i) {
+    Sum in_y;
+    for (int j = 0; j <= i; ++j) {
+      Sum in_z;
+      for (std::size_t k = 0; k <= static_cast<std::size_t>(j); ++k) {
+        in_z.multiply(piece.z);
+        in_z.add_times(*coefficient++, powers_of_w[k]);
+      }
+      in_y.multiply(piece.y);
+      in_y.add_times(1, in_z);
+    }
+    in_x.multiply(piece.x);
+    in_x.add_times(1, in_y);
+  }
+  FixedBernstein<n> result;
+  for (int i = 0; i <= n; ++i) result[i] = in_x.c[static_cast<std::size_t>(i)] / binomial(n, i);
+  return result;
+}
+
+/// A point of a piece, (x, y, z, w).
+struct HomogeneousPoint {
+  double x, y, z, w;
+};
+
+/// XᵀMY of the quadratic form P̂(X) = XᵀMX, or the same with all coefficients as positive. Each term takes 4 roundings
+/// and is added 9 times, which are fewer than rounding_of_order(2) stands for.
+template <bool is_absolute>
+double polar(const std::vector<double>& coefficients, const HomogeneousPoint& a, const HomogeneousPoint& b) {
+  const auto c = [&](std::size_t i) { return is_absolute ? std::abs(coefficients[i]) : coefficients[i]; };
+  const auto mixed = [](double a1, double a2, double b1, double b2) { return 0.5 * (a1 * b2 + b1 * a2); };
+  return c(0) * (a.x * b.x) + c(1) * mixed(a.x, a.y, b.x, b.y) + c(2) * mixed(a.x, a.z, b.x, b.z) +
+         c(3) * mixed(a.x, a.w, b.x, b.w) + c(4) * (a.y * b.y) + c(5) * mixed(a.y, a.z, b.y, b.z) +
+         c(6) * mixed(a.y, a.w, b.y, b.w) + c(7) * (a.z * b.z) + c(8) * mixed(a.z, a.w, b.z, b.w) + c(9) * (a.w * b.w);
+}
+
+/// The Bernstein coefficients of a quadratic form on a segment are its values and polar value at the ends.
+FixedBernstein<2> quadric_along(const PreparedPolynomial& polynomial, const Piece& piece) {
+  const HomogeneousPoint a{piece.x.l0, piece.y.l0, piece.z.l0, piece.w.l0},
+      b{piece.x.l1, piece.y.l1, piece.z.l1, piece.w.l1};
+  const std::vector<double>& c = polynomial.coefficients;
+  return {{polar<false>(c, a, a), polar<false>(c, a, b), polar<false>(c, b, b)}};
+}
+
 /// P̂ along a piece.
 Bernstein along(const PreparedPolynomial& polynomial, const Piece& piece) {
   const int n = polynomial.order;
@@ -125,6 +199,10 @@ double value(const PreparedPolynomial& polynomial, double x, double y, double z,
 
 /// The largest that the terms can add up to on the piece.
 double magnitude(const PreparedPolynomial& polynomial, const Piece& piece) {
+  if (polynomial.order == 2) {
+    const HomogeneousPoint most{piece.x.largest(), piece.y.largest(), piece.z.largest(), piece.w.largest()};
+    return polar<true>(polynomial.coefficients, most, most);
+  }
   return value(polynomial, piece.x.largest(), piece.y.largest(), piece.z.largest(), piece.w.largest(), true);
 }
 
@@ -195,14 +273,21 @@ class PolynomialLine {
 
   template <class TimeAt>
   void follow(const Piece& piece, const TimeAt& time_at) {
-    Bernstein p = along(polynomial_, piece);
-    double band = rounding_of_order(polynomial_.order) * magnitude(polynomial_, piece);
-    if (deflates_) {
-      band *= p.degree;
-      p = over_u(p);
-      deflates_ = false;
+    switch (polynomial_.order) {
+      case 2: return follow(quadric_along(polynomial_, piece), piece, time_at);
+      case 3: return follow(along<3>(polynomial_, piece), piece, time_at);
+      case 4: return follow(along<4>(polynomial_, piece), piece, time_at);
+      default: return follow(along(polynomial_, piece), piece, time_at);
     }
-    sign_.follow(p, band, [&](double u) { result_.add(time_at(u), kSide); });
+  }
+
+  template <class Polynomial, class TimeAt>
+  void follow(const Polynomial& p, const Piece& piece, const TimeAt& time_at) {
+    const double band = rounding_of_order(polynomial_.order) * magnitude(polynomial_, piece);
+    const auto add = [&](double u) { result_.add(time_at(u), kSide); };
+    if (!deflates_) return sign_.follow(p, band, add);
+    deflates_ = false;
+    sign_.follow(over_u(p), band * p.degree, add);
   }
 
   const PreparedPolynomial& polynomial_;
