@@ -159,6 +159,9 @@ class Integrator {
   void push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
                  PathMemory& memory) const;
   /// Queues the rays to the sample's share of points at random on an area light.
+  /// True if the one sample that takes all points of a jittered light's grid may take fewer, as `adaptive` says.
+  [[nodiscard]] static bool takes_adaptive_grid(const PlacedLight& placed, const PathEntry& path,
+                                                const PathMemory& memory);
   void push_scattered(const PlacedLight& placed, const Ray& to_light, const PathEntry& path, const Rgb& colour,
                       PathMemory& memory) const;
   /// Traces the shadow rays that wait if they are many.

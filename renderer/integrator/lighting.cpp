@@ -177,18 +177,28 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
                        hit.start()};
     if (!light.area) [[likely]] {
       memory.shadows.push(path.sample, to_light, colour);
-    } else if (placed.scattered) {
+    } else if (placed.scattered && !takes_adaptive_grid(placed, path, memory)) {
       push_scattered(placed, to_light, path, colour, memory);
     } else if (is_even) {
       push_area(light, to_light, path.sample, colour, memory);
     } else {
       // The strengths of the points of a light with `area_illumination` are in the colour already.
       const double strength = has_area_illumination(light) ? 1 : lit.light.strength;
-      if (!memory.area_shadows.push({&light, path.sample, colour, light_colour * strength, to_light}))
-        return refusals_.report("this object", tracer_.origin_of(hit));
+      AreaTarget target{&light, path.sample, colour, light_colour * strength, to_light};
+      if (placed.scattered)
+        target.jitter_seed =
+            memory.pixel_sample(path.sample).own_seed(SampleUse::light_area, path.level, placed.number);
+      if (!memory.area_shadows.push(target)) return refusals_.report("this object", tracer_.origin_of(hit));
       trace_long_queues(memory);
     }
   }
+}
+
+bool Integrator::takes_adaptive_grid(const PlacedLight& placed, const PathEntry& path, const PathMemory& memory) {
+  const scene::AreaLight& area = *placed.light.area;
+  if (area.adaptive == scene::AreaLight::kNotAdaptive) return false;
+  const auto all = static_cast<std::uint32_t>(placed.scattered->count());
+  return memory.pixel_sample(path.sample).share_of(placed.scattered->count()) == all;
 }
 
 void Integrator::push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,

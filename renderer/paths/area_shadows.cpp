@@ -1,5 +1,6 @@
 #include "renderer/paths/area_shadows.h"
 
+#include "renderer/numerics/sample_points.h"
 #include "renderer/shading/lighting.h"
 
 #include <array>
@@ -48,7 +49,10 @@ void AreaShadows::ask(const ShadowTracer& tracer, const Estimate& estimate, int 
   if (answer != kNotAsked) return;
   const AreaTarget& target = estimate.target;
   const scene::Light& light = *target.light;
-  const Vec3 source = light.location + area_offset(*light.area, estimate.edges, u, v);
+  UnitPoint by{0.5, 0.5};
+  if (target.jitter_seed)
+    by = sample_point(derived_seed(*target.jitter_seed, static_cast<std::uint32_t>(u * light.area->count_b + v)), 0);
+  const Vec3 source = light.location + area_offset(*light.area, estimate.edges, u + (by.u - 0.5), v + (by.v - 0.5));
   const LightSample way = sample_light_from(light, source, target.to_centre.origin);
   Ray ray = target.to_centre;
   ray.direction = way.direction;

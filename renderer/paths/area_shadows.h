@@ -1,6 +1,7 @@
 // Soft shadows of area lights with `adaptive`. A part of the light's grid (shading/area_grid.h) is divided where its
 // corners are lit differently, so rays depend on the answers of others. Many lit points are estimated together, round
-// by round: each round traces the corners of all parts that the round before divided.
+// by round: each round traces the corners of all parts that the round before divided. With `jitter` each
+// point of the grid stands at a place of its own, at most half of the way to the next point away.
 #pragma once
 
 #include "base/budget.h"
@@ -8,6 +9,7 @@
 #include "renderer/shading/area_grid.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct AreaTarget {
   Rgb arriving{
       0};         ///< the light that then arrives at the point: parts are divided where shadows make a difference in it
   Ray to_centre;  ///< leads from the point to the light's centre
+  std::optional<std::uint32_t> jitter_seed = {};
 };
 
 /// Its memory is kept from batch to batch.

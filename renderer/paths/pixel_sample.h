@@ -28,8 +28,15 @@ struct PixelSample {
   /// of a path, and the lights.
   [[nodiscard]] UnitPoint point(SampleUse use, std::uint32_t share, std::uint32_t i, std::uint32_t level = 0,
                                 std::uint32_t number = 0) const {
-    const std::uint32_t integral = static_cast<std::uint32_t>(use) | level << 4 | number << 14;
-    return sample_point(derived_seed(seed, integral), index * share + i);
+    return sample_point(seed_of(use, level, number), index * share + i);
+  }
+  /// A seed for numbers of this sample alone, for one of the integrals.
+  [[nodiscard]] std::uint32_t own_seed(SampleUse use, std::uint32_t level, std::uint32_t number) const {
+    return derived_seed(seed_of(use, level, number), index);
+  }
+  /// The seed of the pixel's sequence for one of the integrals.
+  [[nodiscard]] std::uint32_t seed_of(SampleUse use, std::uint32_t level, std::uint32_t number) const {
+    return derived_seed(seed, static_cast<std::uint32_t>(use) | level << 4 | number << 14);
   }
 };
 
