@@ -63,9 +63,10 @@
 // Example: object { torus { 1, 0.3 } pigment { rgb 0.8 } } PlacedCamera(torus { 1, 0.3 }, <1, 1, -2>, 35, 1.6, <-0.15, 0>)
 #macro PlacedCamera(Object, From, Angle, Room, Place)
   #local Distance_ = Room*FitDistance(Object, From, Angle);
+  #local Place_ = <0, 0> + Place;
   #local Middle_ = (min_extent(Object) + max_extent(Object))/2;
   #local Width_ = 2*Distance_*tan(radians(Angle/2));
-  #local Aim_ = Middle_ - Place.x*Width_*Cameras_Isl_Right - Place.y*Width_*image_height/image_width*Cameras_Isl_Up;
+  #local Aim_ = Middle_ - Place_.x*Width_*Cameras_Isl_Right - Place_.y*Width_*image_height/image_width*Cameras_Isl_Up;
   camera {
     location Aim_ + Distance_*Cameras_Isl_Back
     sky Cameras_Isl_Up

@@ -204,10 +204,10 @@
 // StudioSky: sky_sphere. A photographer's studio: a large soft box on the left, a narrow one on the right, one above, a grey
 // floor. For products, metals and glass.
 #declare StudioSky = sky_sphere {
-  SkyGradient(rgb 0.16, rgb 0.22, rgb 0.30)
-  SkyPanel(<-0.9, 0.65, -0.55>, 62, 54, rgb <2.6, 2.5, 2.35>)
-  SkyPanel(<1, 0.25, -0.25>, 18, 76, rgb <1.6, 1.75, 1.95>)
-  SkyPanel(<0.15, 0.55, 1>, 70, 20, rgb 1.1)
+  SkyGradient(rgb 0.10, rgb 0.15, rgb 0.20)
+  SkyPanel(<-0.9, 0.7, -0.5>, 52, 48, rgb <2.2, 2.1, 1.95>)
+  SkyPanel(<1, 0.25, -0.25>, 15, 72, rgb <1.3, 1.45, 1.65>)
+  SkyPanel(<0.15, 0.55, 1>, 66, 18, rgb 0.9)
 }
 // DarkStudioSky: sky_sphere. Two narrow lights in a black room, for glass, jewels and gold.
 #declare DarkStudioSky = sky_sphere {
