@@ -204,7 +204,7 @@
 // StudioSky: sky_sphere. A photographer's studio: a large soft box on the left, a narrow one on the right, one above, a grey
 // floor. For products, metals and glass.
 #declare StudioSky = sky_sphere {
-  SkyGradient(rgb 0.10, rgb 0.15, rgb 0.20)
+  SkyGradient(rgb 0.13, rgb 0.22, rgb 0.28)
   SkyPanel(<-0.9, 0.7, -0.5>, 52, 48, rgb <2.2, 2.1, 1.95>)
   SkyPanel(<1, 0.25, -0.25>, 15, 72, rgb <1.3, 1.45, 1.65>)
   SkyPanel(<0.15, 0.55, 1>, 66, 18, rgb 0.9)
