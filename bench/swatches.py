@@ -53,7 +53,10 @@ def read_ppm(file):
 
 
 def write_png(file, rows, colours=256):
-    """An indexed .png: the colours of the rows, which are bytes of R, G, B, are reduced by cutting boxes at their medians."""
+    """A .png. With a number of colours those of the rows, which are bytes of R, G, B, are reduced by cutting boxes at their medians."""
+    if not colours:
+        _write_chunks(file, len(rows[0]) // 3, len(rows), 2, b'', b''.join(b'\0' + bytes(row) for row in rows))
+        return
     counts = {}
     for row in rows:
         for at in range(0, len(row), 3):
@@ -91,14 +94,17 @@ def write_png(file, rows, colours=256):
         for colour in box:
             index[colour] = number
 
+    packed = b''.join(b'\0' + bytes(index[bytes(row[at:at + 3])] for at in range(0, len(row), 3)) for row in rows)
+    _write_chunks(file, len(rows[0]) // 3, len(rows), 3, palette, packed)
+
+
+def _write_chunks(file, width, height, colour_type, palette, packed):
     def chunk(kind, content):
         return struct.pack('>I', len(content)) + kind + content + struct.pack('>I', zlib.crc32(kind + content))
 
-    width = len(rows[0]) // 3
-    packed = b''.join(b'\0' + bytes(index[bytes(row[at:at + 3])] for at in range(0, len(row), 3)) for row in rows)
     with open(file, 'wb') as stream:
-        stream.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, len(rows), 8, 3, 0, 0, 0)) +
-                     chunk(b'PLTE', palette) + chunk(b'IDAT', zlib.compress(packed, 9)) + chunk(b'IEND', b''))
+        stream.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, colour_type, 0, 0, 0)) +
+                     (chunk(b'PLTE', palette) if palette else b'') + chunk(b'IDAT', zlib.compress(packed, 9)) + chunk(b'IEND', b''))
 
 
 def label_scene(width, height, labels):
@@ -121,6 +127,7 @@ def main():
     parser.add_argument('--no-cost', action='store_true', help='do not measure')
     parser.add_argument('--size', default='150x124', help='of a swatch [150x124]')
     parser.add_argument('--columns', type=int, default=10, help='[10]')
+    parser.add_argument('--colours', type=int, default=256, help='of the .png, up to 256; 0 for all [256]')
     parser.add_argument('--max-noise', default='0.015', help='of the soft studio [0.015]')
     parser.add_argument('-t', default='1', metavar='THREADS', help='[1]')
     options = parser.parse_args()
@@ -167,7 +174,7 @@ def main():
             for at, value in enumerate(letters):
                 if value < row[at]:
                     row[at] = value
-        write_png(options.o, rows)
+        write_png(options.o, rows, options.colours)
         print(f'{options.o}: {len(wanted)} materials, {os.path.getsize(options.o) // 1000} kB')
 
 

@@ -19,7 +19,7 @@
 // The interior with which light that has gone Depth through the body is multiplied by Colour. `fade_power 1001` is the
 // exponential law: what is left of a channel after the way s is exp(-(1 - C) s/D) for the fade_color C. So 1 - C has to be
 // proportional to -ln(Colour).
-#macro Glass_Isl_Interior(Colour, Depth, Ior, Caustics)
+#macro Glass_Isl_Interior(Colour, Depth, Ior, Caustics, Fire)
   #local Any_ = <0, 0, 0> + Colour;
   #local Loss_ = <-ln(max(0.002, min(1, Any_.red))), -ln(max(0.002, min(1, Any_.green))), -ln(max(0.002, min(1, Any_.blue)))>;
   #local Most_ = max(0.001, Loss_.x, Loss_.y, Loss_.z);
@@ -29,6 +29,10 @@
     fade_power 1001
     fade_distance Depth/Most_
     fade_color rgb 1 - Loss_/Most_
+    #if (Fire > 1)
+      dispersion Fire
+      dispersion_samples 7
+    #end
   }
 #end
 
@@ -39,7 +43,7 @@
 #macro BottleGlass(Colour, Depth)
   material {
     texture { pigment { rgbf <0.99, 0.99, 0.99, 1> } finish { GlassFinish } }
-    Glass_Isl_Interior(Colour, Depth, 1.5, 0.4)
+    Glass_Isl_Interior(Colour, Depth, 1.5, 0.4, 1)
   }
 #end
 
@@ -50,10 +54,7 @@
 #macro GemStone(Colour, Depth, Ior, Fire)
   material {
     texture { pigment { rgbf 1 } finish { GlassFinish specular albedo 0.08 } }
-    Glass_Isl_Interior(Colour, Depth, Ior, 0.6)
-    #if (Fire > 1)
-      interior { dispersion Fire dispersion_samples 7 }
-    #end
+    Glass_Isl_Interior(Colour, Depth, Ior, 0.6, Fire)
   }
 #end
 
@@ -68,7 +69,7 @@
       normal { bumps 1.2*Roughness scale 0.006 }
       finish { ambient 0.02 diffuse 0.6 specular albedo 0.05 roughness 0.08 reflection { 0, 0.3 fresnel } conserve_energy }
     }
-    Glass_Isl_Interior(Colour, Depth, 1.45, 0)
+    Glass_Isl_Interior(Colour, Depth, 1.45, 0, 1)
   }
 #end
 
@@ -146,12 +147,12 @@
 // ClearWater: material. Drops and glasses of water.
 #declare ClearWater = material {
   texture { pigment { rgbf 1 } finish { GlassFinish } }
-  Glass_Isl_Interior(rgb <0.82, 0.94, 0.97>, 3, 1.33, 0.8)
+  Glass_Isl_Interior(rgb <0.82, 0.94, 0.97>, 3, 1.33, 0.8, 1)
 }
 // LagoonWater: material. Turquoise with depth, with small waves.
 #declare LagoonWater = material {
   texture { pigment { rgbf 1 } normal { bumps 0.12 scale <0.3, 0.3, 0.2> } finish { GlassFinish } }
-  Glass_Isl_Interior(rgb <0.05, 0.55, 0.60>, 1.6, 1.33, 0.8)
+  Glass_Isl_Interior(rgb <0.05, 0.55, 0.60>, 1.6, 1.33, 0.8, 1)
 }
 // IceBlock: material. Ice with cracks and a cold heart.
 #declare IceBlock = material {
@@ -160,7 +161,7 @@
     normal { dents 0.5 scale 0.25 }
     finish { ambient 0.03 diffuse 0.5 specular albedo 0.05 roughness 0.004 reflection { 0, 0.5 fresnel } conserve_energy }
   }
-  Glass_Isl_Interior(rgb <0.35, 0.72, 0.85>, 1.8, 1.31, 0.3)
+  Glass_Isl_Interior(rgb <0.35, 0.72, 0.85>, 1.8, 1.31, 0.3, 1)
 }
 // GlacierIce: material. Old ice without air: blue, and clouded at its skin.
 #declare GlacierIce = material {
@@ -169,7 +170,7 @@
     normal { wrinkles 0.35 scale 0.4 }
     finish { ambient 0.04 diffuse 0.6 specular albedo 0.05 roughness 0.01 reflection { 0, 0.4 fresnel } conserve_energy }
   }
-  Glass_Isl_Interior(rgb <0.08, 0.45, 0.72>, 1.4, 1.31, 0.2)
+  Glass_Isl_Interior(rgb <0.08, 0.45, 0.72>, 1.4, 1.31, 0.2, 1)
 }
 
 // ---- Gems and resins --------------------------------------------------------------------------------------------------------
@@ -192,7 +193,7 @@
     pigment { granite turbulence 0.3 color_map { [0.35 rgbf <1, 0.9, 0.7, 0.96>] [0.7 rgbf <1, 0.75, 0.4, 0.72>] } scale 1.1 }
     finish { ambient 0.03 diffuse 0.5 specular albedo 0.045 roughness 0.002 reflection { 0, 0.6 fresnel } conserve_energy }
   }
-  Glass_Isl_Interior(rgb <0.80, 0.28, 0.02>, 1.2, 1.54, 0.5)
+  Glass_Isl_Interior(rgb <0.80, 0.28, 0.02>, 1.2, 1.54, 0.5, 1)
 }
 // HoneySyrup: material. Liquid gold, thick.
 #declare HoneySyrup = BottleGlass(rgb <0.84, 0.36, 0.015>, 0.9)

@@ -262,7 +262,7 @@
       warp { turbulence 0.03 octaves 2 }
       scale 0.05
     }
-    finish { MetalFinish(0.55) reflection 0 }
+    finish { ambient 0.08 diffuse 0.8 }
   }
 // MalachiteStone: texture. Bands of green, from mint to nearly black.
 #declare MalachiteStone = BandedStone(color_map {
