@@ -63,11 +63,11 @@
 // ---- Bodies that light enters -----------------------------------------------------------------------------------------
 
 // WaxFinish: finish. Light goes in and round: soft from light to shadow, with a sheen that is broad and a little sharp.
-#declare WaxFinish = finish { ambient 0.1 diffuse 0.82 brilliance 0.6 specular albedo 0.03 roughness 0.06 phong albedo 0.01 phong_size 160 }
+#declare WaxFinish = finish { ambient 0.1 diffuse 0.79 brilliance 0.6 specular albedo 0.03 roughness 0.06 phong albedo 0.01 phong_size 160 }
 // FleshFinish: finish. Skin, fruit and petals: soft shadows and a moist sheen.
 #declare FleshFinish = finish { ambient 0.09 diffuse 0.82 brilliance 0.75 specular albedo 0.04 roughness 0.05 }
 // JellyFinish: finish. For what is half transparent: little is scattered, highlights are sharp.
-#declare JellyFinish = finish { ambient 0.05 diffuse 0.45 brilliance 0.6 specular albedo 0.04 roughness 0.003
+#declare JellyFinish = finish { ambient 0.05 diffuse 0.39 brilliance 0.6 specular albedo 0.04 roughness 0.003
   reflection { 0.02, 0.5 falloff 5 } conserve_energy }
 // GlassFinish: finish. For glass and water: nothing is scattered; mirrors by the `ior` of the interior, which it needs.
 #declare GlassFinish = finish { ambient 0 diffuse 0 specular albedo 0.04 roughness 0.001 reflection { 0, 1 fresnel } conserve_energy }
@@ -81,7 +81,7 @@
 #declare OilFilmFinish = finish { ambient 0.04 diffuse 0.4 specular albedo 0.25 roughness 0.04
   reflection { 0.08, 0.6 falloff 3 } irid { 0.6 thickness 0.8 turbulence 0.3 } }
 // DustFinish: finish. Flat and bright towards the rims of the light, as dust and velvet are.
-#declare DustFinish = finish { ambient 0.08 diffuse 0.8 brilliance 0.5 }
+#declare DustFinish = finish { ambient 0.08 diffuse 0.74 brilliance 0.5 }
 // GlowFinish: finish. Shines by itself, evenly: lamps, lava, deep-sea lights. It lights other things with `bounce_light`.
 #declare GlowFinish = finish { ambient 0 diffuse 0.1 emission 0.9 }
 

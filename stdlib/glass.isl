@@ -88,7 +88,7 @@
           [1 rgbf <Any_.red, Any_.green, Any_.blue, Clear>]
         }
       }
-      finish { ambient 0.06 diffuse 0.7 brilliance 0.6 specular albedo 0.04 roughness 0.002 reflection { 0.03, 0.3 falloff 5 } }
+      finish { ambient 0.06 diffuse 0.56 brilliance 0.6 specular albedo 0.04 roughness 0.002 reflection { 0.03, 0.3 falloff 5 } }
     }
     interior { ior 1.25 }
   }

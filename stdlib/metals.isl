@@ -194,8 +194,8 @@
 #declare BrushedAluminium = BrushedMetal(AluminiumTint*0.9, x)
 // CastIron: texture. Dark and rough from the mould.
 #declare CastIron = CastMetal(SteelTint*0.45)
-// Rust: texture. Iron oxide, from nearly black over orange to ochre.
-#declare Rust = texture {
+// RustCrust: texture. Iron oxide, from nearly black over orange to ochre.
+#declare RustCrust = texture {
   pigment {
     granite turbulence 0.2 octaves 3
     color_map {
@@ -206,7 +206,7 @@
   finish { MatteFinish }
 }
 // RustySteel: texture. Steel that rust eats from above.
-#declare RustySteel = OxidisedMetal(BeadedSteel, Rust, 0.5)
+#declare RustySteel = OxidisedMetal(BeadedSteel, RustCrust, 0.5)
 // HeatTintedTitanium: texture. Titanium from the flame: straw, purple and blue that turn with the angle.
 #declare HeatTintedTitanium = texture {
   pigment {

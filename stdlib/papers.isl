@@ -120,7 +120,7 @@
     }
   }
   normal { wrinkles 0.25 scale 0.25 }
-  finish { ambient 0.1 diffuse 0.84 brilliance 0.6 }
+  finish { ambient 0.1 diffuse 0.79 brilliance 0.6 }
 }
 
 // ---- Cloth --------------------------------------------------------------------------------------------------------------------
@@ -189,7 +189,7 @@
 // WhitePorcelain: texture. White, a breath of blue, glazed.
 #declare WhitePorcelain = texture {
   pigment { aoi color_map { [0.5 rgb <0.72, 0.77, 0.84>] [0.75 rgb <0.83, 0.84, 0.85>] } }
-  finish { GlossyFinish(0.95) brilliance 0.85 }
+  finish { GlossyFinish(0.95) }
 }
 // BisquePorcelain: texture. Fired without a glaze: silky, half translucent, as dolls are.
 #declare BisquePorcelain = texture {

@@ -165,7 +165,7 @@
 // BalloonSkin: texture. Stretched thin: shining, lighter at its rims.
 #declare BalloonSkin = texture {
   pigment { aoi color_map { [0.5 rgb <0.80, 0.22, 0.30>] [0.62 rgb <0.70, 0.05, 0.11>] [0.9 rgb <0.52, 0.015, 0.045>] } }
-  finish { GlossyFinish(0.9) brilliance 0.8 }
+  finish { GlossyFinish(0.9) }
 }
 
 // ---- Lacquer and paint -----------------------------------------------------------------------------------------------------------

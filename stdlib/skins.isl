@@ -337,7 +337,7 @@
 #declare PetalSkin = texture {
   pigment { RimPigment(rgb <0.62, 0.10, 0.22>, rgb <0.92, 0.46, 0.52>) }
   normal { bumps 0.08 scale <0.02, 0.2, 0.02> }
-  finish { ambient 0.09 diffuse 0.84 brilliance 0.6 specular albedo 0.02 roughness 0.12 }
+  finish { ambient 0.09 diffuse 0.79 brilliance 0.6 specular albedo 0.02 roughness 0.12 }
 }
 // MushroomCap: texture. Red with white flakes, as in tales; white below.
 #declare MushroomCap = texture {
@@ -409,7 +409,7 @@
     color_map { [0.2 rgb <0.80, 0.70, 0.50>] [0.9 rgb <0.72, 0.60, 0.40>] }
     scale 0.09 rotate 80*x
   }
-  finish { WaxFinish reflection { 0.02, 0.16 falloff 5 } specular albedo 0.04 roughness 0.012 }
+  finish { WaxFinish diffuse 0.66 reflection { 0.02, 0.16 falloff 5 } specular albedo 0.04 roughness 0.012 }
 }
 // DarkHorn: texture. Layers of brown and black, half polished: horns, hooves, claws.
 #declare DarkHorn = texture {

@@ -243,7 +243,7 @@
     color_map { [0.2 rgb <0.12, 0.34, 0.17>] [0.5 rgb <0.22, 0.45, 0.24>] [0.75 rgb <0.42, 0.60, 0.40>] [0.95 rgb <0.62, 0.74, 0.58>] }
     scale 0.55
   }
-  finish { WaxFinish reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.01 }
+  finish { WaxFinish diffuse 0.64 reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.01 }
 }
 // LapisStone: texture. Deep blue with gold dust and white clouds.
 #declare LapisStone =
@@ -296,7 +296,7 @@
     color_map { [0.2 rgb <0.74, 0.42, 0.44>] [0.5 rgb <0.82, 0.56, 0.56>] [0.75 rgb <0.90, 0.76, 0.74>] }
     scale 1.3
   }
-  finish { WaxFinish reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.008 }
+  finish { WaxFinish diffuse 0.64 reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.008 }
 }
 
 // ---- Stones with something on them ----------------------------------------------------------------------------------------------
@@ -321,7 +321,7 @@
 #declare SnowyRock = CoveredAbove(FieldRock, texture {
   pigment { rgb <0.86, 0.89, 0.93> }
   normal { bumps 0.2 scale 0.15 }
-  finish { ambient 0.09 diffuse 0.88 brilliance 0.6 }
+  finish { ambient 0.09 diffuse 0.79 brilliance 0.6 }
 }, 0.4)
 // LichenRock: texture. A boulder with rosettes of lichen, grey green and yellow.
 #declare LichenRock =
