@@ -1,5 +1,5 @@
-// One material on a test body: a blend of balls and a bent limb, large and small, turned up and down, on a floor with stripes
-// that glass can bend, in a studio.
+// One material on a test body: a blend of balls and a bent limb, large and small, turned up and down, on a floor with
+// stripes that glass can bend, in a studio.
 //
 //   bench/swatches.py                     renders a page of all materials of the libraries
 //

@@ -5,8 +5,9 @@
 //   object { Thing }
 //   FitCamera(Thing, <1, 0.6, -3>, 35)
 //
-// From is a direction throughout: from the middle of the object to the camera, of any length. <0, 0, -1> is from the front,
-// <1, 0.6, -1> from the right and above. y is up. The object must be bounded: give the plant without the ground it stands on.
+// From is a direction throughout: from the middle of the object to the camera, of any length. <0, 0, -1> is from the
+// front, <1, 0.6, -1> from the right and above. y is up. The object must be bounded: give the plant without the ground
+// it stands on.
 #ifndef (Cameras_Isl_Before)
 #declare Cameras_Isl_Before = version;
 #version 3.7;
@@ -30,7 +31,8 @@
 // FitDistance(Object, From, Angle)
 // How far from the middle of the object's box a camera has to stand so that the whole box is just inside the picture.
 // Angle: degrees across the picture; 20 to 30 flatters, 35 is ordinary, 60 and more is dramatic.
-// Example: #declare Ball = sphere { 0, 1 } object { Ball } camera { location -FitDistance(Ball, -z, 35)*z look_at 0 angle 35 }
+// Example: #declare Ball = sphere { 0, 1 } object { Ball } camera { location -FitDistance(Ball, -z, 35)*z look_at 0
+//   angle 35 }
 #macro FitDistance(Object, From, Angle)
   #local Low_ = min_extent(Object);
   #local Half_ = (max_extent(Object) - Low_)/2;
@@ -58,9 +60,10 @@
 
 // PlacedCamera(Object, From, Angle, Room, Place)
 // The object anywhere in the picture, with as much room as wanted; the other cameras are made of this one.
-// Room: 1 fills the picture, 1.5 leaves a third of it free. Place: where the middle of the object is to be, <right, up>,
-// from <-0.5, -0.5>, the lower left corner, to <0.5, 0.5>.
-// Example: object { torus { 1, 0.3 } pigment { rgb 0.8 } } PlacedCamera(torus { 1, 0.3 }, <1, 1, -2>, 35, 1.6, <-0.15, 0>)
+// Room: 1 fills the picture, 1.5 leaves a third of it free. Place: where the middle of the object is to be, <right,
+// up>, from <-0.5, -0.5>, the lower left corner, to <0.5, 0.5>.
+// Example: object { torus { 1, 0.3 } pigment { rgb 0.8 } } PlacedCamera(torus { 1, 0.3 }, <1, 1, -2>, 35, 1.6, <-0.15,
+//   0>)
 #macro PlacedCamera(Object, From, Angle, Room, Place)
   #local Distance_ = Room*FitDistance(Object, From, Angle);
   #local Place_ = <0, 0> + Place;

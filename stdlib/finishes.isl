@@ -4,11 +4,12 @@
 //   sphere { 0, 1 pigment { rgb <0.8, 0.3, 0.2> } finish { SatinFinish } }
 //   sphere { 0, 1 pigment { rgb <0.8, 0.3, 0.2> } finish { GlossyFinish(0.7) } }
 //
-// All keep to one rule: what is scattered (`diffuse`) and the most that is mirrored (at grazing angles) are together at most
-// all light. Highlights are given by `albedo`: the number is the share of light that they hold, whatever their size. Mirrors
-// grow with the fifth power of the angle, as Schlick's approximation of Fresnel's law has it ("An Inexpensive BRDF Model for
-// Physically-Based Rendering", 1994), so that no interior is needed and a component of a blob may have them. `ambient` is low:
-// it fills shadows a little in scenes with lamps alone, and `sky_light` takes its place.
+// All keep to one rule: what is scattered (`diffuse`) and the most that is mirrored (at grazing angles) are together
+// at most all light. Highlights are given by `albedo`: the number is the share of light that they hold, whatever their
+// size. Mirrors grow with the fifth power of the angle, as Schlick's approximation of Fresnel's law has it ("An
+// Inexpensive BRDF Model for Physically-Based Rendering", 1994), so that no interior is needed and a component of a
+// blob may have them. `ambient` is low: it fills shadows a little in scenes with lamps alone, and `sky_light` takes
+// its place.
 #ifndef (Finishes_Isl_Before)
 #declare Finishes_Isl_Before = version;
 #version 3.7;
@@ -18,7 +19,8 @@
 // GlossyFinish(Gloss)
 // Anything that is no metal, from chalk to lacquer. Below 0.5 nothing is mirrored, and no rays are spent on it.
 // Gloss: 0 chalk, 0.3 eggshell, 0.5 satin, 0.8 glazed, 1 wet lacquer.
-// Example: #for (I, 0, 4) sphere { <0.9*(I - 2), 0, 0>, 0.45 pigment { rgb <0.1, 0.3, 0.5> } finish { GlossyFinish(I/4) } } #end
+// Example: #for (I, 0, 4) sphere { <0.9*(I - 2), 0, 0>, 0.45 pigment { rgb <0.1, 0.3, 0.5> } finish {
+//   GlossyFinish(I/4) } } #end
 #macro GlossyFinish(Gloss)
   #local Mirror_ = max(0, min(1, 2*Gloss - 1));
   ambient 0.08
@@ -34,7 +36,8 @@
 // MetalFinish(Polish)
 // Any metal: light is mirrored and shines in the colour of the pigment.
 // Polish: 0 matt as if cast, 0.5 satin, 1 a mirror.
-// Example: #for (I, 0, 4) sphere { <0.9*(I - 2), 0, 0>, 0.45 pigment { rgb <0.95, 0.64, 0.54> } finish { MetalFinish(I/4) } } #end
+// Example: #for (I, 0, 4) sphere { <0.9*(I - 2), 0, 0>, 0.45 pigment { rgb <0.95, 0.64, 0.54> } finish {
+//   MetalFinish(I/4) } } #end
 #macro MetalFinish(Polish)
   ambient 0.06*(1 - Polish)
   diffuse 0.5 - 0.44*Polish
@@ -45,7 +48,7 @@
   reflection { 0.08 + 0.72*Polish, 0.45 + 0.47*Polish falloff 4 metallic }
 #end
 
-// ---- Plain surfaces ---------------------------------------------------------------------------------------------------
+// ---- Plain surfaces -------------------------------------------------------------------------------------------------
 
 // MatteFinish: finish. No shine at all: unglazed clay, blotting paper.
 #declare MatteFinish = finish { ambient 0.08 diffuse 0.85 }
@@ -60,19 +63,21 @@
 // WetFinish: finish. The sharpest highlights and a mirror at the rims: fresh paint, wet sand, eyes.
 #declare WetFinish = finish { GlossyFinish(1) }
 
-// ---- Bodies that light enters -----------------------------------------------------------------------------------------
+// ---- Bodies that light enters ---------------------------------------------------------------------------------------
 
 // WaxFinish: finish. Light goes in and round: soft from light to shadow, with a sheen that is broad and a little sharp.
-#declare WaxFinish = finish { ambient 0.1 diffuse 0.79 brilliance 0.6 specular albedo 0.03 roughness 0.06 phong albedo 0.01 phong_size 160 }
+#declare WaxFinish = finish { ambient 0.1 diffuse 0.79 brilliance 0.6 specular albedo 0.03
+  roughness 0.06 phong albedo 0.01 phong_size 160 }
 // FleshFinish: finish. Skin, fruit and petals: soft shadows and a moist sheen.
 #declare FleshFinish = finish { ambient 0.09 diffuse 0.82 brilliance 0.75 specular albedo 0.04 roughness 0.05 }
 // JellyFinish: finish. For what is half transparent: little is scattered, highlights are sharp.
 #declare JellyFinish = finish { ambient 0.05 diffuse 0.39 brilliance 0.6 specular albedo 0.04 roughness 0.003
   reflection { 0.02, 0.5 falloff 5 } conserve_energy }
 // GlassFinish: finish. For glass and water: nothing is scattered; mirrors by the `ior` of the interior, which it needs.
-#declare GlassFinish = finish { ambient 0 diffuse 0 specular albedo 0.04 roughness 0.001 reflection { 0, 1 fresnel } conserve_energy }
+#declare GlassFinish = finish { ambient 0 diffuse 0 specular albedo 0.04 roughness 0.001
+  reflection { 0, 1 fresnel } conserve_energy }
 
-// ---- Sheens -----------------------------------------------------------------------------------------------------------
+// ---- Sheens ---------------------------------------------------------------------------------------------------------
 
 // PearlFinish: finish. A silky sheen in colours that barely change with the angle: pearls, nacre, silk.
 #declare PearlFinish = finish { ambient 0.08 diffuse 0.72 specular albedo 0.12 roughness 0.03
@@ -82,7 +87,8 @@
   reflection { 0.08, 0.6 falloff 3 } irid { 0.6 thickness 0.8 turbulence 0.3 } }
 // DustFinish: finish. Flat and bright towards the rims of the light, as dust and velvet are.
 #declare DustFinish = finish { ambient 0.08 diffuse 0.74 brilliance 0.5 }
-// GlowFinish: finish. Shines by itself, evenly: lamps, lava, deep-sea lights. It lights other things with `bounce_light`.
+// GlowFinish: finish. Shines by itself, evenly: lamps, lava, deep-sea lights. It lights other things with
+// `bounce_light`.
 #declare GlowFinish = finish { ambient 0 diffuse 0.1 emission 0.9 }
 
 #version Finishes_Isl_Before;

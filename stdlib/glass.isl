@@ -4,24 +4,25 @@
 //   sphere { 0, 1 material { ClearGlass } }
 //   sphere { 0, 1 BottleGlass(rgb <0.1, 0.6, 0.3>, 1) }
 //
-// All are materials, because they have an interior; in a blob the material belongs to the whole, not to its components. Colour
-// comes from the way through the body, so that thin parts are pale and thick ones deep, as in real glass: Depth is the way
-// after which only the colour itself is left of white. Those that are declared are made for objects about 2 units large; for
-// others take the macros with a Depth in proportion, because scaling a material does not scale its interior.
-// global_settings { max_trace_level 12 } lets light through several walls.
+// All are materials, because they have an interior; in a blob the material belongs to the whole, not to its
+// components. Colour comes from the way through the body, so that thin parts are pale and thick ones deep, as in real
+// glass: Depth is the way after which only the colour itself is left of white. Those that are declared are made for
+// objects about 2 units large; for others take the macros with a Depth in proportion, because scaling a material does
+// not scale its interior. global_settings { max_trace_level 12 } lets light through several walls.
 #ifndef (Glass_Isl_Before)
 #declare Glass_Isl_Before = version;
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // The interior with which light that has gone Depth through the body is multiplied by Colour. `fade_power 1001` is the
-// exponential law: what is left of a channel after the way s is exp(-(1 - C) s/D) for the fade_color C. So 1 - C has to be
-// proportional to -ln(Colour).
+// exponential law: what is left of a channel after the way s is exp(-(1 - C) s/D) for the fade_color C. So 1 - C has
+// to be proportional to -ln(Colour).
 #macro Glass_Isl_Interior(Colour, Depth, Ior, Caustics, Fire)
   #local Any_ = <0, 0, 0> + Colour;
-  #local Loss_ = <-ln(max(0.002, min(1, Any_.red))), -ln(max(0.002, min(1, Any_.green))), -ln(max(0.002, min(1, Any_.blue)))>;
+  #local Loss_ =
+    <-ln(max(0.002, min(1, Any_.red))), -ln(max(0.002, min(1, Any_.green))), -ln(max(0.002, min(1, Any_.blue)))>;
   #local Most_ = max(0.001, Loss_.x, Loss_.y, Loss_.z);
   interior {
     ior Ior
@@ -38,7 +39,8 @@
 
 // BottleGlass(Colour, Depth)
 // Coloured glass: pale where it is thin, deep where it is thick.
-// Colour: what is left of white light after the way Depth, each component above 0. Depth: in units; about the thickness.
+// Colour: what is left of white light after the way Depth, each component above 0. Depth: in units; about the
+// thickness.
 // Example: sphere { 0, 1 BottleGlass(rgb <0.15, 0.65, 0.35>, 1) }
 #macro BottleGlass(Colour, Depth)
   material {
@@ -67,7 +69,8 @@
     texture {
       pigment { rgbft <0.95, 0.97, 1, 0.82, 0> }
       normal { bumps 1.2*Roughness scale 0.006 }
-      finish { ambient 0.02 diffuse 0.6 specular albedo 0.05 roughness 0.08 reflection { 0, 0.3 fresnel } conserve_energy }
+      finish { ambient 0.02 diffuse 0.6 specular albedo 0.05 roughness 0.08
+        reflection { 0, 0.3 fresnel } conserve_energy }
     }
     Glass_Isl_Interior(Colour, Depth, 1.45, 0, 1)
   }
@@ -88,7 +91,8 @@
           [1 rgbf <Any_.red, Any_.green, Any_.blue, Clear>]
         }
       }
-      finish { ambient 0.06 diffuse 0.56 brilliance 0.6 specular albedo 0.04 roughness 0.002 reflection { 0.03, 0.3 falloff 5 } }
+      finish { ambient 0.06 diffuse 0.56 brilliance 0.6 specular albedo 0.04 roughness 0.002
+        reflection { 0.03, 0.3 falloff 5 } }
     }
     interior { ior 1.25 }
   }
@@ -113,7 +117,7 @@
   }
 #end
 
-// ---- Glass --------------------------------------------------------------------------------------------------------------
+// ---- Glass ----------------------------------------------------------------------------------------------------------
 
 // ClearGlass: material. Window glass, a breath of green in its depth.
 #declare ClearGlass = BottleGlass(rgb <0.90, 0.96, 0.93>, 2)
@@ -142,7 +146,7 @@
 // SoapBubble: material. A film with all colours.
 #declare SoapBubble = SoapFilm(1.1)
 
-// ---- Water and ice --------------------------------------------------------------------------------------------------------
+// ---- Water and ice --------------------------------------------------------------------------------------------------
 
 // ClearWater: material. Drops and glasses of water.
 #declare ClearWater = material {
@@ -157,23 +161,27 @@
 // IceBlock: material. Ice with cracks and a cold heart.
 #declare IceBlock = material {
   texture {
-    pigment { granite color_map { [0.3 rgbf <0.96, 0.99, 1, 0.97>] [0.62 rgbf <0.94, 0.98, 1, 0.8>] [0.8 rgbf <1, 1, 1, 0.35>] } scale 0.9 }
+    pigment { granite color_map { [0.3 rgbf <0.96, 0.99, 1, 0.97>] [0.62 rgbf <0.94, 0.98, 1, 0.8>]
+      [0.8 rgbf <1, 1, 1, 0.35>] } scale 0.9 }
     normal { dents 0.5 scale 0.25 }
-    finish { ambient 0.03 diffuse 0.5 specular albedo 0.05 roughness 0.004 reflection { 0, 0.5 fresnel } conserve_energy }
+    finish { ambient 0.03 diffuse 0.5 specular albedo 0.05 roughness 0.004
+      reflection { 0, 0.5 fresnel } conserve_energy }
   }
   Glass_Isl_Interior(rgb <0.35, 0.72, 0.85>, 1.8, 1.31, 0.3, 1)
 }
 // GlacierIce: material. Old ice without air: blue, and clouded at its skin.
 #declare GlacierIce = material {
   texture {
-    pigment { bozo turbulence 0.4 octaves 4 color_map { [0.3 rgbf <0.9, 0.97, 1, 0.85>] [0.7 rgbf <0.85, 0.95, 1, 0.5>] } scale 0.5 }
+    pigment { bozo turbulence 0.4 octaves 4 color_map { [0.3 rgbf <0.9, 0.97, 1, 0.85>]
+      [0.7 rgbf <0.85, 0.95, 1, 0.5>] } scale 0.5 }
     normal { wrinkles 0.35 scale 0.4 }
-    finish { ambient 0.04 diffuse 0.6 specular albedo 0.05 roughness 0.01 reflection { 0, 0.4 fresnel } conserve_energy }
+    finish { ambient 0.04 diffuse 0.6 specular albedo 0.05 roughness 0.01
+      reflection { 0, 0.4 fresnel } conserve_energy }
   }
   Glass_Isl_Interior(rgb <0.08, 0.45, 0.72>, 1.4, 1.31, 0.2, 1)
 }
 
-// ---- Gems and resins --------------------------------------------------------------------------------------------------------
+// ---- Gems and resins ------------------------------------------------------------------------------------------------
 
 // RubyGem: material. Red.
 #declare RubyGem = GemStone(rgb <0.60, 0.02, 0.07>, 1, 1.77, 1)
@@ -190,8 +198,10 @@
 // AmberResin: material. Fossil resin: honey, with clouds and sparks inside.
 #declare AmberResin = material {
   texture {
-    pigment { granite turbulence 0.3 color_map { [0.35 rgbf <1, 0.9, 0.7, 0.96>] [0.7 rgbf <1, 0.75, 0.4, 0.72>] } scale 1.1 }
-    finish { ambient 0.03 diffuse 0.5 specular albedo 0.045 roughness 0.002 reflection { 0, 0.6 fresnel } conserve_energy }
+    pigment { granite turbulence 0.3 color_map { [0.35 rgbf <1, 0.9, 0.7, 0.96>]
+      [0.7 rgbf <1, 0.75, 0.4, 0.72>] } scale 1.1 }
+    finish { ambient 0.03 diffuse 0.5 specular albedo 0.045 roughness 0.002
+      reflection { 0, 0.6 fresnel } conserve_energy }
   }
   Glass_Isl_Interior(rgb <0.80, 0.28, 0.02>, 1.2, 1.54, 0.5, 1)
 }

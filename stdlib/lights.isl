@@ -6,9 +6,9 @@
 //   SoftStudio(Thing, <1, 0.6, -3>)                        lights, surroundings and soft shadows in one line
 //   SunAndSky(12, 60, 0.3)                                 or the light of a late afternoon
 //
-// From is the direction from the object to the camera, as in cameras.isl; left and right are as that camera sees them. The
-// object must be bounded: give the plant without the ground it stands on. Lights do not fade with the distance unless it is
-// said, so that they are as bright on a coral as on a cathedral. y is up.
+// From is the direction from the object to the camera, as in cameras.isl; left and right are as that camera sees them.
+// The object must be bounded: give the plant without the ground it stands on. Lights do not fade with the distance
+// unless it is said, so that they are as bright on a coral as on a cathedral. y is up.
 #ifndef (Lights_Isl_Before)
 #declare Lights_Isl_Before = version;
 #version 3.7;
@@ -19,8 +19,8 @@
 // KelvinColour(Temperature)
 // The colour of a lamp by its temperature, its greatest component 1.
 // Temperature: kelvin; 1900 candle, 2700 bulb, 4000 moonlit white, 5500 flash, 6500 white of the screen, 10000 shade.
-// The chromaticity is the cubic fit to Planck's law by B. Kim et al., "Design of Advanced Color Temperature Control System
-// for HDTV Applications" (2002), good from 1667 to 25000.
+// The chromaticity is the cubic fit to Planck's law by B. Kim et al., "Design of Advanced Color Temperature Control
+// System for HDTV Applications" (2002), good from 1667 to 25000.
 // Example: sphere { 0, 1 pigment { KelvinColour(2700) } }
 #macro KelvinColour(Temperature)
   #local T_ = 1000/max(1667, min(25000, Temperature));
@@ -44,7 +44,7 @@
   Colour_
 #end
 
-// ---- About an object --------------------------------------------------------------------------------------------------
+// ---- About an object ------------------------------------------------------------------------------------------------
 
 // Declares Lights_Isl_Middle and Lights_Isl_Reach, the middle of an object's box and half its diagonal.
 #macro Lights_Isl_Measure(Object)
@@ -54,7 +54,8 @@
   #declare Lights_Isl_Reach = max(1e-6, vlength(High_ - Low_)/2);
 #end
 
-// The direction that is Azimuth degrees to the right of From, as the camera sees it, and Elevation degrees above the horizon.
+// The direction that is Azimuth degrees to the right of From, as the camera sees it, and Elevation degrees above the
+// horizon.
 #macro Lights_Isl_Direction(From, Azimuth, Elevation)
   #local Heading_ = degrees(atan2(From.x, -From.z));
   SunDirection(Elevation, Heading_ + Azimuth)
@@ -82,12 +83,13 @@
 // Example: sphere { 0, 1 pigment { rgb 0.8 } } FillFrom(sphere { 0, 1 }, -z, 60, 10, rgb 0.3)
 #macro FillFrom(Object, From, Azimuth, Elevation, Colour)
   Lights_Isl_Measure(Object)
-  light_source { Lights_Isl_Middle + 6*Lights_Isl_Reach*Lights_Isl_Direction(From, Azimuth, Elevation), Colour shadowless }
+  light_source { Lights_Isl_Middle + 6*Lights_Isl_Reach*Lights_Isl_Direction(From, Azimuth, Elevation), Colour
+    shadowless }
 #end
 
 // StudioLights(Object, From)
-// Key, fill and rim: a warm light from the upper left, a cool one without shadows from the right, one from behind that draws
-// the outline. Points of light: quick, with hard shadows.
+// Key, fill and rim: a warm light from the upper left, a cool one without shadows from the right, one from behind that
+// draws the outline. Points of light: quick, with hard shadows.
 // From: direction to the camera.
 // Example: sphere { 0, 1 pigment { rgb <0.8, 0.3, 0.2> } } StudioLights(sphere { 0, 1 }, -z)
 #macro StudioLights(Object, From)
@@ -112,8 +114,8 @@
 #end
 
 // SoftStudio(Object, From)
-// A whole studio: the three soft lights, StudioSky for mirrors to show and for light from all around, and light that surfaces
-// throw on one another.
+// A whole studio: the three soft lights, StudioSky for mirrors to show and for light from all around, and light that
+// surfaces throw on one another.
 // Example: sphere { 0, 1 pigment { rgb <0.8, 0.3, 0.2> } } SoftStudio(sphere { 0, 1 }, -z)
 #macro SoftStudio(Object, From)
   // The sky is the fill light, and a part of the key.
@@ -156,7 +158,7 @@
   LightFrom(Object, From, -125, 30, rgb <0.45, 0.75, 1.2>, 0)
 #end
 
-// ---- Sun, window, lamp ------------------------------------------------------------------------------------------------
+// ---- Sun, window, lamp ----------------------------------------------------------------------------------------------
 
 // SunLight(Elevation, Azimuth, Haze)
 // The sun alone: parallel light, the same everywhere.
@@ -179,9 +181,10 @@
 #end
 
 // SunAndSky(Elevation, Azimuth, Haze)
-// The light of an hour out of doors: sky, sun and light from all around, in the units of a picture that is exposed for it.
-// Elevation: 55 noon, 15 late afternoon, 3 sunset, -5 dusk. Azimuth: 0 behind a camera that looks along z, 90 to its right,
-// 180 ahead. Haze: 0 mountain air, 0.3 a fine day, 1 mist without a sun.
+// The light of an hour out of doors: sky, sun and light from all around, in the units of a picture that is exposed for
+// it.
+// Elevation: 55 noon, 15 late afternoon, 3 sunset, -5 dusk. Azimuth: 0 behind a camera that looks along z, 90 to its
+// right, 180 ahead. Haze: 0 mountain air, 0.3 a fine day, 1 mist without a sun.
 // Example: sphere { 0, 1 pigment { rgb 0.8 } } plane { y, -1 pigment { rgb 0.5 } } SunAndSky(12, -60, 0.3)
 #macro SunAndSky(Elevation, Azimuth, Haze)
   DaySky(Elevation, Azimuth, Haze)
@@ -234,7 +237,8 @@
 
 // LampLight(Place, Colour, Reach)
 // A lamp that fades as lamps do, and is seen as a small glowing ball.
-// Place: its middle. Colour: of the light at Reach. Reach: the distance at which it is that bright; the ball is a twentieth.
+// Place: its middle. Colour: of the light at Reach. Reach: the distance at which it is that bright; the ball is a
+// twentieth.
 // Example: sphere { 0, 0.6 pigment { rgb 0.8 } } LampLight(<-1, 1, -1>, KelvinColour(2700), 1.5)
 #macro LampLight(Place, Colour, Reach)
   light_source {

@@ -4,9 +4,9 @@
 //   sphere { 0, 1 texture { PolishedGold } }
 //   sphere { 0, 1 SatinMetal(CopperTint) }
 //
-// Metals show what is around them: give them a sky (StudioSky of skies.isl) and a floor, or they are black. Grains are made
-// for objects about 2 units large; scale the texture with the object. The tints are what clean metal mirrors seen straight on,
-// in linear light, rounded from published optical constants.
+// Metals show what is around them: give them a sky (StudioSky of skies.isl) and a floor, or they are black. Grains are
+// made for objects about 2 units large; scale the texture with the object. The tints are what clean metal mirrors seen
+// straight on, in linear light, rounded from published optical constants.
 #ifndef (Metals_Isl_Before)
 #declare Metals_Isl_Before = version;
 #version 3.7;
@@ -39,7 +39,7 @@
 // PewterTint: colour. Tin and pewter.
 #declare PewterTint = rgb <0.60, 0.58, 0.54>;
 
-// ---- Any metal --------------------------------------------------------------------------------------------------------
+// ---- Any metal ------------------------------------------------------------------------------------------------------
 
 // PolishedMetal(Colour)
 // A mirror of metal.
@@ -127,7 +127,7 @@
   }
 #end
 
-// ---- Declared metals ----------------------------------------------------------------------------------------------------
+// ---- Declared metals ------------------------------------------------------------------------------------------------
 
 // PolishedGold: texture. A mirror of fine gold.
 #declare PolishedGold = PolishedMetal(GoldTint)
@@ -199,7 +199,8 @@
   pigment {
     granite turbulence 0.2 octaves 3
     color_map {
-      [0.1 rgb <0.06, 0.022, 0.014>] [0.35 rgb <0.20, 0.065, 0.022>] [0.55 rgb <0.36, 0.13, 0.04>] [0.8 rgb <0.50, 0.25, 0.09>] }
+      [0.1 rgb <0.06, 0.022, 0.014>] [0.35 rgb <0.20, 0.065, 0.022>] [0.55 rgb <0.36, 0.13, 0.04>]
+        [0.8 rgb <0.50, 0.25, 0.09>] }
     scale 0.7
   }
   normal { granite 0.5 accuracy 0.008 scale 0.25 }
@@ -212,7 +213,8 @@
   pigment {
     aoi
     color_map {
-      [0.5 rgb <0.30, 0.55, 0.62>] [0.62 rgb <0.10, 0.22, 0.62>] [0.74 rgb <0.30, 0.12, 0.55>] [0.84 rgb <0.66, 0.26, 0.36>]
+      [0.5 rgb <0.30, 0.55, 0.62>] [0.62 rgb <0.10, 0.22, 0.62>] [0.74 rgb <0.30, 0.12, 0.55>]
+        [0.84 rgb <0.66, 0.26, 0.36>]
       [0.93 rgb <0.80, 0.56, 0.24>] [1 rgb <0.72, 0.62, 0.40>] }
   }
   finish { MetalFinish(0.85) }

@@ -8,7 +8,8 @@
 // processing" (2020, https://bottosson.github.io/posts/oklab/). With linear light R, G, B:
 //   l, m, s = the cube roots of M1 <R, G, B>,   <L, a, b> = M2 <l, m, s>
 // L is lightness, 0 for black and 1 for white; a goes from green to red, b from blue to yellow. Chroma is the length of
-// <a, b>, hue its angle. The parameter of a ramp is the length of its way through this space, so that it has an even speed.
+// <a, b>, hue its angle. The parameter of a ramp is the length of its way through this space, so that it has an even
+// speed.
 #ifndef (Palettes_Isl_Before)
 #declare Palettes_Isl_Before = version;
 #version 3.7;
@@ -77,8 +78,8 @@
 
 // LchColour(Lightness, Chroma, Hue)
 // A colour by what the eye sees of it: hues at the same Lightness and Chroma look equally bright and colourful.
-// Lightness: 0 black … 1 white. Chroma: 0 grey, 0.1 soft, 0.2 strong. Hue: degrees; about 30 red, 60 orange, 105 yellow,
-// 145 green, 195 cyan, 260 blue, 310 violet.
+// Lightness: 0 black … 1 white. Chroma: 0 grey, 0.1 soft, 0.2 strong. Hue: degrees; about 30 red, 60 orange, 105
+// yellow, 145 green, 195 cyan, 260 blue, 310 violet.
 // Example: #for (I, 0, 5) sphere { <I - 2.5, 0, 0>, 0.5 pigment { LchColour(0.75, 0.12, 60*I) } } #end
 #macro LchColour(Lightness, Chroma, Hue)
   OklabToRgb(<Lightness, Chroma*cos(radians(Hue)), Chroma*sin(radians(Hue))>)
@@ -116,8 +117,8 @@
 
 // ---- Ramps ----------------------------------------------------------------------------------------------------------
 
-// A spline through Lab[0] … Lab[Last], the ends of which are followed by what lies beyond them, so that it passes through
-// both. Its parameter is 0 at Lab[0] and 1 at Lab[Last], and grows with the distance between the colours.
+// A spline through Lab[0] … Lab[Last], the ends of which are followed by what lies beyond them, so that it passes
+// through both. Its parameter is 0 at Lab[0] and 1 at Lab[Last], and grows with the distance between the colours.
 #macro Palettes_Isl_Spline(Lab, Last, Before, After)
   #local Way_ = array[Last + 1];
   #local Way_[0] = 0;
@@ -232,16 +233,18 @@
   CyclicColour(Ramp, 0.5 + Index*0.6180339887)
 #end
 
-// ---- Sequential ramps: from dark to light, for what is more or less -----------------------------------------------------
+// ---- Sequential ramps: from dark to light, for what is more or less -------------------------------------------------
 
 // GraphiteRamp: ramp. Warm greys from near black to paper white.
 #declare GraphiteRamp = MakeRamp(array[3] { srgb <0.09, 0.09, 0.10>, srgb <0.50, 0.49, 0.47>, srgb <0.96, 0.95, 0.92> })
 // EmberRamp: ramp. Charcoal, deep red, orange, pale yellow: heat and glow.
 #declare EmberRamp = MakeRamp(array[5] {
-  srgb <0.09, 0.06, 0.10>, srgb <0.46, 0.08, 0.14>, srgb <0.82, 0.26, 0.11>, srgb <0.98, 0.62, 0.22>, srgb <1.00, 0.95, 0.74> })
+  srgb <0.09, 0.06, 0.10>, srgb <0.46, 0.08, 0.14>, srgb <0.82, 0.26, 0.11>, srgb <0.98, 0.62, 0.22>,
+    srgb <1.00, 0.95, 0.74> })
 // GlacierRamp: ramp. Night blue through cold turquoise to snow.
 #declare GlacierRamp = MakeRamp(array[5] {
-  srgb <0.04, 0.11, 0.23>, srgb <0.08, 0.31, 0.47>, srgb <0.26, 0.57, 0.68>, srgb <0.62, 0.81, 0.86>, srgb <0.96, 0.98, 0.98> })
+  srgb <0.04, 0.11, 0.23>, srgb <0.08, 0.31, 0.47>, srgb <0.26, 0.57, 0.68>, srgb <0.62, 0.81, 0.86>,
+    srgb <0.96, 0.98, 0.98> })
 // FernRamp: ramp. Forest shadow through fern green to young shoots.
 #declare FernRamp = MakeRamp(array[4] {
   srgb <0.05, 0.14, 0.11>, srgb <0.13, 0.38, 0.22>, srgb <0.50, 0.64, 0.25>, srgb <0.93, 0.94, 0.66> })
@@ -253,66 +256,81 @@
   srgb <0.20, 0.10, 0.04>, srgb <0.58, 0.31, 0.06>, srgb <0.91, 0.63, 0.16>, srgb <1.00, 0.94, 0.73> })
 // VioletFireRamp: ramp. Ink, violet, rose, apricot, cream: the widest range of lightness and hue, for data and depth.
 #declare VioletFireRamp = MakeRamp(array[6] {
-  srgb <0.05, 0.04, 0.14>, srgb <0.26, 0.12, 0.42>, srgb <0.58, 0.20, 0.49>, srgb <0.88, 0.37, 0.40>, srgb <0.98, 0.66, 0.40>,
+  srgb <0.05, 0.04, 0.14>, srgb <0.26, 0.12, 0.42>, srgb <0.58, 0.20, 0.49>, srgb <0.88, 0.37, 0.40>,
+    srgb <0.98, 0.66, 0.40>,
   srgb <0.99, 0.95, 0.80> })
 
-// ---- Diverging ramps: a neutral middle between two opposites -------------------------------------------------------------
+// ---- Diverging ramps: a neutral middle between two opposites --------------------------------------------------------
 
 // CoralTealRamp: ramp. Coral red and deep teal on both sides of ivory.
 #declare CoralTealRamp = MakeRamp(array[5] {
-  srgb <0.62, 0.15, 0.15>, srgb <0.92, 0.50, 0.39>, srgb <0.96, 0.94, 0.88>, srgb <0.42, 0.69, 0.67>, srgb <0.05, 0.34, 0.37> })
+  srgb <0.62, 0.15, 0.15>, srgb <0.92, 0.50, 0.39>, srgb <0.96, 0.94, 0.88>, srgb <0.42, 0.69, 0.67>,
+    srgb <0.05, 0.34, 0.37> })
 // PlumMossRamp: ramp. Plum and moss green on both sides of a light grey.
 #declare PlumMossRamp = MakeRamp(array[5] {
-  srgb <0.37, 0.12, 0.36>, srgb <0.68, 0.47, 0.66>, srgb <0.94, 0.93, 0.91>, srgb <0.58, 0.69, 0.42>, srgb <0.20, 0.36, 0.13> })
+  srgb <0.37, 0.12, 0.36>, srgb <0.68, 0.47, 0.66>, srgb <0.94, 0.93, 0.91>, srgb <0.58, 0.69, 0.42>,
+    srgb <0.20, 0.36, 0.13> })
 // CopperSeaRamp: ramp. Copper and sea blue on both sides of a dark middle, so that both ends shine.
 #declare CopperSeaRamp = MakeRamp(array[5] {
-  srgb <0.99, 0.77, 0.56>, srgb <0.70, 0.36, 0.19>, srgb <0.13, 0.12, 0.14>, srgb <0.13, 0.40, 0.60>, srgb <0.60, 0.84, 0.95> })
+  srgb <0.99, 0.77, 0.56>, srgb <0.70, 0.36, 0.19>, srgb <0.13, 0.12, 0.14>, srgb <0.13, 0.40, 0.60>,
+    srgb <0.60, 0.84, 0.95> })
 
-// ---- Cyclic ramps: the end meets the beginning ------------------------------------------------------------------------
+// ---- Cyclic ramps: the end meets the beginning ----------------------------------------------------------------------
 
 // HueRamp: ramp. Every hue at the same lightness and chroma: no hue stands out, as yellow and cyan do in a rainbow.
 #declare HueRamp = MakeCyclicRamp(array[12] { #for (I, 0, 11) LchColour(0.74, 0.125, 30*I + 20) #end })
 // SeasonsRamp: ramp. Snow, spring green, summer green, autumn red, bare brown, and snow again.
 #declare SeasonsRamp = MakeCyclicRamp(array[6] {
-  srgb <0.90, 0.93, 0.96>, srgb <0.74, 0.86, 0.50>, srgb <0.20, 0.50, 0.22>, srgb <0.87, 0.60, 0.16>, srgb <0.64, 0.20, 0.12>,
+  srgb <0.90, 0.93, 0.96>, srgb <0.74, 0.86, 0.50>, srgb <0.20, 0.50, 0.22>, srgb <0.87, 0.60, 0.16>,
+    srgb <0.64, 0.20, 0.12>,
   srgb <0.45, 0.40, 0.40> })
 // DayRamp: ramp. Midnight, dawn, noon, dusk, and midnight again.
 #declare DayRamp = MakeCyclicRamp(array[8] {
-  srgb <0.04, 0.06, 0.16>, srgb <0.24, 0.20, 0.42>, srgb <0.92, 0.60, 0.52>, srgb <0.98, 0.88, 0.66>, srgb <0.62, 0.83, 0.96>,
+  srgb <0.04, 0.06, 0.16>, srgb <0.24, 0.20, 0.42>, srgb <0.92, 0.60, 0.52>, srgb <0.98, 0.88, 0.66>,
+    srgb <0.62, 0.83, 0.96>,
   srgb <0.97, 0.80, 0.47>, srgb <0.83, 0.38, 0.34>, srgb <0.26, 0.14, 0.36> })
 
-// ---- Natural ramps ------------------------------------------------------------------------------------------------------
+// ---- Natural ramps --------------------------------------------------------------------------------------------------
 
 // ReefRamp: ramp. A coral reef: deep water, violet fans, red coral, orange polyps, sunlit sand.
 #declare ReefRamp = MakeRamp(array[6] {
-  srgb <0.04, 0.20, 0.33>, srgb <0.33, 0.22, 0.47>, srgb <0.76, 0.19, 0.35>, srgb <0.95, 0.40, 0.29>, srgb <0.99, 0.68, 0.42>,
+  srgb <0.04, 0.20, 0.33>, srgb <0.33, 0.22, 0.47>, srgb <0.76, 0.19, 0.35>, srgb <0.95, 0.40, 0.29>,
+    srgb <0.99, 0.68, 0.42>,
   srgb <0.99, 0.92, 0.77> })
 // AutumnRamp: ramp. Autumn leaves: wet bark, crimson, rust, amber, the last yellow-green.
 #declare AutumnRamp = MakeRamp(array[6] {
-  srgb <0.17, 0.09, 0.08>, srgb <0.45, 0.10, 0.10>, srgb <0.72, 0.26, 0.09>, srgb <0.89, 0.50, 0.12>, srgb <0.95, 0.76, 0.28>,
+  srgb <0.17, 0.09, 0.08>, srgb <0.45, 0.10, 0.10>, srgb <0.72, 0.26, 0.09>, srgb <0.89, 0.50, 0.12>,
+    srgb <0.95, 0.76, 0.28>,
   srgb <0.80, 0.82, 0.45> })
 // DuskRamp: ramp. The sky after sunset from the zenith down: indigo, mauve, rose, apricot, pale gold.
 #declare DuskRamp = MakeRamp(array[6] {
-  srgb <0.07, 0.09, 0.24>, srgb <0.26, 0.21, 0.44>, srgb <0.58, 0.34, 0.53>, srgb <0.89, 0.49, 0.47>, srgb <0.98, 0.71, 0.48>,
+  srgb <0.07, 0.09, 0.24>, srgb <0.26, 0.21, 0.44>, srgb <0.58, 0.34, 0.53>, srgb <0.89, 0.49, 0.47>,
+    srgb <0.98, 0.71, 0.48>,
   srgb <1.00, 0.91, 0.70> })
 // DeepSeaRamp: ramp. From the floor of the sea to its sunlit surface.
 #declare DeepSeaRamp = MakeRamp(array[5] {
-  srgb <0.02, 0.04, 0.12>, srgb <0.03, 0.15, 0.32>, srgb <0.04, 0.38, 0.50>, srgb <0.26, 0.67, 0.66>, srgb <0.80, 0.95, 0.86> })
+  srgb <0.02, 0.04, 0.12>, srgb <0.03, 0.15, 0.32>, srgb <0.04, 0.38, 0.50>, srgb <0.26, 0.67, 0.66>,
+    srgb <0.80, 0.95, 0.86> })
 // MeadowRamp: ramp. Earth, grass, clover, buttercups.
 #declare MeadowRamp = MakeRamp(array[5] {
-  srgb <0.20, 0.14, 0.09>, srgb <0.22, 0.34, 0.13>, srgb <0.41, 0.57, 0.20>, srgb <0.72, 0.76, 0.33>, srgb <0.98, 0.91, 0.47> })
+  srgb <0.20, 0.14, 0.09>, srgb <0.22, 0.34, 0.13>, srgb <0.41, 0.57, 0.20>, srgb <0.72, 0.76, 0.33>,
+    srgb <0.98, 0.91, 0.47> })
 // DesertRamp: ramp. Canyon shadow, red rock, ochre dunes, bleached sand.
 #declare DesertRamp = MakeRamp(array[5] {
-  srgb <0.21, 0.11, 0.15>, srgb <0.50, 0.22, 0.17>, srgb <0.78, 0.44, 0.27>, srgb <0.91, 0.70, 0.46>, srgb <0.98, 0.92, 0.79> })
+  srgb <0.21, 0.11, 0.15>, srgb <0.50, 0.22, 0.17>, srgb <0.78, 0.44, 0.27>, srgb <0.91, 0.70, 0.46>,
+    srgb <0.98, 0.92, 0.79> })
 // LichenRamp: ramp. Rock, grey-green lichen, sulphur yellow, a touch of orange.
 #declare LichenRamp = MakeRamp(array[5] {
-  srgb <0.20, 0.21, 0.22>, srgb <0.42, 0.47, 0.43>, srgb <0.68, 0.73, 0.57>, srgb <0.87, 0.84, 0.42>, srgb <0.94, 0.63, 0.22> })
+  srgb <0.20, 0.21, 0.22>, srgb <0.42, 0.47, 0.43>, srgb <0.68, 0.73, 0.57>, srgb <0.87, 0.84, 0.42>,
+    srgb <0.94, 0.63, 0.22> })
 // NacreRamp: ramp. The pale greens, roses and blues of the inside of a shell, all of the same lightness; also cyclic.
 #declare NacreRamp = MakeCyclicRamp(array[5] {
-  srgb <0.92, 0.85, 0.86>, srgb <0.90, 0.87, 0.78>, srgb <0.79, 0.90, 0.83>, srgb <0.78, 0.88, 0.94>, srgb <0.87, 0.84, 0.94> })
+  srgb <0.92, 0.85, 0.86>, srgb <0.90, 0.87, 0.78>, srgb <0.79, 0.90, 0.83>, srgb <0.78, 0.88, 0.94>,
+    srgb <0.87, 0.84, 0.94> })
 // BruiseRamp: ramp. Skin, rose, wine, violet, blue-black: petals, bruises and octopus arms.
 #declare BruiseRamp = MakeRamp(array[5] {
-  srgb <0.98, 0.86, 0.76>, srgb <0.90, 0.58, 0.55>, srgb <0.60, 0.24, 0.36>, srgb <0.32, 0.15, 0.34>, srgb <0.09, 0.08, 0.18> })
+  srgb <0.98, 0.86, 0.76>, srgb <0.90, 0.58, 0.55>, srgb <0.60, 0.24, 0.36>, srgb <0.32, 0.15, 0.34>,
+    srgb <0.09, 0.08, 0.18> })
 
 #version Palettes_Isl_Before;
 #end

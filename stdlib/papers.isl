@@ -10,7 +10,7 @@
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // PaperTexture(Colour, Grain)
 // Paper of any colour with its fibres.
@@ -62,13 +62,14 @@
 // Example: sphere { 0, 1 FeltTexture(rgb <0.45, 0.05, 0.08>) }
 #macro FeltTexture(Colour)
   texture {
-    pigment { aoi color_map { [0.5 color 0.55*Colour + <0.36, 0.36, 0.36, 0, 0>] [0.62 color 0.85*Colour + <0.08, 0.08, 0.08, 0, 0>] [0.8 color Colour*0.8] [1 color Colour*0.62] } }
+    pigment { aoi color_map { [0.5 color 0.55*Colour + <0.36, 0.36, 0.36, 0, 0>]
+      [0.62 color 0.85*Colour + <0.08, 0.08, 0.08, 0, 0>] [0.8 color Colour*0.8] [1 color Colour*0.62] } }
     normal { bumps 0.45 scale 0.012 }
     finish { DustFinish }
   }
 #end
 
-// ---- Papers -----------------------------------------------------------------------------------------------------------------
+// ---- Papers ---------------------------------------------------------------------------------------------------------
 
 // WhitePaper: texture. Drawing paper.
 #declare WhitePaper = PaperTexture(rgb <0.84, 0.835, 0.815>, 0.2)
@@ -104,7 +105,8 @@
 #declare Parchment = texture {
   pigment {
     bozo turbulence 0.7 octaves 5 omega 0.6
-    color_map { [0.25 rgb <0.70, 0.56, 0.34>] [0.55 rgb <0.62, 0.46, 0.25>] [0.75 rgb <0.48, 0.31, 0.14>] [0.92 rgb <0.28, 0.15, 0.06>] }
+    color_map { [0.25 rgb <0.70, 0.56, 0.34>] [0.55 rgb <0.62, 0.46, 0.25>] [0.75 rgb <0.48, 0.31, 0.14>]
+      [0.92 rgb <0.28, 0.15, 0.06>] }
     scale 0.8
   }
   normal { wrinkles 0.2 scale 0.5 }
@@ -116,14 +118,15 @@
     aoi
     pigment_map {
       [0.5 rgb <0.92, 0.88, 0.78>]
-      [0.7 wrinkles turbulence 0.4 color_map { [0.3 rgb <0.82, 0.77, 0.66>] [0.5 rgb <0.76, 0.70, 0.58>] [0.75 rgb <0.86, 0.82, 0.74>] } scale 0.5]
+      [0.7 wrinkles turbulence 0.4 color_map { [0.3 rgb <0.82, 0.77, 0.66>] [0.5 rgb <0.76, 0.70, 0.58>]
+        [0.75 rgb <0.86, 0.82, 0.74>] } scale 0.5]
     }
   }
   normal { wrinkles 0.25 scale 0.25 }
   finish { ambient 0.1 diffuse 0.79 brilliance 0.6 }
 }
 
-// ---- Cloth --------------------------------------------------------------------------------------------------------------------
+// ---- Cloth ----------------------------------------------------------------------------------------------------------
 
 // RedFelt: texture. Thick wool felt.
 #declare RedFelt = FeltTexture(rgb <0.42, 0.03, 0.035>)
@@ -134,18 +137,21 @@
   pigment {
     average
     pigment_map {
-      [1 gradient x sine_wave color_map { [0 rgb <0.40, 0.34, 0.25>] [1 rgb <0.66, 0.58, 0.46>] } warp { turbulence 0.15 octaves 2 } scale 0.035]
-      [1 gradient y sine_wave color_map { [0 rgb <0.40, 0.34, 0.25>] [1 rgb <0.66, 0.58, 0.46>] } warp { turbulence 0.15 octaves 2 } scale 0.035]
+      [1 gradient x sine_wave color_map { [0 rgb <0.40, 0.34, 0.25>] [1 rgb <0.66, 0.58, 0.46>] }
+        warp { turbulence 0.15 octaves 2 } scale 0.035]
+      [1 gradient y sine_wave color_map { [0 rgb <0.40, 0.34, 0.25>] [1 rgb <0.66, 0.58, 0.46>] }
+        warp { turbulence 0.15 octaves 2 } scale 0.035]
     }
   }
   normal {
     average
-    normal_map { [1 gradient x 0.4 sine_wave accuracy 0.01 scale 0.035] [1 gradient y 0.4 sine_wave accuracy 0.01 scale 0.035] }
+    normal_map { [1 gradient x 0.4 sine_wave accuracy 0.01 scale 0.035]
+      [1 gradient y 0.4 sine_wave accuracy 0.01 scale 0.035] }
   }
   finish { MatteFinish }
 }
 
-// ---- Clay and plaster -----------------------------------------------------------------------------------------------------------
+// ---- Clay and plaster -----------------------------------------------------------------------------------------------
 
 // WhitePlaster: texture. Casts and models: flat white.
 #declare WhitePlaster = texture {
@@ -163,7 +169,8 @@
 #declare RawConcrete = texture {
   pigment {
     granite turbulence 0.3
-    color_map { [0.08 rgb <0.08, 0.078, 0.074>] [0.16 rgb <0.24, 0.235, 0.225>] [0.5 rgb <0.31, 0.305, 0.29>] [0.85 rgb <0.40, 0.39, 0.37>] }
+    color_map { [0.08 rgb <0.08, 0.078, 0.074>] [0.16 rgb <0.24, 0.235, 0.225>] [0.5 rgb <0.31, 0.305, 0.29>]
+      [0.85 rgb <0.40, 0.39, 0.37>] }
     scale 0.7
   }
   normal { granite 0.2 accuracy 0.008 scale 0.3 }
@@ -184,7 +191,7 @@
 // RedClay: texture. Fresh from the wheel.
 #declare RedClay = ClayTexture(rgb <0.34, 0.135, 0.07>, 0.8)
 
-// ---- Ceramics -----------------------------------------------------------------------------------------------------------------------
+// ---- Ceramics -------------------------------------------------------------------------------------------------------
 
 // WhitePorcelain: texture. White, a breath of blue, glazed.
 #declare WhitePorcelain = texture {

@@ -10,7 +10,7 @@
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // HardPlastic(Colour)
 // Injection moulded: even colour, a clear white highlight. The plain material for any form.
@@ -97,30 +97,34 @@
 // Example: sphere { 0, 1 SiliconeTexture(rgb <0.75, 0.55, 0.5>) }
 #macro SiliconeTexture(Colour)
   texture {
-    pigment { aoi color_map { [0.5 color 0.75*Colour + <0.22, 0.22, 0.22, 0, 0>] [0.65 color 1.08*Colour] [0.85 color Colour] } }
+    pigment { aoi color_map { [0.5 color 0.75*Colour + <0.22, 0.22, 0.22, 0, 0>] [0.65 color 1.08*Colour]
+      [0.85 color Colour] } }
     finish { WaxFinish specular albedo 0.045 roughness 0.035 }
   }
 #end
 
 // ClearResin(Colour, Depth)
 // Cast resin and sweets: clear, coloured through, with sharp highlights. A material, for whole bodies.
-// Colour: what is left of white light after the way Depth, each component above 0. Depth: about the thickness, in units.
+// Colour: what is left of white light after the way Depth, each component above 0. Depth: about the thickness, in
+// units.
 // Example: sphere { 0, 1 ClearResin(rgb <0.9, 0.25, 0.3>, 1.5) }
 #macro ClearResin(Colour, Depth)
   #local Any_ = <0, 0, 0> + Colour;
-  #local Loss_ = <-ln(max(0.002, min(1, Any_.red))), -ln(max(0.002, min(1, Any_.green))), -ln(max(0.002, min(1, Any_.blue)))>;
+  #local Loss_ =
+    <-ln(max(0.002, min(1, Any_.red))), -ln(max(0.002, min(1, Any_.green))), -ln(max(0.002, min(1, Any_.blue)))>;
   #local Most_ = max(0.001, Loss_.x, Loss_.y, Loss_.z);
   material {
     texture {
       pigment { rgbf <0.8 + 0.2*Any_.red, 0.8 + 0.2*Any_.green, 0.8 + 0.2*Any_.blue, 0.88> }
-      finish { ambient 0.05 diffuse 0.6 specular albedo 0.045 roughness 0.003 reflection { 0, 0.6 fresnel } conserve_energy }
+      finish { ambient 0.05 diffuse 0.6 specular albedo 0.045 roughness 0.003
+        reflection { 0, 0.6 fresnel } conserve_energy }
     }
     // The exponential law; see Glass_Isl_Interior in glass.isl.
     interior { ior 1.42 caustics 0.3 fade_power 1001 fade_distance Depth/Most_ fade_color rgb 1 - Loss_/Most_ }
   }
 #end
 
-// ---- Plastics -----------------------------------------------------------------------------------------------------------------
+// ---- Plastics -------------------------------------------------------------------------------------------------------
 
 // ToyRed: texture. Hard plastic in the red of building blocks.
 #declare ToyRed = HardPlastic(rgb <0.62, 0.018, 0.016>)
@@ -147,7 +151,8 @@
 }
 // FoamSponge: texture. Soft packing foam, pale yellow, with small pores.
 #declare FoamSponge = texture {
-  pigment { crackle form <1, 0, 0> color_map { [0.1 rgb <0.42, 0.34, 0.16>] [0.35 rgb <0.80, 0.72, 0.45>] } scale 0.045 }
+  pigment { crackle form <1, 0, 0> color_map { [0.1 rgb <0.42, 0.34, 0.16>]
+    [0.35 rgb <0.80, 0.72, 0.45>] } scale 0.045 }
   normal { crackle 0.7 form <1, 0, 0> accuracy 0.02 slope_map { [0 <0, 0>] [0.4 <1, 1>] [1 <1, 0>] } scale 0.045 }
   finish { DustFinish }
 }
@@ -156,7 +161,7 @@
 // RoseSilicone: texture. Translucent rubber, rose.
 #declare RoseSilicone = SiliconeTexture(rgb <0.70, 0.30, 0.30>)
 
-// ---- Rubber -------------------------------------------------------------------------------------------------------------------------
+// ---- Rubber ---------------------------------------------------------------------------------------------------------
 
 // BlackRubber: texture. Tyres and seals.
 #declare BlackRubber = RubberTexture(rgb <0.018, 0.018, 0.019>)
@@ -164,11 +169,12 @@
 #declare RedRubber = RubberTexture(rgb <0.36, 0.055, 0.04>)
 // BalloonSkin: texture. Stretched thin: shining, lighter at its rims.
 #declare BalloonSkin = texture {
-  pigment { aoi color_map { [0.5 rgb <0.80, 0.22, 0.30>] [0.62 rgb <0.70, 0.05, 0.11>] [0.9 rgb <0.52, 0.015, 0.045>] } }
+  pigment { aoi color_map { [0.5 rgb <0.80, 0.22, 0.30>] [0.62 rgb <0.70, 0.05, 0.11>]
+    [0.9 rgb <0.52, 0.015, 0.045>] } }
   finish { GlossyFinish(0.9) }
 }
 
-// ---- Lacquer and paint -----------------------------------------------------------------------------------------------------------
+// ---- Lacquer and paint ----------------------------------------------------------------------------------------------
 
 // RedLacquer: texture. Many coats, as on boxes from the far east.
 #declare RedLacquer = LacquerTexture(rgb <0.56, 0.035, 0.015>, rgb <0.30, 0.008, 0.005>)
@@ -190,14 +196,16 @@
 #declare ChippedPaint = texture {
   granite
   texture_map {
-    [0.52 pigment { bozo color_map { [0.3 rgb <0.05, 0.25, 0.26>] [0.8 rgb <0.085, 0.31, 0.31>] } scale 0.7 } finish { GlossyFinish(0.6) }]
+    [0.52 pigment { bozo color_map { [0.3 rgb <0.05, 0.25, 0.26>] [0.8 rgb <0.085, 0.31, 0.31>] } scale 0.7 }
+      finish { GlossyFinish(0.6) }]
     [0.535 pigment { rgb <0.45, 0.42, 0.36> } finish { MatteFinish }]
-    [0.55 pigment { granite color_map { [0.2 rgb <0.10, 0.04, 0.02>] [0.8 rgb <0.30, 0.13, 0.055>] } scale 0.4 } normal { granite 0.3 accuracy 0.01 scale 0.2 } finish { MatteFinish }]
+    [0.55 pigment { granite color_map { [0.2 rgb <0.10, 0.04, 0.02>]
+      [0.8 rgb <0.30, 0.13, 0.055>] } scale 0.4 } normal { granite 0.3 accuracy 0.01 scale 0.2 } finish { MatteFinish }]
   }
   scale 0.75
 }
 
-// ---- Clear ---------------------------------------------------------------------------------------------------------------------------
+// ---- Clear ----------------------------------------------------------------------------------------------------------
 
 // RaspberryGummy: material. Sweets.
 #declare RaspberryGummy = ClearResin(rgb <0.80, 0.035, 0.09>, 1)

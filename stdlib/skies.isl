@@ -5,9 +5,9 @@
 //   DaySky(20, 60, 0.3)                                    a sky by the height of the sun
 //   global_settings { sky_light { distance 10 } }          lets the sky light the scene
 //
-// Skies that are declared are of the kind sky_sphere; turn one with `sky_sphere { CumulusSky rotate 40*y }`. Suns and soft
-// boxes are brighter than 1, as they are to a camera; the rest is about as bright as a well-lit surface. Below the horizon
-// there is what a floor would throw back, so that a scene without ground is lit from below, too.
+// Skies that are declared are of the kind sky_sphere; turn one with `sky_sphere { CumulusSky rotate 40*y }`. Suns and
+// soft boxes are brighter than 1, as they are to a camera; the rest is about as bright as a well-lit surface. Below
+// the horizon there is what a floor would throw back, so that a scene without ground is lit from below, too.
 #ifndef (Skies_Isl_Before)
 #declare Skies_Isl_Before = version;
 #version 3.7;
@@ -23,7 +23,8 @@
 // SkyGradient(Nadir, Horizon, Zenith)
 // A sky of three colours, soft at the horizon.
 // Nadir, Horizon, Zenith: colours in linear light, below, ahead and above.
-// Example: sky_sphere { SkyGradient(rgb 0.2, rgb <1, 0.8, 0.6>, rgb <0.2, 0.4, 0.8>) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { SkyGradient(rgb 0.2, rgb <1, 0.8, 0.6>, rgb <0.2, 0.4, 0.8>) }
+//   sphere { 0, 1 finish { reflection 1 } }
 #macro SkyGradient(Nadir, Horizon, Zenith)
   pigment {
     gradient y
@@ -42,7 +43,8 @@
 // SkyLamp(Direction, Width, Colour)
 // A round soft light in the sky, a layer of a sky_sphere: a sun with its glow, a moon, a lamp that mirrors show.
 // Direction: to the lamp. Width: degrees across. Colour: brightness in the middle; it fades towards the rim.
-// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyLamp(<-1, 1, -1>, 40, rgb 4) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyLamp(<-1, 1, -1>, 40, rgb 4) }
+//   sphere { 0, 1 finish { reflection 1 } }
 #macro SkyLamp(Direction, Width, Colour)
   #local Shine_ = Skies_Isl_Light(Colour);
   pigment {
@@ -60,7 +62,8 @@
 // SkyPanel(Direction, Width, Height, Colour)
 // A rectangular soft box in the sky, a layer of a sky_sphere: what metals and glass mirror in a studio.
 // Direction: to its middle. Width, Height: degrees. Colour: its brightness, 2 to 6.
-// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyPanel(<-1, 1, -1>, 30, 60, rgb 4) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyPanel(<-1, 1, -1>, 30, 60, rgb 4) }
+//   sphere { 0, 1 finish { reflection 1 } }
 #macro SkyPanel(Direction, Width, Height, Colour)
   #local Shine_ = Skies_Isl_Light(Colour);
   #local To_ = vnormalize(Direction);
@@ -77,7 +80,8 @@
 // AboveHorizon(Pigment)
 // A pigment that is seen above the horizon only, a layer of a sky_sphere.
 // Pigment: one that is clear in part, for clouds, or a whole one.
-// Example: sky_sphere { SkyGradient(rgb 0.3, rgb 0.8, rgb <0.1, 0.3, 0.8>) AboveHorizon(pigment { bozo color_map { [0.4 rgbt 1] [1 rgb 1] } scale 0.3 }) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { SkyGradient(rgb 0.3, rgb 0.8, rgb <0.1, 0.3, 0.8>) AboveHorizon(pigment { bozo color_map {
+//   [0.4 rgbt 1] [1 rgb 1] } scale 0.3 }) } sphere { 0, 1 finish { reflection 1 } }
 #macro AboveHorizon(Pigment)
   pigment {
     gradient y
@@ -88,8 +92,10 @@
 
 // CloudLayer(Cover, Size, Lit, Shade)
 // Clouds, a layer of a sky_sphere; they lie flat and close up towards the horizon.
-// Cover: share of the sky, 0.2 few to 0.8 many. Size: of a cloud, 0.3 usual. Lit, Shade: colours of thin and thick parts.
-// Example: sky_sphere { SkyGradient(rgb 0.3, rgb 0.8, rgb <0.1, 0.3, 0.8>) CloudLayer(0.5, 0.3, rgb 1, rgb 0.6) } sphere { 0, 1 finish { reflection 1 } }
+// Cover: share of the sky, 0.2 few to 0.8 many. Size: of a cloud, 0.3 usual. Lit, Shade: colours of thin and thick
+// parts.
+// Example: sky_sphere { SkyGradient(rgb 0.3, rgb 0.8, rgb <0.1, 0.3, 0.8>) CloudLayer(0.5, 0.3, rgb 1, rgb 0.6) }
+//   sphere { 0, 1 finish { reflection 1 } }
 #macro CloudLayer(Cover, Size, Lit, Shade)
   #local Lit_ = Skies_Isl_Light(Lit);
   #local Edge_ = 1 - Cover;
@@ -106,28 +112,32 @@
   })
 #end
 
-// ---- By the height of the sun -----------------------------------------------------------------------------------------
+// ---- By the height of the sun ---------------------------------------------------------------------------------------
 
-// What light is like when the sun is so many degrees high: <red, green, blue> of the sun, of the sky above, at the horizon,
-// and of the glow about the sun.
+// What light is like when the sun is so many degrees high: <red, green, blue> of the sun, of the sky above, at the
+// horizon, and of the glow about the sun.
 // Our own readings of photographs: a sun goes from white to amber to red, and the sky's light fades below the horizon.
 #declare Skies_Isl_Sun = spline { linear_spline
-  -8, <0, 0, 0>, -3, <0.05, 0.01, 0>, 0, <0.62, 0.19, 0.04>, 4, <0.95, 0.44, 0.16>, 10, <1.10, 0.72, 0.38>, 25, <1.18, 0.98, 0.72>
+  -8, <0, 0, 0>, -3, <0.05, 0.01, 0>, 0, <0.62, 0.19, 0.04>, 4, <0.95, 0.44, 0.16>, 10, <1.10, 0.72, 0.38>,
+    25, <1.18, 0.98, 0.72>
   60, <1.20, 1.10, 0.94>, 90, <1.20, 1.12, 0.98> }
 #declare Skies_Isl_Zenith = spline { linear_spline
-  -18, <0.002, 0.003, 0.008>, -8, <0.012, 0.020, 0.055>, 0, <0.08, 0.13, 0.27>, 6, <0.12, 0.22, 0.44>, 25, <0.11, 0.26, 0.58>
+  -18, <0.002, 0.003, 0.008>, -8, <0.012, 0.020, 0.055>, 0, <0.08, 0.13, 0.27>, 6, <0.12, 0.22, 0.44>,
+    25, <0.11, 0.26, 0.58>
   60, <0.09, 0.25, 0.64>, 90, <0.08, 0.24, 0.66> }
 #declare Skies_Isl_Horizon = spline { linear_spline
-  -18, <0.004, 0.005, 0.010>, -8, <0.05, 0.05, 0.085>, 0, <0.40, 0.29, 0.27>, 6, <0.66, 0.53, 0.43>, 25, <0.66, 0.72, 0.76>,
+  -18, <0.004, 0.005, 0.010>, -8, <0.05, 0.05, 0.085>, 0, <0.40, 0.29, 0.27>, 6, <0.66, 0.53, 0.43>,
+    25, <0.66, 0.72, 0.76>,
   60, <0.58, 0.74, 0.88>, 90, <0.56, 0.74, 0.90> }
 #declare Skies_Isl_Glow = spline { linear_spline
-  -18, <0.004, 0.004, 0.006>, -8, <0.34, 0.12, 0.05>, 0, <1.05, 0.44, 0.16>, 6, <1.10, 0.70, 0.38>, 25, <1.05, 0.98, 0.88>,
+  -18, <0.004, 0.004, 0.006>, -8, <0.34, 0.12, 0.05>, 0, <1.05, 0.44, 0.16>, 6, <1.10, 0.70, 0.38>,
+    25, <1.05, 0.98, 0.88>,
   60, <1, 1, 0.98>, 90, <1, 1, 0.98> }
 
 // SunDirection(Elevation, Azimuth)
 // The direction to the sun, of length 1.
-// Elevation: degrees above the horizon. Azimuth: degrees from -z, where a camera that looks along z stands, towards x: 0 is
-// behind that camera, 90 to its right, 180 ahead.
+// Elevation: degrees above the horizon. Azimuth: degrees from -z, where a camera that looks along z stands, towards x:
+// 0 is behind that camera, 90 to its right, 180 ahead.
 // Example: sphere { 0, 0.5 } sphere { SunDirection(30, 45), 0.1 }
 #macro SunDirection(Elevation, Azimuth)
   <sin(radians(Azimuth))*cos(radians(Elevation)), sin(radians(Elevation)),
@@ -157,8 +167,8 @@
 
 // DaySky(Elevation, Azimuth, Haze)
 // The sky_sphere of any hour without clouds, with the sun's disc and its glow.
-// Elevation: of the sun, degrees; 60 noon, 20 afternoon, 3 sunset, -6 dusk. Azimuth: as in SunDirection. Haze: 0 deep blue,
-// 0.3 a fine day, 1 white mist.
+// Elevation: of the sun, degrees; 60 noon, 20 afternoon, 3 sunset, -6 dusk. Azimuth: as in SunDirection. Haze: 0 deep
+// blue, 0.3 a fine day, 1 white mist.
 // Example: DaySky(4, 160, 0.3) sphere { 0, 1 finish { reflection 1 diffuse 0 } }
 #macro DaySky(Elevation, Azimuth, Haze)
   sky_sphere { DaySkyLayers(Elevation, Azimuth, Haze) }
@@ -166,7 +176,8 @@
 
 // DaySkyLayers(Elevation, Azimuth, Haze)
 // The pigments of DaySky, so that clouds can be laid over them.
-// Example: sky_sphere { DaySkyLayers(20, 160, 0.2) CloudLayer(0.4, 0.3, rgb 1, rgb 0.5) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { DaySkyLayers(20, 160, 0.2) CloudLayer(0.4, 0.3, rgb 1, rgb 0.5) }
+//   sphere { 0, 1 finish { reflection 1 } }
 #macro DaySkyLayers(Elevation, Azimuth, Haze)
   #local Above_ = <0, 0, 0> + Skies_Isl_Zenith(Elevation);
   #local Ahead_ = <0, 0, 0> + Skies_Isl_Horizon(Elevation);
@@ -188,7 +199,8 @@
 // SkyGlow(Direction, Width, Colour)
 // A wide glow without an edge, a layer of a sky_sphere.
 // Direction: to its middle. Width: degrees across. Colour: in the middle.
-// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyGlow(<-1, 0.2, 1>, 90, rgb <1, 0.4, 0.2>) } sphere { 0, 1 finish { reflection 1 } }
+// Example: sky_sphere { SkyGradient(rgb 0.05, rgb 0.1, rgb 0.05) SkyGlow(<-1, 0.2, 1>, 90, rgb <1, 0.4, 0.2>) } sphere
+//   { 0, 1 finish { reflection 1 } }
 #macro SkyGlow(Direction, Width, Colour)
   #local Shine_ = Skies_Isl_Light(Colour);
   pigment {
@@ -199,10 +211,10 @@
   }
 #end
 
-// ---- Declared skies -----------------------------------------------------------------------------------------------------
+// ---- Declared skies -------------------------------------------------------------------------------------------------
 
-// StudioSky: sky_sphere. A photographer's studio: a large soft box on the left, a narrow one on the right, one above, a grey
-// floor. For products, metals and glass.
+// StudioSky: sky_sphere. A photographer's studio: a large soft box on the left, a narrow one on the right, one above,
+// a grey floor. For products, metals and glass.
 #declare StudioSky = sky_sphere {
   SkyGradient(rgb 0.13, rgb 0.22, rgb 0.28)
   SkyPanel(<-0.9, 0.7, -0.5>, 52, 48, rgb <2.2, 2.1, 1.95>)
@@ -228,7 +240,8 @@
   AboveHorizon(pigment {
     bozo turbulence 0.35 octaves 4 omega 0.5
     color_map {
-      [0.48 rgbt <0.9, 0.42, 0.25, 1>] [0.62 rgbt <0.85, 0.34, 0.24, 0.35>] [0.8 rgbt <0.34, 0.15, 0.2, 0.25>] [1 rgb <0.2, 0.1, 0.17>] }
+      [0.48 rgbt <0.9, 0.42, 0.25, 1>] [0.62 rgbt <0.85, 0.34, 0.24, 0.35>] [0.8 rgbt <0.34, 0.15, 0.2, 0.25>]
+        [1 rgb <0.2, 0.1, 0.17>] }
     scale <0.9, 0.07, 0.9>
   })
 }
@@ -237,7 +250,8 @@
   pigment {
     gradient y
     color_map {
-      [0 rgb <0.02, 0.02, 0.04>] [0.48 rgb <0.10, 0.05, 0.07>] [0.5 rgb <0.95, 0.42, 0.14>] [0.53 rgb <0.62, 0.24, 0.17>]
+      [0 rgb <0.02, 0.02, 0.04>] [0.48 rgb <0.10, 0.05, 0.07>] [0.5 rgb <0.95, 0.42, 0.14>]
+        [0.53 rgb <0.62, 0.24, 0.17>]
       [0.58 rgb <0.26, 0.13, 0.21>] [0.68 rgb <0.075, 0.07, 0.18>] [1 rgb <0.012, 0.018, 0.07>]
     }
     scale 2 translate -y
@@ -315,7 +329,8 @@
   pigment {
     gradient y
     color_map {
-      [0 rgb <0.002, 0.008, 0.02>] [0.4 rgb <0.006, 0.035, 0.07>] [0.6 rgb <0.02, 0.14, 0.22>] [0.85 rgb <0.12, 0.48, 0.55>]
+      [0 rgb <0.002, 0.008, 0.02>] [0.4 rgb <0.006, 0.035, 0.07>] [0.6 rgb <0.02, 0.14, 0.22>]
+        [0.85 rgb <0.12, 0.48, 0.55>]
       [0.96 rgb <0.65, 0.98, 0.92>] [1 rgb <1.3, 1.5, 1.35>]
     }
     scale 2 translate -y
@@ -328,7 +343,8 @@
     marble turbulence <0.8, 0.02, 0.8> octaves 3 omega 0.42
     pigment_map {
       [0.5 rgbt <0, 0.3, 0.2, 1>]
-      [0.86 gradient y color_map { [0.05 rgbt <0, 0.5, 0.3, 1>] [0.09 rgbt <0.16, 0.85, 0.40, 0.1>] [0.3 rgbt <0.05, 0.42, 0.32, 0.55>]
+      [0.86 gradient y color_map { [0.05 rgbt <0, 0.5, 0.3, 1>] [0.09 rgbt <0.16, 0.85, 0.40, 0.1>]
+        [0.3 rgbt <0.05, 0.42, 0.32, 0.55>]
         [0.7 rgbt <0.28, 0.08, 0.42, 1>] } turbulence <0, 0.12, 0> octaves 5 omega 0.7 ]
       [0.9 rgbt <0, 0.3, 0.2, 1>]
     }

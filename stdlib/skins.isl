@@ -5,15 +5,15 @@
 //   blob { … texture { FrogSkin scale 0.5 } }
 //   sphere { 0, 0.2 EyeTexture(rgb <0.1, 0.35, 0.5>, 0.4) }
 //
-// Skins are made for bodies about 2 units large; scale the texture with the body. Several follow the shape instead of space:
-// what faces up (y), and the rims, where the surface is seen at a grazing angle, as if light went through thin edges. They may
-// be components' textures, so that a coral goes from one to another along its branches.
+// Skins are made for bodies about 2 units large; scale the texture with the body. Several follow the shape instead of
+// space: what faces up (y), and the rims, where the surface is seen at a grazing angle, as if light went through thin
+// edges. They may be components' textures, so that a coral goes from one to another along its branches.
 #ifndef (Skins_Isl_Before)
 #declare Skins_Isl_Before = version;
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // RimPigment(Middle, Rim)
 // A pigment that goes from one colour to another towards the outline, soft as light through skin.
@@ -29,7 +29,8 @@
 #end
 
 // CoralTexture(Colour, Tip, Size)
-// A stony coral: little cups side by side, each with a pale rim; what faces up, where it grows, is of the colour of its tips.
+// A stony coral: little cups side by side, each with a pale rim; what faces up, where it grows, is of the colour of
+// its tips.
 // Colour, Tip: of the body and of the tips. Size: of a cup, in units; 0.06 on a body 2 units large.
 // Example: sphere { 0, 1 CoralTexture(rgb <0.62, 0.10, 0.07>, rgb <0.95, 0.62, 0.48>, 0.08) }
 #macro CoralTexture(Colour, Tip, Size)
@@ -41,8 +42,10 @@
     pigment {
       slope y
       pigment_map {
-        [0.35 crackle form <1, 0, 0> color_map { [0.08 rgb 0.35*C_] [0.3 rgb 0.8*C_] [0.7 rgb 0.85*C_ + 0.15*T_] } scale Size]
-        [0.95 crackle form <1, 0, 0> color_map { [0.08 rgb 0.6*C_] [0.3 rgb 0.6*C_ + 0.4*T_] [0.7 rgb 0.15*C_ + 0.85*T_] } scale Size]
+        [0.35 crackle form <1, 0, 0> color_map { [0.08 rgb 0.35*C_] [0.3 rgb 0.8*C_]
+          [0.7 rgb 0.85*C_ + 0.15*T_] } scale Size]
+        [0.95 crackle form <1, 0, 0> color_map { [0.08 rgb 0.6*C_] [0.3 rgb 0.6*C_ + 0.4*T_]
+          [0.7 rgb 0.15*C_ + 0.85*T_] } scale Size]
       }
     }
     normal {
@@ -73,7 +76,8 @@
 
 // ScaleSkin(Colour, Edge, Size, Gloss)
 // Scales that touch one another: lizards, snakes, fish, dragons.
-// Colour, Edge: of a scale's middle and of the skin between. Size: of a scale, in units; 0.1. Gloss: as in GlossyFinish.
+// Colour, Edge: of a scale's middle and of the skin between. Size: of a scale, in units; 0.1. Gloss: as in
+// GlossyFinish.
 // Example: sphere { 0, 1 ScaleSkin(rgb <0.16, 0.32, 0.08>, rgb <0.03, 0.05, 0.02>, 0.12, 0.6) }
 #macro ScaleSkin(Colour, Edge, Size, Gloss)
   texture {
@@ -92,7 +96,8 @@
 #end
 
 // ChitinShell(Colour, Sheen, Film)
-// The armour of beetles: dark lacquer over a colour that turns towards Sheen at the rims, with the colours of a thin film.
+// The armour of beetles: dark lacquer over a colour that turns towards Sheen at the rims, with the colours of a thin
+// film.
 // Colour, Sheen: colours. Film: strength of the film's colours, 0 none, 0.25 usual, 0.6 jewel beetle.
 // Example: sphere { 0, 1 ChitinShell(rgb <0.02, 0.10, 0.05>, rgb <0.30, 0.28, 0.02>, 0.3) }
 #macro ChitinShell(Colour, Sheen, Film)
@@ -126,7 +131,8 @@
     pigment {
       cylindrical
       pigment_map {
-        [0.36 wrinkles turbulence 0.3 color_map { [0.4 rgb <0.82, 0.76, 0.70>] [0.75 rgb <0.80, 0.66, 0.58>] [0.95 rgb <0.62, 0.22, 0.16>] } scale 0.35]
+        [0.36 wrinkles turbulence 0.3 color_map { [0.4 rgb <0.82, 0.76, 0.70>] [0.75 rgb <0.80, 0.66, 0.58>]
+          [0.95 rgb <0.62, 0.22, 0.16>] } scale 0.35]
         [0.44 rgb <0.72, 0.64, 0.58>]
         [0.48 rgb 0.10*Iris_]
         [0.54 Fibres_ rotate 90*x]
@@ -156,7 +162,8 @@
       aoi
       pigment_map {
         [0.5 rgb Tone_*<1.28, 1.02, 0.95>]
-        [0.7 bozo turbulence 0.4 octaves 3 color_map { [0.25 rgb Tone_*<1.04, 1.03, 1.02>] [0.55 rgb Tone_] [0.85 rgb Tone_*<1, 0.80, 0.78>] } scale 0.35]
+        [0.7 bozo turbulence 0.4 octaves 3 color_map { [0.25 rgb Tone_*<1.04, 1.03, 1.02>] [0.55 rgb Tone_]
+          [0.85 rgb Tone_*<1, 0.80, 0.78>] } scale 0.35]
       }
     }
     normal {
@@ -190,7 +197,7 @@
   }
 #end
 
-// ---- Corals and sponges -----------------------------------------------------------------------------------------------------
+// ---- Corals and sponges ---------------------------------------------------------------------------------------------
 
 // RedCoral: texture. Deep red with pale cups: precious coral.
 #declare RedCoral = CoralTexture(rgb <0.52, 0.045, 0.04>, rgb <0.92, 0.40, 0.30>, 0.075)
@@ -220,14 +227,16 @@
     warp { turbulence 0.12 octaves 2 }
     scale 0.13
   }
-  normal { crackle 1 form <1, 0, 0> accuracy 0.02 slope_map { [0 <0, 0>] [0.15 <0, 1>] [0.45 <1, 1>] [1 <1, 0>] } scale 0.13 }
+  normal { crackle 1 form <1, 0, 0> accuracy 0.02 slope_map { [0 <0, 0>] [0.15 <0, 1>] [0.45 <1, 1>]
+    [1 <1, 0>] } scale 0.13 }
   finish { DustFinish }
 }
 // UrchinSkin: texture. Violet black, with rows of pale knobs.
 #declare UrchinSkin = texture {
   pigment {
     leopard
-    color_map { [0.1 rgb <0.030, 0.010, 0.045>] [0.4 rgb <0.10, 0.03, 0.12>] [0.75 rgb <0.42, 0.25, 0.38>] [0.95 rgb <0.72, 0.60, 0.62>] }
+    color_map { [0.1 rgb <0.030, 0.010, 0.045>] [0.4 rgb <0.10, 0.03, 0.12>] [0.75 rgb <0.42, 0.25, 0.38>]
+      [0.95 rgb <0.72, 0.60, 0.62>] }
     scale 0.026
   }
   normal { leopard 0.5 scale 0.026 }
@@ -244,14 +253,15 @@
   finish { SatinFinish }
 }
 
-// ---- Shells -----------------------------------------------------------------------------------------------------------------
+// ---- Shells ---------------------------------------------------------------------------------------------------------
 
 // SeaShell: texture. Glazed, cream with bands of brown and rose.
 #declare SeaShell = texture {
   pigment {
     gradient <0.25, 1, 0.1> turbulence 0.18 octaves 3 sine_wave
     color_map {
-      [0 rgb <0.82, 0.70, 0.58>] [0.35 rgb <0.84, 0.74, 0.64>] [0.6 rgb <0.72, 0.40, 0.29>] [0.8 rgb <0.42, 0.17, 0.09>] [1 rgb <0.26, 0.09, 0.05>] }
+      [0 rgb <0.82, 0.70, 0.58>] [0.35 rgb <0.84, 0.74, 0.64>] [0.6 rgb <0.72, 0.40, 0.29>]
+        [0.8 rgb <0.42, 0.17, 0.09>] [1 rgb <0.26, 0.09, 0.05>] }
     scale 0.5
   }
   normal { gradient <0.25, 1, 0.1> 0.16 sine_wave turbulence 0.08 accuracy 0.01 scale 0.09 }
@@ -262,8 +272,10 @@
   pigment {
     average
     pigment_map {
-      [1 aoi color_map { [0.5 rgb <0.55, 0.70, 0.85>] [0.6 rgb <0.86, 0.62, 0.74>] [0.72 rgb <0.62, 0.84, 0.70>] [0.86 rgb <0.90, 0.82, 0.66>] [1 rgb <0.84, 0.74, 0.82>] }]
-      [1 wrinkles turbulence 0.4 color_map { [0.2 rgb <0.72, 0.80, 0.86>] [0.4 rgb <0.92, 0.78, 0.82>] [0.6 rgb <0.74, 0.88, 0.76>] [0.8 rgb <0.94, 0.90, 0.78>] } scale 0.8]
+      [1 aoi color_map { [0.5 rgb <0.55, 0.70, 0.85>] [0.6 rgb <0.86, 0.62, 0.74>] [0.72 rgb <0.62, 0.84, 0.70>]
+        [0.86 rgb <0.90, 0.82, 0.66>] [1 rgb <0.84, 0.74, 0.82>] }]
+      [1 wrinkles turbulence 0.4 color_map { [0.2 rgb <0.72, 0.80, 0.86>] [0.4 rgb <0.92, 0.78, 0.82>]
+        [0.6 rgb <0.74, 0.88, 0.76>] [0.8 rgb <0.94, 0.90, 0.78>] } scale 0.8]
     }
   }
   normal { wrinkles 0.12 scale 0.5 }
@@ -271,12 +283,14 @@
 }
 // WhitePearl: texture. A single pearl, with a rosy depth.
 #declare WhitePearl = texture {
-  pigment { aoi color_map { [0.5 rgb <0.62, 0.66, 0.76>] [0.65 rgb <0.84, 0.74, 0.76>] [0.85 rgb <0.88, 0.84, 0.76>] [1 rgb <0.90, 0.86, 0.82>] } }
+  pigment { aoi color_map { [0.5 rgb <0.62, 0.66, 0.76>] [0.65 rgb <0.84, 0.74, 0.76>] [0.85 rgb <0.88, 0.84, 0.76>]
+    [1 rgb <0.90, 0.86, 0.82>] } }
   finish { PearlFinish }
 }
 // BlackPearl: texture. Dark grey with green and violet.
 #declare BlackPearl = texture {
-  pigment { aoi color_map { [0.5 rgb <0.20, 0.26, 0.34>] [0.66 rgb <0.18, 0.10, 0.20>] [0.84 rgb <0.07, 0.13, 0.11>] [1 rgb <0.09, 0.10, 0.12>] } }
+  pigment { aoi color_map { [0.5 rgb <0.20, 0.26, 0.34>] [0.66 rgb <0.18, 0.10, 0.20>] [0.84 rgb <0.07, 0.13, 0.11>]
+    [1 rgb <0.09, 0.10, 0.12>] } }
   finish { PearlFinish reflection { 0.07, 0.28 falloff 3 } }
 }
 // AbaloneShell: texture. Blue and green fire, in folds.
@@ -284,7 +298,8 @@
   pigment {
     granite turbulence 0.5 octaves 3
     color_map {
-      [0.1 rgb <0.02, 0.08, 0.20>] [0.3 rgb <0.03, 0.32, 0.40>] [0.45 rgb <0.16, 0.50, 0.30>] [0.55 rgb <0.58, 0.58, 0.46>]
+      [0.1 rgb <0.02, 0.08, 0.20>] [0.3 rgb <0.03, 0.32, 0.40>] [0.45 rgb <0.16, 0.50, 0.30>]
+        [0.55 rgb <0.58, 0.58, 0.46>]
       [0.65 rgb <0.48, 0.16, 0.40>] [0.8 rgb <0.06, 0.16, 0.36>] }
     scale 1.1
   }
@@ -301,13 +316,14 @@
 #declare SpeckledEgg = texture {
   pigment {
     dents turbulence 0.3 octaves 3
-    color_map { [0.34 rgb <0.28, 0.52, 0.48>] [0.42 rgb <0.30, 0.44, 0.38>] [0.46 rgb <0.09, 0.045, 0.025>] [0.7 rgb <0.05, 0.025, 0.015>] }
+    color_map { [0.34 rgb <0.28, 0.52, 0.48>] [0.42 rgb <0.30, 0.44, 0.38>] [0.46 rgb <0.09, 0.045, 0.025>]
+      [0.7 rgb <0.05, 0.025, 0.015>] }
     scale 0.1
   }
   finish { ambient 0.09 diffuse 0.82 brilliance 0.8 specular albedo 0.03 roughness 0.05 }
 }
 
-// ---- Moss, leaves, fungi ------------------------------------------------------------------------------------------------------
+// ---- Moss, leaves, fungi --------------------------------------------------------------------------------------------
 
 // CushionMoss: texture. Deep, soft, with light tips.
 #declare CushionMoss = texture {
@@ -315,7 +331,8 @@
     slope y
     pigment_map {
       [0.3 bozo color_map { [0.2 rgb <0.012, 0.028, 0.005>] [0.8 rgb <0.06, 0.09, 0.012>] } scale 0.04]
-      [0.9 bozo color_map { [0.2 rgb <0.022, 0.055, 0.007>] [0.5 rgb <0.085, 0.15, 0.016>] [0.8 rgb <0.23, 0.30, 0.04>] } scale 0.04]
+      [0.9 bozo color_map { [0.2 rgb <0.022, 0.055, 0.007>] [0.5 rgb <0.085, 0.15, 0.016>]
+        [0.8 rgb <0.23, 0.30, 0.04>] } scale 0.04]
     }
   }
   normal { bumps 0.9 scale 0.028 }
@@ -327,7 +344,8 @@
     aoi
     pigment_map {
       [0.5 rgb <0.24, 0.38, 0.045>]
-      [0.72 wrinkles color_map { [0.2 rgb <0.035, 0.12, 0.018>] [0.6 rgb <0.06, 0.18, 0.025>] [0.9 rgb <0.13, 0.26, 0.05>] } scale 0.3]
+      [0.72 wrinkles color_map { [0.2 rgb <0.035, 0.12, 0.018>] [0.6 rgb <0.06, 0.18, 0.025>]
+        [0.9 rgb <0.13, 0.26, 0.05>] } scale 0.3]
     }
   }
   normal { wrinkles 0.15 scale 0.2 }
@@ -343,15 +361,18 @@
 #declare MushroomCap = texture {
   slope y
   texture_map {
-    [0.34 pigment { gradient x color_map { [0 rgb <0.62, 0.54, 0.42>] [1 rgb <0.78, 0.72, 0.60>] } sine_wave scale 0.05 } finish { FleshFinish }]
+    [0.34 pigment { gradient x color_map { [0 rgb <0.62, 0.54, 0.42>]
+      [1 rgb <0.78, 0.72, 0.60>] } sine_wave scale 0.05 } finish { FleshFinish }]
     [0.42
       pigment {
         crackle form <1, 0, 0>
-        color_map { [0.2 rgb <0.82, 0.78, 0.66>] [0.28 rgb <0.74, 0.60, 0.45>] [0.3 rgb <0.56, 0.05, 0.012>] [0.8 rgb <0.64, 0.075, 0.015>] }
+        color_map { [0.2 rgb <0.82, 0.78, 0.66>] [0.28 rgb <0.74, 0.60, 0.45>] [0.3 rgb <0.56, 0.05, 0.012>]
+          [0.8 rgb <0.64, 0.075, 0.015>] }
         warp { turbulence 0.12 octaves 3 }
         scale 0.3
       }
-      normal { crackle -0.5 form <1, 0, 0> accuracy 0.01 slope_map { [0 <0, 0>] [0.24 <0.2, 0>] [0.3 <1, 0>] [1 <1, 0>] } scale 0.3 }
+      normal { crackle -0.5 form <1, 0, 0> accuracy 0.01 slope_map { [0 <0, 0>] [0.24 <0.2, 0>] [0.3 <1, 0>]
+        [1 <1, 0>] } scale 0.3 }
       finish { GlossyFinish(0.65) }
     ]
   }
@@ -367,7 +388,7 @@
   finish { GlossyFinish(0.4) }
 }
 
-// ---- Wax, bone, horn -----------------------------------------------------------------------------------------------------------
+// ---- Wax, bone, horn ------------------------------------------------------------------------------------------------
 
 // CandleWax: texture. White wax, light in its thin parts.
 #declare CandleWax = texture {
@@ -385,7 +406,8 @@
 #declare OldBone = texture {
   pigment {
     granite
-    color_map { [0.1 rgb <0.74, 0.65, 0.48>] [0.5 rgb <0.66, 0.55, 0.37>] [0.66 rgb <0.46, 0.33, 0.18>] [0.8 rgb <0.22, 0.13, 0.06>] }
+    color_map { [0.1 rgb <0.74, 0.65, 0.48>] [0.5 rgb <0.66, 0.55, 0.37>] [0.66 rgb <0.46, 0.33, 0.18>]
+      [0.8 rgb <0.22, 0.13, 0.06>] }
     scale <0.5, 1.1, 0.5>
   }
   normal { granite 0.22 accuracy 0.01 scale <0.25, 0.5, 0.25> }
@@ -422,7 +444,7 @@
   finish { GlossyFinish(0.7) }
 }
 
-// ---- Chitin --------------------------------------------------------------------------------------------------------------------
+// ---- Chitin ---------------------------------------------------------------------------------------------------------
 
 // BeetleGreen: texture. Rose chafer: green gold.
 #declare BeetleGreen = ChitinShell(rgb <0.03, 0.26, 0.07>, rgb <0.55, 0.34, 0.03>, 0.3)
@@ -453,7 +475,7 @@
   finish { GlossyFinish(0.62) }
 }
 
-// ---- Animals ---------------------------------------------------------------------------------------------------------------------
+// ---- Animals --------------------------------------------------------------------------------------------------------
 
 // FrogSkin: texture. Wet, green with dark spots, yellow below.
 #declare FrogSkin = texture {
@@ -461,7 +483,8 @@
     slope y
     pigment_map {
       [0.22 rgb <0.62, 0.60, 0.28>]
-      [0.5 bozo turbulence 0.25 octaves 3 color_map { [0.5 rgb <0.14, 0.34, 0.03>] [0.6 rgb <0.20, 0.40, 0.04>] [0.64 rgb <0.03, 0.055, 0.012>] [0.9 rgb <0.02, 0.035, 0.01>] } scale 0.22]
+      [0.5 bozo turbulence 0.25 octaves 3 color_map { [0.5 rgb <0.14, 0.34, 0.03>] [0.6 rgb <0.20, 0.40, 0.04>]
+        [0.64 rgb <0.03, 0.055, 0.012>] [0.9 rgb <0.02, 0.035, 0.01>] } scale 0.22]
     }
   }
   normal { bumps 0.25 scale 0.05 }
@@ -474,8 +497,10 @@
   pigment {
     bozo turbulence 0.15 octaves 2
     pigment_map {
-      [0.46 crackle color_map { [0.03 rgb <0.12, 0.085, 0.04>] [0.2 rgb <0.50, 0.38, 0.20>] [0.7 rgb <0.62, 0.50, 0.30>] } scale 0.06/0.42]
-      [0.52 crackle color_map { [0.03 rgb <0.012, 0.008, 0.005>] [0.2 rgb <0.10, 0.055, 0.025>] [0.7 rgb <0.15, 0.085, 0.04>] } scale 0.06/0.42]
+      [0.46 crackle color_map { [0.03 rgb <0.12, 0.085, 0.04>] [0.2 rgb <0.50, 0.38, 0.20>]
+        [0.7 rgb <0.62, 0.50, 0.30>] } scale 0.06/0.42]
+      [0.52 crackle color_map { [0.03 rgb <0.012, 0.008, 0.005>] [0.2 rgb <0.10, 0.055, 0.025>]
+        [0.7 rgb <0.15, 0.085, 0.04>] } scale 0.06/0.42]
     }
     scale 0.42
   }
@@ -493,7 +518,8 @@
     }
   }
   normal { crackle 0.5 accuracy 0.012 slope_map { [0 <0, 1>] [0.14 <0.7, 1>] [0.4 <1, 0>] [1 <1, 0>] } scale 0.07 }
-  finish { ambient 0.06 diffuse 0.5 specular albedo 0.3 roughness 0.03 metallic 0.5 reflection { 0.1, 0.4 falloff 3 metallic 0.5 } irid { 0.3 thickness 0.6 } }
+  finish { ambient 0.06 diffuse 0.5 specular albedo 0.3 roughness 0.03 metallic 0.5
+    reflection { 0.1, 0.4 falloff 3 metallic 0.5 } irid { 0.3 thickness 0.6 } }
 }
 // OctopusSkin: texture. Wine red clouds on cream, wet, with small warts.
 #declare OctopusSkin = texture {
@@ -501,7 +527,8 @@
     slope y
     pigment_map {
       [0.2 rgb <0.72, 0.50, 0.42>]
-      [0.5 bozo turbulence 0.5 octaves 4 color_map { [0.25 rgb <0.62, 0.30, 0.22>] [0.5 rgb <0.42, 0.10, 0.085>] [0.75 rgb <0.19, 0.028, 0.04>] } scale 0.28]
+      [0.5 bozo turbulence 0.5 octaves 4 color_map { [0.25 rgb <0.62, 0.30, 0.22>] [0.5 rgb <0.42, 0.10, 0.085>]
+        [0.75 rgb <0.19, 0.028, 0.04>] } scale 0.28]
     }
   }
   normal { average normal_map { [1 bumps 0.35 scale 0.04] [1 wrinkles 0.3 scale 0.25] } }
@@ -517,7 +544,8 @@
   }
   normal {
     average
-    normal_map { [1 crackle 0.9 accuracy 0.015 slope_map { [0 <0, 2>] [0.15 <1, 0>] [1 <1, 0>] } turbulence 0.4 octaves 3 scale 0.16] [1.5 wrinkles 0.5 scale 0.5] }
+    normal_map { [1 crackle 0.9 accuracy 0.015 slope_map { [0 <0, 2>] [0.15 <1, 0>]
+      [1 <1, 0>] } turbulence 0.4 octaves 3 scale 0.16] [1.5 wrinkles 0.5 scale 0.5] }
   }
   finish { ChalkFinish }
 }
@@ -534,7 +562,7 @@
   finish { DustFinish }
 }
 
-// ---- Jelly -----------------------------------------------------------------------------------------------------------------------
+// ---- Jelly ----------------------------------------------------------------------------------------------------------
 
 // MoonJelly: material. Sea jelly: clear, milky at its rims, a touch of blue.
 #declare MoonJelly = JellyFlesh(rgb <0.80, 0.88, 0.98>, 0.85)

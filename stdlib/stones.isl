@@ -4,14 +4,15 @@
 //   sphere { 0, 1 texture { CarraraMarble } }
 //   blob { … texture { MossyRock scale 0.5 } }
 //
-// All are solid textures: they go through the body as veins go through a rock, so a blend of balls looks carved of one piece.
-// They are made for objects about 2 units large; scale the texture with the object. What grows or lies on a stone is above, y.
+// All are solid textures: they go through the body as veins go through a rock, so a blend of balls looks carved of one
+// piece. They are made for objects about 2 units large; scale the texture with the object. What grows or lies on a
+// stone is above, y.
 #ifndef (Stones_Isl_Before)
 #declare Stones_Isl_Before = version;
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // VeinedMarble(Ground, Vein, Turbulence)
 // Polished marble: clouded ground, thin dark veins that split and fade.
@@ -24,7 +25,8 @@
   texture {
     pigment {
       bozo turbulence 0.6 octaves 4
-      color_map { [0.25 rgb <Ground_.red, Ground_.green, Ground_.blue>] [0.8 rgb 0.8*<Ground_.red, Ground_.green, Ground_.blue> + 0.2*Rgb_] }
+      color_map { [0.25 rgb <Ground_.red, Ground_.green, Ground_.blue>]
+        [0.8 rgb 0.8*<Ground_.red, Ground_.green, Ground_.blue> + 0.2*Rgb_] }
       scale 0.7
     }
     finish { GlazedFinish }
@@ -68,7 +70,8 @@
     pigment {
       crackle solid
       color_map {
-        [0.24 color First] [0.24 color Second*0.8] [0.45 color Second] [0.62 color Second*1.12] [0.62 color Third*0.85] [0.9 color Third]
+        [0.24 color First] [0.24 color Second*0.8] [0.45 color Second] [0.62 color Second*1.12]
+          [0.62 color Third*0.85] [0.9 color Third]
         [0.9 color First*0.5 + Second*0.5]
       }
       warp { turbulence 0.5*Size octaves 3 lambda 2.5 }
@@ -95,7 +98,7 @@
   }
 #end
 
-// ---- Marble, polished -----------------------------------------------------------------------------------------------------
+// ---- Marble, polished -----------------------------------------------------------------------------------------------
 
 // CarraraMarble: texture. White, with thin grey veins: statues.
 #declare CarraraMarble = VeinedMarble(rgb <0.82, 0.81, 0.79>, rgb <0.30, 0.31, 0.34>, 0.9)
@@ -121,10 +124,11 @@
 #declare SienaMarble = VeinedMarble(rgb <0.72, 0.47, 0.18>, rgb <0.28, 0.12, 0.12>, 0.8)
 // OnyxStone: texture. Layers of honey and cream, half clear.
 #declare OnyxStone = BandedStone(color_map {
-  [0 rgb <0.52, 0.26, 0.07>] [0.3 rgb <0.78, 0.55, 0.26>] [0.55 rgb <0.88, 0.76, 0.52>] [0.75 rgb <0.70, 0.44, 0.18>] [1 rgb <0.90, 0.84, 0.70>]
+  [0 rgb <0.52, 0.26, 0.07>] [0.3 rgb <0.78, 0.55, 0.26>] [0.55 rgb <0.88, 0.76, 0.52>] [0.75 rgb <0.70, 0.44, 0.18>]
+    [1 rgb <0.90, 0.84, 0.70>]
 }, 0.55, 0.5)
 
-// ---- Granite and its kin ----------------------------------------------------------------------------------------------------
+// ---- Granite and its kin --------------------------------------------------------------------------------------------
 
 // GreyGranite: texture. Polished, grey with black mica.
 #declare GreyGranite = SpeckledStone(rgb <0.035, 0.035, 0.04>, rgb <0.36, 0.36, 0.36>, rgb <0.58, 0.57, 0.55>, 0.055)
@@ -138,8 +142,10 @@
     pigment {
       crackle solid
       color_map {
-        [0.25 rgb <0.74, 0.70, 0.64>] [0.25 rgb <0.40, 0.16, 0.11>] [0.4 rgb <0.46, 0.20, 0.13>] [0.4 rgb <0.10, 0.16, 0.15>]
-        [0.55 rgb <0.13, 0.20, 0.18>] [0.55 rgb <0.62, 0.42, 0.20>] [0.7 rgb <0.66, 0.46, 0.24>] [0.7 rgb <0.80, 0.78, 0.74>] }
+        [0.25 rgb <0.74, 0.70, 0.64>] [0.25 rgb <0.40, 0.16, 0.11>] [0.4 rgb <0.46, 0.20, 0.13>]
+          [0.4 rgb <0.10, 0.16, 0.15>]
+        [0.55 rgb <0.13, 0.20, 0.18>] [0.55 rgb <0.62, 0.42, 0.20>] [0.7 rgb <0.66, 0.46, 0.24>]
+          [0.7 rgb <0.80, 0.78, 0.74>] }
       scale 0.16
     }
     finish { GlazedFinish }
@@ -153,11 +159,12 @@
     finish { GlazedFinish reflection 0 specular 0 }
   }
 
-// ---- Rough rock -------------------------------------------------------------------------------------------------------------
+// ---- Rough rock -----------------------------------------------------------------------------------------------------
 
 // Basalt: texture. Dark, rough, from a volcano.
 #declare Basalt = texture {
-  pigment { granite color_map { [0 rgb 0.018] [0.5 rgb <0.05, 0.049, 0.052>] [0.9 rgb <0.10, 0.097, 0.095>] } scale 0.5 }
+  pigment { granite color_map { [0 rgb 0.018] [0.5 rgb <0.05, 0.049, 0.052>]
+    [0.9 rgb <0.10, 0.097, 0.095>] } scale 0.5 }
   normal { granite 0.5 accuracy 0.01 scale 0.4 }
   finish { ChalkFinish }
 }
@@ -169,7 +176,8 @@
     warp { turbulence 0.15 octaves 2 }
     scale 0.12
   }
-  normal { crackle 0.9 form <1, 0, 0> accuracy 0.02 slope_map { [0 <0, 0>] [0.15 <0.1, 1>] [0.5 <1, 0.5>] [1 <1, 0>] } scale 0.12 }
+  normal { crackle 0.9 form <1, 0, 0> accuracy 0.02 slope_map { [0 <0, 0>] [0.15 <0.1, 1>] [0.5 <1, 0.5>]
+    [1 <1, 0>] } scale 0.12 }
   finish { ChalkFinish }
 }
 // Sandstone: texture. Layers of warm sand, gritty.
@@ -177,7 +185,8 @@
   pigment {
     gradient y turbulence <0.12, 0.12, 0.12> octaves 4
     color_map {
-      [0 rgb <0.54, 0.33, 0.19>] [0.15 rgb <0.62, 0.43, 0.26>] [0.4 rgb <0.48, 0.26, 0.14>] [0.55 rgb <0.66, 0.48, 0.31>]
+      [0 rgb <0.54, 0.33, 0.19>] [0.15 rgb <0.62, 0.43, 0.26>] [0.4 rgb <0.48, 0.26, 0.14>]
+        [0.55 rgb <0.66, 0.48, 0.31>]
       [0.8 rgb <0.57, 0.36, 0.21>] [1 rgb <0.54, 0.33, 0.19>] }
     scale 0.34 rotate <6, 0, 9>
   }
@@ -197,7 +206,8 @@
 // Slate: texture. Dark blue grey, split in thin leaves.
 #declare Slate = texture {
   pigment { granite color_map { [0.1 rgb <0.045, 0.052, 0.062>] [0.7 rgb <0.105, 0.115, 0.13>] } scale <1, 0.15, 1> }
-  normal { gradient y 0.5 turbulence 0.25 octaves 4 accuracy 0.01 slope_map { [0 <0, 0.5>] [0.8 <1, 0.2>] [1 <0, -3>] } scale 0.16 rotate 12*z }
+  normal { gradient y 0.5 turbulence 0.25 octaves 4 accuracy 0.01 slope_map { [0 <0, 0.5>] [0.8 <1, 0.2>]
+    [1 <0, -3>] } scale 0.16 rotate 12*z }
   finish { EggshellFinish }
 }
 // RiverPebble: texture. Smooth and wet, grey with a white band of quartz.
@@ -218,7 +228,8 @@
 #declare ChalkCliff = texture {
   pigment {
     bozo turbulence 0.35 octaves 4
-    color_map { [0.3 rgb <0.80, 0.79, 0.75>] [0.78 rgb <0.72, 0.70, 0.65>] [0.84 rgb <0.20, 0.19, 0.18>] [1 rgb <0.06, 0.06, 0.065>] }
+    color_map { [0.3 rgb <0.80, 0.79, 0.75>] [0.78 rgb <0.72, 0.70, 0.65>] [0.84 rgb <0.20, 0.19, 0.18>]
+      [1 rgb <0.06, 0.06, 0.065>] }
     scale 0.3
   }
   normal { wrinkles 0.4 scale 0.2 }
@@ -228,19 +239,21 @@
 #declare Travertine = texture {
   pigment {
     granite
-    color_map { [0.2 rgb <0.72, 0.60, 0.44>] [0.55 rgb <0.60, 0.45, 0.29>] [0.66 rgb <0.50, 0.35, 0.21>] [0.74 rgb <0.13, 0.08, 0.05>] }
+    color_map { [0.2 rgb <0.72, 0.60, 0.44>] [0.55 rgb <0.60, 0.45, 0.29>] [0.66 rgb <0.50, 0.35, 0.21>]
+      [0.74 rgb <0.13, 0.08, 0.05>] }
     scale <1.3, 0.22, 1.3>
   }
   finish { GlossyFinish(0.45) }
 }
 
-// ---- Stones for cutting -------------------------------------------------------------------------------------------------------
+// ---- Stones for cutting ---------------------------------------------------------------------------------------------
 
 // GreenJade: texture. Milky green that seems to hold light.
 #declare GreenJade = texture {
   pigment {
     bozo turbulence 0.7 octaves 5
-    color_map { [0.2 rgb <0.12, 0.34, 0.17>] [0.5 rgb <0.22, 0.45, 0.24>] [0.75 rgb <0.42, 0.60, 0.40>] [0.95 rgb <0.62, 0.74, 0.58>] }
+    color_map { [0.2 rgb <0.12, 0.34, 0.17>] [0.5 rgb <0.22, 0.45, 0.24>] [0.75 rgb <0.42, 0.60, 0.40>]
+      [0.95 rgb <0.62, 0.74, 0.58>] }
     scale 0.55
   }
   finish { WaxFinish diffuse 0.64 reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.01 }
@@ -250,7 +263,8 @@
   texture {
     pigment {
       granite turbulence 0.2
-      color_map { [0.1 rgb <0.008, 0.016, 0.12>] [0.45 rgb <0.018, 0.045, 0.28>] [0.62 rgb <0.05, 0.10, 0.38>] [0.8 rgb <0.42, 0.46, 0.55>] }
+      color_map { [0.1 rgb <0.008, 0.016, 0.12>] [0.45 rgb <0.018, 0.045, 0.28>] [0.62 rgb <0.05, 0.10, 0.38>]
+        [0.8 rgb <0.42, 0.46, 0.55>] }
       scale 0.8
     }
     finish { GlazedFinish }
@@ -271,14 +285,16 @@
 }, 0.24, 0.65)
 // BandedAgate: texture. Thin rings of red brown, grey and white.
 #declare BandedAgate = BandedStone(color_map {
-  [0 rgb <0.22, 0.06, 0.025>] [0.18 rgb <0.48, 0.17, 0.06>] [0.3 rgb <0.75, 0.62, 0.52>] [0.42 rgb <0.42, 0.28, 0.24>] [0.55 rgb <0.80, 0.76, 0.72>]
+  [0 rgb <0.22, 0.06, 0.025>] [0.18 rgb <0.48, 0.17, 0.06>] [0.3 rgb <0.75, 0.62, 0.52>] [0.42 rgb <0.42, 0.28, 0.24>]
+    [0.55 rgb <0.80, 0.76, 0.72>]
   [0.7 rgb <0.50, 0.33, 0.27>] [0.85 rgb <0.34, 0.10, 0.045>] [1 rgb <0.82, 0.72, 0.62>]
 }, 0.34, 0.45)
 // TurquoiseStone: texture. Sky blue with a web of brown.
 #declare TurquoiseStone = texture {
   pigment {
     crackle
-    color_map { [0.02 rgb <0.09, 0.05, 0.025>] [0.06 rgb <0.20, 0.30, 0.26>] [0.12 rgb <0.09, 0.50, 0.50>] [0.6 rgb <0.16, 0.60, 0.60>] }
+    color_map { [0.02 rgb <0.09, 0.05, 0.025>] [0.06 rgb <0.20, 0.30, 0.26>] [0.12 rgb <0.09, 0.50, 0.50>]
+      [0.6 rgb <0.16, 0.60, 0.60>] }
     warp { turbulence 0.35 octaves 4 omega 0.55 }
     scale 0.34
   }
@@ -299,13 +315,14 @@
   finish { WaxFinish diffuse 0.64 reflection { 0.03, 0.18 falloff 5 } specular albedo 0.04 roughness 0.008 }
 }
 
-// ---- Stones with something on them ----------------------------------------------------------------------------------------------
+// ---- Stones with something on them ----------------------------------------------------------------------------------
 
 // FieldRock: texture. An ordinary boulder: grey, with brown in its cracks.
 #declare FieldRock = texture {
   pigment {
     granite
-    color_map { [0.1 rgb <0.085, 0.07, 0.055>] [0.4 rgb <0.20, 0.185, 0.165>] [0.65 rgb <0.31, 0.30, 0.28>] [0.85 rgb <0.42, 0.41, 0.38>] }
+    color_map { [0.1 rgb <0.085, 0.07, 0.055>] [0.4 rgb <0.20, 0.185, 0.165>] [0.65 rgb <0.31, 0.30, 0.28>]
+      [0.85 rgb <0.42, 0.41, 0.38>] }
     scale 0.9
   }
   normal { granite 0.6 accuracy 0.012 scale 0.7 }
@@ -313,7 +330,8 @@
 }
 // MossyRock: texture. A boulder with moss on what faces up.
 #declare MossyRock = CoveredAbove(FieldRock, texture {
-  pigment { bozo color_map { [0.2 rgb <0.018, 0.045, 0.006>] [0.5 rgb <0.07, 0.125, 0.014>] [0.8 rgb <0.19, 0.25, 0.035>] } scale 0.05 }
+  pigment { bozo color_map { [0.2 rgb <0.018, 0.045, 0.006>] [0.5 rgb <0.07, 0.125, 0.014>]
+    [0.8 rgb <0.19, 0.25, 0.035>] } scale 0.05 }
   normal { bumps 0.9 scale 0.03 }
   finish { DustFinish }
 }, 0.46)
@@ -346,7 +364,8 @@
   }
 // WetSand: texture. The beach after the wave: dark, fine, shining.
 #declare WetSand = texture {
-  pigment { granite color_map { [0.2 rgb <0.17, 0.115, 0.07>] [0.6 rgb <0.24, 0.17, 0.11>] [0.9 rgb <0.34, 0.26, 0.18>] } scale 0.05 }
+  pigment { granite color_map { [0.2 rgb <0.17, 0.115, 0.07>] [0.6 rgb <0.24, 0.17, 0.11>]
+    [0.9 rgb <0.34, 0.26, 0.18>] } scale 0.05 }
   normal { bumps 0.12 scale 0.02 }
   finish { GlossyFinish(0.85) }
 }

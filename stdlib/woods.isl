@@ -4,19 +4,21 @@
 //   sphere { 0, 1 texture { WalnutWood } }
 //   blob { … texture { OakWood rotate 90*x scale 0.5 } }
 //
-// The trunk goes along z, with its middle beside the origin, so that the front of a thing shows rings that are cut across and
-// its sides show long grain; rotate the texture to cut it otherwise. Made for things about 2 units large, as if of a thin
-// trunk; scale the texture with them. Finishes are of oiled wood; VarnishedWood makes any of them shine.
+// The trunk goes along z, with its middle beside the origin, so that the front of a thing shows rings that are cut
+// across and its sides show long grain; rotate the texture to cut it otherwise. Made for things about 2 units large,
+// as if of a thin trunk; scale the texture with them. Finishes are of oiled wood; VarnishedWood makes any of them
+// shine.
 #ifndef (Woods_Isl_Before)
 #declare Woods_Isl_Before = version;
 #version 3.7;
 #include "finishes.isl"
 
-// ---- Macros -----------------------------------------------------------------------------------------------------------
+// ---- Macros ---------------------------------------------------------------------------------------------------------
 
 // WoodTexture(Early, Late, Ring, Wave, Gloss)
 // Any wood: rings, rays of pores along the trunk, slow changes of colour.
-// Early, Late: colours of the light and the dark part of a ring. Ring: its width in units, 0.05 slow to 0.2 fast growth.
+// Early, Late: colours of the light and the dark part of a ring. Ring: its width in units, 0.05 slow to 0.2 fast
+// growth.
 // Wave: how uneven the rings are, 0.05 spruce … 0.3 olive. Gloss: as in GlossyFinish.
 // Example: sphere { 0, 1 WoodTexture(rgb <0.62, 0.38, 0.18>, rgb <0.34, 0.16, 0.06>, 0.1, 0.1, 0.4) }
 #macro WoodTexture(Early, Late, Ring, Wave, Gloss)
@@ -91,7 +93,7 @@
   }
 #end
 
-// ---- Woods ----------------------------------------------------------------------------------------------------------------
+// ---- Woods ----------------------------------------------------------------------------------------------------------
 
 // OakWood: texture. Honey brown, with strong pores.
 #declare OakWood = WoodTexture(rgb <0.52, 0.31, 0.13>, rgb <0.30, 0.145, 0.05>, 0.10, 0.10, 0.4)
@@ -116,8 +118,10 @@
   pigment {
     cylindrical
     pigment_map {
-      [0.44 wood color_map { [0 rgb <0.76, 0.58, 0.32>] [0.9 rgb <0.66, 0.46, 0.22>] } warp { turbulence 0.08 octaves 2 } scale 0.06]
-      [0.47 wood color_map { [0 rgb <0.52, 0.19, 0.055>] [0.9 rgb <0.34, 0.10, 0.03>] } warp { turbulence 0.08 octaves 2 } scale 0.06]
+      [0.44 wood color_map { [0 rgb <0.76, 0.58, 0.32>] [0.9 rgb <0.66, 0.46, 0.22>] }
+        warp { turbulence 0.08 octaves 2 } scale 0.06]
+      [0.47 wood color_map { [0 rgb <0.52, 0.19, 0.055>] [0.9 rgb <0.34, 0.10, 0.03>] }
+        warp { turbulence 0.08 octaves 2 } scale 0.06]
     }
     warp { turbulence <0.18, 0.18, 0.05> octaves 3 }
     scale <1.7, 1.7, 8> rotate 90*x scale <1, 1, 1> rotate 90*x
@@ -142,7 +146,8 @@
     color_map { [0.03 rgb 0.002] [0.2 rgb <0.012, 0.012, 0.013>] [0.7 rgb <0.03, 0.03, 0.032>] }
     scale <0.14, 0.2, 0.14>
   }
-  normal { crackle 1 accuracy 0.012 slope_map { [0 <0, 0>] [0.08 <0.1, 2>] [0.25 <1, 0>] [1 <1, 0>] } scale <0.14, 0.2, 0.14> }
+  normal { crackle 1 accuracy 0.012 slope_map { [0 <0, 0>] [0.08 <0.1, 2>] [0.25 <1, 0>]
+    [1 <1, 0>] } scale <0.14, 0.2, 0.14> }
   finish { GlossyFinish(0.42) }
 }
 // BambooCane: texture. Yellow green with rings of nodes across y, polished by nature.
@@ -158,11 +163,12 @@
     }
     scale 0.55
   }
-  normal { gradient y 0.5 accuracy 0.01 slope_map { [0 <0, 0>] [0.03 <1, 0>] [0.07 <0.3, -1>] [0.2 <0, 0>] [1 <0, 0>] } scale 0.55 }
+  normal { gradient y 0.5 accuracy 0.01 slope_map { [0 <0, 0>] [0.03 <1, 0>] [0.07 <0.3, -1>] [0.2 <0, 0>]
+    [1 <0, 0>] } scale 0.55 }
   finish { GlossyFinish(0.65) }
 }
 
-// ---- Barks ------------------------------------------------------------------------------------------------------------------
+// ---- Barks ----------------------------------------------------------------------------------------------------------
 
 // OakBark: texture. Deep furrows, grey brown.
 #declare OakBark = BarkTexture(rgb <0.21, 0.165, 0.125>, rgb <0.022, 0.016, 0.012>, 0.14)
@@ -171,14 +177,16 @@
 // BirchBark: texture. White paper with black lines across.
 #declare BirchBark =
   texture {
-    pigment { granite color_map { [0.2 rgb <0.80, 0.78, 0.73>] [0.65 rgb <0.70, 0.66, 0.60>] [0.85 rgb <0.52, 0.40, 0.30>] } scale <0.9, 0.3, 0.9> }
+    pigment { granite color_map { [0.2 rgb <0.80, 0.78, 0.73>] [0.65 rgb <0.70, 0.66, 0.60>]
+      [0.85 rgb <0.52, 0.40, 0.30>] } scale <0.9, 0.3, 0.9> }
     normal { bumps 0.15 scale <0.4, 0.02, 0.4> }
     finish { GlossyFinish(0.3) }
   }
   texture {
     pigment {
       bozo turbulence <0.12, 0.05, 0.12> octaves 3
-      color_map { [0.24 rgbt <0.03, 0.025, 0.022, 0>] [0.29 rgbt <0.10, 0.08, 0.065, 0.4>] [0.33 rgbt <0.1, 0.08, 0.07, 1>] }
+      color_map { [0.24 rgbt <0.03, 0.025, 0.022, 0>] [0.29 rgbt <0.10, 0.08, 0.065, 0.4>]
+        [0.33 rgbt <0.1, 0.08, 0.07, 1>] }
       scale <0.22, 0.035, 0.22>
     }
     finish { MatteFinish }
@@ -187,7 +195,8 @@
 #declare CorkBark = texture {
   pigment {
     granite
-    color_map { [0.15 rgb <0.12, 0.055, 0.02>] [0.3 rgb <0.42, 0.24, 0.11>] [0.6 rgb <0.56, 0.36, 0.19>] [0.85 rgb <0.62, 0.43, 0.25>] }
+    color_map { [0.15 rgb <0.12, 0.055, 0.02>] [0.3 rgb <0.42, 0.24, 0.11>] [0.6 rgb <0.56, 0.36, 0.19>]
+      [0.85 rgb <0.62, 0.43, 0.25>] }
     scale 0.22
   }
   normal { granite 0.3 accuracy 0.01 scale 0.22 }
