@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """A page of all materials in stdlib/: each on the test body of scenes/swatches.isl, with its name and its cost beneath.
 
-    bench/swatches.py [NAME…] [-o FILE.png] [--quick] [--isl PROGRAM]
+    bench/swatches.py [NAME…] [-o FILE.png] [--light N] [--isl PROGRAM]
 
 NAME is a part of the names of materials or files, as `Gold` or `metals`; without one, all are rendered. The cost is the time of
-tracing the body with one sample a pixel and point lights over that of the same body in a plain colour. --quick shows those
-point lights, too, in a minute; otherwise the studio is soft, which takes some ten minutes.
+tracing the body with one sample a pixel and point lights over that of the same body in a plain colour.
 
 Needs nothing but Python: isl writes .ppm for it, and draws the letters.
 """
@@ -123,12 +122,12 @@ def main():
     parser.add_argument('names', nargs='*', metavar='NAME')
     parser.add_argument('-o', default='swatches.png', metavar='FILE', help='[swatches.png]')
     parser.add_argument('--isl', default=os.environ.get('ISL', os.path.join(HERE, '../build/release/bin/isl')))
-    parser.add_argument('--quick', action='store_true', help='point lights')
+    parser.add_argument('--light', type=int, choices=(0, 1, 2), default=1, help='0 points, 1 soft, 2 and light from around [1]')
     parser.add_argument('--no-cost', action='store_true', help='do not measure')
     parser.add_argument('--size', default='150x124', help='of a swatch [150x124]')
     parser.add_argument('--columns', type=int, default=10, help='[10]')
     parser.add_argument('--colours', type=int, default=256, help='of the .png, up to 256; 0 for all [256]')
-    parser.add_argument('--max-noise', default='0.015', help='of the soft studio [0.015]')
+    parser.add_argument('--max-noise', default='0.02', help='of soft light [0.02]')
     parser.add_argument('-t', default='1', metavar='THREADS', help='[1]')
     options = parser.parse_args()
     width, height = map(int, options.size.split('x'))
@@ -147,10 +146,10 @@ def main():
 
         def swatch(material, library):
             text = f'#include "finishes.isl"\n#include "{library}"\n#declare Material = material {{ {material} }}\n#include "swatches.isl"\n'
-            once = min(render(options, text, picture, (160, 130), '-t', '1', '-D', 'Quick=1', '--samples', '1')['time']['trace']
+            once = min(render(options, text, picture, (160, 130), '-t', '1', '-D', 'Light=0', '--samples', '1')['time']['trace']
                        for _ in range(4)) if not options.no_cost else 1
-            quick = ['-D', 'Quick=1'] if options.quick else ['--max-noise', options.max_noise]
-            render(options, text, picture, (width, height), '-t', options.t, *quick)
+            light = ['-D', f'Light={options.light}'] + (['--max-noise', options.max_noise] if options.light else [])
+            render(options, text, picture, (width, height), '-t', options.t, *light)
             return once, read_ppm(picture)
 
         plain, _ = swatch(PLAIN, 'finishes.isl')

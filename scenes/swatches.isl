@@ -7,14 +7,14 @@
 //   #include "metals.isl"
 //   #declare Material = material { texture { PolishedGold } }
 //   #include "swatches.isl"
-// -D Quick=1 takes point lights and no light from around.
+// -D Light=0 takes point lights, -D Light=1 soft ones, and without it there is light from all around, too.
 #version 3.7;
 #include "lights.isl"
 #include "cameras.isl"
 #include "finishes.isl"
 global_settings { assumed_gamma 1 max_trace_level 12 }
 
-#ifndef (Quick) #declare Quick = 0; #end
+#ifndef (Light) #declare Light = 2; #end
 #ifndef (Material) #declare Material = material { texture { pigment { rgb 0.6 } finish { SatinFinish } } } #end
 
 #declare Body = blob {
@@ -48,10 +48,16 @@ plane { y, 0
 }
 
 #declare View = <0.2, 0.5, -1>;
-#if (Quick)
-  StudioLights(Body, View)
-  sky_sphere { StudioSky }
-#else
-  SoftStudio(Body, View)
+#switch (Light)
+  #case (0)
+    StudioLights(Body, View)
+    sky_sphere { StudioSky }
+  #break
+  #case (1)
+    SoftStudioLights(Body, View)
+    sky_sphere { StudioSky }
+  #break
+  #else
+    SoftStudio(Body, View)
 #end
 PlacedCamera(Body, View, 26, 0.96, <0.01, -0.02>)

@@ -71,8 +71,8 @@
 // FleshFinish: finish. Skin, fruit and petals: soft shadows and a moist sheen.
 #declare FleshFinish = finish { ambient 0.09 diffuse 0.82 brilliance 0.75 specular albedo 0.04 roughness 0.05 }
 // JellyFinish: finish. For what is half transparent: little is scattered, highlights are sharp.
-#declare JellyFinish = finish { ambient 0.05 diffuse 0.39 brilliance 0.6 specular albedo 0.04 roughness 0.003
-  reflection { 0.02, 0.5 falloff 5 } conserve_energy }
+#declare JellyFinish = finish { ambient 0.05 diffuse 0.6 brilliance 0.6 specular albedo 0.04 roughness 0.003
+  reflection { 0.01, 0.2 falloff 4 } conserve_energy }
 // GlassFinish: finish. For glass and water: nothing is scattered; mirrors by the `ior` of the interior, which it needs.
 #declare GlassFinish = finish { ambient 0 diffuse 0 specular albedo 0.04 roughness 0.001
   reflection { 0, 1 fresnel } conserve_energy }

@@ -70,13 +70,15 @@
   #local Up_ = vcross(To_, Side_);
   texture {
     pigment {
-      bozo color_map { [0.3 Colour*0.86] [0.7 color Colour] }
-      scale <0.7, 0.02, 0.02>
+      bozo color_map { [0.3 Colour*0.9] [0.7 color Colour] }
+      scale <1.6, 0.014, 0.014>
       matrix <To_.x, To_.y, To_.z, Side_.x, Side_.y, Side_.z, Up_.x, Up_.y, Up_.z, 0, 0, 0>
     }
     normal {
-      bumps 0.05
-      scale <0.5, 0.007, 0.007>
+      // Flattened along the scratches instead of stretched: a stretch would tilt the normals on every slope.
+      bumps 0.11
+      warp { planar x, 0 }
+      scale 0.006
       matrix <To_.x, To_.y, To_.z, Side_.x, Side_.y, Side_.z, Up_.x, Up_.y, Up_.z, 0, 0, 0>
     }
     finish { MetalFinish(0.66) }

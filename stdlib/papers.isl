@@ -64,7 +64,7 @@
   texture {
     pigment { aoi color_map { [0.5 color 0.55*Colour + <0.36, 0.36, 0.36, 0, 0>]
       [0.62 color 0.85*Colour + <0.08, 0.08, 0.08, 0, 0>] [0.8 color Colour*0.8] [1 color Colour*0.62] } }
-    normal { bumps 0.45 scale 0.012 }
+    normal { bumps 0.16 scale 0.012 }
     finish { DustFinish }
   }
 #end
@@ -95,7 +95,7 @@
   }
   normal {
     crackle 0.5 accuracy 0.01
-    slope_map { [0 <0, 3>] [0.1 <0.7, 1>] [0.3 <1, 0>] [1 <1, 0>] }
+    slope_map { [0 <0, 1>] [0.1 <0.7, 1>] [0.3 <1, 0>] [1 <1, 0>] }
     warp { turbulence 0.12 octaves 4 omega 0.6 }
     scale <0.3, 0.16, 0.3> rotate 25*z
   }

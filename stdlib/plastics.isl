@@ -208,11 +208,11 @@
 // ---- Clear ----------------------------------------------------------------------------------------------------------
 
 // RaspberryGummy: material. Sweets.
-#declare RaspberryGummy = ClearResin(rgb <0.80, 0.035, 0.09>, 1)
+#declare RaspberryGummy = ClearResin(rgb <0.72, 0.02, 0.06>, 0.55)
 // LimeGummy: material. Sweets.
-#declare LimeGummy = ClearResin(rgb <0.42, 0.80, 0.05>, 1)
+#declare LimeGummy = ClearResin(rgb <0.32, 0.72, 0.03>, 0.6)
 // BlueResin: material. Poured into rivers of wood.
-#declare BlueResin = ClearResin(rgb <0.03, 0.32, 0.62>, 1)
+#declare BlueResin = ClearResin(rgb <0.02, 0.25, 0.60>, 0.7)
 
 #version Plastics_Isl_Before;
 #end

@@ -42,10 +42,10 @@
     pigment {
       slope y
       pigment_map {
-        [0.35 crackle form <1, 0, 0> color_map { [0.08 rgb 0.35*C_] [0.3 rgb 0.8*C_]
-          [0.7 rgb 0.85*C_ + 0.15*T_] } scale Size]
-        [0.95 crackle form <1, 0, 0> color_map { [0.08 rgb 0.6*C_] [0.3 rgb 0.6*C_ + 0.4*T_]
-          [0.7 rgb 0.15*C_ + 0.85*T_] } scale Size]
+        [0.4 crackle form <1, 0, 0> color_map { [0.08 rgb 0.3*C_] [0.3 rgb 0.75*C_] [0.7 rgb 0.92*C_ + 0.05*T_] }
+          scale Size]
+        [1 crackle form <1, 0, 0> color_map { [0.08 rgb 0.7*C_] [0.3 rgb 0.7*C_ + 0.3*T_] [0.7 rgb 0.3*C_ + 0.7*T_] }
+          scale Size]
       }
     }
     normal {
@@ -105,9 +105,10 @@
     pigment { aoi color_map { [0.5 color Sheen] [0.68 color 0.5*Sheen + 0.5*Colour] [0.9 color Colour] } }
     normal { bumps 0.04 scale 0.03 }
     finish {
-      ambient 0.05 diffuse 0.42 brilliance 1.6
-      specular albedo 0.12 roughness 0.012 metallic 0.6
-      reflection { 0.06, 0.5 falloff 4 metallic 0.5 }
+      ambient 0.04 diffuse 0.4 brilliance 1.8
+      specular albedo 0.3 roughness 0.02 metallic 0.8
+      phong albedo 0.02 phong_size 500
+      reflection { 0.16, 0.7 falloff 3 metallic 0.75 }
       irid { Film thickness 0.7 }
     }
   }
@@ -186,9 +187,10 @@
       pigment {
         aoi
         color_map {
-          [0.5 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.35*Clear, 0.05*Clear>]
-          [0.68 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.7*Clear, 0.1*Clear>]
-          [1 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.8*Clear, 0.2*Clear>]
+          // Edges are seen through more of the body, and are milky.
+          [0.5 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.2*Clear, 0>]
+          [0.66 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.62*Clear, 0.1*Clear>]
+          [0.88 rgbft <Hue_.x, Hue_.y, Hue_.z, 0.75*Clear, 0.25*Clear>]
         }
       }
       finish { JellyFinish }
@@ -212,11 +214,12 @@
 // BrainCoral: texture. Winding ridges and green valleys.
 #declare BrainCoral = texture {
   pigment {
-    granite turbulence 0.1 sine_wave frequency 7
-    color_map { [0.2 rgb <0.05, 0.14, 0.06>] [0.5 rgb <0.30, 0.28, 0.10>] [0.8 rgb <0.62, 0.52, 0.28>] }
-    scale 1.6
+    bozo turbulence 0.35 octaves 2 sine_wave frequency 9
+    color_map { [0.1 rgb <0.12, 0.16, 0.06>] [0.4 rgb <0.24, 0.23, 0.09>] [0.65 rgb <0.52, 0.40, 0.18>]
+      [0.9 rgb <0.66, 0.55, 0.32>] }
+    scale 0.24
   }
-  normal { granite 0.9 sine_wave frequency 7 accuracy 0.01 scale 1.6 }
+  normal { bozo 0.6 turbulence 0.35 octaves 2 sine_wave frequency 9 accuracy 0.006 scale 0.24 }
   finish { FleshFinish }
 }
 // YellowSponge: texture. Soft, full of pores.
@@ -258,27 +261,31 @@
 // SeaShell: texture. Glazed, cream with bands of brown and rose.
 #declare SeaShell = texture {
   pigment {
-    gradient <0.25, 1, 0.1> turbulence 0.18 octaves 3 sine_wave
+    gradient <0.25, 1, 0.1> turbulence 0.25 octaves 4
     color_map {
-      [0 rgb <0.82, 0.70, 0.58>] [0.35 rgb <0.84, 0.74, 0.64>] [0.6 rgb <0.72, 0.40, 0.29>]
-        [0.8 rgb <0.42, 0.17, 0.09>] [1 rgb <0.26, 0.09, 0.05>] }
-    scale 0.5
+      [0 rgb <0.82, 0.70, 0.58>] [0.3 rgb <0.84, 0.74, 0.64>] [0.5 rgb <0.76, 0.50, 0.38>] [0.62 rgb <0.60, 0.28, 0.17>]
+        [0.74 rgb <0.42, 0.17, 0.09>] [0.8 rgb <0.78, 0.58, 0.44>] [1 rgb <0.82, 0.70, 0.58>] }
+    scale 0.34
   }
   normal { gradient <0.25, 1, 0.1> 0.16 sine_wave turbulence 0.08 accuracy 0.01 scale 0.09 }
   finish { GlossyFinish(0.75) }
 }
-// MotherOfPearl: texture. The inside of a shell: pale green, rose and blue that move with the eye.
+// MotherOfPearl: texture. The inside of a shell: pale green, rose and blue in folds, which move with the eye.
 #declare MotherOfPearl = texture {
   pigment {
     average
     pigment_map {
-      [1 aoi color_map { [0.5 rgb <0.55, 0.70, 0.85>] [0.6 rgb <0.86, 0.62, 0.74>] [0.72 rgb <0.62, 0.84, 0.70>]
-        [0.86 rgb <0.90, 0.82, 0.66>] [1 rgb <0.84, 0.74, 0.82>] }]
-      [1 wrinkles turbulence 0.4 color_map { [0.2 rgb <0.72, 0.80, 0.86>] [0.4 rgb <0.92, 0.78, 0.82>]
-        [0.6 rgb <0.74, 0.88, 0.76>] [0.8 rgb <0.94, 0.90, 0.78>] } scale 0.8]
+      [1 aoi color_map {
+        [0.5 rgb <0.42, 0.66, 0.85>] [0.6 rgb <0.86, 0.50, 0.70>] [0.72 rgb <0.48, 0.82, 0.62>]
+          [0.86 rgb <0.90, 0.78, 0.52>]
+        [1 rgb <0.82, 0.66, 0.78>] }]
+      [1.5 bozo turbulence 0.7 octaves 3 sine_wave frequency 2.5 color_map {
+        [0 rgb <0.50, 0.72, 0.86>] [0.3 rgb <0.92, 0.68, 0.78>] [0.6 rgb <0.62, 0.88, 0.68>]
+          [0.8 rgb <0.95, 0.88, 0.66>]
+        [1 rgb <0.86, 0.76, 0.90>] } scale <0.7, 0.3, 0.7>]
     }
   }
-  normal { wrinkles 0.12 scale 0.5 }
+  normal { bozo 0.12 turbulence 0.5 octaves 3 sine_wave frequency 2.5 scale <0.7, 0.3, 0.7> }
   finish { PearlFinish }
 }
 // WhitePearl: texture. A single pearl, with a rosy depth.
@@ -354,7 +361,7 @@
 // PetalSkin: texture. Silky rose, deeper towards the middle.
 #declare PetalSkin = texture {
   pigment { RimPigment(rgb <0.62, 0.10, 0.22>, rgb <0.92, 0.46, 0.52>) }
-  normal { bumps 0.08 scale <0.02, 0.2, 0.02> }
+  normal { bumps 0.03 scale <0.02, 0.2, 0.02> }
   finish { ambient 0.09 diffuse 0.79 brilliance 0.6 specular albedo 0.02 roughness 0.12 }
 }
 // MushroomCap: texture. Red with white flakes, as in tales; white below.
@@ -447,9 +454,9 @@
 // ---- Chitin ---------------------------------------------------------------------------------------------------------
 
 // BeetleGreen: texture. Rose chafer: green gold.
-#declare BeetleGreen = ChitinShell(rgb <0.03, 0.26, 0.07>, rgb <0.55, 0.34, 0.03>, 0.3)
+#declare BeetleGreen = ChitinShell(rgb <0.06, 0.46, 0.10>, rgb <0.78, 0.46, 0.03>, 0.3)
 // BeetleBlue: texture. Blue violet steel.
-#declare BeetleBlue = ChitinShell(rgb <0.02, 0.06, 0.30>, rgb <0.30, 0.05, 0.34>, 0.35)
+#declare BeetleBlue = ChitinShell(rgb <0.03, 0.12, 0.55>, rgb <0.50, 0.06, 0.55>, 0.35)
 // BeetleBlack: texture. Stag beetle: black with a breath of brown.
 #declare BeetleBlack = ChitinShell(rgb <0.012, 0.009, 0.008>, rgb <0.07, 0.03, 0.018>, 0)
 // LadybirdRed: texture. Red lacquer with black spots.
@@ -512,14 +519,14 @@
   pigment {
     slope y
     pigment_map {
-      [0.3 crackle color_map { [0.05 rgb <0.40, 0.42, 0.42>] [0.3 rgb <0.82, 0.82, 0.80>] } scale 0.07]
-      [0.6 crackle color_map { [0.05 rgb <0.12, 0.18, 0.20>] [0.3 rgb <0.50, 0.60, 0.60>] } scale 0.07]
-      [0.85 crackle color_map { [0.05 rgb <0.008, 0.02, 0.035>] [0.3 rgb <0.03, 0.09, 0.13>] } scale 0.07]
+      [0.3 crackle color_map { [0.02 rgb <0.50, 0.52, 0.52>] [0.2 rgb <0.82, 0.82, 0.80>] } scale 0.1]
+      [0.6 crackle color_map { [0.02 rgb <0.24, 0.32, 0.34>] [0.2 rgb <0.50, 0.60, 0.60>] } scale 0.1]
+      [0.85 crackle color_map { [0.02 rgb <0.012, 0.04, 0.06>] [0.2 rgb <0.03, 0.09, 0.13>] } scale 0.1]
     }
   }
-  normal { crackle 0.5 accuracy 0.012 slope_map { [0 <0, 1>] [0.14 <0.7, 1>] [0.4 <1, 0>] [1 <1, 0>] } scale 0.07 }
+  normal { crackle 0.5 accuracy 0.012 slope_map { [0 <0, 1>] [0.14 <0.7, 1>] [0.4 <1, 0>] [1 <1, 0>] } scale 0.1 }
   finish { ambient 0.06 diffuse 0.5 specular albedo 0.3 roughness 0.03 metallic 0.5
-    reflection { 0.1, 0.4 falloff 3 metallic 0.5 } irid { 0.3 thickness 0.6 } }
+    reflection { 0.1, 0.4 falloff 3 metallic 0.5 } irid { 0.18 thickness 0.6 } }
 }
 // OctopusSkin: texture. Wine red clouds on cream, wet, with small warts.
 #declare OctopusSkin = texture {
@@ -538,14 +545,14 @@
 #declare ElephantHide = texture {
   pigment {
     crackle
-    color_map { [0.02 rgb <0.055, 0.047, 0.042>] [0.12 rgb <0.15, 0.135, 0.125>] [0.6 rgb <0.22, 0.20, 0.185>] }
+    color_map { [0 rgb <0.085, 0.075, 0.068>] [0.08 rgb <0.16, 0.145, 0.135>] [0.6 rgb <0.22, 0.20, 0.185>] }
     warp { turbulence 0.5 octaves 4 }
-    scale 0.16
+    scale 0.12
   }
   normal {
     average
-    normal_map { [1 crackle 0.9 accuracy 0.015 slope_map { [0 <0, 2>] [0.15 <1, 0>]
-      [1 <1, 0>] } turbulence 0.4 octaves 3 scale 0.16] [1.5 wrinkles 0.5 scale 0.5] }
+    normal_map { [1 crackle 0.6 accuracy 0.015 slope_map { [0 <0, 2>] [0.15 <1, 0>]
+      [1 <1, 0>] } turbulence 0.4 octaves 3 scale 0.12] [1.5 wrinkles 0.5 scale 0.5] }
   }
   finish { ChalkFinish }
 }
@@ -558,18 +565,18 @@
 // VelvetFur: texture. A mole's coat: dark in the middle, light at the outline.
 #declare VelvetFur = texture {
   pigment { RimPigment(rgb <0.035, 0.026, 0.022>, rgb <0.36, 0.30, 0.26>) }
-  normal { bumps 0.35 scale <0.012, 0.05, 0.012> }
+  normal { bumps 0.12 scale <0.012, 0.05, 0.012> }
   finish { DustFinish }
 }
 
 // ---- Jelly ----------------------------------------------------------------------------------------------------------
 
 // MoonJelly: material. Sea jelly: clear, milky at its rims, a touch of blue.
-#declare MoonJelly = JellyFlesh(rgb <0.80, 0.88, 0.98>, 0.85)
+#declare MoonJelly = JellyFlesh(rgb <0.80, 0.91, 0.99>, 0.92)
 // PinkJelly: material. Rose and clear.
-#declare PinkJelly = JellyFlesh(rgb <0.95, 0.50, 0.60>, 0.8)
+#declare PinkJelly = JellyFlesh(rgb <0.96, 0.52, 0.62>, 0.88)
 // GreenSlime: material. Thick, wet, poisonous.
-#declare GreenSlime = JellyFlesh(rgb <0.42, 0.80, 0.06>, 0.6)
+#declare GreenSlime = JellyFlesh(rgb <0.50, 0.85, 0.08>, 0.78)
 
 #version Skins_Isl_Before;
 #end

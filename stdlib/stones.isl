@@ -35,8 +35,9 @@
     pigment {
       marble turbulence Turbulence octaves 5 omega 0.62
       color_map {
-        [0.72 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 1>] [0.90 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.7>]
-        [0.97 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.1>] [1 rgb Rgb_]
+        [0.3 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 1>] [0.7 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.82>]
+        [0.9 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.6>] [0.955 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.25>]
+        [1 rgbt <Rgb_.x, Rgb_.y, Rgb_.z, 0.1>]
       }
       scale 0.62 rotate <25, 40, 65>
     }
@@ -70,9 +71,8 @@
     pigment {
       crackle solid
       color_map {
-        [0.24 color First] [0.24 color Second*0.8] [0.45 color Second] [0.62 color Second*1.12]
-          [0.62 color Third*0.85] [0.9 color Third]
-        [0.9 color First*0.5 + Second*0.5]
+        [0.36 color First] [0.36 color Second*0.8] [0.47 color Second] [0.55 color Second*1.1] [0.55 color Third*0.8]
+        [0.66 color Third] [0.66 color First*0.4 + Second*0.6] [0.8 color Third]
       }
       warp { turbulence 0.5*Size octaves 3 lambda 2.5 }
       scale Size

@@ -4,10 +4,10 @@
 //   sphere { 0, 1 texture { WalnutWood } }
 //   blob { … texture { OakWood rotate 90*x scale 0.5 } }
 //
-// The trunk goes along z, with its middle beside the origin, so that the front of a thing shows rings that are cut
-// across and its sides show long grain; rotate the texture to cut it otherwise. Made for things about 2 units large,
-// as if of a thin trunk; scale the texture with them. Finishes are of oiled wood; VarnishedWood makes any of them
-// shine.
+// The trunk goes along y, leaning a little, with its heart before the thing: so its front shows the long ovals of a
+// board, as bowls and figures do. Were the heart in the middle of a ball, the rings would be those of a beehive.
+// Rotate or translate the texture to cut it otherwise. Made for things about 2 units large, as if of a thin trunk;
+// scale the texture with them. Finishes are of oiled wood; VarnishedWood makes any of them shine.
 #ifndef (Woods_Isl_Before)
 #declare Woods_Isl_Before = version;
 #version 3.7;
@@ -42,8 +42,8 @@
     scale <Ring, Ring, 1.3*Ring>
     // The rings are not quite round, and the trunk is not quite straight.
     scale <1, 0.86, 6>
-    rotate <3, 5, 0>
-    translate <0.35, -0.62, 0>
+    rotate <82, 0, 7>
+    translate <0.2, 0, -1.2>
   }
 #end
 
@@ -56,7 +56,7 @@
       bumps
       color_map { [0.30 rgbt <C_.x, C_.y, C_.z, 1 - 0.75*Amount>] [0.42 rgbt <C_.x, C_.y, C_.z, 1>] }
       scale <0.014, 0.014, 0.32>
-      rotate <3, 5, 0>
+      rotate <82, 0, 7>
     }
     finish { MatteFinish }
   }
@@ -79,13 +79,13 @@
   texture {
     pigment {
       crackle
-      color_map { [0.02 color Crack] [0.2 color 0.5*Crack + 0.5*Ridge] [0.45 color Ridge] [0.9 color 1.2*Ridge] }
+      color_map { [0.0 color Crack] [0.1 color 0.5*Crack + 0.5*Ridge] [0.26 color Ridge] [0.9 color 1.35*Ridge] }
       warp { turbulence <0.5, 0.25, 0.5> octaves 4 omega 0.6 }
       scale <Width, 3.5*Width, Width>
     }
     normal {
       crackle 1.1 accuracy 0.015
-      slope_map { [0 <0, 0>] [0.1 <0.1, 2>] [0.4 <0.9, 0.6>] [1 <1, 0>] }
+      slope_map { [0 <0, 0>] [0.06 <0.1, 2>] [0.3 <0.9, 0.6>] [1 <1, 0>] }
       warp { turbulence <0.5, 0.25, 0.5> octaves 4 omega 0.6 }
       scale <Width, 3.5*Width, Width>
     }
@@ -124,8 +124,8 @@
         warp { turbulence 0.08 octaves 2 } scale 0.06]
     }
     warp { turbulence <0.18, 0.18, 0.05> octaves 3 }
-    scale <1.7, 1.7, 8> rotate 90*x scale <1, 1, 1> rotate 90*x
-    translate <0.35, -0.3, 0>
+    scale <1.7, 8, 1.7> rotate <-8, 0, 7>
+    translate <0.3, 0, -1>
   }
   finish { GlossyFinish(0.55) }
 }
@@ -134,9 +134,9 @@
   pigment {
     granite
     color_map { [0.15 rgb <0.10, 0.088, 0.075>] [0.4 rgb <0.27, 0.25, 0.22>] [0.7 rgb <0.46, 0.44, 0.40>] }
-    scale <0.35, 0.35, 2.6> rotate <4, 30, 0>
+    scale <0.3, 2.4, 0.3> rotate <0, 0, 24>
   }
-  normal { granite 0.6 accuracy 0.01 scale <0.35, 0.35, 2.6> rotate <4, 30, 0> }
+  normal { granite 0.3 accuracy 0.01 scale <0.3, 2.4, 0.3> rotate <0, 0, 24> }
   finish { ChalkFinish }
 }
 // CharredWood: texture. Burnt: black, cracked into small blocks, with a dull sheen.
@@ -179,7 +179,7 @@
   texture {
     pigment { granite color_map { [0.2 rgb <0.80, 0.78, 0.73>] [0.65 rgb <0.70, 0.66, 0.60>]
       [0.85 rgb <0.52, 0.40, 0.30>] } scale <0.9, 0.3, 0.9> }
-    normal { bumps 0.15 scale <0.4, 0.02, 0.4> }
+    normal { bumps 0.05 scale <0.4, 0.03, 0.4> }
     finish { GlossyFinish(0.3) }
   }
   texture {
@@ -187,7 +187,7 @@
       bozo turbulence <0.12, 0.05, 0.12> octaves 3
       color_map { [0.24 rgbt <0.03, 0.025, 0.022, 0>] [0.29 rgbt <0.10, 0.08, 0.065, 0.4>]
         [0.33 rgbt <0.1, 0.08, 0.07, 1>] }
-      scale <0.22, 0.035, 0.22>
+      scale <0.3, 0.05, 0.3>
     }
     finish { MatteFinish }
   }
