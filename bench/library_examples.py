@@ -25,8 +25,9 @@ from library_comments import HERE, STDLIB, entries, libraries
 
 POVRAY = '/usr/share/povray-3.7/include'
 # What stands around an example. Examples of cameras.isl bring a camera.
-HEAD = '#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n#include "{}"\nlight_source {{ <-5, 8, -5> rgb 1 }}\n'
-CAMERA = 'camera { location <0, 1, -5> look_at 0 }\n'
+HEAD = ('#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n#include "{}"\nlight_source {{ <-5, 8, -5> rgb 1 }}\n'
+        'background {{ rgb <0.3, 0.34, 0.38> }}\n')
+CAMERA = 'camera { location <0, 1.2, -6> look_at 0 angle 36 }\n'
 # A scene that shows what is declared, by its kind.
 SHOWN = {
     'texture': 'sphere {{ 0, 1 texture {{ {} }} }}',

@@ -51,50 +51,66 @@ def read_ppm(file):
     return [bytearray(pixels[3 * width * row:3 * width * (row + 1)]) for row in range(height)]
 
 
-def write_png(file, rows, colours=256):
-    """A .png. With a number of colours those of the rows, which are bytes of R, G, B, are reduced by cutting boxes at their medians."""
-    if not colours:
+def write_png(file, rows, colours):
+    """A .png of rows of bytes of R, G, B, with so many colours, or all of them if the number is 0."""
+    if colours:
+        palette = reduced_colours(rows, colours)
+        _write_chunks(file, len(rows[0]) // 3, len(rows), 3, bytes(sum(palette, ())), dithered(rows, palette))
+    else:
         _write_chunks(file, len(rows[0]) // 3, len(rows), 2, b'', b''.join(b'\0' + bytes(row) for row in rows))
-        return
+
+
+def reduced_colours(rows, number):
+    """A palette for the rows: boxes of colours are cut at their medians (P. Heckbert, 1982)."""
     counts = {}
     for row in rows:
         for at in range(0, len(row), 3):
             key = bytes(row[at:at + 3])
             counts[key] = counts.get(key, 0) + 1
-    boxes = [list(counts)]
-    while len(boxes) < colours:
-        # The box whose colours are spread most, weighted by the root of the number of its pixels.
-        def spread(box):
-            if len(box) < 2:
-                return 0
-            return max(max(c[k] for c in box) - min(c[k] for c in box) for k in range(3)) * sum(counts[c] for c in box) ** .3
-        widest = max(range(len(boxes)), key=lambda i: spreads[i]) if len(boxes) > 1 else 0
-        if len(boxes) == 1:
-            spreads = [spread(boxes[0])]
-        if spreads[widest] == 0:
-            break
-        box = boxes.pop(widest)
-        spreads.pop(widest)
-        axis = max(range(3), key=lambda k: max(c[k] for c in box) - min(c[k] for c in box))
+
+    def width(box, axis):
+        return max(c[axis] for c in box) - min(c[axis] for c in box)
+
+    def urgency(box):  # wide boxes are cut first, and of these the ones with many pixels
+        return max(width(box, axis) for axis in range(3)) * sum(counts[c] for c in box) ** .3 if len(box) > 1 else 0
+
+    boxes = [(urgency(list(counts)), list(counts))]
+    while len(boxes) < number and max(boxes)[0] > 0:
+        boxes.sort()
+        _, box = boxes.pop()
+        axis = max(range(3), key=lambda axis: width(box, axis))
         box.sort(key=lambda c: c[axis])
         half, total, cut = sum(counts[c] for c in box) / 2, 0, 0
-        for cut, colour in enumerate(box):
-            total += counts[colour]
-            if total >= half:
-                break
-        cut = max(1, min(len(box) - 1, cut))
-        for part in (box[:cut], box[cut:]):
-            boxes.append(part)
-            spreads.append(spread(part))
-    palette, index = b'', {}
-    for number, box in enumerate(boxes):
-        weight = sum(counts[c] for c in box)
-        palette += bytes(round(sum(c[k] * counts[c] for c in box) / weight) for k in range(3))
-        for colour in box:
-            index[colour] = number
+        while total < half:
+            total += counts[box[cut]]
+            cut += 1
+        cut = min(cut, len(box) - 1)
+        boxes += [(urgency(part), part) for part in (box[:cut], box[cut:])]
+    return [tuple(round(sum(c[k] * counts[c] for c in box) / sum(counts[c] for c in box)) for k in range(3)) for _, box in boxes]
 
-    packed = b''.join(b'\0' + bytes(index[bytes(row[at:at + 3])] for at in range(0, len(row), 3)) for row in rows)
-    _write_chunks(file, len(rows[0]) // 3, len(rows), 3, palette, packed)
+
+def dithered(rows, palette):
+    """The rows as numbers of the palette: each pixel takes the nearest colour, and hands its error on to those that follow
+    (R. Floyd and L. Steinberg, 1976)."""
+    nearest, packed, width = {}, [], len(rows[0])
+    errors = [0.0] * (width + 6)  # of the row above, one pixel to the right
+    for row in rows:
+        line, below, carried = bytearray(b'\0'), [0.0] * (width + 6), [0.0] * 3
+        for at in range(0, width, 3):
+            wanted = [min(255, max(0, row[at + k] + errors[at + 3 + k] + carried[k])) for k in range(3)]
+            key = int(wanted[0]) >> 2, int(wanted[1]) >> 2, int(wanted[2]) >> 2
+            if key not in nearest:
+                nearest[key] = min(range(len(palette)), key=lambda i: sum((4 * key[k] + 2 - palette[i][k]) ** 2 for k in range(3)))
+            line.append(nearest[key])
+            for k in range(3):
+                left = wanted[k] - palette[nearest[key]][k]
+                carried[k] = left * 7 / 16
+                below[at + k] += left * 3 / 16
+                below[at + 3 + k] += left * 5 / 16
+                below[at + 6 + k] += left / 16
+        errors = below
+        packed.append(bytes(line))
+    return b''.join(packed)
 
 
 def _write_chunks(file, width, height, colour_type, palette, packed):
@@ -144,19 +160,29 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         picture = os.path.join(folder, 'swatch.ppm')
 
+        def scene(material, library):
+            return f'#include "{library}"\n#declare Material = material {{ {material} }}\n#include "swatches.isl"\n'
+
+        def price(text):
+            """The least time of several runs over that of the plain body, run in turn, so that other work disturbs both."""
+            least = [1e9, 1e9]
+            for _ in range(3):
+                for i, body in enumerate((text, scene(PLAIN, 'finishes.isl'))):
+                    stats = render(options, body, picture, (180, 146), '-t', '1', '-D', 'Light=0', '--samples', '1')
+                    least[i] = min(least[i], stats['time']['trace'])
+            return least[0] / least[1]
+
         def swatch(material, library):
-            text = f'#include "finishes.isl"\n#include "{library}"\n#declare Material = material {{ {material} }}\n#include "swatches.isl"\n'
-            once = min(render(options, text, picture, (160, 130), '-t', '1', '-D', 'Light=0', '--samples', '1')['time']['trace']
-                       for _ in range(4)) if not options.no_cost else 1
+            text = scene(material, library)
+            cost = 0 if options.no_cost else price(text)
             light = ['-D', f'Light={options.light}'] + (['--max-noise', options.max_noise] if options.light else [])
             render(options, text, picture, (width, height), '-t', options.t, *light)
-            return once, read_ppm(picture)
+            return cost, read_ppm(picture)
 
-        plain, _ = swatch(PLAIN, 'finishes.isl')
         rows, labels, line = [], [], []
         for number, entry in enumerate(wanted):
             material = f'texture {{ {entry.name} }}' if entry.kind == 'texture' else entry.name
-            time, pixels = swatch(material, entry.library)
+            cost, pixels = swatch(material, entry.library)
             column = number % options.columns
             if column == 0:
                 rows += [bytearray(b'\xff' * 3 * width * options.columns) for _ in range(height + LABEL)]
@@ -165,8 +191,8 @@ def main():
                 rows[top + y][3 * width * column:3 * width * (column + 1)] = pixels[y]
             name = entry.name
             labels.append((width * column + 4, top + height + 3, name, 0.02))
-            labels.append((width * column + 4, top + height + 5 + LETTERS, f'{entry.library[:-4]}, {time / plain:.1f}', 0.25))
-            print(f'{entry.library:14} {name:22} {time / plain:5.1f}', flush=True)
+            labels.append((width * column + 4, top + height + 5 + LETTERS, f'{entry.library[:-4]}, {cost:.1f}', 0.25))
+            print(f'{entry.library:14} {name:22} {cost:5.1f}', flush=True)
         page = len(rows[0]) // 3, len(rows)
         render(options, label_scene(*page, labels), picture, page, '--aa', '0.02')
         for row, letters in zip(rows, read_ppm(picture)):

@@ -31,7 +31,8 @@
 // FitDistance(Object, From, Angle)
 // How far from the middle of the object's box a camera has to stand so that the whole box is just inside the picture.
 // Angle: degrees across the picture; 20 to 30 flatters, 35 is ordinary, 60 and more is dramatic.
-// Example: #declare Ball = sphere { 0, 1 } object { Ball } camera { location -FitDistance(Ball, -z, 35)*z look_at 0
+// Example: #declare Ball = sphere { 0, 1 pigment { rgb 0.8 } } object { Ball } camera { location -FitDistance(Ball,
+//   -z, 35)*z look_at 0
 //   angle 35 }
 #macro FitDistance(Object, From, Angle)
   #local Low_ = min_extent(Object);

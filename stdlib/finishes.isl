@@ -91,5 +91,24 @@
 // `bounce_light`.
 #declare GlowFinish = finish { ambient 0 diffuse 0.1 emission 0.9 }
 
+// ---- Textures between textures --------------------------------------------------------------------------------------
+
+// MixTextures(First, Second, Share)
+// A texture between two others, for things that change from piece to piece: along a tail, from the stem to the tips. It
+// costs as much as both.
+// First, Second: textures of one layer each. Share: 0 gives First alone, 1 Second.
+// Example: #declare Clay = texture { pigment { rgb <0.4, 0.2, 0.1> } finish { MatteFinish } }
+//   #declare Glaze = texture { pigment { rgb <0.05, 0.3, 0.3> } finish { WetFinish } }
+//   blob { kernel "gaussian" #for (I, 0, 4) sphere { (0.6*I - 1.2)*x, 0.5 MixTextures(Clay, Glaze, I/4) } #end }
+#macro MixTextures(First, Second, Share)
+  #if (Share <= 0)
+    texture { First }
+  #elseif (Share >= 1)
+    texture { Second }
+  #else
+    texture { average texture_map { [1 - Share First] [Share Second] } }
+  #end
+#end
+
 #version Finishes_Isl_Before;
 #end

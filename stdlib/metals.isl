@@ -5,8 +5,9 @@
 //   sphere { 0, 1 SatinMetal(CopperTint) }
 //
 // Metals show what is around them: give them a sky (StudioSky of skies.isl) and a floor, or they are black. Grains are
-// made for objects about 2 units large; scale the texture with the object. The tints are what clean metal mirrors seen
-// straight on, in linear light, rounded from published optical constants.
+// made for objects about 2 units large; scale the texture with the object. The tints are near to
+// what clean metal mirrors seen straight on, in linear light, and a little more colourful, as metal is in its own
+// folds.
 #ifndef (Metals_Isl_Before)
 #declare Metals_Isl_Before = version;
 #version 3.7;
@@ -15,17 +16,17 @@
 // ---- Tints ----------------------------------------------------------------------------------------------------------
 
 // GoldTint: colour. Fine gold.
-#declare GoldTint = rgb <1.00, 0.76, 0.33>;
+#declare GoldTint = rgb <1.00, 0.69, 0.25>;
 // RoseGoldTint: colour. Gold with copper.
-#declare RoseGoldTint = rgb <0.97, 0.66, 0.48>;
+#declare RoseGoldTint = rgb <0.97, 0.60, 0.42>;
 // WhiteGoldTint: colour. Gold with palladium.
 #declare WhiteGoldTint = rgb <0.86, 0.80, 0.68>;
 // SilverTint: colour. Silver, the brightest of all.
 #declare SilverTint = rgb <0.97, 0.96, 0.92>;
 // CopperTint: colour. Copper.
-#declare CopperTint = rgb <0.95, 0.62, 0.50>;
+#declare CopperTint = rgb <0.95, 0.52, 0.36>;
 // BrassTint: colour. Brass.
-#declare BrassTint = rgb <0.89, 0.75, 0.40>;
+#declare BrassTint = rgb <0.89, 0.70, 0.31>;
 // BronzeTint: colour. Bronze, as statues have it.
 #declare BronzeTint = rgb <0.66, 0.40, 0.20>;
 // SteelTint: colour. Steel and iron.

@@ -80,7 +80,7 @@
 // A colour by what the eye sees of it: hues at the same Lightness and Chroma look equally bright and colourful.
 // Lightness: 0 black … 1 white. Chroma: 0 grey, 0.1 soft, 0.2 strong. Hue: degrees; about 30 red, 60 orange, 105
 // yellow, 145 green, 195 cyan, 260 blue, 310 violet.
-// Example: #for (I, 0, 5) sphere { <I - 2.5, 0, 0>, 0.5 pigment { LchColour(0.75, 0.12, 60*I) } } #end
+// Example: #for (I, 0, 5) sphere { <0.6*(I - 2.5), 0, 0>, 0.3 pigment { LchColour(0.75, 0.12, 60*I) } } #end
 #macro LchColour(Lightness, Chroma, Hue)
   OklabToRgb(<Lightness, Chroma*cos(radians(Hue)), Chroma*sin(radians(Hue))>)
 #end
@@ -187,7 +187,7 @@
 
 // CyclicColour(Ramp, Value)
 // The colour of a number that goes round: 0, 1 and 2 are the same.
-// Example: #for (I, 0, 11) sphere { 2*x, 0.4 pigment { CyclicColour(HueRamp, I/12) } rotate 30*I*z } #end
+// Example: #for (I, 0, 11) sphere { 1.2*x, 0.28 pigment { CyclicColour(HueRamp, I/12) } rotate 30*I*z } #end
 #macro CyclicColour(Ramp, Value)
   RampColour(Ramp, Value - floor(Value))
 #end
@@ -223,6 +223,15 @@
       [(Piece_ + 1)/Count RampColour(Ramp, Piece_/(Count - 1))]
     #end
   }
+#end
+
+// LimbPigment(Ramp)
+// A pigment that goes along each component of a blob with a kernel, from its first end to the second, wherever it
+// leads.
+// Example: blob { kernel "gaussian" cone { -x, 0.5, <1, 0.8, 0>, 0.15 } cone { -x, 0.4, <0.5, -0.9, 0>, 0.1 }
+//   LimbPigment(ReefRamp) }
+#macro LimbPigment(Ramp)
+  pigment { uv_mapping gradient x RampMap(Ramp) scale 1.001 }
 #end
 
 // RampPartner(Ramp, Index)

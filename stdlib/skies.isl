@@ -138,7 +138,7 @@
 // The direction to the sun, of length 1.
 // Elevation: degrees above the horizon. Azimuth: degrees from -z, where a camera that looks along z stands, towards x:
 // 0 is behind that camera, 90 to its right, 180 ahead.
-// Example: sphere { 0, 0.5 } sphere { SunDirection(30, 45), 0.1 }
+// Example: sphere { 0, 0.5 pigment { rgb 0.5 } } sphere { SunDirection(30, 45), 0.15 pigment { rgb <1, 0.8, 0.3> } }
 #macro SunDirection(Elevation, Azimuth)
   <sin(radians(Azimuth))*cos(radians(Elevation)), sin(radians(Elevation)),
    -cos(radians(Azimuth))*cos(radians(Elevation))>

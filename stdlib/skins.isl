@@ -3,7 +3,7 @@
 //   #include "skins.isl"
 //   blob { … texture { RedCoral } }
 //   blob { … texture { FrogSkin scale 0.5 } }
-//   sphere { 0, 0.2 EyeTexture(rgb <0.1, 0.35, 0.5>, 0.4) }
+//   sphere { 0, 1 EyeTexture(rgb <0.1, 0.35, 0.5>, 0.4) scale 0.2 }
 //
 // Skins are made for bodies about 2 units large; scale the texture with the body. Several follow the shape instead of
 // space: what faces up (y), and the rims, where the surface is seen at a grazing angle, as if light went through thin
