@@ -168,7 +168,7 @@ def main():
             least = [1e9, 1e9]
             for _ in range(3):
                 for i, body in enumerate((text, scene(PLAIN, 'finishes.isl'))):
-                    stats = render(options, body, picture, (180, 146), '-t', '1', '-D', 'Light=0', '--samples', '1')
+                    stats = render(options, body, picture, (150, 122), '-t', '1', '-D', 'Light=0', '--samples', '1')
                     least[i] = min(least[i], stats['time']['trace'])
             return least[0] / least[1]
 
