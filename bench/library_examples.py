@@ -7,7 +7,8 @@
 - No name is declared by two libraries, or by one of POV-Ray's include files, where the system has them.
 - Every library can be included alone, twice, and with all others.
 - Every example renders (40x30, one sample a pixel) without errors and warnings. So does everything that is declared.
-- No finish scatters and mirrors more than all light: the mean of what is scattered and the greatest mirror are together at most 1.
+- No finish scatters and mirrors more than all light: the mean of what is scattered and the greatest mirror are together at
+  most 1.
 
 With -o the pictures are kept, 320x240, as LIBRARY_NAME.png. --list prints every entry as a line of JSON and does nothing else.
 The exit code is 1 if something is wrong. Needs nothing but Python.
