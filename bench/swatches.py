@@ -3,14 +3,14 @@
 
     bench/swatches.py [NAME…] [-o FILE.png] [--light N] [--isl PROGRAM]
 
-NAME is a part of the names of materials or files, as `Gold` or `metals`; without one, all are rendered. The cost is the time of
-tracing the body with one sample a pixel and point lights over that of the same body in a plain colour.
+NAME is a part of the names of materials or files, as `Gold` or `metals`; without one, all are rendered. The cost is the
+processor's time for the picture with one sample a pixel and point lights over that of the same picture in a plain colour.
 
 Needs nothing but Python: isl writes .ppm for it, and draws the letters.
 """
 import argparse
-import json
 import os
+import resource
 import struct
 import subprocess
 import sys
@@ -26,20 +26,18 @@ LABEL = 2 * LETTERS + 9
 
 
 def render(options, text, picture, size, *arguments):
-    """The statistics of rendering a text; ends the script with the messages if there are any."""
+    """Renders a text; ends the script with the messages if there are errors."""
     with tempfile.TemporaryDirectory() as folder:
-        scene, stats = os.path.join(folder, 'swatch.isl'), os.path.join(folder, 'stats.json')
+        scene = os.path.join(folder, 'swatch.isl')
         with open(scene, 'w', encoding='utf8') as stream:
             stream.write(text)
         command = [options.isl, 'render', scene, '-o', picture, '-s', '{}x{}'.format(*size), '-q', '-I', STDLIB, '-I', SCENES,
-                   '--stats', stats, *arguments]
+                   *arguments]
         ran = subprocess.run(command, capture_output=True, text=True)
         if ran.returncode or ran.stderr:
             print(ran.stderr[:2000], file=sys.stderr)
-            if ran.returncode:
-                sys.exit(1)
-        with open(stats, encoding='utf8') as stream:
-            return json.load(stream)
+        if ran.returncode:
+            sys.exit(1)
 
 
 def read_ppm(file):
@@ -165,21 +163,22 @@ def main():
         def scene(material, library):
             return f'#include "{library}"\n#declare Material = material {{ {material} }}\n#include "swatches.isl"\n'
 
-        plain = scene(PLAIN, 'finishes.isl')
+        def seconds(text, width, height, runs):
+            """The least of the processor's seconds that several runs take. A .png takes isl less time to write than a .ppm."""
+            least = 1e9
+            for _ in range(runs):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                render(options, text, picture[:-3] + 'png', (width, height), '-t', '1', '-D', 'Light=0', '--samples', '1')
+                least = min(least, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
+            return least
 
-        def price(text):
-            """The least time of several runs over that of the plain body, run in turn, so that other work disturbs both."""
-            least = [1e9, 1e9]
-            for _ in range(3):
-                for i, body in enumerate((text, plain)):
-                    # A .png takes isl less time to write than a .ppm.
-                    stats = render(options, body, picture[:-3] + 'png', (150, 122), '-t', '1', '-D', 'Light=0', '--samples', '1')
-                    least[i] = min(least[i], stats['time']['trace'])
-            return least[0] / least[1]
+        # What a render takes before its first ray does not count.
+        start = seconds(scene(PLAIN, 'finishes.isl'), 1, 1, 8)
+        plain = seconds(scene(PLAIN, 'finishes.isl'), 200, 162, 8) - start
 
         def swatch(material, library):
             text = scene(material, library)
-            cost = 0 if options.no_cost else price(text)
+            cost = 0 if options.no_cost else (seconds(text, 200, 162, 3) - start) / plain
             light = ['-D', f'Light={options.light}'] + (['--max-noise', options.max_noise] if options.light else [])
             render(options, text, picture, (width, height), '-t', options.t, *light)
             return cost, read_ppm(picture)

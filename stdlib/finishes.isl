@@ -70,9 +70,9 @@
   roughness 0.06 phong albedo 0.01 phong_size 160 }
 // FleshFinish: finish. Skin, fruit and petals: soft shadows and a moist sheen.
 #declare FleshFinish = finish { ambient 0.09 diffuse 0.82 brilliance 0.75 specular albedo 0.04 roughness 0.05 }
-// JellyFinish: finish. For what is half transparent: little is scattered, highlights are sharp.
-#declare JellyFinish = finish { ambient 0.05 diffuse 0.6 brilliance 0.6 specular albedo 0.04 roughness 0.003
-  reflection { 0.01, 0.2 falloff 4 } conserve_energy }
+// JellyFinish: finish. For what is half transparent: highlights are sharp. It has no mirror, which would make each ray
+// two at every wall, so that it costs much less than glass.
+#declare JellyFinish = finish { ambient 0.05 diffuse 0.75 brilliance 0.6 specular albedo 0.045 roughness 0.003 }
 // GlassFinish: finish. For glass and water: nothing is scattered; mirrors by the `ior` of the interior, which it needs.
 #declare GlassFinish = finish { ambient 0 diffuse 0 specular albedo 0.04 roughness 0.001
   reflection { 0, 1 fresnel } conserve_energy }

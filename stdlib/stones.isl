@@ -346,19 +346,19 @@
   texture { FieldRock }
   texture {
     pigment {
-      crackle form <1, 0, 0>
-      color_map { [0.2 rgb <0.36, 0.40, 0.29>] [0.27 rgb <0.47, 0.50, 0.38>] [0.31 rgbt <0.42, 0.46, 0.35, 1>] }
-      warp { turbulence 0.3 octaves 5 omega 0.6 }
-      scale 0.42
+      bozo
+      color_map { [0.26 rgb <0.36, 0.40, 0.29>] [0.335 rgb <0.47, 0.50, 0.38>] [0.36 rgbt <0.42, 0.46, 0.35, 1>] }
+      warp { turbulence 0.25 octaves 5 omega 0.6 }
+      scale 0.16
     }
     finish { MatteFinish }
   }
   texture {
     pigment {
-      crackle form <1, 0, 0>
-      color_map { [0.12 rgb <0.58, 0.33, 0.03>] [0.18 rgb <0.66, 0.46, 0.06>] [0.21 rgbt <0.6, 0.4, 0.05, 1>] }
-      warp { turbulence 0.3 octaves 5 omega 0.6 }
-      scale 0.38 translate <3, 5, 2>
+      bozo
+      color_map { [0.22 rgb <0.58, 0.33, 0.03>] [0.29 rgb <0.66, 0.46, 0.06>] [0.31 rgbt <0.6, 0.4, 0.05, 1>] }
+      warp { turbulence 0.25 octaves 5 omega 0.6 }
+      scale 0.14 translate <3, 5, 2>
     }
     finish { MatteFinish }
   }
