@@ -195,7 +195,7 @@ def main():
                 rows[top + y][3 * width * column:3 * width * (column + 1)] = pixels[y]
             name = entry.name
             labels.append((width * column + 4, top + height + 3, name, 0.02))
-            labels.append((width * column + 4, top + height + 5 + LETTERS, f'{entry.library[:-4]}, {cost:.1f}', 0.25))
+            labels.append((width * column + 4, top + height + 5 + LETTERS, entry.library[:-4] + ('' if options.no_cost else f', {cost:.1f}'), 0.25))
             print(f'{entry.library:14} {name:22} {cost:5.1f}', flush=True)
         page = len(rows[0]) // 3, len(rows)
         render(options, label_scene(*page, labels), picture, page, '--aa', '0.02')
