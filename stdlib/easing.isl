@@ -80,7 +80,7 @@
 // T: 0 to 1. Over: how far it overshoots, as a share of the way; usually 0.1.
 // Example: #for (I, 0, 20) sphere { <I/10 - 1, Ease_back(I/20, 0.1), 0>, 0.05 pigment { rgb 1 } } #end
 #macro Ease_back(T, Over)
-  // The cubic 1 + (k + 1) s³ + k s² of s = T - 1 has its peak 4k³/(27 (k + 1)²) above 1. Each turn of the loop brings k nearer.
+  // The cubic 1 + (k + 1) s³ + k s² of s = T - 1 has its peak 4k³/(27 (k + 1)²) above 1. Each turn brings k nearer.
   #local Ease_S = Ease_share(T, 0, 1) - 1;
   #local Ease_K = 0;
   #for (I, 1, 30)

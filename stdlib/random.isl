@@ -131,7 +131,7 @@
 // Puts the elements of an array in another order, all orders equally likely (Fisher and Yates). The array itself is
 // changed.
 // Items: the name of an array of one dimension. Draws once an element.
-// Example: #declare H = array[4] {1,2,3,4} Random_shuffle(H, seed(3)) #for (I, 0, 3) sphere { <I - 2, H[I] - 3>/3, 0.1 } #end
+// Example: #declare H = array[4] {0,1,2,3} Random_shuffle(H, seed(3)) #for (I, 0, 3) sphere { <I, H[I]>/3, 0.1 } #end
 #macro Random_shuffle(Items, Stream)
   #for (I, dimension_size(Items, 1) - 1, 1, -1)
     #local Other = min(I, floor((I + 1)*rand(Stream)));
