@@ -190,7 +190,7 @@
 // them, without bulges where they meet. Its ends are a little shorter than the curve.
 // Points: a curve with radii, which should not change faster than the limb is thick. Pieces: the number of segments,
 // so that each is about as long as the limb is thick.
-// Example: #declare C = array[3] { t/3 - x, y + t/5, x + t/9 } blob { kernel "cauchy" convolution on Curve_limb(C, 20) }
+// Example: #declare C = array[3] {t/3 - x, y + t/4, x + t/9} blob { kernel "cauchy" convolution on Curve_limb(C, 20) }
 #macro Curve_limb(Points, Pieces)
   #local Curve_Even = Curve_resample(Points, Pieces);
   #for (K, 1, Pieces)
@@ -228,7 +228,7 @@
 // A limb along a curve as tapered cones. In a blob they bulge where they meet, unless they stand in a `union` of their
 // own, which takes the greatest of them: so a limb melts into the blob around it and not into itself.
 // Points: a curve with radii. Pieces: the number of cones, usually 10; a blob's unions can have 4096 combinations.
-// Example: blob { kernel "cubic" sphere { -x, .6 } union { Curve_cones(array[3] { t/3 - x, y + t/5, x + t/9 }, 9) } }
+// Example: blob { kernel "gaussian" hardness 9 Curve_cones(array[3] {t/3 - x, y + t/5, x + t/9}, 9) }
 #macro Curve_cones(Points, Pieces)
   #local Curve_Even = Curve_resample(Points, Pieces);
   #for (K, 1, Pieces)
