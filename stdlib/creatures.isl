@@ -3,9 +3,8 @@
 //   #include "creatures.isl"
 //   blob { kernel "quartic" hardness 5 Creature_crab(0, 1, 8, seed(1)) }
 //
-// Parts are components of a blob of any kernel, a hardness of 4 to 6 keeps their form; in a union they are solids.
-// Left and right parts that should not melt into one another stand in a `union` inside the blob, as those of
-// Creature_crab do.
+// Parts are components of a blob of any kernel, a hardness of 4 to 6 keeps their form; in a union they are solids. Those
+// that come close to one another and should not melt together stand in a `union` inside the blob.
 #ifndef (CREATURES_ISL)
 #declare CREATURES_ISL = version;
 #version 3.7;
@@ -141,29 +140,20 @@
 // Example: blob { kernel "quartic" hardness 5 Creature_crab(0, 0.9, 6, seed(1)) pigment { rgb <0.8, 0.3, 0.2> } }
 #macro Creature_crab(Centre, Width, Spines, Stream)
   Creature_carapace(Centre, Width, 150, Stream)
-  union {
-    #for (Creature_Mirror, -1, 1, 2)
-      #for (Creature_K, 0, 3)
-        #local Creature_Turn = <Creature_Mirror, 1, 1>*Width;
-        #local Creature_To = vrotate(x, (-22 + 22*Creature_K + 6*rand(Stream))*-y);
-        #local Creature_Lift = 0.04*rand(Stream);
-        blob {
-          Creature_leg(Centre + Creature_Turn*(0.3*Creature_To - 0.06*y),
-                       Centre + Creature_Turn*(0.66*Creature_To + (0.2 + Creature_Lift)*y),
-                       Centre + Creature_Turn*(Creature_To - 0.04*y),
-                       Centre + Creature_Turn*(1.18*Creature_To - 0.42*y), 0.075*Width, Spines)
-        }
-      #end
-      blob {
-        Creature_claw(Centre + Creature_Turn*<0.28, 0, -0.22>, Centre + Creature_Turn*<0.52, 0.1, -0.46>,
-                      Centre + Creature_Turn*<0.4, 0.02, -0.72>, 0.62*Width, 25)
-      }
-      blob {
-        Creature_eye(Centre + Creature_Turn*<0.1, 0.08, -0.26>, <0.25*Creature_Mirror, 1, -0.5>, 0.15*Width,
-                     0.045*Width)
-      }
+  #for (Creature_Mirror, -1, 1, 2)
+    #for (Creature_K, 0, 3)
+      #local Creature_Turn = <Creature_Mirror, 1, 1>*Width;
+      #local Creature_To = vrotate(x, (-22 + 22*Creature_K + 6*rand(Stream))*-y);
+      #local Creature_Lift = 0.04*rand(Stream);
+      Creature_leg(Centre + Creature_Turn*(0.3*Creature_To - 0.06*y),
+                   Centre + Creature_Turn*(0.66*Creature_To + (0.2 + Creature_Lift)*y),
+                   Centre + Creature_Turn*(Creature_To - 0.04*y),
+                   Centre + Creature_Turn*(1.18*Creature_To - 0.42*y), 0.075*Width, Spines)
     #end
-  }
+    Creature_claw(Centre + Creature_Turn*<0.28, 0, -0.22>, Centre + Creature_Turn*<0.52, 0.1, -0.46>,
+                  Centre + Creature_Turn*<0.4, 0.02, -0.72>, 0.62*Width, 25)
+    Creature_eye(Centre + Creature_Turn*<0.1, 0.08, -0.26>, <0.25*Creature_Mirror, 1, -0.5>, 0.15*Width, 0.045*Width)
+  #end
 #end
 
 // ---- Soft ones ------------------------------------------------------------------------------------------------------
