@@ -142,7 +142,7 @@
 // Example: blob { kernel "gaussian" Flake_crystal(0, 1.2, -z, 3) pigment { rgb <0.8, 0.9, 1> } }
 #macro Flake_crystal(Centre, Radius, Normal, Depth)
   #local Flake_N = vnormalize(Normal);
-  Flake_ball(Centre, Radius*0.16, Flake_N, 0)
+  Flake_ball(Centre, Radius*0.09, Flake_N, 0)
   #for (Flake_K, 0, 5)
     Flake_arm(Centre, vaxis_rotate(VPerp_To_Vector(Flake_N), Flake_N, 60*Flake_K), Flake_N, Radius, Depth, 1)
   #end
@@ -154,14 +154,14 @@
 // generations, 3 to 5. Level: that of this arm, usually 1.
 // Example: blob { kernel "gaussian" Flake_arm(-x, x, z, 2, 3, 1) pigment { rgb <0.8, 0.9, 1> } }
 #macro Flake_arm(Foot, Axis, Normal, Length, Depth, Level)
-  #for (Flake_J, 1, 12)
-    Flake_ball(Foot + Axis*Length*Flake_J/12, Length*(0.075 - 0.004*Flake_J), Axis, Level)
+  #for (Flake_J, 1, 20)
+    Flake_ball(Foot + Axis*Length*Flake_J/20, Length*(0.05 - 0.001*Flake_J), Axis, Level)
   #end
   #if (Level < Depth)
-    #for (Flake_J, 2, 8, 2)
+    #for (Flake_J, 5, 14, 3)
       #for (Flake_Turn, -60, 60, 120)
-        Flake_arm(Foot + Axis*Length*Flake_J/12, vaxis_rotate(Axis, Normal, Flake_Turn), Normal,
-                  Length*(0.56 - 0.05*Flake_J), Depth, Level + 1)
+        Flake_arm(Foot + Axis*Length*Flake_J/20, vaxis_rotate(Axis, Normal, Flake_Turn), Normal,
+                  Length*(0.56 - 0.028*Flake_J), Depth, Level + 1)
       #end
     #end
   #end

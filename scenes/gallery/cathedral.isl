@@ -43,7 +43,7 @@ plane { y, 0
 }
 // The window at the end, and the sun through it.
 light_source { <0, 6, 21> rgb <1.5, 1.2, 0.85> fade_distance 14 fade_power 1 }
-light_source { <0, 5, -12> rgb <0.5, 0.6, 0.85>*0.7 fade_distance 12 fade_power 1 }
-light_source { <0, 1, 4> rgb <0.4, 0.3, 0.2> shadowless fade_distance 6 fade_power 1 }
+light_source { <0, 5, -12> rgb <0.5, 0.6, 0.85>*0.35 fade_distance 12 fade_power 1 }
+light_source { <0, 1, 4> rgb <0.6, 0.42, 0.26> shadowless fade_distance 6 fade_power 1 }
 disc { <0, 4.2, 22>, -z, 2.1 pigment { rgb <1.6, 1.4, 1.0> } finish { ambient 1 diffuse 0 } no_shadow }
 fog { distance 60 rgb <0.75, 0.58, 0.4> }

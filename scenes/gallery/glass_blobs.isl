@@ -1,14 +1,14 @@
 // Glass blobs: three drops of coloured glass that have run together, and the light that has gone through them.
 //   isl render scenes/gallery/glass_blobs.isl
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 8 }
+global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 0.04 }
 
-camera { location <0.4, 2.9, -6.8> look_at <0.05, 0.52, 0> angle 30 }
+camera { location <0.4, 2.9, -6.8> look_at <0.05, 0.52, 0> angle 33 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.75, 0.72, 0.7>] [0.4 rgb <0.55, 0.6, 0.68>] [0.7 rgb 1.1] } } }
-light_source { <-4, 7, 5> rgb <1.2, 1.12, 1> area_light 1.5*x, 1.5*y, 5, 5 adaptive 1 circular orient }
+light_source { <-4, 7, 5> rgb <1.2, 1.12, 1> }
 light_source { <5, 6, -6> rgb <0.25, 0.27, 0.32> shadowless }
 
-#macro Tint(C) texture { pigment { rgbf <C.x, C.y, C.z, 0.97> } finish { ambient 0 diffuse 0.02 specular 1 roughness 0.002 reflection { 0.02, 0.7 falloff 5 } } } #end
+#macro Tint(C) texture { pigment { rgbf <C.x, C.y, C.z, 0.97> } finish { ambient 0 diffuse 0.02 specular 1 roughness 0.002 reflection { 0, 0.7 falloff 5 } } } #end
 #declare Amber = <1, 0.55, 0.12>;
 #declare Rose = <1, 0.3, 0.42>;
 #declare Sea = <0.25, 0.8, 0.85>;

@@ -2,10 +2,10 @@
 //   isl render scenes/gallery/hive.isl
 #version 3.7;
 #include "random.isl"
-global_settings { assumed_gamma 1 max_trace_level 5 }
+global_settings { assumed_gamma 1 max_trace_level 3 }
 
-camera { location <-1.7, 0.5, -5.2> look_at <0.02, -0.1, 0> angle 33 }
-light_source { <-5, 6, -5> rgb <1.1, 0.95, 0.72> area_light 2*x, 2*y, 5, 5 adaptive 1 circular orient }
+camera { location <-1.7, 0.5, -5.2> look_at <0.02, -0.14, 0> angle 42 }
+light_source { <-5, 6, -5> rgb <1.1, 0.95, 0.72> }
 light_source { <3, 1.5, 5> rgb <1.5, 0.9, 0.3> }
 light_source { <6, -1, -6> rgb <0.2, 0.2, 0.28> shadowless }
 background { rgb <0.03, 0.014, 0.005> }
@@ -18,8 +18,8 @@ sky_sphere { pigment { gradient y color_map { [0 rgb <0.05, 0.02, 0.006>] [0.6 r
   finish { ambient 0.06 diffuse 0.7, 0.3 specular 0.35 roughness 0.03 }
 }
 #declare Honey = texture {
-  pigment { rgbf <1, 0.62, 0.12, 0.82> }
-  finish { ambient 0.04 diffuse 0.25 specular 1 roughness 0.004 reflection { 0.02, 0.5 falloff 4 } }
+  pigment { rgb <0.62, 0.24, 0.015> }
+  finish { ambient 0.05 diffuse 0.7, 0.3 specular 1 roughness 0.004 reflection { 0.02, 0.6 falloff 3 } }
 }
 #declare R = 0.25;
 #macro Cell(I, J) <R*sqrt(3)*(I + 0.5*mod(abs(J), 2)), 1.5*R*J, 0> #end
@@ -35,16 +35,16 @@ blob {
           #local A = C + R*vrotate(y, 60*K*z);
           #local B = C + R*vrotate(y, (60*K + 60)*z);
           #if (K < 3 | vlength(C) > 1.3)
-            triangle { A, B, (A + B)/2 + 0.5*z, 0.035 }
-            triangle { A, A + 0.5*z, (A + B)/2 + 0.5*z, 0.035 }
-            triangle { B, B + 0.5*z, (A + B)/2 + 0.5*z, 0.035 }
-            cylinder { A, B, 0.042 }
+            cylinder { A, B, 0.045 }
+            cylinder { A + 0.09*z, B + 0.09*z, 0.04 }
+            cylinder { A + 0.18*z, B + 0.18*z, 0.04 }
+            cylinder { A + 0.27*z, B + 0.27*z, 0.04 }
           #end
         #end
       #end
     #end
   #end
-  box { <-1.5, -1.3, 0.5>, <1.5, 1.3, 0.52>, 0.05 }
+  box { <-1.5, -1.3, 0.34>, <1.5, 1.3, 0.36>, 0.05 }
   texture { Wax }
 }
 // Honey in some cells, and three runs of it.
@@ -65,5 +65,4 @@ blob {
     sphere { P - (L + 0.08)*y - 0.06*z, 0.1 }
   #end
   texture { Honey }
-  interior { ior 1.45 }
 }

@@ -27,7 +27,8 @@ union {
     sphere { 0, 1.28 scale <1, 0.92, 1> }
     sphere { 0, 1.1 strength -1.6 scale <1, 0.92, 1> translate -0.2*y }
     sphere { -1.5*y, 1.2 strength -3 }
-    #for (I, 0, 31) sphere { vrotate(<1.19, -0.08, 0>, 11.25*I*y), 0.13 strength 0.5 } #end
+    #for (I, 0, 23) sphere { vrotate(<1.2, -0.1, 0>, 15*I*y), 0.07 strength 0.6 } #end
+    torus { 1.2, 0.045 translate -0.05*y }
     texture { Skin }
   }
   // The organs inside, and the frilled arms below them.

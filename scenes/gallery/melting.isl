@@ -5,7 +5,7 @@
 global_settings { assumed_gamma 1 max_trace_level 2 }
 
 camera { location <0.3, 1.5, -9> look_at <-0.02, -0.12, 0> angle 48 }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.55, 0.5, 0.48>] [0.6 rgb <0.8, 0.85, 0.95>] [1 rgb 1.2] } } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.74, 0.73, 0.74>] [0.6 rgb <0.8, 0.85, 0.95>] [1 rgb 1.2] } } }
 light_source { <-6, 9, -7> rgb <1, 0.92, 0.8>*0.9 area_light 3*x, 3*z, 8, 8 jitter circular orient }
 light_source { <7, 4, -8> rgb <0.25, 0.28, 0.34> shadowless }
 
@@ -46,4 +46,5 @@ blob {
   disc { <0, -1.76, 0>, y, 0.6, 0.05 scale <4.3, 1, 0.7> }
   texture { Red }
 }
+fog { distance 34 rgb <0.74, 0.73, 0.74> }
 plane { y, -1.8 pigment { rgb <0.86, 0.85, 0.83> } finish { ambient 0.12 diffuse 0.75 reflection { 0, 0.25 falloff 4 } } }

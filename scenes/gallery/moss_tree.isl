@@ -48,4 +48,4 @@ blob {
   #end
   texture { Skin }
 }
-fog { distance 36 rgb <0.5, 0.56, 0.42> }
+fog { distance 48 rgb <0.5, 0.54, 0.38> }

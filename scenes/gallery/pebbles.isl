@@ -1,4 +1,4 @@
-// A wave of pebbles: stones laid by size and tide along a curve, and one swell of water that melts over them.
+// A wave of pebbles: stones laid by size and tide along a curve; the ridge bends like the sea that has left it.
 //   isl render scenes/gallery/pebbles.isl
 #version 3.7;
 #include "scatter.isl"
@@ -6,11 +6,11 @@
 global_settings { assumed_gamma 1 max_trace_level 3 }
 
 camera { location <0.4, 4.6, -6.4> look_at <0, 0, -0.35> angle 38 }
-light_source { <-8, 3.6, 1.5> rgb <1.5, 1.22, 0.9> area_light 1.5*y, 1.5*z, 5, 5 adaptive 1 circular orient }
-light_source { <6, 8, -6> rgb <0.2, 0.25, 0.34> shadowless }
+light_source { <-8, 3.6, 1.5> rgb <1.5, 1.22, 0.9> }
+light_source { <6, 8, -6> rgb <0.3, 0.36, 0.46> shadowless }
 
 #declare Chance = Random_stream("pebbles", 3);
-#declare Places = Scatter_rectangle(9, 9, 0.17, Chance);
+#declare Places = Scatter_rectangle(9, 9, 0.155, Chance);
 #declare Stones = array[5] { <0.16, 0.17, 0.19>, <0.36, 0.34, 0.33>, <0.6, 0.56, 0.5>, <0.46, 0.3, 0.24>, <0.8, 0.77, 0.72> }
 // The wave: a ridge that winds; stones are larger and lighter on its crest.
 #macro Crest(P) exp(-pow((P.z - 0.9*sin(0.85*P.x + 0.4))/0.75, 2)) #end
@@ -30,4 +30,4 @@ light_source { <6, 8, -6> rgb <0.2, 0.25, 0.34> shadowless }
     finish { ambient 0.06 diffuse 0.75 specular 0.12 roughness 0.05 }
   }
 #end
-plane { y, -0.04 pigment { rgb <0.1, 0.09, 0.085> } finish { ambient 0.05 diffuse 0.7 } }
+plane { y, -0.02 pigment { rgb <0.16, 0.145, 0.13> } finish { ambient 0.05 diffuse 0.7 } }
