@@ -1,5 +1,5 @@
-// A trefoil knot of porcelain whose thread swells and thins, with a blue line painted along it; convolution keeps it even where it
-// turns.
+// A trefoil knot of porcelain whose thread swells and thins, glazed in blue where it is thin; convolution keeps it even where
+// it turns.
 //   isl render scenes/gallery/knot.isl
 #version 3.7;
 #include "curves.isl"
@@ -16,12 +16,9 @@ light_source { <7, 4, -8> rgb <0.22, 0.26, 0.34> shadowless }
   #declare Knot[I] = Knot[I] + 0.07*sin(6*pi*I/N*3)*t;
 #end
 #macro Curve_paint(Share)
+  #local Glaze = pow(0.5 - 0.5*sin(18*pi*Share), 2);
   texture {
-    uv_mapping
-    pigment {
-      gradient y
-      color_map { [0.42 rgb <0.93, 0.92, 0.88>] [0.44 rgb <0.07, 0.13, 0.34>] [0.56 rgb <0.07, 0.13, 0.34>] [0.58 rgb <0.93, 0.92, 0.88>] }
-    }
+    pigment { rgb <0.93, 0.92, 0.88> + (<0.05, 0.12, 0.36> - <0.93, 0.92, 0.88>)*Glaze }
     finish { ambient 0.1 diffuse 0.75 specular 0.6 roughness 0.005 reflection { 0.02, 0.4 falloff 4 } }
   }
 #end

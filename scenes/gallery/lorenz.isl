@@ -4,10 +4,10 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-camera { location <0, 0, -90> look_at <0, 0, 0> angle 40 }
+camera { location <0, 0, -86> look_at <0, 0, 0> angle 40 }
 background { rgb <0.012, 0.014, 0.022> }
-light_source { <-30, 70, -90> rgb <1.2, 1.1, 0.95> }
-light_source { <90, 30, -50> rgb <0.45, 0.55, 0.8> }
+light_source { <-50, 80, -50> rgb <1.3, 1.2, 1.0> }
+light_source { <90, 10, -50> rgb <0.3, 0.38, 0.6> }
 light_source { <0, -80, 30> rgb <0.3, 0.4, 0.8> shadowless }
 
 #declare Slow = srgb <0.2, 0.3, 0.55>;

@@ -4,11 +4,11 @@
 #include "growth.isl"
 global_settings { assumed_gamma 1 max_trace_level 3 }
 
-camera { location <-0.6, 1.5, -6.4> look_at <0.16, 0.72, 0> angle 30 }
+camera { location <-0.6, 1.5, -6.4> look_at <0.16, 0.9, 0> angle 36 }
 light_source { <-6, 6, -2> rgb <1.3, 1.16, 0.95> area_light 2*y, 2*z, 6, 6 jitter circular orient }
 light_source { <7, 3, -6> rgb <0.16, 0.2, 0.3> shadowless }
 light_source { <3, 4, 8> rgb <0.4, 0.42, 0.5> }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.17, 0.165, 0.17>] [0.3 rgb <0.2, 0.2, 0.21>] [1 rgb <0.7, 0.72, 0.78>] } } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.055, 0.065, 0.075>] [0.3 rgb <0.07, 0.08, 0.09>] [1 rgb <0.7, 0.72, 0.78>] } } }
 
 #declare Pearl = finish {
   ambient 0.05 diffuse 0.72 specular 0.5 roughness 0.01
@@ -16,7 +16,7 @@ sky_sphere { pigment { gradient y color_map { [0 rgb <0.17, 0.165, 0.17>] [0.3 r
 }
 #macro Growth_paint(S)
   pigment {
-    #if (S > 0.86)
+    #if (S > 0.96)
       rgb <0.95, 0.9, 0.82>
     #else
       // Flames: narrow bands over the tube.
@@ -37,8 +37,8 @@ sky_sphere { pigment { gradient y color_map { [0 rgb <0.17, 0.165, 0.17>] [0.3 r
   rotate <0, 22, 24>
 }
 object { Shell translate 0.765*y }
-fog { distance 22 rgb <0.17, 0.165, 0.17> }
+fog { distance 26 rgb <0.055, 0.065, 0.075> }
 plane { y, 0
-  pigment { rgb <0.16, 0.15, 0.15> }
+  pigment { rgb <0.075, 0.085, 0.095> }
   finish { ambient 0.05 diffuse 0.65 reflection { 0.01, 0.35 falloff 4 } }
 }

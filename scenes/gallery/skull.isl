@@ -55,7 +55,7 @@ blob {
   finish { ambient 0.01 diffuse 0.8 specular 0.2 roughness 0.04 }
   translate 0.15*y
 }
-fog { distance 9 rgb <0.012, 0.011, 0.012> }
+fog { distance 24 rgb <0.012, 0.011, 0.012> }
 plane { y, -1.32
   pigment { rgb <0.05, 0.045, 0.045> }
   finish { ambient 0 diffuse 0.6 reflection { 0.02, 0.4 falloff 4 } }
