@@ -7,8 +7,8 @@ global_settings { assumed_gamma 1 max_trace_level 8 }
 camera { location <0, 2.9, -13> look_at <0, 2.2, 0> angle 43 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.07, 0.025, 0.045>] [0.35 rgb <0.012, 0.006, 0.02>] } } }
 light_source { <0, 0.62, 0> rgb <1.6, 0.75, 0.4> fade_distance 2.2 fade_power 1.4 }
-light_source { <-6, 5, -6> rgb <0.45, 0.4, 0.55> }
-light_source { <6, 4, 3> rgb <0.35, 0.16, 0.35> }
+light_source { <-6, 5, -6> rgb <0.2, 0.18, 0.26> shadowless }
+light_source { <6, 4, -4> rgb <0.12, 0.08, 0.16> shadowless }
 
 #declare Chance = Random_stream("wax", 9);
 // Wax: it glows by itself, more the nearer it is to the lamp.
@@ -52,7 +52,9 @@ intersection {
   plane { -y, -4.88 }
   texture { Metal }
 }
+light_source { <0, 2.6, 0> rgb <1.1, 0.4, 0.22> shadowless fade_distance 1.6 fade_power 1.6 }
+plane { -z, -2.6 pigment { rgb <0.42, 0.36, 0.4> } finish { ambient 0.01 diffuse 0.7 } }
 plane { y, -1.4
-  pigment { rgb <0.07, 0.035, 0.03> }
+  pigment { rgb <0.2, 0.13, 0.1> }
   finish { ambient 0.02 diffuse 0.6 reflection { 0.03, 0.5 falloff 3 } }
 }

@@ -46,5 +46,5 @@ blob {
   disc { <0, -1.76, 0>, y, 0.6, 0.05 scale <4.3, 1, 0.7> }
   texture { Red }
 }
-fog { distance 34 rgb <0.74, 0.73, 0.74> }
+fog { distance 110 rgb <0.74, 0.73, 0.74> }
 plane { y, -1.8 pigment { rgb <0.86, 0.85, 0.83> } finish { ambient 0.12 diffuse 0.75 reflection { 0, 0.25 falloff 4 } } }

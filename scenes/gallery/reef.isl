@@ -7,10 +7,10 @@
 global_settings { assumed_gamma 1 }
 
 camera { location <0, 1.35, -7.6> look_at <0, 1.25, 0> angle 44 }
-light_source { <-4, 14, -3> rgb <1.25, 1.3, 1.2> }
+light_source { <-5, 14, -2> rgb <2.0, 1.9, 1.7> }
 light_source { <5, 5, -10> rgb <0.3, 0.34, 0.4> shadowless }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.02, 0.2, 0.32>] [0.25 rgb <0.03, 0.3, 0.46>] [1 rgb <0.25, 0.75, 0.85>] } } }
-fog { distance 17 rgb <0.02, 0.22, 0.36> }
+fog { distance 15 rgb <0.008, 0.12, 0.2> }
 #default { finish { ambient 0.06 diffuse 0.75 specular 0.15 roughness 0.04 } }
 #declare Chance = Random_stream("reef", 5);
 
@@ -19,7 +19,7 @@ fog { distance 17 rgb <0.02, 0.22, 0.36> }
   #macro Branch_paint(Level, Share) pigment { color Low_colour + (High_colour - Low_colour)*pow(Share, 2) } #end
   blob {
     kernel "gaussian" hardness 3
-    Branch_tree(0, y, 0.75, 0.2, 6, 0.5, Chance)
+    Branch_tree(0, y, 0.72, 0.15, 7, 0.6, Chance)
     scale Size rotate Turn*y translate P
   }
 #end
@@ -32,7 +32,7 @@ Antler(<0.35, 0.1, 2.6>, 1.1, rgb <0.6, 0.45, 0.12>, rgb <1, 0.9, 0.55>, 80)
 #macro Branch_paint(Level, Share) pigment { rgb <0.75, 0.1 + 0.2*Share, 0.3> } #end
 blob {
   kernel "gaussian" hardness 4
-  Branch_filling(<-1, 0.3, -0.1>, <1, 2.4, 0.1>, 0, 0.011, 11, 0.45, Chance)
+  Branch_filling(<-1, 0.3, -0.1>, <1, 2.4, 0.1>, 0, 0.0062, 11, 0.5, Chance)
   rotate <4, -24, 6> translate <1.25, 0.1, 0.35>
 }
 // Brain coral: a ball in whose skin a furrow winds.
@@ -43,9 +43,16 @@ sphere { 0, 1 scale <0.85, 0.62, 0.8> translate <-0.6, 0.12, -0.9>
 // Lettuce.
 blob {
   kernel "gaussian" hardness 2
-  Growth_ruffle(0, 0.85, 22, 6, 0.2, 0.036)
+  Growth_ruffle(0, 0.85, 22, 7, 0.16, 0.036)
   pigment { rgb <0.45, 0.68, 0.28> }
-  rotate <-16, 30, 0> translate <1.7, 0.42, -1.3>
+  rotate <-22, 30, -6> translate <1.75, 0.36, -1.3>
+}
+// Thorny ones, small, in front.
+#macro Branch_paint(Level, Share) pigment { rgb <1, 0.3 + 0.35*Share, 0.12 + 0.2*Share> } #end
+blob {
+  kernel "gaussian" hardness 3
+  Branch_coral(0, y, 0.42, 0.1, 4, 22, 0.5, Chance)
+  translate <0.35, 0, -2.5>
 }
 // Anemones.
 #macro Growth_paint(S) pigment { rgb <0.95, 0.45 + 0.4*S, 0.5 + 0.2*S> } #end
@@ -53,7 +60,7 @@ blob {
   blob {
     kernel "gaussian" hardness 4
     Growth_polyp(0, y + 0.25*Random_on_sphere(0, 1, Chance), 0.32, 0.11 + 0.04*rand(Chance), 16)
-    translate <-2.5 + 0.36*I, 0.1, -1.9 + 0.3*rand(Chance)>
+    translate <-2.6 + 0.33*I, 0.02, -2.2 + 0.55*mod(I, 2) + 0.2*rand(Chance)>
   }
 #end
 // The ground: sand and dead coral.
