@@ -18,7 +18,8 @@
 
 // Branch_paint(Level, Share)
 // What every limb has after its geometry: nothing. Declare a macro of this name after the include to paint; in a blob
-// it may begin with a `strength`.
+// it may begin with a `strength`. The parameters of the macro that calls it are visible in it, so that names of yours
+// like Foot, Tip, Length or Radius mean those.
 // Level: the number of forks below the limb, from 0. Share: the same as a share of all levels, 0 at the foot to 1 at
 // the tips.
 // Example: #macro Branch_paint(L, S) pigment { rgb S } #end union { Branch_tree(-y, y, 0.6, 0.1, 6, 0, seed(1)) }

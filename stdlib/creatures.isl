@@ -3,8 +3,8 @@
 //   #include "creatures.isl"
 //   blob { kernel "quartic" hardness 5 Creature_crab(0, 1, 8, seed(1)) }
 //
-// Parts are components of a blob of any kernel, a hardness of 4 to 6 keeps their form; in a union they are solids. Those
-// that come close to one another and should not melt together stand in a `union` inside the blob.
+// Parts are components of a blob of any kernel, a hardness of 4 to 6 keeps their form; in a union they are solids.
+// Those that come close to one another and should not melt together stand in a `union` inside the blob.
 #ifndef (CREATURES_ISL)
 #declare CREATURES_ISL = version;
 #version 3.7;
@@ -13,7 +13,8 @@
 
 // Creature_paint(Part)
 // What every component has after its geometry: nothing. Declare a macro of this name after the include to paint by
-// parts.
+// parts. The parameters of the macro that calls it are visible in it, so that names of yours like Radius, Size or
+// Width mean those.
 // Part: a string: "shell", "spine" (spines, teeth, knobs), "eye", "skin" (soft bodies), "rim".
 // Example: #macro Creature_paint(P) pigment { rgb (P = "spine") } #end union { Creature_starfish(0, 1, 5, 12) }
 #macro Creature_paint(Part) #end

@@ -180,7 +180,8 @@
 
 // Curve_paint(Share)
 // What every piece of a limb has after its geometry: nothing. Declare a macro of this name after the include to paint
-// along the curve; whatever a component or a solid takes may stand in it.
+// along the curve; whatever a component or a solid takes may stand in it. The parameters of the macro that calls it
+// are visible in it, so that names of yours like Points or Pieces mean those.
 // Share: of the way along the curve, 0 to 1.
 // Example: #macro Curve_paint(S) pigment { rgb <1, S, 0> } #end union { Curve_tube(array[2] { -x + t/3, x + t/9 }, 9) }
 #macro Curve_paint(Share) #end

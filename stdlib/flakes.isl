@@ -13,7 +13,8 @@
 
 // Flake_paint(Level)
 // What every ball has after its centre and radius: nothing. Declare a macro of this name after the include to paint by
-// generations; in a blob it may begin with a `strength`.
+// generations; in a blob it may begin with a `strength`. The parameters of the macro that calls it are visible in it,
+// so that names of yours like Radius, Axis or Depth mean those.
 // Level: the generation, from 0.
 // Example: #macro Flake_paint(L) pigment { rgb <1, L/3, 0> } #end union { Flake_sphere(0, 0.6, y, 9, 1/3, 1, 3) }
 #macro Flake_paint(Level) #end

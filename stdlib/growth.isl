@@ -15,7 +15,9 @@
 #declare Growth_Angle = 180*(3 - sqrt(5));
 
 // Growth_paint(Share)
-// What every component has after its geometry: nothing. Declare a macro of this name after the include to paint.
+// What every component has after its geometry: nothing. Declare a macro of this name after the include to paint. The
+// parameters of the macro that calls it are visible in it, so that names of yours like Radius, Length or Width mean
+// those.
 // Share: of what grew, 0 for the first part (the body, the middle) to 1 for the last (the tips, the rim).
 // Example: #macro Growth_paint(S) pigment { rgb S } #end union { Growth_urchin(0, 0.5, 99, 1, 0.03, seed(1)) }
 #macro Growth_paint(Share) #end

@@ -1,5 +1,5 @@
-// A bridge of bones: an arch of limbs that swell at their joints, ribs that carry the way, over a valley of fog. Nothing is built,
-// everything is grown together.
+// A bridge of bones: an arch of limbs that swell at their joints, ribs that carry the way, over a valley of fog.
+// Nothing is built, everything is grown together.
 //   isl render scenes/gallery/bone_bridge.isl
 #version 3.7;
 #include "curves.isl"

@@ -1,5 +1,5 @@
-// The fractal cathedral: columns that fork into ribs until they are the vault. Branches of blobs carry one another as stone does
-// in Gaudi's naves, without a single joint.
+// The fractal cathedral: columns that fork into ribs until they are the vault. Branches of blobs carry one another as
+// stone does in Gaudi's naves, without a single joint.
 //   isl render scenes/gallery/cathedral.isl
 #version 3.7;
 #include "branching.isl"
@@ -24,7 +24,7 @@ camera { location <0, 1.3, -11> look_at <0, 4.4, 0> angle 76 }
   kernel "gaussian" hardness 3
   cone { <0, -0.5, 0>, 0.46, <0, 0.5, 0>, 0.3 }
   cone { <0, 0.3, 0>, 0.3, <0, 3.4, 0>, 0.24 }
-  Grow(<0, 3.4, 0>, 0.95, 1.15, 0.18, 0, 0)
+  Grow(<0, 3.4, 0>, 1.0, 1.15, 0.18, 0, 0)
   pigment { rgb <0.82, 0.74, 0.64> }
   finish { ambient 0 diffuse 0.8 }
 }
@@ -44,6 +44,8 @@ plane { y, 0
 // The window at the end, and the sun through it.
 light_source { <0, 6, 21> rgb <1.5, 1.2, 0.85> fade_distance 14 fade_power 1 }
 light_source { <0, 5, -12> rgb <0.5, 0.6, 0.85>*0.35 fade_distance 12 fade_power 1 }
-light_source { <0, 1, 4> rgb <0.6, 0.42, 0.26> shadowless fade_distance 6 fade_power 1 }
+#for (I, 0, 3)
+  light_source { <0, 2.6, 6*I - 3> rgb <0.85, 0.5, 0.22> fade_distance 2.6 fade_power 2 }
+#end
 disc { <0, 4.2, 22>, -z, 2.1 pigment { rgb <1.6, 1.4, 1.0> } finish { ambient 1 diffuse 0 } no_shadow }
-fog { distance 60 rgb <0.75, 0.58, 0.4> }
+fog { distance 75 rgb <0.75, 0.55, 0.36> }

@@ -1,5 +1,5 @@
-// Cloud forms: towers of soft balls over a sea at evening. Every tower is a sphere-flake with jitter whose balls have lost their
-// edges in one another.
+// Cloud forms: towers of soft balls over a sea at evening. Every tower is a sphere-flake with jitter whose balls have
+// lost their edges in one another.
 //   isl render scenes/gallery/clouds.isl
 #version 3.7;
 #include "random.isl"
@@ -7,7 +7,9 @@ global_settings { assumed_gamma 1 max_trace_level 3 }
 
 camera { location <0, 2.2, -22> look_at <0, 5.4, 0> angle 44 }
 sky_sphere {
-  pigment { gradient y color_map { [0 rgb <1.0, 0.66, 0.42>] [0.1 rgb <0.86, 0.66, 0.6>] [0.3 rgb <0.46, 0.55, 0.72>] [0.8 rgb <0.16, 0.28, 0.52>] } }
+  pigment { gradient y
+    color_map { [0 rgb <1.0, 0.66, 0.42>] [0.1 rgb <0.86, 0.66, 0.6>] [0.3 rgb <0.46, 0.55, 0.72>]
+      [0.8 rgb <0.16, 0.28, 0.52>] } }
 }
 light_source { <-60, 26, -8> rgb <1.35, 0.98, 0.66> }
 light_source { <20, 40, -50> rgb <0.22, 0.27, 0.4> shadowless }

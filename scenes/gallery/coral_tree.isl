@@ -5,8 +5,8 @@
 //   isl render scenes/gallery/coral_tree.isl -D Levels=6         more branches
 //   isl render scenes/gallery/coral_tree.isl -D Ground=0         nothing below it
 //
-// The branching is that of the tree in E. Haines' Standard Procedural Databases (1987); the needles on its tips are in the
-// manner of the coral in A. Sherstyuk, "Fast Ray Tracing of Implicit Surfaces" (1999): 31 branches and 512 needles.
+// The branching is that of the tree in E. Haines' Standard Procedural Databases (1987); the needles on its tips are in
+// the manner of the coral in A. Sherstyuk, "Fast Ray Tracing of Implicit Surfaces" (1999): 31 branches and 512 needles.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
@@ -15,7 +15,7 @@ global_settings { assumed_gamma 1 }
 #ifndef (Skeleton) #declare Skeleton = 0; #end
 #ifndef (Ground) #declare Ground = 1; #end
 
-// ---- Colours: from deep red at the foot to pale rose at the tips ------------------------------------------------------
+// ---- Colours: from deep red at the foot to pale rose at the tips ----------------------------------------------------
 
 #declare Foot = srgb <0.84, 0.27, 0.25>;
 #declare Tip = srgb <1.00, 0.66, 0.54>;
@@ -33,7 +33,7 @@ global_settings { assumed_gamma 1 }
   finish { ambient 0.34 diffuse 0.60 specular 0.22 roughness 0.04 }
 }
 
-// ---- Growth ------------------------------------------------------------------------------------------------------------
+// ---- Growth ---------------------------------------------------------------------------------------------------------
 
 // V, given along the axes U, W and Axis.
 #macro Along(V, U, W, Axis)
@@ -83,7 +83,7 @@ global_settings { assumed_gamma 1 }
   }
 #end
 
-// ---- Ground, light and view --------------------------------------------------------------------------------------------
+// ---- Ground, light and view -----------------------------------------------------------------------------------------
 
 #if (Ground)
   plane { y, 0

@@ -1,5 +1,5 @@
-// Phyllotaxis: six hundred petals by the golden angle. The young ones in the middle have melted into one another, the old ones
-// outside have come apart.
+// Phyllotaxis: six hundred petals by the golden angle. The young ones in the middle have melted into one another, the
+// old ones outside have come apart.
 //   isl render scenes/gallery/dahlia.isl
 #version 3.7;
 #include "growth.isl"
@@ -26,7 +26,8 @@ blob {
     #local Axis = sin(Lean)*Out + cos(Lean)*y;
     #local Length = Ease_mix(0.06, 0.5, Ease_in(T, 0.9));
     cone { Foot, Ease_mix(0.052, 0.05, T), Foot + Length*Axis, Ease_mix(0.03, 0.075, T)
-      pigment { color Ease_mix(rgb <1, 0.72, 0.32>, Ease_mix(rgb <0.9, 0.2, 0.22>, rgb <0.42, 0.05, 0.3>, Ease_in(T, 1.4)), Ease_out(T, 2)) }
+      pigment { color Ease_mix(rgb <1, 0.72, 0.32>,
+        Ease_mix(rgb <0.9, 0.2, 0.22>, rgb <0.42, 0.05, 0.3>, Ease_in(T, 1.4)), Ease_out(T, 2)) }
     }
   #end
   finish { ambient 0.05 diffuse 0.75 specular 0.25 roughness 0.03 }

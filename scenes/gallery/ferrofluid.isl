@@ -1,5 +1,5 @@
-// Ferrofluid over a magnet: spikes stand where the field is strong, and the liquid between them is a mirror. Heights follow the
-// distance from the middle, places the golden angle.
+// Ferrofluid over a magnet: spikes stand where the field is strong, and the liquid between them is a mirror. Heights
+// follow the distance from the middle, places the golden angle.
 //   isl render scenes/gallery/ferrofluid.isl
 #version 3.7;
 #include "growth.isl"
@@ -7,7 +7,8 @@ global_settings { assumed_gamma 1 max_trace_level 6 }
 
 camera { location <0, 3.3, -6.6> look_at <0, 0.1, 0> angle 33 }
 sky_sphere {
-  pigment { gradient y color_map { [0 rgb 0.85] [0.2 rgb 0.75] [0.45 rgb 0.1] [0.7 rgb 0.08] [0.75 rgb 1.3] [1 rgb 1.3] } }
+  pigment { gradient y
+    color_map { [0 rgb 0.85] [0.2 rgb 0.75] [0.45 rgb 0.1] [0.7 rgb 0.08] [0.75 rgb 1.3] [1 rgb 1.3] } }
 }
 light_source { <-5, 6, 4> rgb 1.2 }
 light_source { <6, 4, -2> rgb <0.3, 0.4, 0.6> }

@@ -8,7 +8,8 @@ sky_sphere { pigment { gradient y color_map { [0 rgb <0.75, 0.72, 0.7>] [0.4 rgb
 light_source { <-4, 7, 5> rgb <1.2, 1.12, 1> }
 light_source { <5, 6, -6> rgb <0.25, 0.27, 0.32> shadowless }
 
-#macro Tint(C) texture { pigment { rgbf <C.x, C.y, C.z, 0.97> } finish { ambient 0 diffuse 0.02 specular 1 roughness 0.002 reflection { 0, 0.7 falloff 5 } } } #end
+#macro Tint(C) texture { pigment { rgbf <C.x, C.y, C.z, 0.97> }
+  finish { ambient 0 diffuse 0.02 specular 1 roughness 0.002 reflection { 0, 0.7 falloff 5 } } } #end
 #declare Amber = <1, 0.55, 0.12>;
 #declare Rose = <1, 0.3, 0.42>;
 #declare Sea = <0.25, 0.8, 0.85>;

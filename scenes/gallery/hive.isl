@@ -9,7 +9,8 @@ light_source { <-5, 6, -5> rgb <1.1, 0.95, 0.72> }
 light_source { <3, 1.5, 5> rgb <1.5, 0.9, 0.3> }
 light_source { <6, -1, -6> rgb <0.2, 0.2, 0.28> shadowless }
 background { rgb <0.03, 0.014, 0.005> }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.05, 0.02, 0.006>] [0.6 rgb <0.1, 0.05, 0.02>] [0.8 rgb <1.2, 1, 0.7>] } scale 2 translate -y } }
+sky_sphere { pigment { gradient y
+  color_map { [0 rgb <0.05, 0.02, 0.006>] [0.6 rgb <0.1, 0.05, 0.02>] [0.8 rgb <1.2, 1, 0.7>] } scale 2 translate -y } }
 
 #declare Chance = Random_stream("bees", 3);
 #declare Wax = texture {

@@ -1,4 +1,5 @@
-// A jellyfish in the deep: a bell that one ball carves out of another, arms and tentacles that wander, light from above.
+// A jellyfish in the deep: a bell that one ball carves out of another, arms and tentacles that wander, light from
+// above.
 //   isl render scenes/gallery/jellyfish.isl
 #version 3.7;
 #include "creatures.isl"
@@ -7,7 +8,9 @@ global_settings { assumed_gamma 1 max_trace_level 6 }
 camera { location <0, 0.2, -9> look_at <0, -0.55, 0> angle 38 }
 background { rgb <0.002, 0.012, 0.03> }
 sky_sphere {
-  pigment { gradient y color_map { [0 rgb <0.001, 0.004, 0.012>] [0.5 rgb <0.004, 0.025, 0.055>] [0.75 rgb <0.02, 0.12, 0.2>] [1 rgb <0.1, 0.4, 0.5>] } scale 2 translate -y }
+  pigment { gradient y
+    color_map { [0 rgb <0.001, 0.004, 0.012>] [0.5 rgb <0.004, 0.025, 0.055>] [0.75 rgb <0.02, 0.12, 0.2>]
+      [1 rgb <0.1, 0.4, 0.5>] } scale 2 translate -y }
 }
 light_source { <-3, 9, -2> rgb <0.7, 1, 1.1> }
 light_source { <4, -2, 6> rgb <0.9, 0.35, 0.5> }

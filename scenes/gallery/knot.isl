@@ -1,5 +1,5 @@
-// A trefoil knot of porcelain whose thread swells and thins, glazed in blue where it is thin; convolution keeps it even where
-// it turns.
+// A trefoil knot of porcelain whose thread swells and thins, glazed in blue where it is thin; convolution keeps it
+// even where it turns.
 //   isl render scenes/gallery/knot.isl
 #version 3.7;
 #include "curves.isl"

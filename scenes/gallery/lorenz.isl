@@ -1,5 +1,5 @@
-// The Lorenz attractor as one ribbon: four thousand steps of the weather, convolved into a single thread that melts where it passes
-// near itself. Colour is the speed.
+// The Lorenz attractor as one ribbon: four thousand steps of the weather, convolved into a single thread that melts
+// where it passes near itself. Colour is the speed.
 //   isl render scenes/gallery/lorenz.isl
 #version 3.7;
 global_settings { assumed_gamma 1 }

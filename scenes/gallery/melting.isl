@@ -1,4 +1,5 @@
-// Melting letters: a word of round strokes, and drops that run from it. The same strength holds strokes, runs and drops together.
+// Melting letters: a word of round strokes, and drops that run from it. The same strength holds strokes, runs and
+// drops together.
 //   isl render scenes/gallery/melting.isl
 #version 3.7;
 #include "curves.isl"
@@ -41,10 +42,12 @@ blob {
   // What has reached the table.
   kernel "gaussian" hardness 2 convolution off
   #for (I, 0, 6)
-    sphere { 0, 1 scale <0.35 + 0.25*rand(Chance), 0.09, 0.25 + 0.15*rand(Chance)> translate <-3.2 + 1.02*I + 0.2*rand(Chance), -1.72, -0.1> }
+    sphere { 0, 1 scale <0.35 + 0.25*rand(Chance), 0.09, 0.25 + 0.15*rand(Chance)>
+      translate <-3.2 + 1.02*I + 0.2*rand(Chance), -1.72, -0.1> }
   #end
   disc { <0, -1.76, 0>, y, 0.6, 0.05 scale <4.3, 1, 0.7> }
   texture { Red }
 }
 fog { distance 110 rgb <0.74, 0.73, 0.74> }
-plane { y, -1.8 pigment { rgb <0.86, 0.85, 0.83> } finish { ambient 0.12 diffuse 0.75 reflection { 0, 0.25 falloff 4 } } }
+plane { y, -1.8 pigment { rgb <0.86, 0.85, 0.83> }
+  finish { ambient 0.12 diffuse 0.75 reflection { 0, 0.25 falloff 4 } } }

@@ -1,4 +1,5 @@
-// A moss tree: two thousand limbs forked from two, by the pipe model; moss where rain would fall, bark where it would not.
+// A moss tree: two thousand limbs forked from two, by the pipe model; moss where rain would fall, bark where it would
+// not.
 //   isl render scenes/gallery/moss_tree.isl
 #version 3.7;
 #include "branching.isl"
@@ -16,7 +17,8 @@ light_source { <8, 6, -12> rgb <0.12, 0.15, 0.17> shadowless }
   finish { ambient 0.05 diffuse 0.75 }
 }
 #declare Moss = texture {
-  pigment { bozo scale 0.12 turbulence 0.5 color_map { [0.2 rgb <0.1, 0.19, 0.02>] [0.6 rgb <0.24, 0.36, 0.05>] [0.9 rgb <0.42, 0.5, 0.1>] } }
+  pigment { bozo scale 0.12 turbulence 0.5
+    color_map { [0.2 rgb <0.1, 0.19, 0.02>] [0.6 rgb <0.24, 0.36, 0.05>] [0.9 rgb <0.42, 0.5, 0.1>] } }
   normal { granite 0.7 scale 0.12 }
   finish { ambient 0.06 diffuse 0.8 }
 }

@@ -8,7 +8,8 @@ camera { location <-0.6, 1.5, -6.4> look_at <0.16, 0.9, 0> angle 36 }
 light_source { <-6, 6, -2> rgb <1.3, 1.16, 0.95> area_light 2*y, 2*z, 6, 6 jitter circular orient }
 light_source { <7, 3, -6> rgb <0.16, 0.2, 0.3> shadowless }
 light_source { <3, 4, 8> rgb <0.4, 0.42, 0.5> }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.055, 0.065, 0.075>] [0.3 rgb <0.07, 0.08, 0.09>] [1 rgb <0.7, 0.72, 0.78>] } } }
+sky_sphere { pigment { gradient y
+  color_map { [0 rgb <0.055, 0.065, 0.075>] [0.3 rgb <0.07, 0.08, 0.09>] [1 rgb <0.7, 0.72, 0.78>] } } }
 
 #declare Pearl = finish {
   ambient 0.05 diffuse 0.72 specular 0.5 roughness 0.01

@@ -11,7 +11,8 @@ light_source { <6, 8, -6> rgb <0.3, 0.36, 0.46> shadowless }
 
 #declare Chance = Random_stream("pebbles", 3);
 #declare Places = Scatter_rectangle(9, 9, 0.155, Chance);
-#declare Stones = array[5] { <0.16, 0.17, 0.19>, <0.36, 0.34, 0.33>, <0.6, 0.56, 0.5>, <0.46, 0.3, 0.24>, <0.8, 0.77, 0.72> }
+#declare Stones = array[5] { <0.16, 0.17, 0.19>, <0.36, 0.34, 0.33>, <0.6, 0.56, 0.5>, <0.46, 0.3, 0.24>,
+  <0.8, 0.77, 0.72> }
 // The wave: a ridge that winds; stones are larger and lighter on its crest.
 #macro Crest(P) exp(-pow((P.z - 0.9*sin(0.85*P.x + 0.4))/0.75, 2)) #end
 #for (I, 0, dimension_size(Places, 1) - 1)

@@ -1,4 +1,5 @@
-// A coral reef: antlers, brains, fans, lettuce and tubes, each a blob of its own, in water that takes the red out of what is far.
+// A coral reef: antlers, brains, fans, lettuce and tubes, each a blob of its own, in water that takes the red out of
+// what is far.
 //   isl render scenes/gallery/reef.isl
 #version 3.7;
 #include "branching.isl"
@@ -9,7 +10,8 @@ global_settings { assumed_gamma 1 }
 camera { location <0, 1.35, -7.6> look_at <0, 1.25, 0> angle 44 }
 light_source { <-5, 14, -2> rgb <2.0, 1.9, 1.7> }
 light_source { <5, 5, -10> rgb <0.3, 0.34, 0.4> shadowless }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.02, 0.2, 0.32>] [0.25 rgb <0.03, 0.3, 0.46>] [1 rgb <0.25, 0.75, 0.85>] } } }
+sky_sphere { pigment { gradient y
+  color_map { [0 rgb <0.02, 0.2, 0.32>] [0.25 rgb <0.03, 0.3, 0.46>] [1 rgb <0.25, 0.75, 0.85>] } } }
 fog { distance 15 rgb <0.008, 0.12, 0.2> }
 #default { finish { ambient 0.06 diffuse 0.75 specular 0.15 roughness 0.04 } }
 #declare Chance = Random_stream("reef", 5);

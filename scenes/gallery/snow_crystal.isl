@@ -6,7 +6,9 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 
 camera { location <0, 0, -5> look_at 0 angle 40 }
 sky_sphere {
-  pigment { gradient y color_map { [0 rgb <0.002, 0.004, 0.012>] [0.45 rgb <0.005, 0.012, 0.035>] [0.66 rgb <0.02, 0.05, 0.11>] [0.8 rgb <0.6, 0.75, 1>] [1 rgb <1, 0.9, 0.8>] } scale 2 translate -y }
+  pigment { gradient y
+    color_map { [0 rgb <0.002, 0.004, 0.012>] [0.45 rgb <0.005, 0.012, 0.035>] [0.66 rgb <0.02, 0.05, 0.11>]
+      [0.8 rgb <0.6, 0.75, 1>] [1 rgb <1, 0.9, 0.8>] } scale 2 translate -y }
 }
 light_source { <-5, 6, -5> rgb <1.1, 0.98, 0.9> }
 light_source { <6, -3, -2> rgb <0.15, 0.3, 0.75> }

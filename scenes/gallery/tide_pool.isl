@@ -1,4 +1,5 @@
-// Urchins in a tide pool: purple, red and black ones, and a starfish between stones, under clear water that a little wind moves.
+// Urchins in a tide pool: purple, red and black ones, and a starfish between stones, under clear water that a little
+// wind moves.
 //   isl render scenes/gallery/tide_pool.isl
 #version 3.7;
 #include "growth.isl"
