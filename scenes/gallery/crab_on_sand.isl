@@ -1,4 +1,5 @@
-// A crab on wet sand at low sun: 900 components in one blob, from the back shell to the teeth of its claws.
+// A crab on wet sand at low sun: more than five hundred components in one blob, from the back shell to the teeth of
+// its claws.
 //   isl render scenes/gallery/crab_on_sand.isl
 #version 3.7;
 #include "creatures.isl"

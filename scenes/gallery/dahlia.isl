@@ -6,7 +6,7 @@
 #include "easing.isl"
 global_settings { assumed_gamma 1 max_trace_level 2 }
 
-camera { location <0, 6.2, -4.3> look_at <0.05, 0, -0.05> angle 33.5 }
+camera { location <0, 6.2, -4.3> look_at <0.05, 0, -0.18> angle 34 }
 light_source { <-6, 4.5, 2.5> rgb <1.25, 1.12, 0.95> area_light 2*y, 2*z, 6, 6 jitter circular orient }
 light_source { <6, 5, -4> rgb <0.22, 0.25, 0.4> shadowless }
 plane { y, -0.5 pigment { rgb <0.035, 0.045, 0.06> } finish { ambient 0.1 diffuse 0.7 } }

@@ -3,7 +3,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 0.04 }
 
-camera { location <0.4, 2.9, -6.8> look_at <0.05, 0.52, 0> angle 33 }
+camera { location <0.4, 2.9, -6.8> look_at <0.1, 0.5, 0> angle 36 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.75, 0.72, 0.7>] [0.4 rgb <0.55, 0.6, 0.68>] [0.7 rgb 1.1] } } }
 light_source { <-4, 7, 5> rgb <1.2, 1.12, 1> }
 light_source { <5, 6, -6> rgb <0.25, 0.27, 0.32> shadowless }

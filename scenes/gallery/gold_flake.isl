@@ -1,4 +1,4 @@
-// A sphere-flake in gold: 7,381 balls melted into one piece of jewellery, lit by three soft boxes in a dark room.
+// A sphere-flake in gold: 7,381 balls melted into one piece of jewellery, lit by four soft boxes in a dark room.
 //   isl render scenes/gallery/gold_flake.isl
 #version 3.7;
 #include "flakes.isl"

@@ -50,19 +50,20 @@ blob {
 }
 // Honey in some cells, and three runs of it.
 blob {
-  kernel "gaussian" hardness 2.5
+  kernel "gaussian" hardness 2
   #for (J, -4, 5)
     #for (I, -5, 5)
       #local C = Cell(I, J);
       #if (vlength(C - <0.3, 0.2, 0>) < 1.05 & rand(Chance) < 0.7)
-        sphere { C + 0.12*z, 0.17 }
+        disc { C + 0.08*z, z, 0.12, 0.09 }
       #end
     #end
   #end
   #for (K, 0, 2)
     #local P = Cell(2 - 2*K, -1 + mod(K, 2)) + 0.02*z;
     #local L = 0.55 + 0.5*rand(Chance);
-    cone { P + 0.05*y, 0.13, P - L*y - 0.05*z, 0.055 }
+    sphere { P + 0.03*y, 0.19 }
+    cone { P, 0.11, P - L*y - 0.05*z, 0.045 }
     sphere { P - (L + 0.08)*y - 0.06*z, 0.1 }
   #end
   texture { Honey }

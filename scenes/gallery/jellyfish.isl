@@ -29,9 +29,9 @@ union {
     kernel "gaussian" hardness 3
     sphere { 0, 1.28 scale <1, 0.92, 1> }
     sphere { 0, 1.1 strength -1.6 scale <1, 0.92, 1> translate -0.2*y }
-    sphere { -1.5*y, 1.2 strength -3 }
-    #for (I, 0, 23) sphere { vrotate(<1.2, -0.1, 0>, 15*I*y), 0.07 strength 0.6 } #end
-    torus { 1.2, 0.045 translate -0.05*y }
+    sphere { -1.6*y, 1.2 strength -3 }
+    #for (I, 0, 23) sphere { vrotate(<1.21, -0.04, 0>, 15*I*y), 0.08 strength 0.7 } #end
+    torus { 1.2, 0.06 translate 0.0*y }
     texture { Skin }
   }
   // The organs inside, and the frilled arms below them.
@@ -51,7 +51,7 @@ union {
   blob {
     kernel "quartic" hardness 3 convolution on
     #for (I, 0, 15)
-      #local Foot = vrotate(<1.2, -0.08, 0>, (22.5*I + 11)*y);
+      #local Foot = vrotate(<1.2, -0.02, 0>, (22.5*I + 11)*y);
       Curve_limb(Creature_tentacle(Foot, -y + 0.1*Foot, 2.6 + 1.2*rand(Chance), 0.04, 0.6, Chance), 28)
     #end
     texture { Skin }

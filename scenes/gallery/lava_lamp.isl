@@ -4,7 +4,7 @@
 #include "random.isl"
 global_settings { assumed_gamma 1 max_trace_level 8 }
 
-camera { location <0, 2.9, -13> look_at <0, 2.2, 0> angle 43 }
+camera { location <0, 2.9, -13> look_at <0, 2.12, 0> angle 45 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.07, 0.025, 0.045>] [0.35 rgb <0.012, 0.006, 0.02>] } } }
 light_source { <0, 0.62, 0> rgb <1.6, 0.75, 0.4> fade_distance 2.2 fade_power 1.4 }
 light_source { <-6, 5, -6> rgb <0.2, 0.18, 0.26> shadowless }

@@ -1,4 +1,4 @@
-// A skull of metaballs: some thirty balls, and as many that take away. Bone is what remains.
+// A skull of metaballs: some forty balls and limbs, and ten that take away. Bone is what remains.
 //   isl render scenes/gallery/skull.isl
 #version 3.7;
 global_settings { assumed_gamma 1 }
