@@ -47,9 +47,11 @@ blob {
 blob {
   kernel "cubic" hardness 1
   #for (Side, -1, 1, 2)
+    sphere { <Side*10.6, -3.2, 0>, 1.9 }
+    sphere { <Side*12.4, 0, 0>, 2 }
     #for (I, 0, 130)
       #local H = -8 + 9*pow(rand(Chance), 0.6);
-      sphere { <Side*(12.2 + 12*rand(Chance) - 0.1*H), H, 16*rand(Chance) - 5>, 1.1 + 1.4*rand(Chance) }
+      sphere { <Side*(11.9 + 13*rand(Chance) + 0.35*H), H, 16*rand(Chance) - 5>, 1.1 + 1.4*rand(Chance) }
     #end
   #end
   pigment { rgb <0.32, 0.29, 0.27> }
