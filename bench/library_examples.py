@@ -34,6 +34,7 @@ SHOWN = {
     'texture': 'sphere {{ 0, 1 texture {{ {} }} }}',
     'material': 'sphere {{ 0, 1 material {{ {} }} }}',
     'finish': 'sphere {{ 0, 1 pigment {{ rgb 0.5 }} finish {{ {} }} interior {{ ior 1.5 }} }}',
+    'number': 'sphere {{ 0, min(1, {}) }}',
     'colour': 'sphere {{ 0, 1 pigment {{ {} }} }}',
     'ramp': 'sphere {{ 0, 1 pigment {{ gradient y RampMap({}) scale 2 translate -y }} }}',
     'sky_sphere': 'sky_sphere {{ {} }} sphere {{ 0, 1 finish {{ reflection 1 diffuse 0 }} }}',

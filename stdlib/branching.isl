@@ -5,13 +5,13 @@
 //
 // Thickness follows the pipe model (Shinozaki and others 1964; Leonardo's rule): a limb carries one pipe for each tip
 // above it, so that its radius to the power of Branch_Exponent is the sum of those of what grows from it.
-#ifndef (BRANCHING_ISL)
-#declare BRANCHING_ISL = version;
+#ifndef (Branching_Isl_Before)
+#declare Branching_Isl_Before = version;
 #version 3.7;
 #include "math.inc"
 
-// The exponent of the pipe model: 2 keeps the area of the cross-sections, greater ones make stems thinner; 2.3 suits
-// most trees.
+// Branch_Exponent: number. The exponent of the pipe model: 2 keeps the area of the cross-sections, greater ones make
+// stems thinner; 2.3 suits most trees.
 #declare Branch_Exponent = 2.3;
 
 // ---- What branches are made of --------------------------------------------------------------------------------------
@@ -202,7 +202,7 @@
   #local Branch_Limbs = 0;
   #local Branch_Open = 0;
   #local Branch_Most = 0;
-  Branch_count(Axiom, Depth)
+  Branching_Isl_count(Axiom, Depth)
   #local Branch_A = array[Branch_Limbs + 1];
   #local Branch_B = array[Branch_Limbs + 1];
   #local Branch_Below = array[Branch_Limbs + 1];
@@ -218,7 +218,7 @@
   #local Branch_Stack = array[Branch_Most + 1][5];
   #local Branch_Limbs = 0;
   #local Branch_Open = 0;
-  Branch_walk(Axiom, Depth)
+  Branching_Isl_walk(Axiom, Depth)
   #for (J, 0, Branch_Limbs)
     #local Branch_Pipes[J] = 0;
     #local Branch_Last[J] = no;
@@ -245,15 +245,15 @@
   #end
 #end
 
-// Branch_count(Text, Depth)
+// Branching_Isl_count(Text, Depth)
 // Counts limbs and open brackets of an L-system; a part of Branch_lsystem, in which alone it works.
 // Text: the string. Depth: replacements that are still to come.
 // Example: union { Branch_lsystem("F[+F]F", array[1][2] {{"F", "F[+F]F"}}, 2, -y, y, 0.2, 30, 0.02, 0, seed(1)) }
-#macro Branch_count(Text, Depth)
+#macro Branching_Isl_count(Text, Depth)
   #for (Branch_I, 1, strlen(Text))
     #local Branch_C = asc(substr(Text, Branch_I, 1));
     #if (Depth > 0 & defined(Branch_Rule[Branch_C]))
-      Branch_count(Branch_Rule[Branch_C], Depth - 1)
+      Branching_Isl_count(Branch_Rule[Branch_C], Depth - 1)
     #else
       #switch (Branch_C)
         #case (70)
@@ -271,15 +271,15 @@
   #end
 #end
 
-// Branch_walk(Text, Depth)
+// Branching_Isl_walk(Text, Depth)
 // Walks an L-system; a part of Branch_lsystem, in which alone it works.
 // Text: the string. Depth: replacements that are still to come.
 // Example: union { Branch_lsystem("F", array[1][2] {{"F", "F[+F]F[-F]F"}}, 3, -y, y, 0.08, 25, 0.01, 0, seed(1)) }
-#macro Branch_walk(Text, Depth)
+#macro Branching_Isl_walk(Text, Depth)
   #for (Branch_I, 1, strlen(Text))
     #local Branch_C = asc(substr(Text, Branch_I, 1));
     #if (Depth > 0 & defined(Branch_Rule[Branch_C]))
-      Branch_walk(Branch_Rule[Branch_C], Depth - 1)
+      Branching_Isl_walk(Branch_Rule[Branch_C], Depth - 1)
     #else
       #switch (Branch_C)
         #case (70)   // F
@@ -295,22 +295,22 @@
           #declare Branch_P = Branch_P + Branch_Length*Branch_H;
         #break
         #case (43)   // +
-          Branch_turn(vcross(Branch_H, Branch_L), 1)
+          Branching_Isl_turn(vcross(Branch_H, Branch_L), 1)
         #break
         #case (45)   // -
-          Branch_turn(vcross(Branch_H, Branch_L), -1)
+          Branching_Isl_turn(vcross(Branch_H, Branch_L), -1)
         #break
         #case (38)   // &
-          Branch_turn(Branch_L, 1)
+          Branching_Isl_turn(Branch_L, 1)
         #break
         #case (94)   // ^
-          Branch_turn(Branch_L, -1)
+          Branching_Isl_turn(Branch_L, -1)
         #break
         #case (47)   // /
-          Branch_turn(Branch_H, 1)
+          Branching_Isl_turn(Branch_H, 1)
         #break
         #case (92)   // \
-          Branch_turn(Branch_H, -1)
+          Branching_Isl_turn(Branch_H, -1)
         #break
         #case (124)  // |
           #declare Branch_H = -Branch_H;
@@ -343,16 +343,16 @@
   #end
 #end
 
-// Branch_turn(About, Sign)
+// Branching_Isl_turn(About, Sign)
 // Turns the turtle; a part of Branch_lsystem, in which alone it works.
 // About: the axis. Sign: 1 or -1.
 // Example: union { Branch_turtle("F+F+F+F+F", -x, y, 0.8, 72, 0.05, 0, seed(1)) pigment { rgb 1 } }
-#macro Branch_turn(About, Sign)
+#macro Branching_Isl_turn(About, Sign)
   #local Branch_Axis = About;
   #local Branch_By = Sign*Angle*(1 + Jitter*(2*rand(Stream) - 1));
   #declare Branch_H = vaxis_rotate(Branch_H, Branch_Axis, Branch_By);
   #declare Branch_L = vaxis_rotate(Branch_L, Branch_Axis, Branch_By);
 #end
 
-#version BRANCHING_ISL;
+#version Branching_Isl_Before;
 #end

@@ -5,8 +5,8 @@
 //
 // Parts are components of a blob of any kernel, a hardness of 4 to 6 keeps their form; in a union they are solids.
 // Those that come close to one another and should not melt together stand in a `union` inside the blob.
-#ifndef (CREATURES_ISL)
-#declare CREATURES_ISL = version;
+#ifndef (Creatures_Isl_Before)
+#declare Creatures_Isl_Before = version;
 #version 3.7;
 #include "math.inc"
 #include "curves.isl"
@@ -245,5 +245,5 @@
   Creature_New
 #end
 
-#version CREATURES_ISL;
+#version Creatures_Isl_Before;
 #end

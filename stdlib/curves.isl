@@ -6,8 +6,8 @@
 //
 // A curve is an array of vectors of four terms: the place, and the radius there. It passes through all of them
 // (Catmull and Rom 1974). Where the last place is the first one again, the curve is closed and smooth there too.
-#ifndef (CURVES_ISL)
-#declare CURVES_ISL = version;
+#ifndef (Curves_Isl_Before)
+#declare Curves_Isl_Before = version;
 #version 3.7;
 
 // ---- Points of a curve ----------------------------------------------------------------------------------------------
@@ -272,5 +272,5 @@
   #end
 #end
 
-#version CURVES_ISL;
+#version Curves_Isl_Before;
 #end

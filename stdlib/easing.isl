@@ -5,8 +5,8 @@
 //
 // T is the share of the way, from 0 to 1, and so is what the Ease macros give (but for the overshoot of Ease_back and
 // Ease_elastic); T outside of that is cut off. All of them are numbers and stand wherever numbers do.
-#ifndef (EASING_ISL)
-#declare EASING_ISL = version;
+#ifndef (Easing_Isl_Before)
+#declare Easing_Isl_Before = version;
 #version 3.7;
 
 // ---- Ranges ---------------------------------------------------------------------------------------------------------
@@ -176,5 +176,5 @@
   (1 - Ease_step(Ease_Off, Share/2 - Soft/2, Share/2 + Soft/2))
 #end
 
-#version EASING_ISL;
+#version Easing_Isl_Before;
 #end

@@ -6,8 +6,8 @@
 //
 // In a blob with a kernel, radii are those of the surface; the kernel and its hardness are the caller's. The number of
 // balls is that of Flake_count: one generation too many can be millions.
-#ifndef (FLAKES_ISL)
-#declare FLAKES_ISL = version;
+#ifndef (Flakes_Isl_Before)
+#declare Flakes_Isl_Before = version;
 #version 3.7;
 #include "math.inc"
 
@@ -168,5 +168,5 @@
   #end
 #end
 
-#version FLAKES_ISL;
+#version Flakes_Isl_Before;
 #end

@@ -6,12 +6,12 @@
 //
 // What makes whole things leaves components of a blob of any kernel, or solids of a union; the places serve
 // everything.
-#ifndef (GROWTH_ISL)
-#declare GROWTH_ISL = version;
+#ifndef (Growth_Isl_Before)
+#declare Growth_Isl_Before = version;
 #version 3.7;
 #include "math.inc"
 
-// The golden angle, in degrees: each leaf stands that far round from the one before.
+// Growth_Angle: number. The golden angle, in degrees: each leaf stands that far round from the one before.
 #declare Growth_Angle = 180*(3 - sqrt(5));
 
 // Growth_paint(Share)
@@ -214,5 +214,5 @@
   sphere { Growth_Top + 0.9*Radius*Growth_Y, 0.55*Radius strength -1.2 Growth_paint(0) }
 #end
 
-#version GROWTH_ISL;
+#version Growth_Isl_Before;
 #end

@@ -5,8 +5,8 @@
 // Every macro that draws takes a stream, which `seed(N)` or Random_stream makes, and draws a fixed number of times, so
 // that a scene keeps its shape when one part of it changes. The file includes rand.inc, whose distributions serve as
 // well.
-#ifndef (RANDOM_ISL)
-#declare RANDOM_ISL = version;
+#ifndef (Random_Isl_Before)
+#declare Random_Isl_Before = version;
 #version 3.7;
 #include "rand.inc"
 #include "math.inc"
@@ -141,5 +141,5 @@
   #end
 #end
 
-#version RANDOM_ISL;
+#version Random_Isl_Before;
 #end

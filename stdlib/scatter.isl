@@ -8,8 +8,8 @@
 //
 // The macros give arrays. Places on a surface come with the normal there, which turns things upright: Point_At_Trans
 // of transforms.inc takes y to it.
-#ifndef (SCATTER_ISL)
-#declare SCATTER_ISL = version;
+#ifndef (Scatter_Isl_Before)
+#declare Scatter_Isl_Before = version;
 #version 3.7;
 #include "transforms.inc"
 #include "curves.isl"
@@ -234,5 +234,5 @@
   Scatter_New
 #end
 
-#version SCATTER_ISL;
+#version Scatter_Isl_Before;
 #end

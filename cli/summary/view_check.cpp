@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace isl::cli {
 
 void warn_of_view(Session& session, const SceneSummary& summary, const SceneExtent& extent) {
@@ -12,7 +14,10 @@ void warn_of_view(Session& session, const SceneSummary& summary, const SceneExte
                                                 : "there is no camera, and the default one sees nothing of the scene";
     session.sink().warning({}, message, fmt::format("this one sees it: {}", suggest_camera(extent.box)));
   }
-  if (summary.primitives() > 0 && summary.lights == 0) {
+  // The blocks of `global_settings` that are kept as statements are those of light from all around.
+  const bool has_light_around =
+      std::ranges::any_of(database.statements, [](const scene::Statement& block) { return block.kind->is_setting; });
+  if (summary.primitives() > 0 && summary.lights == 0 && !has_light_around) {
     session.sink().warning({}, "the scene has no light_source: only ambient light is visible");
   }
 }
