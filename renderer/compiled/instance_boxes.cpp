@@ -22,7 +22,7 @@ Box endless_box() {
 }
 
 Box world_bounds(const CompiledScene& scene, const Instance& instance) {
-  const Box box = local_bounds(scene, instance);
+  Box box = local_bounds(scene, instance);
   if (!instance.is_placed || !fits_in_tree(box)) return box;
   Box world;
   for (int corner = 0; corner < 8; ++corner) {
