@@ -1,6 +1,7 @@
 #include "renderer/extents/extents.h"
 
 #include "renderer/extents/blob_extent.h"
+#include "renderer/extents/bounding_planes.h"
 #include "renderer/extents/povray_blob_box.h"
 #include "renderer/scene/group_walk.h"
 #include "renderer/solids/solid.h"
@@ -12,6 +13,7 @@
 namespace isl::render {
 namespace {
 
+using scene::Database;
 using scene::Object;
 using scene::Operation;
 using scene::Vec3;
@@ -43,6 +45,31 @@ Box mapped(const Box& box, const scene::Transform& transform) {
     }
   }
   return result;
+}
+
+/// Adds what an object is intersected with if it is a plane. `is_taken_away`: what is left is beyond it.
+void add_half_space(const Database& database, const Object& object, bool is_taken_away,
+                    std::vector<BoundingPlane>& planes) {
+  if (object.kind != Object::Kind::solid) return;
+  const scene::Solid& solid = database.solids[object.shape];
+  if (solid.kind != scene::SolidKind::plane) return;
+  const Vec3 normal = object.parent_from_object.normal(solid.a);
+  const double length = normal.length();
+  const Vec3 origin(object.parent_from_object.inverse[3][0], object.parent_from_object.inverse[3][1],
+                    object.parent_from_object.inverse[3][2]);
+  const double distance = solid.radius_a - origin.dot(solid.a), sign = object.inverse != is_taken_away ? -1 : 1;
+  planes.push_back({normal * (sign / length), sign * distance / length});
+}
+
+/// A box around what is left of space by the planes of an intersection or difference.
+Box box_of_planes(const Database& database, const scene::Group& group) {
+  std::vector<BoundingPlane> planes;
+  bool is_first = true;
+  for (const Object& child : group.children) {
+    add_half_space(database, child, group.operation == Operation::subtract && !is_first, planes);
+    is_first = false;
+  }
+  return box_around(planes);
 }
 
 }  // namespace
@@ -93,7 +120,7 @@ const Box& Extents::box_of_blob_at(std::uint32_t blob) {
   for (std::size_t i = kernels_.size(); i < database_.kernels.size(); ++i)
     kernels_.push_back(kernel_constants(database_.kernels[i]));
   std::optional<Box>& box = blobs_[blob];
-  if (!box && blob_box_ == BlobBox::povray) box = povray_box_of_blob(database_, database_.blobs[blob]);
+  if (!box && rule_ == BoxRule::povray) box = povray_box_of_blob(database_, database_.blobs[blob]);
   if (!box) box = box_of_blob(database_, kernels_, database_.blobs[blob]);
   return *box;
 }
@@ -122,6 +149,9 @@ Extents::Boxes Extents::boxes_of_children(const scene::Group& group) {
       boxes.inside = common(boxes.inside, own.inside);
     }
     is_first = false;
+  }
+  if (!is_union && rule_ == BoxRule::surface && !is_finite(boxes.inside)) {
+    boxes.inside = common(boxes.inside, box_of_planes(database_, group));
   }
   if (!is_union) boxes.surface = common(boxes.surface, boxes.inside);
   return boxes;

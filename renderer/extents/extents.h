@@ -14,20 +14,21 @@ namespace isl::render {
 
 [[nodiscard]] bool is_finite(const Imath::Box3d& box);
 
-/// Choice of the box for a blob whose components are all POV-Ray's own: the box around its surface, or the one that
-/// POV-Ray computes from the supports, on whose numbers POV-Ray's scenes rely.
-enum class BlobBox : std::uint8_t { surface, povray };
+/// Choice of boxes: those around the surfaces, or where POV-Ray's scenes rely on its numbers, those that POV-Ray
+/// computes: for a blob of its own components from their supports, and for an intersection of planes from `bounded_by`.
+enum class BoxRule : std::uint8_t { surface, povray };
 
 /// Computes boxes of objects; those of shared shapes and groups are computed once. The database may grow during this
 /// object's life, but what it holds already must not change.
 class Extents {
  public:
-  explicit Extents(const scene::Database& database, BlobBox blob_box = BlobBox::surface)
-      : database_(database), blob_box_(blob_box) {}
+  explicit Extents(const scene::Database& database, BoxRule rule = BoxRule::surface)
+      : database_(database), rule_(rule) {}
 
   /// The box of the object's surface in the space that the object is placed into, never smaller than the surface. It is
   /// empty if the object has no surface; a side is infinite if the object is unbounded there, or no bound is known. It
-  /// is tight for solids, but not for groups that are rotated as a whole, nor for intersections.
+  /// is tight for solids, and for intersections of planes, but not for groups that are rotated as a whole, nor for
+  /// other intersections.
   [[nodiscard]] Imath::Box3d of(const scene::Object& object);
 
  private:
@@ -44,7 +45,7 @@ class Extents {
   [[nodiscard]] const Imath::Box3d& box_of_blob_at(std::uint32_t blob);
 
   const scene::Database& database_;
-  BlobBox blob_box_;
+  BoxRule rule_;
   std::vector<KernelConstants> kernels_;
   std::vector<std::optional<Imath::Box3d>> blobs_;
   std::vector<std::optional<Boxes>> groups_;

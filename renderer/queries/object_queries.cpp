@@ -19,7 +19,7 @@ void ObjectQueries::follow(const scene::Database& database) {
     database_ = &database;
     kernels_.clear();
     shapes_.clear();
-    extents_.emplace(database, BlobBox::povray);
+    extents_.emplace(database, BoxRule::povray);
   }
   for (std::size_t i = kernels_.size(); i < database.kernels.size(); ++i)
     kernels_.push_back(kernel_constants(database.kernels[i]));

@@ -61,6 +61,9 @@ class HermiteSolver {
   using Lengths = Shortest;
   /// h²|F″ − p″| on an interval is no greater than this times E.
   static constexpr double kBendBand = 43;
+  /// No search halves more often, so that each ray ends in time. Searches in scenes of ordinary sizes need a few hundred;
+  /// those whose bounds overflow, because a component is larger than 1e77, would never end.
+  static constexpr int kMostSplits = 1 << 16;
   /// Rounding moves F by no less than this share of its bound: of the n + 16 half units in the last place that the
   /// bound allows, one or two occur in the mean, and n is seldom above 100.
   static constexpr double kRoundingOfNoise = 1.0 / 64;
@@ -89,6 +92,7 @@ class HermiteSolver {
     // `ends` holds the right ends of the intervals that are still to be searched, the nearest on top. Each halving adds
     // one. An interval too short to be halved is split at borders of pieces, from the first on, which adds one more.
     least_ = kLeastShare * (last.t - a.t);
+    splits_ = 0;
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;
@@ -119,7 +123,10 @@ class HermiteSolver {
           --top;
           break;
         }
-        case Verdict::unclear: ends[++top] = node(split_); break;
+        case Verdict::unclear:
+          ++splits_;
+          ends[++top] = node(split_);
+          break;
       }
     }
     return std::nullopt;
@@ -172,7 +179,8 @@ class HermiteSolver {
     if ((!is_exact || bulges) && middle > a.t && middle < b.t) {
       split_ = middle;
       // A grazing ray may be back at once, so where it starts the tolerance does not count.
-      if (h > (a_is_root ? least_ : std::max(least_, shortest_.by_tolerance))) return Verdict::unclear;
+      const double shortest = a_is_root ? least_ : std::max(least_, shortest_.by_tolerance);
+      if (h > shortest && splits_ < kMostSplits) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
         split_ = *border;
         return Verdict::unclear;
@@ -272,6 +280,7 @@ class HermiteSolver {
   double side_;
   Shortest shortest_;
   double least_ = 0;             ///< the shortest intervals of the current search
+  int splits_ = 0;               ///< how often the current search has split an interval
   double split_ = 0;             ///< where to split an interval that was judged unclear
   double most_bend_ = 0;         ///< an upper bound of h²|F″| on the interval that was judged to have one root
   bool shows_crossing_ = false;  ///< what the cubic shows on an interval that was judged undecided

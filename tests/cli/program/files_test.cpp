@@ -113,20 +113,20 @@ TEST_F(Files, AreNamedInThePictureWithoutTheMachinesFolders) {
 }
 
 TEST_F(Files, OfTheSystemsLibrariesAreFoundLast) {
-  write("system/textures.inc", "#include \"colors.inc\" #declare T = texture { pigment { Own } }");
+  write("system/fabrics.inc", "#include \"colors.inc\" #declare T = texture { pigment { Own } }");
   write("system/colors.inc", "#declare Own = rgb <1, 0, 0>;");
   write("system/own.inc", "#declare Own = rgb <0, 0, 1>;");
   write("library/own.inc", "#declare Own = rgb <0, 1, 0>;");
   write("a.isl", std::string(kSmallScene) +
-                     "#include \"textures.inc\"\n#include \"colors.inc\"\n"
+                     "#include \"fabrics.inc\"\n#include \"colors.inc\"\n"
                      "sphere { x, 1 texture { T } }\nsphere { -x, 1 pigment { White } }\n#include \"own.inc\" #debug "
                      "str(Own.green, 0, 0)\n");
-  EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("cannot find `textures.inc`")) << "no test finds them by accident";
+  EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("cannot find `fabrics.inc`")) << "no test finds them by accident";
   setenv("ISL_SYSTEM_LIBRARIES", (folder() / "system").c_str(), 1);
   const ProcessResult mixed = run({"check", "a.isl", "-I", "library"});
   EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
   EXPECT_EQ(mixed.err, "1") << "-I comes first";
-  EXPECT_THAT(mixed.out, testing::ContainsRegex("[0-9a-f]{16} textures.inc .*/system/textures.inc"));
+  EXPECT_THAT(mixed.out, testing::ContainsRegex("[0-9a-f]{16} fabrics.inc .*/system/fabrics.inc"));
   EXPECT_THAT(mixed.out, testing::ContainsRegex("[0-9a-f]{16} colors.inc .*/system/colors.inc"))
       << "an include file of theirs finds its own neighbours";
   EXPECT_THAT(mixed.out, testing::ContainsRegex("[0-9a-f]{16} colors.inc .*/(stdlib|share/isl)/colors.inc"))
@@ -136,7 +136,7 @@ TEST_F(Files, OfTheSystemsLibrariesAreFoundLast) {
     if (arguments[0] == "dump") arguments.insert(arguments.end(), {"--stage", "database"});
     const ProcessResult without = run(arguments);
     EXPECT_EQ(without.exit_code, 1) << command;
-    EXPECT_THAT(without.err, HasSubstr("cannot find `textures.inc`")) << command;
+    EXPECT_THAT(without.err, HasSubstr("cannot find `fabrics.inc`")) << command;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 namespace isl::render {
 namespace {
@@ -172,6 +173,69 @@ TEST_F(GroupExtent, OfWhatHasNoEndIsWhatBoundsIt) {
   Object needless = solid(ball_);
   needless.bound = bounded.bound;
   expect_box(of(needless), Vec3(-1), Vec3(1));
+}
+
+TEST_F(GroupExtent, OfAnIntersectionOfPlanesIsThatOfItsCorners) {
+  // The half-spaces n·x ≤ |n|; with `subtract` all but the first are what taking away n·x > |n| leaves.
+  const auto of_planes = [this](const std::vector<Vec3>& normals, Operation operation = Operation::intersect) {
+    std::vector<Object> planes;
+    for (const Vec3& n : normals) {
+      const double side = operation == Operation::subtract && !planes.empty() ? -1 : 1;
+      planes.push_back(solid(add({.kind = SolidKind::plane, .a = n.normalized() * side, .radius_a = side})));
+    }
+    return of(group(operation, planes));
+  };
+  // The corners of a tetrahedron around the unit ball are at three times its radius.
+  const double corner = std::sqrt(3);
+  expect_box(of_planes({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}), Vec3(-corner), Vec3(corner));
+  // An octahedron has its corners on the axes.
+  expect_box(
+      of_planes({{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}, {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}}),
+      Vec3(-corner), Vec3(corner));
+  // Three sides of a tetrahedron leave it open.
+  EXPECT_FALSE(is_finite(of_planes({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}})));
+  // A column is bounded across only by planes that are parallel to axes.
+  const Box column = of_planes({{1, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {0, -1, -1}});
+  EXPECT_EQ(column.min, Vec3(-1, -kFar, -kFar));
+  EXPECT_EQ(column.max, Vec3(1, kFar, kFar));
+  // What is taken away bounds with its other side.
+  expect_box(of_planes({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, Operation::subtract), Vec3(-corner),
+             Vec3(corner));
+}
+
+TEST_F(GroupExtent, OfPlanesHoldsAllTheirPoints) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> even(-1, 1);
+  const auto vector = [&] { return Vec3(even(random), even(random), even(random)); };
+  int finite = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Object> planes;
+    const Vec3 middle = vector() * 100;
+    for (int i = 0; i < 4 + round % 12; ++i) {
+      const Vec3 n = vector().normalized();
+      Object plane = solid(add({.kind = SolidKind::plane, .a = n, .radius_a = 0.5}), i % 3 == 0);
+      if (plane.inverse) database_.solids.back().radius_a = -0.5;
+      plane.parent_from_object.matrix.setTranslation(middle);
+      plane.parent_from_object.inverse.setTranslation(-middle);
+      planes.push_back(plane);
+    }
+    const Box box = of(group(Operation::intersect, planes));
+    finite += is_finite(box) ? 1 : 0;
+    // Walks from the middle to the border, in all directions: no such point may be outside the box.
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 direction = vector();
+      double t = kFar;
+      for (const Object& plane : planes) {
+        const Solid& s = database_.solids[plane.shape];
+        const Vec3 n = plane.inverse ? -s.a : s.a;
+        if (n.dot(direction) > 0) t = std::min(t, 0.5 / n.dot(direction));
+      }
+      if (t == kFar) continue;
+      const Vec3 point = middle + direction * (t * (1 - 1e-9));
+      EXPECT_TRUE(box.intersects(point)) << round;
+    }
+  }
+  EXPECT_GT(finite, 100);
 }
 
 TEST_F(GroupExtent, FollowsADatabaseThatGrows) {
