@@ -19,6 +19,9 @@ namespace isl::cli {
 /// Measures, with one setting after the other, the cost and the errors of the scene's camera rays.
 [[nodiscard]] ExitCode run(const AccuracyCommand& command);
 
+/// Prints what the standard library has, or explains one name of it.
+[[nodiscard]] ExitCode run(const LibraryCommand& command);
+
 /// Prints one stage of the way from text to picture.
 [[nodiscard]] ExitCode run(const DumpCommand& command);
 

@@ -84,6 +84,11 @@ Parsed<int> parse_bits(const std::string& text) {
   return Parsed<int>::error(fmt::format("expected 8 or 16, found `{}`", text));
 }
 
+CLI::Option* add_format(CLI::App& app, std::string& format) {
+  return app.add_option("--format", format, "Form of results and problems: text, or one JSON document [text]")
+      ->type_name("text|json");
+}
+
 void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::string>& defines, std::string& format) {
   app.add_option("SCENE", scene.scene,
                  "The scene's file, .isl or .pov; or a file of options, .ini or .ini[SECTION]; `-` is standard input")
@@ -128,9 +133,7 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
         scene.clock_on = true;
       })
       ->group(group);
-  app.add_option("--format", format, "Form of results and problems: text, or one JSON document [text]")
-      ->type_name("text|json")
-      ->group(group);
+  add_format(app, format)->group(group);
 
   const std::string limits = "Limits against runaway scripts";
   interpreter::Limits& limit = scene.limits;
@@ -254,6 +257,8 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
   CLI::App* const dump = app.add_subcommand("dump", "Print a scene at one stage on its way to a picture");
   CLI::App* const accuracy =
       app.add_subcommand("accuracy", "Measure the error and the time of several solver settings");
+  CLI::App* const library =
+      app.add_subcommand("library", "List the standard library; explain a file, a macro or a declaration of it");
   // Commands have their own footers; this one belongs to the overview.
   app.footer("`isl help COMMAND` lists the options of a command.\n\n" + std::string(kFooter));
   // Declaring options takes longer than reading a small scene, and only those of the given command are needed.
@@ -276,6 +281,12 @@ void declare_options(CLI::App& app, RawOptions& raw, std::string_view chosen) {
     if (command == accuracy) add_accuracy_options(*accuracy, raw.accuracy, raw.settings);
     if (command == dump)
       dump->add_option("--stage", raw.stage, "Stage to print")->type_name("tokens|ast|database|grid");
+  }
+  if (chosen == library->get_name()) {
+    library->allow_extras();
+    library->add_option("NAME", raw.library_name, "A file, or the name of a macro or a declaration [list all]")
+        ->type_name("");
+    add_format(*library, raw.format);
   }
 }
 

@@ -26,6 +26,7 @@ struct RawOptions {
   bool plan_measure = false;
   AccuracyCommand accuracy;           ///< except `scene`
   std::vector<std::string> settings;  ///< for `accuracy`
+  std::string library_name;           ///< for `library`
   std::vector<std::string> defines;
   std::string format = "text";
   std::string stage;

@@ -20,7 +20,7 @@
 namespace isl::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kCommands{"render", "check", "plan", "dump", "accuracy", "help"};
+constexpr std::array<std::string_view, 7> kCommands{"render", "check", "plan", "dump", "accuracy", "library", "help"};
 
 /// Enough rays to measure the errors of a picture; a larger size only takes longer.
 constexpr PictureSize kAccuracySize{400, 300};
@@ -43,7 +43,8 @@ std::string similar_option(const CLI::App& app, const std::string& unknown) {
                : fmt::format("`isl {} --help` lists the options", app.get_name());
 }
 
-std::optional<Finished> check_rest(const CLI::App& app, const SceneOptions& scene) {
+/// `found` is the one argument of its kind (`scene`) that the command takes.
+std::optional<Finished> check_rest(const CLI::App& app, std::string_view kind, const std::string& found) {
   for (const std::string& rest : app.remaining()) {
     if (rest.size() > 1 && rest.front() == '-') {
       return bad_command_line(fmt::format("unknown option `{}`", rest), similar_option(app, rest));
@@ -51,8 +52,16 @@ std::optional<Finished> check_rest(const CLI::App& app, const SceneOptions& scen
   }
   if (!app.remaining().empty()) {
     return bad_command_line(
-        fmt::format("expected one scene, found `{}` after `{}`", app.remaining().front(), scene.scene.string()));
+        fmt::format("expected one {}, found `{}` after `{}`", kind, app.remaining().front(), found));
   }
+  return std::nullopt;
+}
+
+std::optional<Finished> read_format(const std::string& text, OutputFormat& format) {
+  if (text != "text" && text != "json") {
+    return bad_command_line(fmt::format("--format: expected text or json, found `{}`", text));
+  }
+  format = text == "json" ? OutputFormat::json : OutputFormat::text;
   return std::nullopt;
 }
 
@@ -63,11 +72,7 @@ std::optional<Finished> finish_scene_options(const std::vector<std::string>& def
     if (!define.ok()) return bad_command_line("-D: " + define.message());
     scene.defines.push_back(define.value());
   }
-  if (format != "text" && format != "json") {
-    return bad_command_line(fmt::format("--format: expected text or json, found `{}`", format));
-  }
-  scene.format = format == "json" ? OutputFormat::json : OutputFormat::text;
-  return std::nullopt;
+  return read_format(format, scene.format);
 }
 
 std::optional<Finished> check_picture_options(const SceneOptions& scene, const PictureOptions& picture) {
@@ -182,6 +187,13 @@ std::optional<DumpStage> stage_named(std::string_view name) {
   return std::nullopt;
 }
 
+Command library_command(const CLI::App& app, const RawOptions& raw) {
+  LibraryCommand command{raw.library_name};
+  if (auto finished = check_rest(app, "name", raw.library_name)) return *std::move(finished);
+  if (auto finished = read_format(raw.format, command.format)) return *std::move(finished);
+  return command;
+}
+
 }  // namespace
 
 Command parse_command_line(std::span<const std::string> given) {
@@ -195,8 +207,9 @@ Command parse_command_line(std::span<const std::string> given) {
   if (auto finished = parse(app, arguments)) return *std::move(finished);
 
   const CLI::App& command = *app.get_subcommands().front();
+  if (command.get_name() == "library") return library_command(command, raw);
   SceneOptions& scene = raw.scene;
-  if (auto finished = check_rest(command, scene)) return *std::move(finished);
+  if (auto finished = check_rest(command, "scene", scene.scene.string())) return *std::move(finished);
   if (auto finished = finish_scene_options(raw.defines, raw.format, scene)) return *std::move(finished);
   if (command.get_name() == "accuracy" && command.count("--size") == 0) scene.size = kAccuracySize;
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";

@@ -107,13 +107,20 @@ struct AccuracyCommand {
   bool shadows = false;                 ///< also the shadow rays of visible points
 };
 
+/// Lists the standard library; reads no scene.
+struct LibraryCommand {
+  std::string name;  ///< a file, a macro or a declaration; "": an overview
+  OutputFormat format = OutputFormat::text;
+};
+
 /// Nothing is left to do but to print: help, the version, or the errors of the arguments.
 struct Finished {
   ExitCode code = ExitCode::done;
   std::string text;  ///< for standard output when `code` is done, else for standard error
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, PlanCommand, DumpCommand, AccuracyCommand, Finished>;
+using Command =
+    std::variant<RenderCommand, CheckCommand, PlanCommand, DumpCommand, AccuracyCommand, LibraryCommand, Finished>;
 
 /// `arguments` are those after the program's name. If the scene is an .ini file, that file is read.
 [[nodiscard]] Command parse_command_line(std::span<const std::string> arguments);

@@ -92,7 +92,7 @@ TEST(Options, HelpIsACommandToo) {
   EXPECT_EQ(text({"help"}), text({"--help"}));
   EXPECT_EQ(text({"help", "help"}), text({"--help"}));
   EXPECT_THAT(text({"help"}), HasSubstr("isl help COMMAND"));
-  for (const char* command : {"render", "check", "dump", "accuracy"}) {
+  for (const char* command : {"render", "check", "dump", "accuracy", "library"}) {
     EXPECT_EQ(text({"help", command}), text({command, "--help"}));
     EXPECT_THAT(text({"help", command}), HasSubstr(command));
   }
@@ -125,6 +125,17 @@ TEST(Options, StandardOutputIsForOnePictureAlone) {
               testing::ElementsAre("depth"));
   EXPECT_THAT(names_of(render({"a.isl", "-o", "png:-", "-o", "a.exr", "--aov", "depth"}).picture.layers),
               testing::ElementsAre("depth"));
+}
+
+TEST(Options, OfTheLibraryAreOneNameAndAFormat) {
+  const Command command = parse({"library", "curves", "--format", "json"});
+  ASSERT_TRUE(std::holds_alternative<LibraryCommand>(command));
+  EXPECT_EQ(std::get<LibraryCommand>(command).name, "curves");
+  EXPECT_EQ(std::get<LibraryCommand>(command).format, OutputFormat::json);
+  EXPECT_EQ(std::get<LibraryCommand>(parse({"library"})).name, "");
+  EXPECT_THAT(refusal({"library", "curves", "skins"}), HasSubstr("expected one name, found `skins` after `curves`"));
+  EXPECT_THAT(refusal({"library", "--formt", "json"}), HasSubstr("did you mean `--format`?"));
+  EXPECT_THAT(refusal({"library", "--format", "xml"}), HasSubstr("`xml`"));
 }
 
 TEST(Options, MistakesAreNamedAndAnswered) {

@@ -18,6 +18,8 @@ const std::vector<std::vector<std::string>>& commands() {
   static const std::vector<std::vector<std::string>> kCommands{
       {"check", "ball.isl"},
       {"check", "ball.isl", "--format", "json"},
+      {"library"},
+      {"library", "Curve_place", "--format", "json"},
       {"plan", "ball.isl"},
       {"plan", "ball.isl", "--format", "json"},
       {"dump", "ball.isl", "--stage", "ast"},
