@@ -99,8 +99,12 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
            scene.include_paths)
       ->group(group);
   app.add_flag_callback(
-         "--no-system-libraries", [&scene] { scene.system_libraries = false; },
+         "--no-system-libraries", [&scene] { scene.system_libraries = SystemLibraries::none; },
          "Do not search the system's copy of POV-Ray's include files")
+      ->group(group);
+  app.add_flag_callback(
+         "--system-libraries-first", [&scene] { scene.system_libraries = SystemLibraries::before_ours; },
+         "Search the system's copy of POV-Ray's include files before isl's files of the same names")
       ->group(group);
   add_list(app, "--allow-write", "DIR", "Let #fopen write files below DIR; may be given again [no writing]",
            scene.write_folders)

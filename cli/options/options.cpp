@@ -65,12 +65,16 @@ std::optional<Finished> read_format(const std::string& text, OutputFormat& forma
   return std::nullopt;
 }
 
-std::optional<Finished> finish_scene_options(const std::vector<std::string>& defines, const std::string& format,
-                                             SceneOptions& scene) {
+std::optional<Finished> finish_scene_options(const CLI::App& app, const std::vector<std::string>& defines,
+                                             const std::string& format, SceneOptions& scene) {
   for (const std::string& text : defines) {
     const auto define = parse_define(text);
     if (!define.ok()) return bad_command_line("-D: " + define.message());
     scene.defines.push_back(define.value());
+  }
+  if (app.count("--no-system-libraries") > 0 && app.count("--system-libraries-first") > 0) {
+    return bad_command_line("--system-libraries-first: --no-system-libraries leaves these libraries out",
+                            "leave out one of the two");
   }
   return read_format(format, scene.format);
 }
@@ -210,7 +214,7 @@ Command parse_command_line(std::span<const std::string> given) {
   if (command.get_name() == "library") return library_command(command, raw);
   SceneOptions& scene = raw.scene;
   if (auto finished = check_rest(command, "scene", scene.scene.string())) return *std::move(finished);
-  if (auto finished = finish_scene_options(raw.defines, raw.format, scene)) return *std::move(finished);
+  if (auto finished = finish_scene_options(command, raw.defines, raw.format, scene)) return *std::move(finished);
   if (command.get_name() == "accuracy" && command.count("--size") == 0) scene.size = kAccuracySize;
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
   if (auto finished = read_ini_file(command, scene, raw.picture)) return *std::move(finished);

@@ -29,12 +29,15 @@ struct IniText {
   std::vector<IniRemark> remarks;
 };
 
+/// The place of POV-Ray's include files in the search path, where the system has them.
+enum class SystemLibraries : std::uint8_t { none, after_ours, before_ours };
+
 /// The options of every command that reads a scene.
 struct SceneOptions {
   std::filesystem::path scene;  ///< "-" is standard input
   std::optional<IniText> ini;
   std::vector<std::filesystem::path> include_paths;
-  bool system_libraries = true;                      ///< POV-Ray's include files are searched last
+  SystemLibraries system_libraries = SystemLibraries::after_ours;
   std::vector<std::filesystem::path> write_folders;  ///< --allow-write
   std::vector<Define> defines;
   interpreter::Limits limits;

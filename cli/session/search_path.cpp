@@ -60,14 +60,13 @@ std::vector<fs::path> system_libraries() {
   return folders;
 }
 
-std::vector<fs::path> include_search_path(const std::vector<fs::path>& asked, bool with_system_libraries) {
+std::vector<fs::path> include_search_path(const std::vector<fs::path>& asked, SystemLibraries system) {
   std::vector<fs::path> folders = asked;
   append_folders(std::getenv("ISL_PATH"), folders);
+  const std::vector<fs::path> theirs = system == SystemLibraries::none ? std::vector<fs::path>() : system_libraries();
+  if (system == SystemLibraries::before_ours) folders.insert(folders.end(), theirs.begin(), theirs.end());
   if (fs::path stdlib = stdlib_folder(); !stdlib.empty()) folders.push_back(std::move(stdlib));
-  if (with_system_libraries) {
-    const std::vector<fs::path> libraries = system_libraries();
-    folders.insert(folders.end(), libraries.begin(), libraries.end());
-  }
+  if (system == SystemLibraries::after_ours) folders.insert(folders.end(), theirs.begin(), theirs.end());
   return folders;
 }
 

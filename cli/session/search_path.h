@@ -1,6 +1,8 @@
 // The folders that `#include` searches after the including file's folder, and the folder of the program's own files.
 #pragma once
 
+#include "cli/options/options.h"
+
 #include <filesystem>
 #include <vector>
 
@@ -15,9 +17,9 @@ namespace isl::cli {
 /// ISL_SYSTEM_LIBRARIES, if it is set.
 [[nodiscard]] std::vector<std::filesystem::path> system_libraries();
 
-/// `asked` (each -I), then the folders of the environment variable ISL_PATH (separated by `:`), then the stdlib, then
-/// the system's libraries if they are wanted.
+/// `asked` (each -I), then the folders of the environment variable ISL_PATH (separated by `:`), then the stdlib, with
+/// the system's libraries after it, before it or not at all.
 [[nodiscard]] std::vector<std::filesystem::path> include_search_path(const std::vector<std::filesystem::path>& asked,
-                                                                     bool with_system_libraries);
+                                                                     SystemLibraries system);
 
 }  // namespace isl::cli

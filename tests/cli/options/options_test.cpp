@@ -127,6 +127,17 @@ TEST(Options, StandardOutputIsForOnePictureAlone) {
               testing::ElementsAre("depth"));
 }
 
+TEST(Options, OfTheSystemsLibrariesExcludeOneAnother) {
+  EXPECT_EQ(render({"a.isl"}).scene.system_libraries, SystemLibraries::after_ours);
+  EXPECT_EQ(render({"a.isl", "--no-system-libraries"}).scene.system_libraries, SystemLibraries::none);
+  EXPECT_EQ(render({"a.isl", "--system-libraries-first"}).scene.system_libraries, SystemLibraries::before_ours);
+  for (const char* const command : {"render", "check", "plan", "accuracy"}) {
+    EXPECT_THAT(refusal({command, "a.isl", "--no-system-libraries", "--system-libraries-first"}),
+                HasSubstr("leave out one of the two"))
+        << command;
+  }
+}
+
 TEST(Options, OfTheLibraryAreOneNameAndAFormat) {
   const Command command = parse({"library", "curves", "--format", "json"});
   ASSERT_TRUE(std::holds_alternative<LibraryCommand>(command));

@@ -152,6 +152,26 @@ TEST_F(Files, OfTheSystemsLibrariesLeadNowhereElse) {
   EXPECT_THAT(result.err, Not(HasSubstr("opensesame")));
 }
 
+TEST_F(Files, OfTheSystemsLibrariesComeBeforeOursWhereThatIsAskedFor) {
+  write("system/colors.inc", "#declare Whose = 1;");
+  write("system/own.inc", "#declare Own = 1;");
+  write("library/own.inc", "#declare Own = 2;");
+  write("a.isl", std::string(kSmallScene) +
+                     "#include \"colors.inc\"\n#include \"own.inc\"\n"
+                     "#debug concat(str(defined(Whose), 0, 0), str(defined(White), 0, 0), str(Own, 0, 0))\n");
+  setenv("ISL_SYSTEM_LIBRARIES", (folder() / "system").c_str(), 1);
+  EXPECT_EQ(run({"check", "a.isl", "-I", "library"}).err, "012");
+  for (const char* const command : {"check", "plan", "render"}) {
+    const ProcessResult first = run({command, "a.isl", "-I", "library", "--system-libraries-first", "-s", "8x6"});
+    EXPECT_THAT(first.err, testing::StartsWith("102")) << command << ": -I comes first even then";
+  }
+  write("system/arrays.inc", "#include \"math.inc\"");
+  write("b.isl", std::string(kSmallScene) + "#include \"arrays.inc\"\n");
+  EXPECT_THAT(run({"check", "b.isl", "--system-libraries-first"}).out,
+              testing::ContainsRegex("[0-9a-f]{16} math.inc .*/(stdlib|share/isl)/math.inc"))
+      << "a file that theirs lack is found among ours";
+}
+
 TEST_F(Files, ThatTheCommandLineMissesAreNamedWithTheFileMeant) {
   write("sub/Ball.pov", kSmallScene);
   EXPECT_THAT(run({"check", "sub/ball.pov"}).err, HasSubstr("file names distinguish capitals"));
