@@ -62,6 +62,14 @@ Box box_of_parallel(const std::vector<BoundingPlane>& planes) {
 
 }  // namespace
 
+BoundingPlane bounding_plane(const scene::Solid& plane, const scene::Transform& parent_from_object, bool is_turned) {
+  const Vec3 normal = parent_from_object.normal(plane.a);
+  const scene::Matrix& inverse = parent_from_object.inverse;
+  const double distance = plane.radius_a - plane.a.dot(Vec3(inverse[3][0], inverse[3][1], inverse[3][2]));
+  const double scale = (is_turned ? -1 : 1) / normal.length();
+  return {normal * scale, distance * scale};
+}
+
 Imath::Box3d box_around(const std::vector<BoundingPlane>& planes) {
   const std::size_t count = std::min(planes.size(), kMostTried);
   std::array<Side, 6> sides;  // of x, −x, y, …

@@ -2,7 +2,9 @@
 
 #include "renderer/extents/blob_extent.h"
 #include "renderer/extents/bounding_planes.h"
+#include "renderer/extents/box_operations.h"
 #include "renderer/extents/povray_blob_box.h"
+#include "renderer/extents/quadric_box.h"
 #include "renderer/scene/group_walk.h"
 #include "renderer/solids/solid.h"
 
@@ -21,55 +23,29 @@ using scene::Vec3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 const Box kEverything{Vec3(-kFar), Vec3(kFar)};
 
-Box common(const Box& a, const Box& b) {
-  Box result;
-  for (int i = 0; i < 3; ++i) {
-    result.min[i] = std::max(a.min[i], b.min[i]);
-    result.max[i] = std::min(a.max[i], b.max[i]);
-    if (result.min[i] > result.max[i]) return {};
-  }
-  return result;
-}
-
-/// A box that contains the image of the box. An infinite side makes every side infinite on which it has an influence.
-Box mapped(const Box& box, const scene::Transform& transform) {
-  if (box.isEmpty()) return {};
-  Box result;
-  for (int i = 0; i < 3; ++i) {
-    result.min[i] = result.max[i] = transform.matrix[3][i];
-    for (int j = 0; j < 3; ++j) {
-      const double factor = transform.matrix[j][i];
-      if (factor == 0) continue;  // 0 times an infinite side would be NaN
-      result.min[i] += std::min(factor * box.min[j], factor * box.max[j]);
-      result.max[i] += std::max(factor * box.min[j], factor * box.max[j]);
-    }
-  }
-  return result;
-}
-
-/// Adds what an object is intersected with if it is a plane. `is_taken_away`: what is left is beyond it.
-void add_half_space(const Database& database, const Object& object, bool is_taken_away,
-                    std::vector<BoundingPlane>& planes) {
-  if (object.kind != Object::Kind::solid) return;
-  const scene::Solid& solid = database.solids[object.shape];
-  if (solid.kind != scene::SolidKind::plane) return;
-  const Vec3 normal = object.parent_from_object.normal(solid.a);
-  const double length = normal.length();
-  const Vec3 origin(object.parent_from_object.inverse[3][0], object.parent_from_object.inverse[3][1],
-                    object.parent_from_object.inverse[3][2]);
-  const double distance = solid.radius_a - origin.dot(solid.a), sign = object.inverse != is_taken_away ? -1 : 1;
-  planes.push_back({normal * (sign / length), sign * distance / length});
-}
-
-/// A box around what is left of space by the planes of an intersection or difference.
+/// A box around what the planes of an intersection or difference leave of space.
 Box box_of_planes(const Database& database, const scene::Group& group) {
   std::vector<BoundingPlane> planes;
-  bool is_first = true;
   for (const Object& child : group.children) {
-    add_half_space(database, child, group.operation == Operation::subtract && !is_first, planes);
-    is_first = false;
+    if (child.kind != Object::Kind::solid) continue;
+    const scene::Solid& solid = database.solids[child.shape];
+    if (solid.kind != scene::SolidKind::plane) continue;
+    const bool is_taken_away = group.operation == Operation::subtract && &child != &group.children.front();
+    planes.push_back(bounding_plane(solid, child.parent_from_object, child.inverse != is_taken_away));
   }
   return box_around(planes);
+}
+
+/// What the quadrics of an intersection or difference leave of a box.
+Box narrowed_by_quadrics(const Database& database, const scene::Group& group, Box box) {
+  for (const Object& child : group.children) {
+    if (group.operation == Operation::subtract && &child != &group.children.front()) break;
+    if (child.kind != Object::Kind::solid || child.inverse) continue;
+    const scene::Solid& solid = database.solids[child.shape];
+    if (solid.kind != scene::SolidKind::quadric) continue;
+    box = narrowed_by_quadric(box, database.polynomials[solid.detail], child.parent_from_object);
+  }
+  return box;
 }
 
 }  // namespace
@@ -83,6 +59,8 @@ bool is_finite(const Box& box) {
 
 Box Extents::of(const Object& object) { return boxes_of(object).surface; }
 
+Box Extents::inside_of(scene::GroupId group) { return boxes_of_group(index(group)).inside; }
+
 Extents::Boxes Extents::boxes_of(const Object& object) {
   Boxes boxes;
   if (object.kind == Object::Kind::solid) {  // tight in the parent's space; the image of a tight box would not be
@@ -91,20 +69,20 @@ Extents::Boxes Extents::boxes_of(const Object& object) {
     if (is_part_of_plane(solid)) boxes.inside = kEverything;  // the half-space behind it
   } else {
     boxes = boxes_of_shape(object);
-    boxes.surface = mapped(boxes.surface, object.parent_from_object);
-    boxes.inside = mapped(boxes.inside, object.parent_from_object);
+    boxes.surface = box_through(object.parent_from_object, boxes.surface);
+    boxes.inside = box_through(object.parent_from_object, boxes.inside);
   }
   if (object.inverse) boxes.inside = kEverything;
   if (object.clip != scene::kNoGroup) {
-    const Box clip = mapped(boxes_of_group(index(object.clip)).inside, object.parent_from_object);
-    boxes.surface = common(boxes.surface, clip);
-    boxes.inside = common(boxes.inside, clip);
+    const Box clip = box_through(object.parent_from_object, boxes_of_group(index(object.clip)).inside);
+    boxes.surface = common_box(boxes.surface, clip);
+    boxes.inside = common_box(boxes.inside, clip);
   }
   // The scene's `bounded_by` is used only if the surface's own box is not finite.
   if (object.bound != scene::kNoGroup && !is_finite(boxes.surface)) {
-    const Box bound = mapped(boxes_of_group(index(object.bound)).inside, object.parent_from_object);
-    boxes.surface = common(boxes.surface, bound);
-    if (!object.inverse) boxes.inside = common(boxes.inside, bound);
+    const Box bound = box_through(object.parent_from_object, boxes_of_group(index(object.bound)).inside);
+    boxes.surface = common_box(boxes.surface, bound);
+    if (!object.inverse) boxes.inside = common_box(boxes.inside, bound);
   }
   return boxes;
 }
@@ -146,14 +124,15 @@ Extents::Boxes Extents::boxes_of_children(const scene::Group& group) {
     if (is_union) {
       boxes.inside.extendBy(own.inside);
     } else if (group.operation == Operation::intersect || is_first) {
-      boxes.inside = common(boxes.inside, own.inside);
+      boxes.inside = common_box(boxes.inside, own.inside);
     }
     is_first = false;
   }
   if (!is_union && rule_ == BoxRule::surface && !is_finite(boxes.inside)) {
-    boxes.inside = common(boxes.inside, box_of_planes(database_, group));
+    boxes.inside = common_box(boxes.inside, box_of_planes(database_, group));
+    boxes.inside = narrowed_by_quadrics(database_, group, boxes.inside);
   }
-  if (!is_union) boxes.surface = common(boxes.surface, boxes.inside);
+  if (!is_union) boxes.surface = common_box(boxes.surface, boxes.inside);
   return boxes;
 }
 

@@ -30,6 +30,8 @@ class Extents {
   /// is tight for solids, and for intersections of planes, but not for groups that are rotated as a whole, nor for
   /// other intersections.
   [[nodiscard]] Imath::Box3d of(const scene::Object& object);
+  /// A box of all points inside a group, in the group's own space; likewise.
+  [[nodiscard]] Imath::Box3d inside_of(scene::GroupId group);
 
  private:
   struct Boxes {

@@ -238,6 +238,82 @@ TEST_F(GroupExtent, OfPlanesHoldsAllTheirPoints) {
   EXPECT_GT(finite, 100);
 }
 
+TEST_F(GroupExtent, OfAQuadricBetweenPlanesIsFinite) {
+  const auto quadric = [this](const std::vector<double>& coefficients) {
+    database_.polynomials.push_back({.order = 2, .coefficients = coefficients});
+    return solid(
+        add({.kind = SolidKind::quadric, .detail = static_cast<std::uint32_t>(database_.polynomials.size() - 1)}));
+  };
+  const auto below = [this](const Vec3& normal, double distance) {
+    return solid(add({.kind = SolidKind::plane, .a = normal, .radius_a = distance}));
+  };
+  // x² + z² ≤ 4; x² + z² ≤ y²; x² + z² ≤ y; x² + z² ≤ y² + 1; a cylinder about <5, y, -3>.
+  const Object cylinder = quadric({1, 0, 0, 0, 0, 0, 0, 1, 0, -4}), cone = quadric({1, 0, 0, 0, -1, 0, 0, 1, 0, 0}),
+               paraboloid = quadric({1, 0, 0, 0, 0, 0, -1, 1, 0, 0}),
+               hyperboloid = quadric({1, 0, 0, 0, -1, 0, 0, 1, 0, -1});
+  Object moved = cylinder;
+  moved.parent_from_object.matrix.setTranslation(Vec3(5, 0, -3));
+  moved.parent_from_object.inverse.setTranslation(Vec3(-5, 0, 3));
+  const Object top = below({0, 1, 0}, 3), bottom = below({0, -1, 0}, 1);
+  expect_box(of(group(Operation::intersect, {cylinder, top, bottom})), {-2, -1, -2}, {2, 3, 2});
+  expect_box(of(group(Operation::intersect, {top, moved, bottom})), {3, -1, -5}, {7, 3, -1});
+  expect_box(of(group(Operation::intersect, {cone, top, bottom})), {-3, -1, -3}, {3, 3, 3});
+  expect_box(of(group(Operation::intersect, {paraboloid, top})), {-std::sqrt(3), 0, -std::sqrt(3)},
+             {std::sqrt(3), 3, std::sqrt(3)});
+  expect_box(of(group(Operation::intersect, {hyperboloid, top, bottom})), {-std::sqrt(10), -1, -std::sqrt(10)},
+             {std::sqrt(10), 3, std::sqrt(10)});
+  EXPECT_FALSE(is_finite(of(group(Operation::intersect, {cone, top}))));
+  Object outside = cylinder;
+  outside.inverse = true;
+  EXPECT_FALSE(is_finite(of(group(Operation::intersect, {outside, top, bottom}))));
+}
+
+TEST_F(GroupExtent, OfQuadricsHoldsAllTheirPoints) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> even(-1, 1);
+  const auto vector = [&] { return Vec3(even(random), even(random), even(random)); };
+  int narrower = 0, held = 0;
+  for (int round = 0; round < 400; ++round) {
+    // Half of the quadrics have the axes of space and are bounded across, some without curvature along; a quarter lies
+    // far away.
+    std::vector<double> c(10);
+    for (double& coefficient : c) coefficient = even(random);
+    if (round % 2 == 0) {
+      c[0] = std::abs(c[0]);
+      c[7] = std::abs(c[7]);
+      c[1] = c[2] = c[5] = 0;
+    }
+    if (round % 4 == 0) c[4] = 0;
+    c[9] -= 0.5;
+    database_.polynomials.push_back({.order = 2, .coefficients = c});
+    Object quadric = solid(
+        add({.kind = SolidKind::quadric, .detail = static_cast<std::uint32_t>(database_.polynomials.size() - 1)}));
+    const Vec3 middle = vector() * (round % 8 < 2 ? 1e6 : 10);
+    if (round % 3 == 0) quadric.parent_from_object.inverse.setAxisAngle(vector(), 3 * even(random));
+    quadric.parent_from_object.inverse = scene::Matrix().setTranslation(-middle) * quadric.parent_from_object.inverse;
+    quadric.parent_from_object.matrix = quadric.parent_from_object.inverse.inverse();
+    std::vector<Object> children{quadric};
+    for (int i = 0; i < 2; ++i) {
+      const double sign = i == 0 ? 1 : -1;
+      children.push_back(solid(add({.kind = SolidKind::plane, .a = {0, sign, 0}, .radius_a = sign * middle.y + 1})));
+    }
+    const Box box = of(group(Operation::intersect, children));
+    narrower += std::isfinite(box.max.x) || std::isfinite(box.max.z) ? 1 : 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 offset = vector() * Vec3(9, 1, 9);
+      Vec3 p;
+      quadric.parent_from_object.inverse.multVecMatrix(middle + offset, p);
+      const double value = c[0] * p.x * p.x + c[1] * p.x * p.y + c[2] * p.x * p.z + c[3] * p.x + c[4] * p.y * p.y +
+                           c[5] * p.y * p.z + c[6] * p.y + c[7] * p.z * p.z + c[8] * p.z + c[9];
+      if (value > -1e-6) continue;
+      ++held;
+      EXPECT_TRUE(box.intersects(middle + offset)) << round << " " << offset;
+    }
+  }
+  EXPECT_GT(narrower, 100);
+  EXPECT_GT(held, 10000);
+}
+
 TEST_F(GroupExtent, FollowsADatabaseThatGrows) {
   Extents extents(database_);
   expect_box(extents.of(group(Operation::unite, {solid(ball_)})), Vec3(-1), Vec3(1));
