@@ -19,6 +19,7 @@
 #include "renderer/solvers/cells/node-inl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 HWY_BEFORE_NAMESPACE();
@@ -98,6 +99,7 @@ class MaximumSolver {
 
   [[nodiscard]] std::optional<double> enter() {
     std::optional<double> nearest;
+    double end = query_.t1;
     for (std::uint32_t i = 0; i < cell_.count(); ++i) {
       const bool is_start = is_on_surface(i);
       lay_out(i);
@@ -105,12 +107,21 @@ class MaximumSolver {
       Solver solver(fields_, 1, lengths_, counters_);
       Node from = solver.node(query_.t0);
       if (is_start) from.value = 0;
-      const Node to = solver.node(nearest.value_or(query_.t1));
-      const std::optional<double> t = solver.first_root(from, to, is_start, query_.any);
-      if (t && !(nearest && *nearest <= *t)) nearest = t;
-      if (nearest && query_.any) break;
+      const std::optional<double> t = solver.first_root(from, solver.node(end), is_start, query_.any);
+      if (!t) continue;
+      nearest = t;
+      if (query_.any) break;
+      end = short_of(solver.node(*t));
+      if (!(end > query_.t0)) break;
     }
     return nearest;
+  }
+  /// Where to end the search of further sums before a root: as far before it as rounding may have moved it. A sum that
+  /// is nearly the same there would leave it undecided which of them crosses first, and it does not matter.
+  [[nodiscard]] double short_of(const Node& root) const {
+    constexpr double kMostOfStretch = 0x1p-26;  // near a tangent, where the slope says little
+    const double moved = 4 * root.doubt / std::abs(root.slope);
+    return root.t - std::min(moved, kMostOfStretch * (root.t - query_.t0));
   }
 
   [[nodiscard]] std::optional<double> leave() {

@@ -61,8 +61,8 @@ class HermiteSolver {
   using Lengths = Shortest;
   /// h²|F″ − p″| on an interval is no greater than this times E.
   static constexpr double kBendBand = 43;
-  /// No search halves more often, so that each ray ends in time. Searches in scenes of ordinary sizes need a few hundred;
-  /// those whose bounds overflow, because a component is larger than 1e77, would never end.
+  /// No search halves more often, so that each ray ends in time. Searches in scenes of ordinary sizes need a few
+  /// hundred; those whose bounds overflow, because a component is larger than 1e77, would never end.
   static constexpr int kMostSplits = 1 << 16;
   /// Rounding moves F by no less than this share of its bound: of the n + 16 half units in the last place that the
   /// bound allows, one or two occur in the mean, and n is seldom above 100.

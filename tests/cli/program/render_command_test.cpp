@@ -246,6 +246,21 @@ TEST_F(RenderCommand, TellsHowManyPixelsAreUncertainAndFailsIfItIsStrict) {
   EXPECT_TRUE(exists("ball.png"));
 }
 
+TEST_F(RenderCommand, PartsThatMeetInAUnionLeaveNoPixelUncertain) {
+  // Limbs that begin or end as one: where their sums are equal it is of no account which of them is met.
+  write("ball.isl",
+        "camera { location <0, 1.5, -6> look_at <0, 0.5, 0> angle 36 }\n"
+        "blob { kernel \"gaussian\" hardness 3 sphere { 0, 0.6 }\n"
+        "  union { cone { <-0.1, 0, 0>, 0.25, <-0.45, 1.6, 0>, 0.12 }\n"
+        "    cone { <0.1, 0, 0>, 0.25, <0.45, 1.6, 0>, 0.12 } } }\n");
+  EXPECT_EQ(run({"render", "ball.isl", "-s", "160x120", "--strict"}).exit_code, 0);
+  write("ball.isl",
+        "camera { location <0, 2, -6> look_at 0 angle 30 }\n"
+        "blob { kernel \"quartic\"\n"
+        "  union { cone { <-1, 0, 0>, .3, <0, .8, 0>, .2 } cone { <0, .8, 0>, .2, <1, 0, 0>, .1 } } }\n");
+  EXPECT_EQ(run({"render", "ball.isl", "-s", "160x120", "--strict"}).exit_code, 0);
+}
+
 TEST_F(RenderCommand, TheCommandLineGoesBeforeTheScene) {
   write("ball.isl", "global_settings { solver \"paper:3\" tolerance \"0.5px\" }\n" + std::string(kSmallScene));
   const ProcessResult by_scene = render({"--stats", "scene.json"});
