@@ -48,7 +48,7 @@ std::string css_colour(const render::Rgb& linear) {
 /// A bar of the map with `labels` at equal steps under it, the first at its left end and the last at its right; labels
 /// that would touch the one before are left out.
 std::string legend(const char* name, const std::vector<std::string>& labels) {
-  constexpr double kLeft = 20, kWidth = 400, kLetter = 7;
+  constexpr double kBarLeft = 20, kBarWidth = 400, kLetter = 7;
   std::string svg = fmt::format("<svg viewBox=\"0 0 440 34\"><defs><linearGradient id=\"{}\">", name);
   constexpr int kStops = 24;
   for (int i = 0; i <= kStops; ++i) {
@@ -56,10 +56,10 @@ std::string legend(const char* name, const std::vector<std::string>& labels) {
     svg += fmt::format("<stop offset=\"{:.4f}\" stop-color=\"{}\"/>", share, css_colour(render::false_colour(share)));
   }
   svg += fmt::format("</linearGradient></defs><rect x=\"{}\" y=\"4\" width=\"{}\" height=\"12\" fill=\"url(#{})\"/>",
-                     kLeft, kWidth, name);
+                     kBarLeft, kBarWidth, name);
   double free = 0;  // the next label may begin here
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double x = kLeft + kWidth * static_cast<double>(i) / static_cast<double>(labels.size() - 1);
+    const double x = kBarLeft + kBarWidth * static_cast<double>(i) / static_cast<double>(labels.size() - 1);
     const double half = 0.5 * kLetter * static_cast<double>(labels[i].size());
     if (i > 0 && x - half < free) continue;
     svg += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"29\" text-anchor=\"middle\">{}</text>", x, labels[i]);

@@ -1,10 +1,14 @@
-// x^y = 2^(y log₂ x).
+// x^y = 2^(y log₂ x), both functions by a table and a short series about its nearest entry (Tang 1990, Table-driven
+// implementation of the logarithm function).
 //
-// log₂: x = 2^e m with m in [√½, √2); ln m = 2 artanh(s), s = (m − 1)/(m + 1), |s| < 0.172, by its Taylor series
-// s + s³/3 + …: after s²³/23 the rest is below s²⁵/25 < 4e-21.
-// 2^z = 2^n e^(f ln 2), n the nearest integer, |f ln 2| < 0.347, by Taylor: after the 15th power the rest is below
-// 3e-21. Whole exponents up to kMaxWhole are repeated squarings instead: brilliance 1, 2 and phong_size 40 are the
-// common case, and they are then nearly exact.
+// log₂: x = 2^e z with z in [√½, √2) is near 1/c for one of 128 numbers c of at most 10 digits, so that r = c z − 1 is
+// exact but for the rounding of its last part, and |r| < 2⁻⁷: log₂ x = e − log₂ c + log₂(1 + r). About 1, c is 1, so
+// that no digit is lost there. After r⁸/8 the rest is below 2⁻⁶⁶.
+// 2^t: t = n + j/64 + f with |f| ≤ 1/128, so 2^t = 2ⁿ · 2^(j/64) · e^(f ln 2), |f ln 2| < 0.0055, by Taylor: after the
+// sixth power the rest is below 2⁻⁶⁵.
+//
+// Whole exponents up to kMaxWhole are repeated squarings instead: brilliance 1, 2 and phong_size 40 are the common
+// case, and they are then nearly exact.
 #include "renderer/numerics/power.h"
 
 #include <array>
@@ -16,9 +20,9 @@
 namespace isl::render {
 namespace {
 
-constexpr double kLn2 = 0.69314718055994530942;
-constexpr double kSqrtHalf = 0.70710678118654752440;
 constexpr double kMaxWhole = 64;
+/// Adding and subtracting this rounds numbers below 2⁵¹ to integers.
+constexpr double kToInteger = 0x1.8p52;
 
 double whole_power(double x, int n) noexcept {
   double result = 1;
@@ -28,27 +32,56 @@ double whole_power(double x, int n) noexcept {
   return result;
 }
 
-/// Σ cᵢ xⁱ, as two interleaved sums in x²: half as long a chain of dependent operations as Horner's.
-template <std::size_t n>
-double polynomial(const std::array<double, n>& c, double x) noexcept {
-  static_assert(n % 2 == 0);
-  const double square = x * x;
-  double even = c[n - 2], odd = c[n - 1];
-  for (std::size_t i = n - 2; i >= 2; i -= 2) {
-    even = even * square + c[i - 2];
-    odd = odd * square + c[i - 1];
-  }
-  return even + x * odd;
+constexpr long double kLn2 = 0.693147180559945309417232121458176568L;
+
+/// ln x for x in [½, 2], by artanh's series.
+constexpr long double slow_log(long double x) {
+  const long double s = (x - 1) / (x + 1);
+  long double sum = 0, power = s;
+  for (int i = 0; i < 40; ++i, power *= s * s) sum += power / static_cast<long double>(2 * i + 1);
+  return 2 * sum;
 }
+
+constexpr long double slow_exp(long double x) {
+  long double sum = 0, term = 1;
+  for (int i = 1; i < 30; ++i) {
+    sum += term;
+    term *= x / static_cast<long double>(i);
+  }
+  return sum;
+}
+
+constexpr int kLogBits = 7;
+/// Of √½: numbers from here on up to √2 have the same exponent above it.
+constexpr std::uint64_t kLeast = 0x3FE6A09E667F3BCD;
+
+struct Logarithm {
+  double c, log2_of_inverse;  ///< c and −log₂ c
+};
+constexpr auto kLogarithms = [] {
+  std::array<Logarithm, 1 << kLogBits> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    constexpr std::uint64_t kStep = std::uint64_t{1} << (52 - kLogBits);
+    const auto low = std::bit_cast<double>(kLeast + i * kStep), high = std::bit_cast<double>(kLeast + (i + 1) * kStep);
+    const double exact = 2 / (low + high);
+    const double c = low <= 1 && 1 < high ? 1 : static_cast<double>(static_cast<int>(exact * 512 + 0.5)) / 512;
+    table[i] = {c, static_cast<double>(-slow_log(c) / kLn2)};
+  }
+  return table;
+}();
+
+constexpr int kExpBits = 6;
+/// 2^(j/64).
+constexpr auto kPowers = [] {
+  std::array<double, 1 << kExpBits> table{};
+  for (std::size_t j = 0; j < table.size(); ++j) {
+    table[j] = static_cast<double>(slow_exp(kLn2 * static_cast<long double>(j) / (1 << kExpBits)));
+  }
+  return table;
+}();
 
 /// log₂ x for x > 0; a denormal x is scaled into the normal range first.
 double log2_of(double x) noexcept {
-  // 2/((2i + 1) ln 2): artanh's series, doubled and in units of ln 2.
-  static constexpr auto kSeries = [] {
-    std::array<double, 12> c{};
-    for (std::size_t i = 0; i < c.size(); ++i) c[i] = 2 / (kLn2 * static_cast<double>(2 * i + 1));
-    return c;
-  }();
   constexpr double kLeastNormal = 0x1p-1022;
   double exponent = 0;
   if (x < kLeastNormal) {
@@ -56,34 +89,37 @@ double log2_of(double x) noexcept {
     exponent = -54;
   }
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  exponent += static_cast<double>(static_cast<int>(bits >> 52) - 1022);
-  double mantissa = std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFull) | 0x3FE0000000000000ull);  // [½, 1)
-  if (mantissa < kSqrtHalf) {
-    mantissa *= 2;
-    exponent -= 1;
-  }
-  const double s = (mantissa - 1) / (mantissa + 1);
-  return exponent + s * polynomial(kSeries, s * s);
+  const std::uint64_t above = bits - kLeast;
+  const Logarithm& near = kLogarithms[(above >> (52 - kLogBits)) & ((1 << kLogBits) - 1)];
+  const auto whole = static_cast<std::int64_t>(above) >> 52;
+  exponent += static_cast<double>(whole);
+  const std::uint64_t mantissa = bits - (static_cast<std::uint64_t>(whole) << 52);
+  constexpr std::uint64_t kUpper = ~((std::uint64_t{1} << 27) - 1);
+  const auto z = std::bit_cast<double>(mantissa), upper = std::bit_cast<double>(mantissa & kUpper);
+  const double r = (upper * near.c - 1) + (z - upper) * near.c;
+  const double square = r * r;
+  const double series =
+      square * ((-0.5 + r * (1.0 / 3)) +
+                square * ((-0.25 + r * (1.0 / 5)) + square * ((-1.0 / 6 + r * (1.0 / 7)) - square / 8)));
+  constexpr auto kPerLn2 = static_cast<double>(1 / kLn2);
+  return (exponent + near.log2_of_inverse) + kPerLn2 * (r + series);
 }
 
-double exp2_of(double z) noexcept {
-  static constexpr auto kSeries = [] {
-    std::array<double, 16> c{};
-    double factorial = 1;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      c[i] = 1 / factorial;
-      factorial *= static_cast<double>(i + 1);
-    }
-    return c;
-  }();
-  if (z < -1100) return 0;
-  if (z > 1100) return std::numeric_limits<double>::infinity();
-  const double n = std::floor(z + 0.5);
-  const double series = polynomial(kSeries, (z - n) * kLn2);
+double exp2_of(double t) noexcept {
+  if (t < -1100) return 0;
+  if (t > 1100) return std::numeric_limits<double>::infinity();
+  constexpr double kSteps = 1 << kExpBits;
+  const double nearest = t * kSteps + kToInteger;
+  const double x = (t - (nearest - kToInteger) / kSteps) * static_cast<double>(kLn2);
+  const auto place = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(nearest));
+  const double table = kPowers[static_cast<std::size_t>(place & ((1 << kExpBits) - 1))];
+  const double square = x * x;
+  const double series =
+      x + square * ((1.0 / 2 + x * (1.0 / 6)) + square * ((1.0 / 24 + x * (1.0 / 120)) + square * (1.0 / 720)));
   // The power of two is applied in two halves, so that neither factor leaves the range of normal numbers.
-  const int half = static_cast<int>(n) / 2, rest = static_cast<int>(n) - half;
+  const int n = place >> kExpBits, half = n / 2;
   const auto power_of_two = [](int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52); };
-  return series * power_of_two(half) * power_of_two(rest);
+  return (table + table * series) * power_of_two(half) * power_of_two(n - half);
 }
 
 }  // namespace
@@ -91,7 +127,7 @@ double exp2_of(double z) noexcept {
 double power(double x, double y) noexcept {
   if (y == 0) return 1;
   if (!(x >= 0)) return std::numeric_limits<double>::quiet_NaN();
-  if (y > 0 && y <= kMaxWhole && y == std::floor(y)) return whole_power(x, static_cast<int>(y));
+  if (y > 0 && y <= kMaxWhole && y == (y + kToInteger) - kToInteger) return whole_power(x, static_cast<int>(y));
   if (x == 0) return y > 0 ? 0 : std::numeric_limits<double>::infinity();
   if (x == 1) return 1;
   if (std::isinf(x)) return y > 0 ? x : 0;

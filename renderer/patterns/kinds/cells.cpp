@@ -4,8 +4,11 @@
 #include "renderer/patterns/kinds/random_cubes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace isl::render {
@@ -25,6 +28,7 @@ class Metric {
  public:
   Metric(double exponent, double offset) : exponent_(exponent), offset_(term(offset)) {}
 
+  [[nodiscard]] bool is_euclidean() const noexcept { return exponent_ == 2; }
   /// The term of one coordinate.
   [[nodiscard]] double term(double d) const noexcept {
     if (exponent_ == 2) return d * d;
@@ -58,34 +62,67 @@ struct Nearest {
   }
 };
 
-/// Neighbours two cubes away still matter, the corners of their block of 5³ do not.
-constexpr int kReach = 2;
-constexpr int kCubes = 2 * kReach + 1;
+/// The cubes that can hold one of the nearest points: a block of 5³ without its corners. Along each axis they are, in
+/// this order, the point's own, the nearer neighbour, the other one, and the two behind these.
+constexpr int kCubes = 5;
+constexpr int kStepsAway[kCubes] = {0, 1, 1, 2, 2};
 constexpr int kFarthest = 4;  ///< sum of the steps along the axes
-/// The steps go from the middle outwards, so that cubes that are too far are skipped early.
-constexpr int kSteps[kCubes] = {0, -1, 1, -2, 2};
+/// How far each is away at least, in halves, wherever the point lies in its own cube.
+constexpr int kLeastHalves[kCubes] = {0, 0, 1, 2, 3};
+
+struct NearbyCube {
+  std::uint8_t place[3] = {};  ///< along each axis, in the order above
+  double least_square = 0;     ///< of the distance, at least
+};
+constexpr std::size_t kNearbyCubes = [] {
+  std::size_t count = 0;
+  for (const int x : kStepsAway)
+    for (const int y : kStepsAway)
+      for (const int z : kStepsAway) count += x + y + z <= kFarthest ? 1 : 0;
+  return count;
+}();
+/// Sorted by the least distance, so that a search can end early.
+constexpr auto kNearby = [] {
+  std::array<NearbyCube, kNearbyCubes> cubes{};
+  std::size_t count = 0;
+  for (std::uint8_t x = 0; x < kCubes; ++x) {
+    for (std::uint8_t y = 0; y < kCubes; ++y) {
+      for (std::uint8_t z = 0; z < kCubes; ++z) {
+        if (kStepsAway[x] + kStepsAway[y] + kStepsAway[z] > kFarthest) continue;
+        int square = 0;
+        for (const std::uint8_t place : {x, y, z}) square += kLeastHalves[place] * kLeastHalves[place];
+        cubes[count++] = {{x, y, z}, 0.25 * square};
+      }
+    }
+  }
+  std::sort(cubes.begin(), cubes.end(), [](const NearbyCube& a, const NearbyCube& b) {
+    return std::tie(a.least_square, a.place[0], a.place[1], a.place[2]) <
+           std::tie(b.least_square, b.place[0], b.place[1], b.place[2]);
+  });
+  return cubes;
+}();
 
 Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
   const Cube home = cube_of(p);
   const int home_of[3] = {home.x, home.y, home.z};
-  // The least distances of the cubes of each step, as terms of the metric.
-  double gaps[3][kCubes];
+  int steps[3][kCubes];
+  double gaps[3][kCubes];  // the least distances of the cubes of each step, as terms of the metric
   for (int axis = 0; axis < 3; ++axis) {
+    const int nearer = p[axis] - home_of[axis] < 0.5 ? -1 : 1;
+    const int of_axis[kCubes] = {0, nearer, -nearer, 2 * nearer, -2 * nearer};
     for (int i = 0; i < kCubes; ++i) {
-      const double low = static_cast<double>(home_of[axis]) + kSteps[i];
+      const double low = static_cast<double>(home_of[axis]) + of_axis[i];
+      steps[axis][i] = of_axis[i];
       gaps[axis][i] = metric.term(std::max({low - p[axis], p[axis] - (low + 1), 0.0}));
     }
   }
   Nearest nearest;
-  for (int i = 0; i < kCubes; ++i) {
-    for (int j = 0; j < kCubes; ++j) {
-      for (int k = 0; k < kCubes; ++k) {
-        if (std::abs(kSteps[i]) + std::abs(kSteps[j]) + std::abs(kSteps[k]) > kFarthest) continue;
-        if (gaps[0][i] + gaps[1][j] + gaps[2][k] > nearest.distances[2]) continue;
-        const Vec3 point = point_in(neighbour(home, kSteps[i], kSteps[j], kSteps[k]));
-        nearest.add(metric.comparable(p - point), point);
-      }
-    }
+  for (const NearbyCube& cube : kNearby) {
+    if (metric.is_euclidean() && cube.least_square > nearest.distances[2]) break;
+    const auto [i, j, k] = cube.place;
+    if (gaps[0][i] + gaps[1][j] + gaps[2][k] > nearest.distances[2]) continue;
+    const Vec3 point = point_in(neighbour(home, steps[0][i], steps[1][j], steps[2][k]));
+    nearest.add(metric.comparable(p - point), point);
   }
   return nearest;
 }
