@@ -2,6 +2,7 @@
 
 #include "renderer/csg/shape_size.h"
 #include "renderer/csg/spread.h"
+#include "renderer/extents/box_operations.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
@@ -45,6 +46,9 @@ Box widened(Box box) {
   return box;
 }
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
+const Box kEverywhere{Vec3(-kFar), Vec3(kFar)};
+
 }  // namespace
 
 /// State that an object inherits from its parent.
@@ -56,6 +60,7 @@ struct CsgBuilder::Above {
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
+  Box within = kEverywhere;  ///< nothing is left beyond it, in the tree's space
 };
 
 /// A group with what it inherits. As soon as it is open it hands `above` on to its children, and has a node if it needs
@@ -114,15 +119,29 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   return place->second;
 }
 
+bool CsgBuilder::cuts_all(const CsgTree& tree, const CsgLeaf& leaf) const {
+  if (leaf.kind != Object::Kind::solid || database_.solids[leaf.shape].kind != scene::SolidKind::plane) return false;
+  for (std::uint32_t node = leaf.parent; node != scene::kNone; node = tree.nodes[node].parent) {
+    if (tree.nodes[node].kind != CsgNode::Kind::all) return false;
+  }
+  return true;
+}
+
 void CsgBuilder::add_boxes(CsgTree& tree) {
   std::vector<Box> boxes;
   std::vector<std::uint32_t> finite;
   Charge working = meter_.new_charge();
-  if (!meter_.grow(working, tree.leaves.size() * (sizeof(Box) + 2 * sizeof(std::uint32_t)))) return;
+  if (!meter_.grow(working, tree.leaves.size() * (sizeof(Box) + 2 * sizeof(CuttingPlane)))) return;
   boxes.reserve(tree.leaves.size());
   for (std::uint32_t i = 0; i < tree.leaves.size(); ++i) {
     const Box& box = boxes.emplace_back(tree.leaves[i].box);
     if (box.isEmpty()) continue;  // the leaf is outside everywhere
+    if (cuts_all(tree, tree.leaves[i])) {
+      const CsgLeaf& leaf = tree.leaves[i];
+      tree.cutting_planes.push_back(
+          {bounding_plane(database_.solids[leaf.shape], leaf.group_from_leaf, leaf.is_inverse), i});
+      continue;
+    }
     (fits_in_tree(box) ? finite : tree.endless_leaves).push_back(i);
   }
   tree.boxes = build_box_tree(boxes, std::move(finite), [&] { return meter_.grow(charge_, sizeof(BoxNode)); });
@@ -155,6 +174,9 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   tree.nodes.push_back({above.is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all, above.parent, 0});
   Above of_clip = own;
   of_clip.is_seen = false;
+  if (!above.is_inverse) {
+    own.within = common_box(own.within, widened(box_through(own.group_from_parent, extents_.inside_of(object.clip))));
+  }
   own.is_inverse ^= object.inverse;
   open_.push_back({&database_.groups[index(object.clip)], of_clip});  // below the shape in the list, so after it
   add_shape(tree, object, own);
@@ -180,6 +202,11 @@ void CsgBuilder::open_group(CsgTree& tree, Level& level) {
   const CsgNode::Kind kind = kind_of(operation, level.is_inverse);
   // A difference whose first object is a difference is one difference, and so on. So a chain of them, however long, is
   // one node, and an event does not climb it.
+  if (kind == CsgNode::Kind::all && !level.is_inverse) {
+    const auto id = scene::GroupId{static_cast<std::uint32_t>(&group - database_.groups.data())};
+    level.above.within =
+        common_box(level.above.within, widened(box_through(level.above.group_from_parent, extents_.inside_of(id))));
+  }
   if (kind == tree.nodes[level.above.parent].kind && !group.cutaway_textures) return;
   ++tree.nodes[level.above.parent].child_count;
   const auto node = static_cast<std::uint32_t>(tree.nodes.size());
@@ -204,6 +231,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   if (leaf.texture.id == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));
+  if (leaf.kind == Object::Kind::solid) leaf.box = common_box(leaf.box, above.within);
   leaf.size = shape_size(database_, leaf.kind, leaf.shape);
   Spread spread = spread_of_shape(leaf.size);
   if (leaf.is_placed) spread = spread_through(leaf.group_from_leaf, spread);
@@ -213,10 +241,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
 
 Box CsgBuilder::box_of_leaf(const CsgLeaf& leaf) {
   // Such a solid's inside is a half-space.
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (leaf.kind == Object::Kind::solid && is_part_of_plane(database_.solids[leaf.shape])) {
-    return {Vec3(-kFar), Vec3(kFar)};
-  }
+  if (leaf.kind == Object::Kind::solid && is_part_of_plane(database_.solids[leaf.shape])) return kEverywhere;
   Object placed;
   placed.kind = leaf.kind;
   placed.shape = leaf.shape;

@@ -33,6 +33,7 @@ class CsgBuilder {
   void open_group(CsgTree& tree, Level& level);
   void add_leaf(CsgTree& tree, const scene::Object& object, const Above& above);
   [[nodiscard]] Imath::Box3d box_of_leaf(const CsgLeaf& leaf);
+  [[nodiscard]] bool cuts_all(const CsgTree& tree, const CsgLeaf& leaf) const;
   void add_boxes(CsgTree& tree);
 
   const scene::Database& database_;

@@ -8,6 +8,7 @@
 
 #include "renderer/boxes/box_tree.h"
 #include "renderer/csg/spread.h"
+#include "renderer/extents/bounding_planes.h"
 #include "renderer/scene/database.h"
 
 #include <ImathBox.h>
@@ -56,8 +57,16 @@ struct CsgLeaf {
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
-  Imath::Box3d box;  ///< in the group's space; the leaf is outside beyond it. Sides may be infinite
-  double size = 0;   ///< the largest coordinate in its own space that its surface is computed from
+  /// In the group's space: beyond it the leaf is outside, or, if it is a solid, nothing is left of what it is
+  /// intersected with. Sides may be infinite.
+  Imath::Box3d box;
+  double size = 0;  ///< the largest coordinate in its own space that its surface is computed from
+};
+
+/// A leaf that is a plane and cuts the whole: where the leaf does not hold, nothing of the tree is seen.
+struct CuttingPlane {
+  BoundingPlane plane;  ///< in the group's space; holds where n·x ≤ d
+  std::uint32_t leaf;
 };
 
 struct CsgTree {
@@ -67,13 +76,15 @@ struct CsgTree {
   /// For every node, the number of its children that hold where no leaf is inside.
   std::vector<std::uint32_t> holding_at_rest;
   BoxTree boxes;                              ///< over the leaves with finite boxes
+  std::vector<CuttingPlane> cutting_planes;   ///< leaves whose groups are all of the kind `all`
   std::vector<std::uint32_t> endless_leaves;  ///< all others
   Imath::Box3d bounds;                        ///< bounds of the surface; sides may be infinite
   Spread spread;                              ///< covers every leaf
 
   [[nodiscard]] std::size_t bytes() const {
     return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +
-           (holding_at_rest.capacity() + endless_leaves.capacity()) * sizeof(std::uint32_t) + boxes.bytes();
+           (holding_at_rest.capacity() + endless_leaves.capacity()) * sizeof(std::uint32_t) + boxes.bytes() +
+           cutting_planes.capacity() * sizeof(CuttingPlane);
   }
 };
 

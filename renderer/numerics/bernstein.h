@@ -10,13 +10,16 @@ namespace isl::render {
 /// The greatest order of a `poly` in POV-Ray.
 inline constexpr int kMostDegree = 35;
 
-struct Bernstein {
-  int degree;                             // left uninitialised, because stacks of these are made for every ray
-  std::array<double, kMostDegree + 1> b;  ///< only the first degree + 1 are used
+/// A polynomial of a degree up to `most`: searches copy polynomials often, and so prefer small ones.
+template <int most>
+struct BernsteinUpTo {
+  int degree;                      // left uninitialised, because stacks of these are made for every ray
+  std::array<double, most + 1> b;  ///< only the first degree + 1 are used
 
   double& operator[](int i) { return b[static_cast<std::size_t>(i)]; }
   double operator[](int i) const { return b[static_cast<std::size_t>(i)]; }
 };
+using Bernstein = BernsteinUpTo<kMostDegree>;
 
 /// The same of a degree that the compiler knows, so that its loops are none.
 template <int n>

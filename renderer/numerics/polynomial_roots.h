@@ -22,7 +22,7 @@
 #pragma once
 
 #include "renderer/numerics/bernstein.h"
-#include "renderer/numerics/sign_bracket.h"
+#include "renderer/numerics/bernstein_root.h"
 
 #include <cmath>
 #include <limits>
@@ -88,12 +88,15 @@ class SignFollower {
   template <class Polynomial>
   [[nodiscard]] double root_between(const Polynomial& whole, double low, double high) const {
     // The value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
+    if (whole.degree == 1) {
+      const double root = whole[0] / (whole[0] - whole[1]);
+      if (root >= low && root <= high) return root;
+    }
     if constexpr (std::is_same_v<Polynomial, FixedBernstein<2>>) {
       const double root = quadratic_root_between(whole, low, high);
       if (root >= low && root <= high) return root;
     }
-    const Polynomial weighted = with_binomials(whole);
-    return root_in_bracket([&](double u) { return value_at(weighted, u); }, low, high, sign_);
+    return bernstein_root(with_binomials(whole), low, high, sign_);
   }
 
  private:

@@ -18,6 +18,11 @@ Crossings algebraic_crossings(const scene::Solid& solid, const Vec3& origin, con
   return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part);
 }
 
+Crossings algebraic_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                             std::uint8_t start_part, const SolidDetails& details, const Stretch& stretch) noexcept {
+  return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, stretch);
+}
+
 Vec3 algebraic_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point,
                       const SolidDetails& details) noexcept {
   return polynomial_normal(details.polynomials[solid.detail], point);
@@ -90,6 +95,7 @@ double algebraic_size(const scene::Database& database, const scene::Solid& solid
 
 constexpr SolidType with_support(double (*support)(const scene::Database&, const scene::Solid&, const Vec3&)) {
   return {.crossings = algebraic_crossings,
+          .boundary_in_stretch = algebraic_boundary,
           .normal = algebraic_normal,
           .bounds = algebraic_bounds,
           .support = support,

@@ -13,10 +13,13 @@ namespace {
 
 using scene::Outline;
 
+/// A form on a curve.
+using OnCurve = BernsteinUpTo<kMostPoints - 1>;
+
 int sign_of(double value, double band) { return value > band ? 1 : (value < -band ? -1 : 0); }
 
-Bernstein on_curve(const LinearForm& form, Curve curve, double& band) {
-  Bernstein values;
+OnCurve on_curve(const LinearForm& form, Curve curve, double& band) {
+  OnCurve values;
   values.degree = static_cast<int>(curve.size()) - 1;
   double size = 0;
   for (int i = 0; i <= values.degree; ++i) {
@@ -35,7 +38,7 @@ int sign_at(const LinearForm& form, const PlanePoint& p) {
 /// The only root on [0, 1] of a line or quadratic whose ends have opposite signs. With x = w/(1 − w) the quadratic is
 /// b₂x² + 2b₁x + b₀, and b₁² − b₀b₂ is a sum of two positive numbers: nothing cancels. NaN if that sum overflows or
 /// loses digits to underflow.
-double root_between_ends(const Bernstein& p) {
+double root_between_ends(const OnCurve& p) {
   if (p.degree == 1) return p[0] / (p[0] - p[1]);
   const double square = p[1] * p[1] - p[0] * p[2];
   if (!(square > 0x1p-960 && square < 0x1p1000)) return std::numeric_limits<double>::quiet_NaN();
@@ -49,7 +52,7 @@ double root_between_ends(const Bernstein& p) {
 template <class Crossed>
 void follow_curve(SignFollower& follower, const LinearForm& form, Curve curve, Crossed&& crossed) {
   double band = 0;
-  const Bernstein values = on_curve(form, curve, band);
+  const OnCurve values = on_curve(form, curve, band);
   const auto at = [&](double w) { crossed(OutlineCrossing{point_at(curve, w), -follower.sign()}); };
   // Most crossings are of this kind.
   const int last = sign_of(values[values.degree], band);
@@ -64,8 +67,8 @@ void follow_curve(SignFollower& follower, const LinearForm& form, Curve curve, C
 }
 
 /// Splits at w: `p` becomes the part below it, the result is that above.
-Bernstein split(Bernstein& p, double w) {
-  Bernstein above;
+OnCurve split(OnCurve& p, double w) {
+  OnCurve above;
   const int n = above.degree = p.degree;
   above[n] = p[n];
   for (int level = 1; level <= n; ++level) {
@@ -78,8 +81,8 @@ Bernstein split(Bernstein& p, double w) {
 /// The quotient of p, which is 0 at w, by the distance from there. Its coefficients follow from
 /// n bᵢ = i (1 − w) hᵢ₋₁ − (n − i) w hᵢ, from the end that is farther from w: then no coefficient is divided by less
 /// than ½, and an error E of those of p becomes at most (2ⁿ⁺¹ − 2) E.
-Bernstein over_distance(const Bernstein& p, double w) {
-  Bernstein h;
+OnCurve over_distance(const OnCurve& p, double w) {
+  OnCurve h;
   const int n = p.degree;
   h.degree = n - 1;
   if (w <= 0.5) {
@@ -99,7 +102,7 @@ template <class Crossed>
 void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curve, const OutlinePlace& zero,
                       Crossed&& crossed) {
   // Values relative to the zero keep their digits near it.
-  Bernstein values;
+  OnCurve values;
   const int n = values.degree = static_cast<int>(curve.size()) - 1;
   double size = 0;
   for (int i = 0; i <= n; ++i) {
@@ -108,8 +111,8 @@ void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curv
     size = std::max(size, form.size_along(step));
   }
   const double band = rounding_of_order(n) * size * ((2 << n) - 2);
-  Bernstein below = over_distance(values, zero.w);
-  const Bernstein above = split(below, zero.w);
+  OnCurve below = over_distance(values, zero.w);
+  const OnCurve above = split(below, zero.w);
   for (int i = 0; i < n; ++i) below[i] = -below[i];
   const auto at = [&](double w, int turn) { crossed(OutlineCrossing{point_at(curve, w), turn}); };
   follower.follow(below, band, [&](double u) { at(u * zero.w, -follower.sign()); });

@@ -20,7 +20,7 @@ namespace isl::render {
 /// The control points of a curve; one more than its order.
 using Curve = std::span<const PlanePoint>;
 
-inline constexpr std::size_t kMostPoints = 4;
+inline constexpr int kMostPoints = 4;
 
 /// The points of de Casteljau's scheme at w where it has two left; they are on the tangent.
 [[nodiscard]] inline std::array<PlanePoint, 2> last_two(Curve curve, double w) {
@@ -51,7 +51,7 @@ inline constexpr std::size_t kMostPoints = 4;
 template <class At>
 void for_each_foot(Curve curve, const PlanePoint& p, At&& at) {
   const int n = static_cast<int>(curve.size()) - 1;
-  Bernstein slope;
+  BernsteinUpTo<2 * kMostPoints - 3> slope;
   slope.degree = 2 * n - 1;
   double size = 0;
   for (int k = 0; k <= slope.degree; ++k) {
@@ -79,7 +79,7 @@ void for_each_farthest(Curve curve, const PlanePoint& direction, At&& at) {
   at(0.0);
   at(1.0);
   if (curve.size() == 2) return;
-  Bernstein slope;
+  BernsteinUpTo<kMostPoints - 2> slope;
   slope.degree = static_cast<int>(curve.size()) - 2;
   double size = 0;
   for (int k = 0; k <= slope.degree; ++k) {

@@ -18,17 +18,22 @@
 //
 // If a cube that contains the inside is known (polynomial_bound.h), the line's part within it is the only piece.
 //
+// If only a stretch of the line is asked for, and is no longer than the pieces' sizes allow, it is the only piece. The
+// polynomial's sign must be certain at both of its ends: a crossing that is not wholly inside would be lost otherwise.
+//
 // A ray that starts on the surface begins the first piece at its own origin, where the coefficient is 0: divided out.
 #include "renderer/solids/polynomial.h"
 
 #include "renderer/numerics/polynomial_roots.h"
 #include "renderer/numerics/power.h"
 #include "renderer/solids/polynomial_bound.h"
+#include "renderer/solids/quadric_line.h"
 #include "renderer/solids/solid_type.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace isl::render {
@@ -220,7 +225,9 @@ class PolynomialLine {
     near_ = h_ / length;
   }
 
-  Crossings follow() {
+  /// Follows the stretch alone if it can, else the whole line.
+  Crossings follow(const Stretch& stretch) {
+    if (follow_through(stretch)) return std::move(result_);
     if (std::isfinite(polynomial_.cube)) {
       follow_through_cube();
       return std::move(result_);
@@ -241,6 +248,39 @@ class PolynomialLine {
 
  private:
   [[nodiscard]] Vec3 point(double t) const { return origin_ + direction_ * t; }
+
+  template <class Use>
+  auto with_polynomial_along(const Piece& piece, const Use& use) const {
+    switch (polynomial_.order) {
+      case 2: return use(quadric_along(polynomial_, piece));
+      case 3: return use(along<3>(polynomial_, piece));
+      case 4: return use(along<4>(polynomial_, piece));
+      default: return use(along(polynomial_, piece));
+    }
+  }
+  [[nodiscard]] double band_of(const Piece& piece) const {
+    return rounding_of_order(polynomial_.order) * magnitude(polynomial_, piece);
+  }
+
+  /// False if the stretch is too long, or its ends are too close to the surface.
+  bool follow_through(const Stretch& stretch) {
+    /// How much larger than on the usual pieces coordinates may be: n bits of 2ⁿ are lost.
+    constexpr double kMostGrowth = 2;
+    if (std::isinf(stretch.to) || !(stretch.from < stretch.to) || (deflates_ && stretch.from > 0)) return false;
+    const Vec3 a = point(stretch.from), b = point(stretch.to);
+    const double size = std::max({a.length(), b.length(), polynomial_.reach});
+    if (!(size > 0 && size <= kMostGrowth * h_)) return false;
+    const Piece piece{
+        {a.x / size, b.x / size}, {a.y / size, b.y / size}, {a.z / size, b.z / size}, {1 / size, 1 / size}};
+    return with_polynomial_along(piece, [&](const auto& p) {
+      const double band = band_of(piece);
+      if (stretch.from > 0 && !(std::abs(p[0]) > band)) return false;
+      if (!(std::abs(p[p.degree]) > band * p.degree)) return false;  // certain, whether divided or not
+      follow(p, band, [&](double u) { return stretch.from + u * (stretch.to - stretch.from); });
+      result_.ends_inside = sign_.sign() < 0;
+      return true;
+    });
+  }
 
   /// Follows the only piece of a bounded solid.
   void follow_through_cube() {
@@ -273,17 +313,11 @@ class PolynomialLine {
 
   template <class TimeAt>
   void follow(const Piece& piece, const TimeAt& time_at) {
-    switch (polynomial_.order) {
-      case 2: return follow(quadric_along(polynomial_, piece), piece, time_at);
-      case 3: return follow(along<3>(polynomial_, piece), piece, time_at);
-      case 4: return follow(along<4>(polynomial_, piece), piece, time_at);
-      default: return follow(along(polynomial_, piece), piece, time_at);
-    }
+    with_polynomial_along(piece, [&](const auto& p) { follow(p, band_of(piece), time_at); });
   }
 
   template <class Polynomial, class TimeAt>
-  void follow(const Polynomial& p, const Piece& piece, const TimeAt& time_at) {
-    const double band = rounding_of_order(polynomial_.order) * magnitude(polynomial_, piece);
+  void follow(const Polynomial& p, double band, const TimeAt& time_at) {
     const auto add = [&](double u) { result_.add(time_at(u), kSide); };
     if (!deflates_) return sign_.follow(p, band, add);
     deflates_ = false;
@@ -339,13 +373,17 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
 }
 
 Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
-                               std::uint8_t start_part) noexcept {
+                               std::uint8_t start_part, const Stretch& stretch) noexcept {
   if (polynomial.order == 0) {
     Crossings result;
     result.ends_inside = polynomial.coefficients[0] <= 0;
     return result;
   }
-  return PolynomialLine(polynomial, origin, direction, start_part == kSide).follow();
+  if (polynomial.order == 2) {
+    std::optional<Crossings> plain = plain_quadric_crossings(polynomial, origin, direction, start_part == kSide);
+    if (plain) return std::move(*plain);
+  }
+  return PolynomialLine(polynomial, origin, direction, start_part == kSide).follow(stretch);
 }
 
 /// The gradient, by the product rule along Horner's.

@@ -5,9 +5,10 @@
 
 namespace isl::render {
 
-/// The contract is that of crossings() in solid.h; the surface has one part, kSide.
+/// The contract is that of boundary() in solid.h; the surface has one part, kSide.
 [[nodiscard]] Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
-                                             const Vec3& direction, std::uint8_t start_part) noexcept;
+                                             const Vec3& direction, std::uint8_t start_part,
+                                             const Stretch& stretch = {}) noexcept;
 
 /// Zero at a singular point, which has no normal.
 [[nodiscard]] Vec3 polynomial_normal(const PreparedPolynomial& polynomial, const Vec3& point) noexcept;

@@ -24,9 +24,15 @@ Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& d
 }
 
 Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
-                   const SolidDetails& details) noexcept {
-  return type_of(solid).boundary(solid, origin, direction, start_part, details);
+                   const SolidDetails& details, const Stretch& stretch) noexcept {
+  const SolidType& type = type_of(solid);
+  if (type.boundary_in_stretch) {
+    return type.boundary_in_stretch(solid, origin, direction, start_part, details, stretch);
+  }
+  return type.boundary(solid, origin, direction, start_part, details);
 }
+
+bool gains_by_stretch(const scene::Solid& solid) noexcept { return type_of(solid).boundary_in_stretch != nullptr; }
 
 bool is_open_surface(const scene::Solid& solid) noexcept { return type_of(solid).is_open_surface(solid); }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -78,10 +79,20 @@ struct Crossings {
 [[nodiscard]] Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                   std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
+/// The part of a line from t = `from` to `to`, 0 ≤ from.
+struct Stretch {
+  double from = 0, to = std::numeric_limits<double>::infinity();
+};
+
 /// For set operations on solids: every change between inside and outside, with kUnseen ones. For an open surface
-/// (is_open_surface), which has no inside, the result is that of crossings().
+/// (is_open_surface), which has no inside, the result is that of crossings(). Crossings outside of the stretch may be
+/// left out; `ends_inside` is then the state behind the last one that is not.
 [[nodiscard]] Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                 std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
+                                 std::uint8_t start_part, const SolidDetails& details = kNoDetails,
+                                 const Stretch& stretch = {}) noexcept;
+
+/// True if a stretch saves boundary() time.
+[[nodiscard]] bool gains_by_stretch(const scene::Solid& solid) noexcept;
 
 /// True if the solid is a surface without an inside: a triangle, a polygon, a box without thickness.
 [[nodiscard]] bool is_open_surface(const scene::Solid& solid) noexcept;

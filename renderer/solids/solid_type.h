@@ -24,6 +24,10 @@ struct SolidType {
 
   CrossingsAlong crossings = nullptr;
   CrossingsAlong boundary = crossings;
+  /// For solids with many crossings that take long to find; all others ignore the stretch.
+  Crossings (*boundary_in_stretch)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
+                                   std::uint8_t start_part, const SolidDetails& details,
+                                   const Stretch& stretch) noexcept = nullptr;
   bool (*is_open_surface)(const scene::Solid&) noexcept = [](const scene::Solid&) noexcept { return false; };
   NormalAt normal = nullptr;
   NormalAt shading_normal = normal;

@@ -14,6 +14,9 @@
 // Leaves are asked in the order of their boxes, each as soon as nothing nearer is left, so that those behind the first
 // surface are not asked at all.
 //
+// Planes that cut the whole (CsgTree::cutting_planes) leave one stretch of the ray. Nothing is seen outside it, so only
+// the planes at its ends are asked, and leaves only up to its end. All other planes hold on the whole stretch.
+//
 // A solid returns all its crossings at once. A blob is asked for one crossing at a time, only as far as the ray goes,
 // and each search starts on the root before.
 #include "renderer/trace/csg_search.h"
@@ -28,20 +31,20 @@ namespace {
 
 bool is_later(const CsgEvent& a, const CsgEvent& b) { return a.t > b.t || (a.t == b.t && a.leaf > b.leaf); }
 
-/// Where a half-line from t = 0 to t_max meets a box, whose sides may be infinite; infinite if it does not.
-double entry_of(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, double t_max) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  double enter = 0, leave = t_max;
+/// The part of a half-line from t = 0 to t_max in a box, whose sides may be infinite; from ∞ if there is none.
+Stretch stretch_in(const Imath::Box3d& box, const Vec3& origin, const Vec3& direction, double t_max) {
+  constexpr Stretch kNone{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Stretch stretch{0, t_max};
   for (int i = 0; i < 3; ++i) {
     if (direction[i] == 0) {
-      if (!(origin[i] >= box.min[i] && origin[i] <= box.max[i])) return kNever;
+      if (!(origin[i] >= box.min[i] && origin[i] <= box.max[i])) return kNone;
       continue;
     }
     const double a = (box.min[i] - origin[i]) / direction[i], b = (box.max[i] - origin[i]) / direction[i];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
+    stretch.from = std::max(stretch.from, std::min(a, b));
+    stretch.to = std::min(stretch.to, std::max(a, b));
   }
-  return enter <= leave ? enter : kNever;
+  return stretch.from <= stretch.to ? stretch : kNone;
 }
 
 class CsgSearch {
@@ -54,6 +57,7 @@ class CsgSearch {
     CsgState& state = memory_.state;
     state.reset(tree_);
     memory_.events.clear();
+    if (!cut()) return {};
     sort_entries();
     while (next_ < memory_.entries.size() && begins_at_start(memory_.entries[next_])) enter_next();
     while (take_group()) {
@@ -68,12 +72,46 @@ class CsgSearch {
     Vec3 origin, direction;
   };
 
+  /// Finds the stretch that the cutting planes leave, and which of them are to be asked. False if nothing is left.
+  bool cut() {
+    last_ = ray_.t_max;
+    if (tree_.cutting_planes.empty()) return true;
+    const double least_slope = kGrazing * ray_.direction.length();
+    double enter = 0, leave = ray_.t_max;
+    memory_.cuts.clear();
+    for (const CuttingPlane& cutting : tree_.cutting_planes) {
+      const double rise = ray_.direction.dot(cutting.plane.normal);
+      const double gap = cutting.plane.distance - ray_.origin.dot(cutting.plane.normal);
+      // How well a crossing is known is bounded for steeper rays only.
+      const bool is_known = std::abs(rise) > least_slope;
+      const double t = is_known ? gap / rise : std::numeric_limits<double>::quiet_NaN();
+      memory_.cuts.push_back(t);
+      if (rise < 0 && t > enter) enter = t;
+      if (rise > 0 && t < leave) leave = t;
+    }
+    // Two roundings between crossings that may coincide, and as much again for those of the numbers here.
+    const double margin = 4 * most_rounding_at(std::max(enter, std::isfinite(leave) ? std::abs(leave) : 0));
+    if (leave < enter - margin) return false;
+    last_ = std::min(last_, leave + margin);
+    for (std::size_t i = 0; i < tree_.cutting_planes.size(); ++i) {
+      const CuttingPlane& cutting = tree_.cutting_planes[i];
+      const double t = memory_.cuts[i];
+      const bool holds = ray_.direction.dot(cutting.plane.normal) < 0 ? t < enter - margin : t > leave + margin;
+      if (!holds || cutting.leaf == ray_.start_leaf) {
+        memory_.entries.push_back({0, cutting.leaf});
+      } else if (!tree_.leaves[cutting.leaf].is_inverse) {
+        memory_.state.toggle(cutting.leaf);
+      }
+    }
+    return true;
+  }
+
   /// All leaves that the ray may meet, in the order of their boxes. The leaf that it starts on is the first.
   void sort_entries() {
     std::vector<CsgEntry>& entries = memory_.entries;
     for (const std::uint32_t leaf : tree_.endless_leaves) {
-      const double enter = entry_of(tree_.leaves[leaf].box, ray_.origin, ray_.direction, ray_.t_max);
-      if (enter <= ray_.t_max && enter < std::numeric_limits<double>::infinity()) entries.push_back({enter, leaf});
+      const double enter = stretch_in(tree_.leaves[leaf].box, ray_.origin, ray_.direction, last_).from;
+      if (enter <= last_ && enter < std::numeric_limits<double>::infinity()) entries.push_back({enter, leaf});
     }
     if (ray_.start_leaf != scene::kNone) {
       std::erase_if(entries, [&](const CsgEntry& entry) { return entry.leaf == ray_.start_leaf; });
@@ -88,17 +126,17 @@ class CsgSearch {
     return entry.enter == 0 || entry.enter <= 2 * most_rounding_at(entry.enter);
   }
   void enter_next() {
-    const std::uint32_t leaf = memory_.entries[next_++].leaf;
-    if (tree_.leaves[leaf].kind == scene::Object::Kind::blob) {
-      enter_blob(leaf, leaf == ray_.start_leaf);
+    const CsgEntry entry = memory_.entries[next_++];
+    if (tree_.leaves[entry.leaf].kind == scene::Object::Kind::blob) {
+      enter_blob(entry.leaf, entry.leaf == ray_.start_leaf);
     } else {
-      enter_solid(leaf, leaf == ray_.start_leaf);
+      enter_solid(entry, entry.leaf == ray_.start_leaf);
     }
   }
   /// Enters leaves until no other one can have a crossing before the nearest one that is known.
   void enter_up_to_next() {
     while (next_ < memory_.entries.size() &&
-           (memory_.events.empty() || memory_.entries[next_].enter <= memory_.events.front().t))
+           memory_.entries[next_].enter <= (memory_.events.empty() ? last_ : memory_.events.front().t))
       enter_next();
   }
   void push(const CsgEvent& event) {
@@ -138,11 +176,21 @@ class CsgSearch {
     return event.t * face_at(event, 0).slope(ray_.direction) <= face.rounding;
   }
 
-  void enter_solid(std::uint32_t index, bool is_start) {
+  /// The stretch in which a solid's crossings count, with room for rounding.
+  [[nodiscard]] Stretch stretch_of(const CsgLeaf& leaf, double begin) const {
+    if (!gains_by_stretch(scene_.solids[leaf.shape])) return {};
+    const double end = stretch_in(leaf.box, ray_.origin, ray_.direction, last_).to;
+    return {begin, end + most_rounding_at(end)};
+  }
+
+  /// What a solid does before its box begins is of no account, save the state in which that leaves it.
+  void enter_solid(const CsgEntry& entry, bool is_start) {
+    const std::uint32_t index = entry.leaf;
     const CsgLeaf& leaf = tree_.leaves[index];
     const LocalRay ray = local(leaf);
+    const double begin = entry.enter > 0 ? entry.enter - most_rounding_at(entry.enter) : 0;
     const Crossings found = boundary(scene_.solids[leaf.shape], ray.origin, ray.direction,
-                                     is_start ? ray_.start_part : kNoPart, scene_.details);
+                                     is_start ? ray_.start_part : kNoPart, scene_.details, stretch_of(leaf, begin));
     const auto count = static_cast<std::size_t>(found.count);
     const auto event = [&](std::size_t i) { return CsgEvent{found.t[i], index, scene::kNone, found.part[i]}; };
     std::size_t first = 0;
@@ -153,9 +201,9 @@ class CsgSearch {
       }
     }
     bool is_inside = found.ends_inside;
-    for (std::size_t i = first; i < count; ++i) {
+    for (std::size_t i = count; i > first && found.t[i - 1] >= begin; --i) {
       is_inside = !is_inside;
-      if (found.t[i] < ray_.t_max) push(event(i));
+      if (found.t[i - 1] < last_) push(event(i - 1));
     }
     if (is_inside && !leaf.is_open_surface) memory_.state.toggle(index);
   }
@@ -185,7 +233,7 @@ class CsgSearch {
       event = {hit.t, index, hit.cell, 0};
     }
     if (is_inside) memory_.state.toggle(index);
-    if (!hit.is_miss() && hit.t < ray_.t_max) push(event);
+    if (!hit.is_miss() && hit.t < last_) push(event);
   }
 
   /// Takes the next crossing and all that coincide with it. False if there is none.
@@ -217,7 +265,7 @@ class CsgSearch {
 
   void follow_blob(const CsgEvent& event) {
     const BlobHit hit = next_of_blob(event.leaf, event.t, true);
-    if (hit.is_miss() || !(hit.t < ray_.t_max)) return;
+    if (hit.is_miss() || !(hit.t < last_)) return;
     // The published solver can come back within the rounding of where it starts, and would do so for ever.
     if (!(hit.t > event.t)) return;
     push({hit.t, event.leaf, hit.cell, 0});
@@ -279,13 +327,14 @@ class CsgSearch {
   RayFaces& faces_;
   const BlobSearch& blobs_;
   CsgMemory& memory_;
+  double last_ = 0;       ///< nothing beyond this t is seen
   std::size_t next_ = 0;  ///< the first entry that was not entered yet
 };
 
 }  // namespace
 
 bool meets_bounds(const CsgTree& tree, const CsgRay& ray) {
-  return entry_of(tree.bounds, ray.origin, ray.direction, ray.t_max) < std::numeric_limits<double>::infinity();
+  return stretch_in(tree.bounds, ray.origin, ray.direction, ray.t_max).from < std::numeric_limits<double>::infinity();
 }
 
 CsgHit first_csg_hit(const CompiledScene& scene, const CsgTree& tree, const CsgRay& ray, RayFaces& faces,

@@ -57,6 +57,7 @@ struct CsgEntry {
 /// Memory that is kept from ray to ray.
 struct CsgMemory {
   CsgState state;
+  std::vector<double> cuts;       ///< where the ray crosses each of the cutting planes
   std::vector<CsgEntry> entries;  ///< sorted
   std::vector<CsgEvent> events;   ///< a heap with the nearest first
   std::vector<CsgEvent> group;    ///< the events that are taken together

@@ -36,10 +36,9 @@ bool inside_at(const Crossings& found, double t) {
   return inside;
 }
 
-void expect_alternating(const WholeSolid& whole, const Vec3& origin, const Vec3& direction, double reach, double from,
-                        double to, Random& random) {
+void expect_alternating(const Crossings& found, const WholeSolid& whole, const Vec3& origin, const Vec3& direction,
+                        double reach, double from, double to, Random& random) {
   if (testing::Test::HasFailure()) return;
-  const Crossings found = crossings(whole.solid, origin, direction, kNoPart, whole.details);
   const Real shift = 1e-11L * static_cast<Real>(reach);
   const auto kind = static_cast<int>(whole.solid.kind);
   for (int i = 0; i < found.count; ++i) {
@@ -63,6 +62,12 @@ void expect_alternating(const WholeSolid& whole, const Vec3& origin, const Vec3&
   }
 }
 
+void expect_alternating(const WholeSolid& whole, const Vec3& origin, const Vec3& direction, double reach, double from,
+                        double to, Random& random) {
+  const Crossings found = crossings(whole.solid, origin, direction, kNoPart, whole.details);
+  expect_alternating(found, whole, origin, direction, reach, from, to, random);
+}
+
 TEST(Membership, alternates_at_the_crossings) {
   Random random(31);
   for (int i = 0; i < 2000; ++i) {
@@ -74,6 +79,25 @@ TEST(Membership, alternates_at_the_crossings) {
       expect_alternating(whole, origin, direction, 4, 0, 7 * near, random);
     }
   }
+}
+
+TEST(Membership, alternates_in_a_stretch_of_a_line) {
+  Random random(38);
+  int shorter = 0;
+  for (int i = 0; i < 4000; ++i) {
+    for (const SolidKind kind : {SolidKind::quadric, SolidKind::cubic, SolidKind::quartic, SolidKind::poly}) {
+      const WholeSolid whole = random_whole(random, kind);
+      const Vec3 direction = random.direction() * std::exp2(random.uniform(-10, 10));
+      const double near = 1 / direction.length();
+      const Vec3 origin = random.in_cube(1.2) - direction * (near * random.uniform(-2, 4));
+      Stretch stretch{std::max(0.0, near * random.uniform(-2, 6)), 0};
+      stretch.to = stretch.from + near * std::exp2(random.uniform(-12, 3));
+      const Crossings found = boundary(whole.solid, origin, direction, kNoPart, whole.details, stretch);
+      expect_alternating(found, whole, origin, direction, 4, stretch.from, stretch.to, random);
+      shorter += found.count < boundary(whole.solid, origin, direction, kNoPart, whole.details).count ? 1 : 0;
+    }
+  }
+  EXPECT_GT(shorter, 2000);  // the stretch is made use of
 }
 
 TEST(Membership, alternates_along_lines_in_special_directions) {
