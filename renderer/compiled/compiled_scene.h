@@ -63,10 +63,9 @@ struct CompiledScene {
   std::vector<scene::Transform> texture_spaces;  ///< world_from_space of each group that hands a pattern down
   std::vector<LightGroup> light_groups;
   std::vector<Instance> instances;
-  std::vector<std::uint32_t> unbounded;  ///< instances without a finite box: half-spaces
-  std::vector<std::uint32_t> bounded;    ///< all other instances
-  BoxTree boxes;                         ///< over the bounded instances
-  Box bounds;                            ///< bounds of the bounded instances
+  std::vector<std::uint32_t> listed;  ///< instances that are not in `boxes`: half-spaces, and a few blobs
+  BoxTree boxes;                      ///< over all other instances
+  Box bounds;                         ///< bounds of all that are no half-spaces
   double crowd = 0;                      ///< mean number of their boxes on a line that meets `bounds`
   Charge charge;                         ///< of all this
   /// The reason why the scene takes more memory than the run allows. A scene that is refused, or was stopped while it

@@ -48,7 +48,7 @@ std::string grid_json(const CompiledScene& scene) {
     blobs.push_back({{"components", blob.components.size()}, {"grid", to_json(blob.grid)}});
   }
   const Json json = {{"instances", scene.instances.size()},
-                     {"unbounded", scene.unbounded.size()},
+                     {"listed", scene.listed.size()},
                      {"box_nodes", scene.boxes.nodes.size()},
                      {"box_bytes", scene.boxes.bytes()},
                      {"blobs", blobs}};

@@ -2,6 +2,7 @@
 
 #include "renderer/solids/solid.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace isl::render {
@@ -39,6 +40,14 @@ double surface(const Box& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
+/// True if a list is quicker than a tree: every blob's grid has a box of its own.
+bool are_few_blobs(const CompiledScene& scene, const std::vector<std::uint32_t>& instances) {
+  constexpr std::size_t kFew = 3;
+  return instances.size() <= kFew && std::ranges::all_of(instances, [&](std::uint32_t i) {
+           return scene.instances[i].kind == scene::Object::Kind::blob;
+         });
+}
+
 }  // namespace
 
 void build_instance_boxes(CompiledScene& scene, Meter& meter) {
@@ -47,25 +56,30 @@ void build_instance_boxes(CompiledScene& scene, Meter& meter) {
   std::vector<Box> boxes(scene.instances.size());
   scene.bounds = {};
   double surfaces = 0;
+  std::vector<std::uint32_t> bounded;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!meter.goes_on()) return;
     const Box box = world_bounds(scene, scene.instances[i]);
     if (box.isEmpty()) continue;  // a blob without a surface
     if (!fits_in_tree(box)) {
-      scene.unbounded.push_back(i);
+      scene.listed.push_back(i);
       continue;
     }
     boxes[i] = box;
     surfaces += surface(box);
     scene.bounds.extendBy(box);
-    scene.bounded.push_back(i);
+    bounded.push_back(i);
   }
-  if (scene.bounded.empty()) return;
+  if (bounded.empty()) return;
   // A convex body that lies in another is met by this share of the lines that meet the outer one (Crofton).
   const double whole = surface(scene.bounds);
-  scene.crowd = whole > 0 ? surfaces / whole : static_cast<double>(scene.bounded.size());
+  scene.crowd = whole > 0 ? surfaces / whole : static_cast<double>(bounded.size());
+  if (are_few_blobs(scene, bounded)) {
+    scene.listed.insert(scene.listed.end(), bounded.begin(), bounded.end());
+    return;
+  }
   // The list of nodes doubles as it grows, so that it may take twice their memory meanwhile.
-  scene.boxes = build_box_tree(boxes, scene.bounded, [&] { return meter.grow(working, 2 * sizeof(BoxNode)); });
+  scene.boxes = build_box_tree(boxes, bounded, [&] { return meter.grow(working, 2 * sizeof(BoxNode)); });
 }
 
 }  // namespace isl::render

@@ -87,7 +87,7 @@ namespace {
 /// thousand in usual scenes, where a packet takes some microseconds, and 10⁶ where everything overlaps.
 std::size_t rays_between_looks(const CompiledScene& scene) {
   constexpr std::size_t kItems = std::size_t{1} << 18;
-  std::size_t longest = std::max(static_cast<std::size_t>(scene.crowd), scene.unbounded.size());
+  std::size_t longest = std::max(static_cast<std::size_t>(scene.crowd), scene.listed.size());
   for (const CompiledBlob& blob : scene.blobs) longest = std::max<std::size_t>(longest, blob.grid.longest_list);
   for (const CsgTree& tree : scene.trees) longest = std::max(longest, tree.leaves.size());
   return std::max(kItems / std::max<std::size_t>(longest, 1) / kPacket * kPacket, kPacket);

@@ -1,4 +1,4 @@
-// One ray or eight against the whole scene: unbounded instances first, then those in the hierarchy of boxes, nearest
+// One ray or eight against the whole scene: listed instances first, then those in the hierarchy of boxes, nearest
 // boxes first, each in its own space. t is the same in all spaces, since directions are transformed and not
 // normalised again.
 //
@@ -53,14 +53,10 @@ class WorldTrace {
       best.t = std::numeric_limits<double>::infinity();
       return best;
     }
-    for (const std::uint32_t instance : scene_.unbounded) {
+    for (const std::uint32_t instance : scene_.listed) {
       if (meet(instance, ray, any, best) && any) return best;
     }
-    if (scene_.bounded.size() <= kFewInstances) {
-      for (const std::uint32_t instance : scene_.bounded) {
-        if (meet(instance, ray, any, best) && any) return best;
-      }
-    } else {
+    if (!scene_.boxes.is_empty()) {
       walk_boxes(scene_.boxes, ray.origin, ray.direction, best.t, [&](std::uint32_t instance, double) HWY_ATTR {
         if (meet(instance, ray, any, best) && any) return kEnd;
         return any ? best.t : last_that_counts(ray, best);
@@ -87,12 +83,8 @@ class WorldTrace {
       hits[i].t = rays[i].t_max;
       open |= 1u << i;
     }
-    for (const std::uint32_t instance : scene_.unbounded) open = meet_packet(instance, rays, open, any, hits);
-    if (scene_.bounded.size() <= kFewInstances) {
-      for (const std::uint32_t instance : scene_.bounded) open = meet_packet(instance, rays, open, any, hits);
-    } else if (open != 0) {
-      walk_packet(rays, open, any, hits);
-    }
+    for (const std::uint32_t instance : scene_.listed) open = meet_packet(instance, rays, open, any, hits);
+    if (open != 0 && !scene_.boxes.is_empty()) walk_packet(rays, open, any, hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
     }
@@ -106,8 +98,6 @@ class WorldTrace {
   }
 
  private:
-  /// Up to this number of instances, a list is quicker than boxes.
-  static constexpr std::size_t kFewInstances = 3;
   static constexpr double kEnd = -1;
 
   void walk_packet(std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {

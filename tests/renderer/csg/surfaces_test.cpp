@@ -176,7 +176,7 @@ TEST_F(Surfaces, OfCombinationsAreBoundedByTheirOperations) {
   for (int i = 0; i < 10; ++i) scene_.database.objects.push_back(scene_.solid(sphere({3.0 * i, 0, 0}, 1)));
   const Tracer tracer(scene_.database, {});
   expect_heights({5 - walk(tracer, {50, 5, 0}, {0, -1, 0}).t[0]}, {0});
-  EXPECT_NE(tracer.grid_json().find("\"unbounded\": 0"), std::string::npos);
+  EXPECT_NE(tracer.grid_json().find("\"listed\": 0"), std::string::npos);
 }
 
 }  // namespace
