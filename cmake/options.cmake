@@ -14,6 +14,9 @@ target_compile_options(isl_options INTERFACE
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>"
   $<$<BOOL:${ISL_WERROR}>:-Werror>)
 
+# Libraries of which only headers are used need not be loaded.
+target_link_options(isl_options INTERFACE LINKER:--as-needed)
+
 include(${CMAKE_CURRENT_LIST_DIR}/vector_widths.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)
 if(ISL_HARDENING)

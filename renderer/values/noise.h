@@ -9,7 +9,6 @@
 
 #include "renderer/scene/transform.h"
 
-#include <array>
 #include <cstdint>
 
 namespace isl::values {
@@ -27,10 +26,6 @@ enum class NoiseGenerator : std::uint8_t {
 /// The value is in [0, 1]. Coordinates beyond ±2³⁰ have no detail left; NaN gives a number all the same.
 [[nodiscard]] double noise(const scene::Vec3& p, NoiseGenerator generator) noexcept;
 
-/// noise(p) and noise(q), in less time than two calls take.
-[[nodiscard]] std::array<double, 2> noise_at_two(const scene::Vec3& p, const scene::Vec3& q,
-                                                 NoiseGenerator generator) noexcept;
-
 /// Three noises at once, each about 0 and within ±1 or little more. They are the same for all generators.
 [[nodiscard]] scene::Vec3 vector_noise(const scene::Vec3& p) noexcept;
 
@@ -45,13 +40,8 @@ struct Octaves {
 template <class Add>
 void for_octaves(const scene::Vec3& p, const Octaves& octaves, NoiseGenerator generator, Add add) {
   double scale = 1;
-  for (int i = 0; i < octaves.count; i += 2) {
-    const scene::Vec3 at = p * scale;
-    scale *= octaves.lambda;
-    if (i + 1 == octaves.count) return add(noise(at, generator));
-    const std::array<double, 2> values = noise_at_two(at, p * scale, generator);
-    add(values[0]);
-    add(values[1]);
+  for (int i = 0; i < octaves.count; ++i) {
+    add(noise(p * scale, generator));
     scale *= octaves.lambda;
   }
 }

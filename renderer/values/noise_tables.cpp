@@ -92,9 +92,10 @@ void arrange_slopes(NoiseTables& tables) {
       const double* const terms = &tables.terms[i + first];
       return NoiseTables::Slope{terms[0] * 0.5, terms[1], terms[2], terms[3]};
     };
-    const NoiseTables::Slope a = of(0), b = of(4);
-    tables.slopes[i] = a;
-    tables.vector_slopes[i] = {{a.half_value, b.half_value}, {a.x, b.x}, {a.y, b.y}, {a.z, b.z}, of(8)};
+    const NoiseTables::Slope parts[3] = {of(0), of(4), of(8)};
+    tables.slopes[i] = parts[0];
+    for (std::size_t term = 0; term < 4; ++term)
+      tables.vector_slopes[i][term] = {parts[0][term], parts[1][term], parts[2][term], 0};
   }
 }
 

@@ -22,16 +22,11 @@ struct NoiseTables {
   /// Random numbers in [−1, 1]; a lattice point of number n owns those from index n on.
   std::array<double, kSlopes + kTermsOfVector - 1> terms;
   /// The same by lattice point, so that what a corner needs lies together: half of the value, and the slope.
-  struct Slope {
-    double half_value, x, y, z;
-  };
+  using Slope = std::array<double, 4>;
   alignas(64) std::array<Slope, kSlopes> slopes;
-  /// And for vectors, the first two terms side by side.
-  struct VectorSlope {
-    double half_value[2], x[2], y[2], z[2];
-    Slope third;
-  };
-  std::array<VectorSlope, kSlopes> vector_slopes;
+  /// And for vectors: the same four, each for x, y and z, and a zero.
+  using VectorSlope = std::array<std::array<double, 4>, 4>;
+  alignas(64) std::array<VectorSlope, kSlopes> vector_slopes;
 
   /// Perlin's permutation and unit vectors, each followed by a copy of itself, so that sums of two need no modulo.
   std::array<std::uint16_t, 2 * kGradients + 2> permutation;

@@ -1,0 +1,21 @@
+// The sums of lattice noise (noise.h). They are computed for every vector width.
+#pragma once
+
+#include "renderer/scene/transform.h"
+
+namespace isl::values {
+
+struct NoiseTables;
+
+/// Σ over the corners of the cell around p: weight · (half of the value + slope · (p − corner)).
+[[nodiscard]] double lattice_sum(const scene::Vec3& p) noexcept;
+/// Three such sums.
+[[nodiscard]] scene::Vec3 lattice_vector_sum(const scene::Vec3& p) noexcept;
+
+/// The two for one vector width.
+struct LatticeSums {
+  double (*sum)(const NoiseTables&, const scene::Vec3&);
+  scene::Vec3 (*vector_sum)(const NoiseTables&, const scene::Vec3&);
+};
+
+}  // namespace isl::values
