@@ -10,7 +10,7 @@ set -u
 # openimageio-tools: OpenImageIO's CMake files refuse to load without them.
 build_packages="g++ cmake ninja-build flex bison libfmt-dev libimath-dev libhwy-dev libtbb-dev libcli11-dev
 fonts-povray nlohmann-json3-dev libpng-dev zlib1g-dev libopenexr-dev libfreetype-dev libopenimageio-dev openimageio-tools"
-test_packages="libgtest-dev libgmock-dev librapidcheck-dev libboost-dev libmpfr-dev"
+test_packages="libgtest-dev libgmock-dev librapidcheck-dev libboost-dev libmpfr-dev python3 valgrind"
 
 style_packages="clang-format clang-tidy git"
 
