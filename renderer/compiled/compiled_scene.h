@@ -66,8 +66,8 @@ struct CompiledScene {
   std::vector<std::uint32_t> listed;  ///< instances that are not in `boxes`: half-spaces, and a few blobs
   BoxTree boxes;                      ///< over all other instances
   Box bounds;                         ///< bounds of all that are no half-spaces
-  double crowd = 0;                      ///< mean number of their boxes on a line that meets `bounds`
-  Charge charge;                         ///< of all this
+  double crowd = 0;                   ///< mean number of their boxes on a line that meets `bounds`
+  Charge charge;                      ///< of all this
   /// The reason why the scene takes more memory than the run allows. A scene that is refused, or was stopped while it
   /// was compiled, has no instances.
   std::optional<scene::Refusal> refusal;
