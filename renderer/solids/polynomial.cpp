@@ -33,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace isl::render {
@@ -57,8 +56,8 @@ void reverse(Polynomial& p) {
 class PolynomialLine {
  public:
   PolynomialLine(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
-                 bool starts_on_surface)
-      : polynomial_(polynomial), origin_(origin), direction_(direction), deflates_(starts_on_surface) {
+                 bool starts_on_surface, Crossings& result)
+      : polynomial_(polynomial), origin_(origin), direction_(direction), deflates_(starts_on_surface), result_(result) {
     const double length = direction.length();
     foot_ = -origin.dot(direction) / direction.dot(direction);
     const Vec3 foot = point(foot_);
@@ -68,14 +67,13 @@ class PolynomialLine {
   }
 
   /// Follows the stretch alone if it can, else the whole line.
-  Crossings follow(const Stretch& stretch) {
+  void follow(const Stretch& stretch) {
     switch (polynomial_.order) {
       case 2: follow_as<FixedBernstein<2>>(stretch); break;
       case 3: follow_as<FixedBernstein<3>>(stretch); break;
       case 4: follow_as<FixedBernstein<4>>(stretch); break;
       default: follow_as<Bernstein>(stretch);
     }
-    return std::move(result_);
   }
 
  private:
@@ -181,7 +179,7 @@ class PolynomialLine {
   bool deflates_;  ///< the next piece begins with the known root
   double foot_, h_, near_;
   SignFollower sign_{0};
-  Crossings result_;
+  Crossings& result_;
 };
 
 }  // namespace
@@ -226,16 +224,17 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
 
 Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
                                std::uint8_t start_part, const Stretch& stretch) noexcept {
+  Crossings result;
   if (polynomial.order == 0) {
-    Crossings result;
     result.ends_inside = polynomial.coefficients[0] <= 0;
     return result;
   }
-  if (polynomial.order == 2) {
-    std::optional<Crossings> plain = plain_quadric_crossings(polynomial, origin, direction, start_part == kSide);
-    if (plain) return std::move(*plain);
+  const bool is_on_surface = start_part == kSide;
+  if (polynomial.order == 2 && find_plain_crossings(polynomial, origin, direction, is_on_surface, result)) {
+    return result;
   }
-  return PolynomialLine(polynomial, origin, direction, start_part == kSide).follow(stretch);
+  PolynomialLine(polynomial, origin, direction, is_on_surface, result).follow(stretch);
+  return result;
 }
 
 /// The gradient, by the product rule along Horner's.

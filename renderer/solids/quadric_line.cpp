@@ -55,21 +55,20 @@ class Quadric {
 
 }  // namespace
 
-std::optional<Crossings> plain_quadric_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
-                                                 const Vec3& direction, bool starts_on_surface) noexcept {
+bool find_plain_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
+                          bool starts_on_surface, Crossings& found) noexcept {
   const Quadric quadric(polynomial);
   const double second = quadric.sum_of_second(), first = quadric.sum_of_first();
   const double step = largest_of(direction), start = largest_of(origin);
   const double a = quadric.second(direction), a_off = kTermRounding * second * step * step;
   // Every comparison is false for numbers that overflowed.
-  if (!(std::abs(a) > kClear * a_off)) return std::nullopt;
-  Crossings result;
-  result.ends_inside = a < 0;
+  if (!(std::abs(a) > kClear * a_off)) return false;
   if (starts_on_surface) {
     const double b = 0.5 * direction.dot(quadric.gradient(origin));
-    if (!(std::abs(b) > kClear * kTermRounding * (2 * second * start + first) * step)) return std::nullopt;
-    if (const double t = -2 * b / a; t > 0) result.add(t, kSide);
-    return result;
+    if (!(std::abs(b) > kClear * kTermRounding * (2 * second * start + first) * step)) return false;
+    if (const double t = -2 * b / a; t > 0) found.add(t, kSide);
+    found.ends_inside = a < 0;
+    return true;
   }
   const double foot_t = -origin.dot(direction) / direction.dot(direction);
   const Vec3 foot = origin + direction * foot_t;
@@ -80,19 +79,22 @@ std::optional<Crossings> plain_quadric_crossings(const PreparedPolynomial& polyn
   const double discriminant = b * b - a * c;
   const double off = 2 * std::abs(b) * b_off + std::abs(a) * c_off + std::abs(c) * a_off +
                      kTermRounding * (b * b + std::abs(a * c)) + b_off * b_off + a_off * c_off;
-  if (discriminant < -off) return result;
-  if (!(discriminant > kClear * off)) return std::nullopt;
+  if (discriminant < -off) {
+    found.ends_inside = a < 0;
+    return true;
+  }
+  if (!(discriminant > kClear * off)) return false;
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   const double s1 = q / a, s2 = c / q;
   const double near = std::min(s1, s2), far = std::max(s1, s2);
   // Whether a crossing at the start is before or behind it is for the general method to tell.
   const double doubt = kClear * kTermRounding * (std::abs(foot_t) + std::max(std::abs(near), std::abs(far)));
-  for (const double s : {near, far}) {
-    const double t = foot_t + s;
-    if (!(std::abs(t) > doubt)) return std::nullopt;
-    if (t > 0) result.add(t, kSide);
-  }
-  return result;
+  const double t_near = foot_t + near, t_far = foot_t + far;
+  if (!(std::abs(t_near) > doubt && std::abs(t_far) > doubt)) return false;
+  if (t_near > 0) found.add(t_near, kSide);
+  if (t_far > 0) found.add(t_far, kSide);
+  found.ends_inside = a < 0;
+  return true;
 }
 
 }  // namespace isl::render

@@ -3,13 +3,11 @@
 
 #include "renderer/solids/solid.h"
 
-#include <optional>
-
 namespace isl::render {
 
-/// What polynomial_crossings() finds for a polynomial of order 2, or nothing where rounding may decide: near tangents,
-/// near the surface, or along directions in which the quadric has no curvature.
-[[nodiscard]] std::optional<Crossings> plain_quadric_crossings(const PreparedPolynomial& quadric, const Vec3& origin,
-                                                               const Vec3& direction, bool starts_on_surface) noexcept;
+/// Finds what polynomial_crossings() finds for a polynomial of order 2. False, and nothing found, where rounding may
+/// decide: near tangents, near the surface, or along directions in which the quadric has no curvature.
+[[nodiscard]] bool find_plain_crossings(const PreparedPolynomial& quadric, const Vec3& origin, const Vec3& direction,
+                                        bool starts_on_surface, Crossings& found) noexcept;
 
 }  // namespace isl::render
