@@ -88,7 +88,7 @@ Imath::Box3d box_around(const std::vector<BoundingPlane>& planes) {
           const double least = -kRounded * sum_of_sizes(weights);
           Vec3 e(0);
           e[axis] = 1;
-          const auto side = static_cast<std::size_t>(2 * axis);
+          const std::size_t side = 2 * static_cast<std::size_t>(axis);
           if (std::min({weights.x, weights.y, weights.z}) >= least) try_bound(sides[side], e, three, weights);
           if (-std::max({weights.x, weights.y, weights.z}) >= least) try_bound(sides[side + 1], -e, three, -weights);
         }
@@ -105,8 +105,8 @@ Imath::Box3d box_around(const std::vector<BoundingPlane>& planes) {
   Box box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto outwards = [&](const Side& side) { return side.bound + side.per_unit * largest; };
-    box.max[axis] = outwards(sides[static_cast<std::size_t>(2 * axis)]);
-    box.min[axis] = -outwards(sides[static_cast<std::size_t>(2 * axis + 1)]);
+    box.max[axis] = outwards(sides[2 * static_cast<std::size_t>(axis)]);
+    box.min[axis] = -outwards(sides[2 * static_cast<std::size_t>(axis) + 1]);
     if (box.min[axis] > box.max[axis]) return {};
   }
   return box;

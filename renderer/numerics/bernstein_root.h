@@ -3,6 +3,7 @@
 
 #include "renderer/numerics/bernstein.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,9 +38,10 @@ template <class Polynomial>
 
 /// Precondition: the value at `low` has the sign `sign` or, within rounding, is zero; that at `high` has the opposite
 /// sign. Newton steps that stay in the bracket and shrink by half, else halvings of the bracket: usually four of
-/// them in all, to the last digit of u or to where rounding moves the value as much as another step would.
+/// them in all, to the last digit of u or to where rounding moves the value as much as another step would; or until a
+/// step within the bracket is at most `enough`.
 template <class Polynomial>
-[[nodiscard]] double bernstein_root(const Polynomial& weighted, double low, double high, int sign) {
+[[nodiscard]] double bernstein_root(const Polynomial& weighted, double low, double high, int sign, double enough = 0) {
   constexpr double kLastDigits = 0x1p-50;
   /// Steps this short that do not shrink any more are rounding.
   constexpr double kFewDigits = 0x1p-30;
@@ -64,7 +66,7 @@ template <class Polynomial>
     }
     const double size = std::abs(at.step), next = u - at.step;
     const bool is_inside = next > low && next < high;
-    if (is_inside && size <= kLastDigits * u) return next;
+    if (is_inside && size <= std::max(kLastDigits * u, enough)) return next;
     if (is_inside && size <= 0.5 * last) {
       last = size;
       u = next;

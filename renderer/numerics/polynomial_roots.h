@@ -84,9 +84,10 @@ class SignFollower {
     }
   }
 
-  /// The only place between these where the sign changes, to the last digit.
+  /// The only place between these where the sign changes, to the last digit, or until Newton's steps are at most
+  /// `enough`.
   template <class Polynomial>
-  [[nodiscard]] double root_between(const Polynomial& whole, double low, double high) const {
+  [[nodiscard]] double root_between(const Polynomial& whole, double low, double high, double enough = 0) const {
     // The value at `low` has the sign sign_ or is not certain, and that at `high` has the opposite sign.
     if (whole.degree == 1) {
       const double root = whole[0] / (whole[0] - whole[1]);
@@ -96,7 +97,7 @@ class SignFollower {
       const double root = quadratic_root_between(whole, low, high);
       if (root >= low && root <= high) return root;
     }
-    return bernstein_root(with_binomials(whole), low, high, sign_);
+    return bernstein_root(with_binomials(whole), low, high, sign_, enough);
   }
 
  private:

@@ -64,7 +64,8 @@ constexpr auto kLogarithms = [] {
     constexpr std::uint64_t kStep = std::uint64_t{1} << (52 - kLogBits);
     const auto low = std::bit_cast<double>(kLeast + i * kStep), high = std::bit_cast<double>(kLeast + (i + 1) * kStep);
     const double exact = 2 / (low + high);
-    const double c = low <= 1 && 1 < high ? 1 : static_cast<double>(static_cast<int>(exact * 512 + 0.5)) / 512;
+    constexpr double kUnits = 0x1.8p52;  // rounds to a whole number what is added to it
+    const double c = low <= 1 && 1 < high ? 1 : (exact * 512 + kUnits - kUnits) / 512;
     table[i] = {c, static_cast<double>(-slow_log(c) / kLn2)};
   }
   return table;

@@ -156,11 +156,14 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
     return search.finish();
   }
   long double from = begin;
-  if (options.starts_on_root) {
+  const FieldRange start = field.at(all, 0);
+  // A start may be off by the tolerance. In a wall that a carving component makes steeper than that, its level may lie
+  // far below the surface's, and mean nothing; but it is outside.
+  const bool is_beyond_wall = start.value.hi < -std::abs(field.threshold());
+  if (options.starts_on_root && !is_beyond_wall) {
     // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
     // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself
     // counts.
-    const FieldRange start = field.at(all, 0);
     const long double offset = start.value.middle();
     field.raise_threshold(offset);
     from = leave_start(field, search, end);
@@ -168,8 +171,8 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
     search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
     from = settled;
     field.raise_threshold(-offset);
-  } else if (begin > 0) {
-    if (const int sign = field.at(all, 0).value.sign(); sign != 0) search.constant(sign);
+  } else if (begin > 0 || options.starts_on_root) {
+    if (const int sign = start.value.sign(); sign != 0) search.constant(sign);
   }
   search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
   return search.finish();

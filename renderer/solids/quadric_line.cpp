@@ -11,6 +11,8 @@
 // 2⁻⁴⁷ of the origin's largest coordinate, which moves C by as much times the gradient.
 #include "renderer/solids/quadric_line.h"
 
+#include "renderer/solids/solid_type.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -88,31 +88,6 @@ bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction
   return false;
 }
 
-/// Newton's steps on a polynomial from the middle of the bracket: true if they converge within it.
-template <int n>
-bool approach(const FixedBernstein<n>& p, double low, double high, double& u) {
-  // The powers' coefficients are n over k times the k-th differences. What they lose is put right by polish().
-  FixedBernstein<n> power = p;
-  for (int k = 1; k <= n; ++k) {
-    for (int i = n; i >= k; --i) power[i] -= power[i - 1];
-  }
-  for (int k = 1; k < n; ++k) power[k] *= binomial(n, k);
-  constexpr double kNear = 0x1p-22;  // the next step would be of the order of its square
-  u = 0.5 * (low + high);
-  for (int step = 0; step < 8; ++step) {
-    double value = power[n], slope = 0;
-    for (int k = n - 1; k >= 0; --k) {
-      slope = slope * u + value;
-      value = value * u + power[k];
-    }
-    const double move = value / slope;
-    u -= move;
-    if (!(u >= low && u <= high)) return false;
-    if (std::abs(move) <= kNear) return true;
-  }
-  return false;
-}
-
 /// Calls crossed(t) for the line's crossings from `begin` on, where p is f over the stretch of this length. The sign of
 /// f at its end.
 template <int n, class Crossed>
@@ -120,18 +95,17 @@ int follow(const FixedBernstein<n>& p, double band, int sign, const scene::Solid
            const Vec3& direction, double length, Crossed&& crossed) {
   // Rounding of the coefficients moves a root that Newton's steps can tell from its neighbours by less than this.
   constexpr double kMoved = 0x1p-20;
+  // A root is near enough for polish() where the next step would be of the order of the square of this.
+  constexpr double kNear = 0x1p-22;
   // After a step as short as this, what is left is of the size of its square.
   constexpr double kConverged = 0x1p-40;
   SignFollower follower(sign);
   follower.bracket(p, band, [&](double low, double high) {
-    double u = 0;
-    if (approach(p, low, high, u)) {
-      double t = u * length;
-      if (polish(solid, begin, direction, kMoved * length, kConverged * length, t) && t >= low * length &&
-          t <= high * length)
-        return crossed(t);
-    }
-    double t = follower.root_between(p, low, high) * length;
+    double t = follower.root_between(p, low, high, kNear) * length;
+    if (polish(solid, begin, direction, kMoved * length, kConverged * length, t) && t >= low * length &&
+        t <= high * length)
+      return crossed(t);
+    t = follower.root_between(p, low, high) * length;
     polish(solid, begin, direction, kMoved * length, 0, t);
     crossed(std::clamp(t, 0.0, length));
   });

@@ -25,7 +25,7 @@ using scene::Vec3;
 using Terms = hn::CappedTag<double, 4>;
 using TermsVector = hn::Vec<Terms>;
 constexpr Terms kTerms;
-constexpr int kLanes = static_cast<int>(hn::MaxLanes(kTerms));
+constexpr std::size_t kLanes = hn::MaxLanes(kTerms);
 
 /// Origin of the lattice coordinates, so that those of usual scenes are positive.
 constexpr std::uint32_t kLatticeOrigin = 10000;
@@ -66,13 +66,13 @@ struct Slopes {
   TermsVector half_value, x, y, z;
 };
 
-HWY_INLINE Slopes slopes_of(const double* const (&corner)[4], int first) {
+HWY_INLINE Slopes slopes_of(const double* const (&corner)[4], std::size_t first) {
 #if HWY_TARGET == HWY_SCALAR
-  const auto term = [&](int i) HWY_ATTR { return hn::Set(kTerms, corner[first][i]); };
+  const auto term = [&](std::size_t i) HWY_ATTR { return hn::Set(kTerms, corner[first][i]); };
   return {term(0), term(1), term(2), term(3)};
 #else
   // Two terms of a corner lie together; with four lanes, those of the next corner but one are behind them.
-  const auto two_terms = [&](int i, int term) HWY_ATTR {
+  const auto two_terms = [&](std::size_t i, std::size_t term) HWY_ATTR {
     const hn::CappedTag<double, 2> two;
 #if HWY_MAX_BYTES >= 32
     return hn::Combine(kTerms, hn::LoadU(two, corner[i + 2] + term), hn::LoadU(two, corner[i] + term));
@@ -87,7 +87,7 @@ HWY_INLINE Slopes slopes_of(const double* const (&corner)[4], int first) {
 }
 
 /// Values of the near and far side, by corner: with x, every second corner is far; with y, the last two are.
-HWY_INLINE TermsVector by_x(const double (&sides)[2], int first) {
+HWY_INLINE TermsVector by_x(const double (&sides)[2], std::size_t first) {
 #if HWY_TARGET == HWY_SCALAR
   return hn::Set(kTerms, sides[first & 1]);
 #else
@@ -95,7 +95,7 @@ HWY_INLINE TermsVector by_x(const double (&sides)[2], int first) {
   return hn::OddEven(hn::Set(kTerms, sides[1]), hn::Set(kTerms, sides[0]));
 #endif
 }
-HWY_INLINE TermsVector by_y(const double (&sides)[2], int first) {
+HWY_INLINE TermsVector by_y(const double (&sides)[2], std::size_t first) {
 #if HWY_MAX_BYTES >= 32
   (void)first;
   return hn::ConcatUpperLower(kTerms, hn::Set(kTerms, sides[1]), hn::Set(kTerms, sides[0]));
@@ -113,7 +113,7 @@ double lattice_sum(const NoiseTables& tables, const Vec3& p) {
       return tables.slopes.data()[tables.point.data()[cell.point_xy[dx][dy] ^ cell.z[dz]]].data();
     };
     const double* const corners[4] = {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)};
-    for (int first = 0; first < 4; first += kLanes) {
+    for (std::size_t first = 0; first < 4; first += kLanes) {
       const Slopes slope = slopes_of(corners, first);
       const TermsVector value = slope.half_value + slope.x * by_x(cell.from_corner[0], first) +
                                 slope.y * by_y(cell.from_corner[1], first) +
@@ -130,7 +130,7 @@ double lattice_sum(const NoiseTables& tables, const Vec3& p) {
 
 Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p) {
   const Cell cell = cell_around(p, tables);
-  constexpr int kParts = 4 / kLanes;
+  constexpr std::size_t kParts = 4 / kLanes;
   TermsVector sums[kParts];
   for (TermsVector& sum : sums) sum = hn::Zero(kTerms);
   for (int dz = 0; dz < 2; ++dz) {
@@ -139,7 +139,7 @@ Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p) {
         const NoiseTables::VectorSlope& slope =
             tables.vector_slopes.data()[tables.point.data()[cell.point_xy[dx][dy] ^ cell.z[dz]]];
         const TermsVector weight = hn::Set(kTerms, cell.weight[0][dx] * cell.weight[1][dy] * cell.weight[2][dz]);
-        for (int part = 0; part < kParts; ++part) {
+        for (std::size_t part = 0; part < kParts; ++part) {
           const auto term = [&](std::size_t i) HWY_ATTR { return hn::Load(kTerms, slope[i].data() + part * kLanes); };
           sums[part] += weight * (term(0) + term(1) * hn::Set(kTerms, cell.from_corner[0][dx]) +
                                   term(2) * hn::Set(kTerms, cell.from_corner[1][dy]) +
@@ -149,7 +149,7 @@ Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p) {
     }
   }
   HWY_ALIGN double result[4];
-  for (int part = 0; part < kParts; ++part) hn::Store(sums[part], kTerms, result + part * kLanes);
+  for (std::size_t part = 0; part < kParts; ++part) hn::Store(sums[part], kTerms, result + part * kLanes);
   return {result[0], result[1], result[2]};
 }
 
