@@ -15,8 +15,11 @@ SKIPPED = 'build', '.git'
 
 def documents():
     """The Markdown files that git has; all files where there is no git."""
-    listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard', '*.md'], cwd=ROOT, capture_output=True, text=True)
-    if listed.returncode == 0:
+    try:
+        listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard', '*.md'], cwd=ROOT, capture_output=True, text=True)
+    except FileNotFoundError:
+        listed = None
+    if listed and listed.returncode == 0:
         return sorted(path for path in listed.stdout.splitlines() if os.path.exists(os.path.join(ROOT, path)))
     found = []
     for folder, folders, files in os.walk(ROOT):
