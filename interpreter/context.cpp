@@ -93,7 +93,9 @@ void Context::meet(const grammar::Error& node) {
   if (complaint && !complaint->is_error()) return tell(*complaint);
   for (; complaint; complaint = complaint->next) tell(*complaint);
   if (!node.gives_up) return;
-  // A node without a complaint follows one that was reported before; a scene must not go on as if nothing were wrong.
+  // A node without a complaint follows one that was reported before, or that comes later in the text. Either way a
+  // scene must not go on as if nothing were wrong.
+  if (!node.complaint) tell_rest();
   if (!node.complaint && !sink_.has_errors()) error(node.span, "this text cannot be read");
   throw Failed{};
 }

@@ -257,7 +257,7 @@ ExitCode run(const RenderCommand& command) {
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
-  tell_noisy(command, picture.result.statistics);
+  if (complete) tell_noisy(command, picture.result.statistics);
   const bool is_uncertain = tell_uncertain(command, picture.result.statistics);
   if (!complete) return exit_code_of(stop_flag().reason());
   return is_uncertain && command.picture.strict ? ExitCode::scene_error : ExitCode::done;

@@ -1,0 +1,2 @@
+#for (I, 0, 3)
+  sphere { I*x, 1 }
