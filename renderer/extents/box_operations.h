@@ -9,7 +9,7 @@
 
 namespace isl::render {
 
-/// What two boxes have in common; empty if that is nothing.
+/// The intersection of two boxes; empty if they do not meet.
 [[nodiscard]] inline Imath::Box3d common_box(const Imath::Box3d& a, const Imath::Box3d& b) {
   Imath::Box3d result;
   for (int i = 0; i < 3; ++i) {

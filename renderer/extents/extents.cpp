@@ -36,7 +36,7 @@ Box box_of_planes(const Database& database, const scene::Group& group) {
   return box_around(planes);
 }
 
-/// What the quadrics of an intersection or difference leave of a box.
+/// The part of a box that the quadrics of an intersection or difference may fill, as a box.
 Box narrowed_by_quadrics(const Database& database, const scene::Group& group, Box box) {
   for (const Object& child : group.children) {
     if (group.operation == Operation::subtract && &child != &group.children.front()) break;

@@ -32,7 +32,7 @@ struct Interval {
 Interval operator+(const Interval& a, const Interval& b) { return {a.low + b.low, a.high + b.high}; }
 Interval operator*(double factor, const Interval& a) { return {factor * a.low, factor * a.high}; }  // of factors ≥ 0
 
-/// Nothing times infinity is nothing, because sides are infinite where they are not known.
+/// The product, with 0 · ∞ = 0: an infinite side is one that is not known.
 Interval operator*(const Interval& a, const Interval& b) {
   const auto product = [](double x, double y) { return x == 0 || y == 0 ? 0 : x * y; };
   const auto [low, high] =
@@ -66,7 +66,7 @@ double least_of(const Interval& a, const Interval& b, const Interval& x) {
   return least;
 }
 
-/// Where a x² + b x + r ≤ 0, for a ≥ 0; nothing if nowhere.
+/// The interval of x in which a x² + b x + r ≤ 0, for a ≥ 0; empty if there is none.
 std::optional<Interval> not_above_zero(double a, double b, double r) {
   const auto wider = [](double low, double high) {
     return Interval{low - kRounding * std::abs(low), high + kRounding * std::abs(high)};

@@ -1,4 +1,4 @@
-// What a quadric leaves of a box.
+// The part of a box that a quadric may fill, as a box.
 #pragma once
 
 #include "renderer/scene/solids.h"

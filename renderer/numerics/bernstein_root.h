@@ -9,7 +9,7 @@
 
 namespace isl::render {
 
-/// What Newton's method needs at a place: a number with the sign of the value, and value/slope.
+/// One step of Newton's method: a number that has the sign of the value, and value/slope.
 struct NewtonStep {
   double sign_of_value, step;
 };

@@ -102,7 +102,7 @@ class PowerForm {
     for (int i = 1; i < n; ++i) b[i] /= binomial(n, i);
     return b;
   }
-  /// Those of uⁿ Σ aₖ (sign/u)ᵏ for u from 0 to 1.
+  /// The Bernstein coefficients of uⁿ Σ aₖ (sign/u)ᵏ for u from 0 to 1.
   [[nodiscard]] Coefficients from_infinity(double sign) const {
     Coefficients b = a_;
     const int n = b.degree;

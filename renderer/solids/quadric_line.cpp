@@ -89,7 +89,7 @@ bool find_plain_crossings(const PreparedPolynomial& polynomial, const Vec3& orig
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   const double s1 = q / a, s2 = c / q;
   const double near = std::min(s1, s2), far = std::max(s1, s2);
-  // Whether a crossing at the start is before or behind it is for the general method to tell.
+  // A crossing this close to the start may lie before or behind it: the general method decides.
   const double doubt = kClear * kTermRounding * (std::abs(foot_t) + std::max(std::abs(near), std::abs(far)));
   const double t_near = foot_t + near, t_far = foot_t + far;
   if (!(std::abs(t_near) > doubt && std::abs(t_far) > doubt)) return false;
