@@ -52,6 +52,16 @@ long double moved_by_one_unit(const Vector<long double>& gradient, const long do
   return moved;
 }
 
+/// True if the places at two t of a ray differ by at most eight units in the last place of the ray's coordinates there.
+bool differ_by_eight_units(const render::Ray& ray, long double a, long double b) {
+  const Vector<long double> d = exactly(ray.direction), o = exactly(ray.origin);
+  const auto is_near = [&](long double origin, long double along) {
+    const long double coordinate = std::max(std::abs(origin), std::abs(along) * std::max(std::abs(a), std::abs(b)));
+    return std::abs(along) * std::abs(a - b) <= 8 * 0x1p-52L * coordinate;
+  };
+  return is_near(o.x, d.x) && is_near(o.y, d.y) && is_near(o.z, d.z);
+}
+
 }  // namespace
 
 RoundingRule::RoundingRule(const scene::Database& database) : field_(database, database.blobs.front()) {
@@ -91,7 +101,12 @@ bool RoundingRule::agree(const FieldOnRay& field, const render::Ray& ray, const 
                          const std::optional<double>& found, bool is_inside) const {
   constexpr long double kAnything = std::numeric_limits<long double>::infinity();
   const long double to = found ? *found : field.end();
-  if (found && crossing != nullptr && std::abs(to - crossing->t) <= crossing->slack + 0x1p-53L * to) return true;
+  // Asked for first, because F may turn within the eight units: a slope that is judged just before a support begins
+  // does not know the component behind its border.
+  if (found && crossing != nullptr) {
+    const long double known = std::clamp(to, crossing->t - crossing->slack, crossing->t + crossing->slack);
+    if (differ_by_eight_units(ray, to, known)) return true;
+  }
   const bool is_late = crossing != nullptr && crossing->t < to;
   const long double from = is_late ? std::min(crossing->t + crossing->slack, to) : to;
   // Behind a missed surface other components may allow more than the place where it was missed.

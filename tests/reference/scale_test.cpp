@@ -21,18 +21,17 @@ namespace {
 constexpr int kExponents[] = {6, 9, 12, 15};
 constexpr int kLines = 12;
 
-/// Rays that rounding misplaces by more than the rule allows, as a share of all. Of 110,000 rays one is known, which
-/// `interval` stops before a circle.
-constexpr double kMostMisplaced = 1e-3;
-
 struct Certified {
   const char* name;
   render::SolverName solver;
   bool packets = true;
+  /// Rays that rounding may misplace by more than the rule allows, as a share of all. Of 18,288 rays `interval`
+  /// misplaces one, before a circle.
+  double most_misplaced = 0;
 };
 constexpr Certified kCertified[] = {
     {"hermite", render::SolverName::hermite}, {"hermite_single", render::SolverName::hermite, false},
-    {"exact", render::SolverName::exact},     {"interval", render::SolverName::interval},
+    {"exact", render::SolverName::exact},     {"interval", render::SolverName::interval, true, 1e-3},
     {"lg", render::SolverName::lg},           {"inclusion", render::SolverName::inclusion},
 };
 
@@ -110,7 +109,7 @@ TEST_P(EveryScale, KeepsEveryHitToEightUnits) {
       EXPECT_GT(total.hits, total.rays / 4) << where << ": the rays must meet something";
       EXPECT_LE(total.undecided, total.rays / 1000) << where;
       EXPECT_EQ(total.wrong[0] + total.wrong[1], 0) << where;
-      EXPECT_LE(total.wrong[2], total.rays * kMostMisplaced) << where;
+      EXPECT_LE(total.wrong[2], total.rays * GetParam().most_misplaced) << where;
     }
   }
 }
