@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <system_error>
+#include <utility>
 
 namespace isl::grammar {
 namespace {
@@ -93,13 +94,16 @@ class Walk {
   std::vector<std::string_view> names_;
 };
 
+/// The files of a folder that may be libraries: first those of POV-Ray's ending, so that a name that both kinds declare
+/// is found where scenes for either program find it.
 std::vector<fs::path> includes_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() == ".inc" && entry->is_regular_file(error)) files.push_back(entry->path());
+    const fs::path extension = entry->path().extension();
+    if ((extension == ".inc" || extension == ".isl") && entry->is_regular_file(error)) files.push_back(entry->path());
   }
-  std::ranges::sort(files);
+  std::ranges::sort(files, {}, [](const fs::path& file) { return std::pair(file.extension() != ".inc", file); });
   return files;
 }
 

@@ -14,8 +14,8 @@ namespace isl::grammar {
 
 class LibraryIndex {
  public:
-  /// Indexes the `.inc` files directly in these folders. If two declare a name, the first one wins: files are ordered
-  /// by folder, then by name.
+  /// Indexes the `.inc` and `.isl` files directly in these folders. If two declare a name, the first one wins: files
+  /// are ordered by folder, within it `.inc` before `.isl`, then by name.
   explicit LibraryIndex(const std::vector<std::filesystem::path>& folders);
 
   /// The file's name as `#include` takes it; none if no file declares the name.

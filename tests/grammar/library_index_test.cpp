@@ -54,5 +54,15 @@ TEST(LibraryIndex, NamesTheFirstFileThatDeclaresAName) {
   EXPECT_EQ(index.file_that_declares("Scenery"), std::nullopt) << "a scene is no library";
 }
 
+TEST(LibraryIndex, NamesFilesOfBothEndings) {
+  const TemporaryFolder folder;
+  folder.write("a.isl", "#declare Both = 1; #declare Ours = 1; #macro Grown(A) A #end");
+  folder.write("b.inc", "#declare Both = 1;");
+  const LibraryIndex index({folder.path()});
+  EXPECT_THAT(index.file_that_declares("Ours"), Optional(Eq("a.isl")));
+  EXPECT_THAT(index.file_that_declares("Grown"), Optional(Eq("a.isl")));
+  EXPECT_THAT(index.file_that_declares("Both"), Optional(Eq("b.inc"))) << ".inc comes first";
+}
+
 }  // namespace
 }  // namespace isl::grammar
