@@ -1,6 +1,7 @@
 #include "renderer/film/tiles.h"
 
 #include <algorithm>
+#include <array>
 
 namespace isl::render {
 namespace {
@@ -8,11 +9,18 @@ namespace {
 int floor_to_tile(int value) { return value / kTileSize * kTileSize; }
 
 /// Every second bit of n, from bit 0 on, packed together: undoes the interleaving of a Morton code.
-int even_bits(unsigned n) {
+constexpr int even_bits(unsigned n) {
   int result = 0;
   for (int bit = 0; n != 0; ++bit, n >>= 2) result |= static_cast<int>(n & 1u) << bit;
   return result;
 }
+
+/// The pixels of the tile at 0, 0 in the order of their Morton codes.
+constexpr auto kMortonOrder = [] {
+  std::array<Pixel, kTileSize * kTileSize> order;
+  for (unsigned code = 0; code < order.size(); ++code) order[code] = {even_bits(code), even_bits(code >> 1)};
+  return order;
+}();
 
 /// A fixed permutation: Fisher–Yates with the generator of POV-Ray's rand(), so that it does not depend on a library.
 void shuffle(std::vector<PixelRect>& tiles) {
@@ -41,8 +49,8 @@ std::vector<PixelRect> tiles_of(const PixelRect& rect, TileOrder order) {
 
 void pixels_of(const PixelRect& tile, std::vector<Pixel>& pixels) {
   pixels.clear();
-  for (unsigned code = 0; code < kTileSize * kTileSize; ++code) {
-    const Pixel pixel{tile.x0 + even_bits(code), tile.y0 + even_bits(code >> 1)};
+  for (const Pixel& offset : kMortonOrder) {
+    const Pixel pixel{tile.x0 + offset.x, tile.y0 + offset.y};
     if (pixel.x < tile.x1 && pixel.y < tile.y1) pixels.push_back(pixel);
   }
 }

@@ -29,14 +29,11 @@ WorkingSpace::WorkingSpace(const scene::Settings& settings) {
   }
 }
 
-double WorkingSpace::to_linear(double value) const {
+double WorkingSpace::bent(double value) const {
   if (curve_ == Curve::srgb) return linear_from_srgb(value);
   return std::copysign(power(std::abs(value), gamma_), value);
 }
 
-Rgb WorkingSpace::to_linear(const Rgb& colour) const {
-  if (curve_ == Curve::linear) return colour;
-  return {to_linear(colour.x), to_linear(colour.y), to_linear(colour.z)};
-}
+Rgb WorkingSpace::bent(const Rgb& colour) const { return {bent(colour.x), bent(colour.y), bent(colour.z)}; }
 
 }  // namespace isl::render

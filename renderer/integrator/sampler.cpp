@@ -42,11 +42,6 @@ void Sampler::push_blurred(std::span<const CameraSample> samples, std::span<cons
   }
 }
 
-void Sampler::add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
-  film_.add_sample(sample.pixel, colour, alpha);
-  if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
-}
-
 bool Sampler::trace(std::span<const CameraSample> samples, std::span<const PixelSample> places, Workspace& workspace,
                     SampleObserver* observer) const {
   PathMemory& paths = workspace.paths;
@@ -61,13 +56,14 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
+  LinearColours linear(working_space_);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
       add(samples[i], Rgb(0), blank_alpha_, observer);
       continue;
     }
     const Rgb& colour = paths.colours[i];
-    add(samples[i], film_.is_linear() ? working_space_.to_linear(colour) : colour, paths.alphas[i], observer);
+    add(samples[i], film_.is_linear() ? linear(colour) : colour, paths.alphas[i], observer);
     if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
   return true;

@@ -68,7 +68,10 @@ class Sampler {
  private:
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
-  void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const;
+  void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
+    film_.add_sample(sample.pixel, colour, alpha);
+    if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
+  }
   void push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
                     std::vector<Ray>& rays) const;
 

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace isl::render::test {
 namespace {
@@ -33,6 +36,22 @@ TEST(Transfer, gives_povrays_codes) {
   expect_codes(settings(3.6, {}), 32768, 13107, 655);
   expect_codes(settings(3.6, 1.0), 48192, 31754, 6544);
   expect_codes(settings(3.6, 2.2), 33021, 12208, 34);
+}
+
+TEST(Transfer, remembers_colours_by_their_bits) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Rgb> colours{
+      Rgb(0),           Rgb(-0.0),        {0.5, 0.2, 0.01}, {0.5, 0.2, 0.01}, {0.5, 0.2, 0.02},
+      {0.5, 0.3, 0.02}, {0.4, 0.3, 0.02}, {nan, 0.3, 0.02}, {nan, 0.3, 0.02}, Rgb(0)};
+  for (const scene::Settings& some : {settings(3.7, 1.0), settings(3.7, 2.2), settings(3.7, 0.0), settings(3.6, {})}) {
+    const WorkingSpace space(some);
+    LinearColours linear(space);
+    for (const Rgb& colour : colours) {
+      const Rgb expected = space.to_linear(colour), got = linear(colour);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(got[i]), std::bit_cast<std::uint64_t>(expected[i]));
+    }
+  }
 }
 
 TEST(Transfer, srgb_goes_there_and_back) {
