@@ -31,6 +31,11 @@ bool is_of_povray(const std::filesystem::path& file) {
   return std::ranges::find(kExtensions, file.extension().string()) != std::end(kExtensions);
 }
 
+/// What isl has in the place of a feature of POV-Ray's that is not supported, as the beginning of a hint.
+std::string_view replacement_of(std::string_view thing) {
+  return thing == "radiosity" ? "light from the sky and from surfaces comes from `sky_light` and `bounce_light`; " : "";
+}
+
 }  // namespace
 
 Context::Context(grammar::Loader& loader_, grammar::SymbolTable& symbols_, const grammar::Unit& unit,
@@ -116,7 +121,7 @@ void Context::unsupported(SourceSpan span, std::string_view thing) {
   if (options.lenient) {
     warn(span, message + "; skipped");
   } else {
-    error(span, std::move(message), "`--lenient` skips unsupported features");
+    error(span, std::move(message), fmt::format("{}`--lenient` skips unsupported features", replacement_of(thing)));
   }
 }
 
