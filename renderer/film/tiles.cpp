@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace isl::render {
 namespace {
@@ -17,7 +18,7 @@ constexpr int even_bits(unsigned n) {
 
 /// The pixels of the tile at 0, 0 in the order of their Morton codes.
 constexpr auto kMortonOrder = [] {
-  std::array<Pixel, kTileSize * kTileSize> order;
+  std::array<Pixel, std::size_t{kTileSize} * kTileSize> order;
   for (unsigned code = 0; code < order.size(); ++code) order[code] = {even_bits(code), even_bits(code >> 1)};
   return order;
 }();
