@@ -31,7 +31,7 @@ bool is_of_povray(const std::filesystem::path& file) {
   return std::ranges::find(kExtensions, file.extension().string()) != std::end(kExtensions);
 }
 
-/// What isl has in the place of a feature of POV-Ray's that is not supported, as the beginning of a hint.
+/// The first part of a hint: it names the statements that replace an unsupported feature. Empty if none does.
 std::string_view replacement_of(std::string_view thing) {
   return thing == "radiosity" ? "light from the sky and from surfaces comes from `sky_light` and `bounce_light`; " : "";
 }

@@ -7,9 +7,9 @@
 // they do by eight units; for a component with a transform these are the axes of its own space. Besides, the sum of n
 // fields is off by (n + 16)u of its terms, each of which takes some 16 operations, and relative errors of squared
 // distances, 4u each, are amplified by hardness. A hit whose place is off by at most eight units of the ray's own
-// coordinates is right. Another one before the true one is right if F is within the sum of these
-// there; a later one, or a miss, if F has not left the ray's side by more from the true crossing on. (A crossing within
-// the rounding and another object behind it: then the hit on that is right too.)
+// coordinates is right. Another one before the true one is right if F is within the sum of these there; a later one, or
+// a miss, if F has not left the ray's side by more from the true crossing on. (A crossing within the rounding and
+// another object behind it: then the hit on that is right too.)
 #pragma once
 
 #include "renderer/rays/ray.h"
