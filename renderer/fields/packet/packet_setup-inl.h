@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -99,7 +100,15 @@ class PacketSetup {
   template <class Kernel>
   HWY_INLINE void add_pieces(const Kernel& kernel, const ListedFields& fields) {
     begin(fields, 0);
-    for (std::uint32_t i = 0; i < fields.count; ++i) add_pieces(kernel, fields, fields.items[i]);
+    for (std::uint32_t i = 0; i < fields.count; ++i) {
+      const std::uint32_t first = rows_;
+      lay_out_pieces(fields, fields.items[i]);
+      for (std::uint32_t row = first; row < rows_; ++row) {
+        const QuadraticLanes lanes = load_lanes<QuadraticLanes>(m_.rows[row]);
+        const PieceBorders borders = borders_of(m_.rows[row]);
+        adds(kernel, least(lanes, borders, held_part(borders, t0_, t1_)), m_.rows[row].amplitude[0]);
+      }
+    }
   }
 
   HWY_NOINLINE void add_curves(const ListedFields& fields) {
@@ -134,6 +143,8 @@ class PacketSetup {
   /// As PlacedLine, for eight rays.
   struct PlacedLines : Lines<Octet> {
     Octet start, size;
+    Octet distance2;  ///< |o − middle|²
+    Octet length2;    ///< |d|²
   };
   [[nodiscard]] HWY_INLINE PlacedLines lines_in(const ListedFields& fields, std::uint32_t item) const {
     const ComponentTable& table = fields.table;
@@ -156,7 +167,8 @@ class PacketSetup {
       length2 = length2 + lines.d[i] * lines.d[i];
     }
     const Octet t = along / length2;
-    lines.start = keep(abs(t) < Octet(kInfinity), t);
+    const bool has_middle = !scene::is_endless(fields.group.skeleton);
+    lines.start = has_middle ? keep(abs(t) < Octet(kInfinity), t) : Octet(0.0);
     for (std::size_t i = 0; i < 3; ++i) o[i] = o[i] + d[i] * lines.start;
     Octet distance2(0.0), terms(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -169,50 +181,70 @@ class PacketSetup {
       terms = max(terms, sum);
     }
     lines.size = sqrt(distance2) + terms;
+    lines.distance2 = distance2;
+    lines.length2 = length2;
     return lines;
+  }
+  /// The lanes whose stretch meets the ball around the component's middle that holds its support, wherever positions
+  /// are off by their rounding errors. No others can reach the component.
+  template <class Shape>
+  [[nodiscard]] HWY_INLINE OctetMask near_ball(const PlacedLines& lines, const Shape& shape,
+                                               double support_root) const {
+    const Octet near = max(t0_, min(t1_, lines.start)) - lines.start;
+    const Octet distance = sqrt(lines.distance2 + lines.length2 * near * near);
+    const Octet radius(shape.extent() + shape.thickest() * support_root);
+    const Octet off = Octet(kPositionError) * (lines.size + radius);
+    return and_not(distance - off > radius, lanes_);  // a distance that is no number knows nothing
   }
   /// Coordinate i of the image of a vector.
   [[nodiscard]] static HWY_INLINE Octet image(const Octet (&v)[3], const scene::Matrix& m, int i) {
     return v[0] * Octet(m[0][i]) + v[1] * Octet(m[1][i]) + v[2] * Octet(m[2][i]);
   }
 
-  template <class Kernel>
-  void add_pieces(const Kernel& kernel, const ListedFields& fields, std::uint32_t item) {
-    const ComponentTable& table = fields.table;
-    const FieldGroup& group = fields.group;
+  // It is out of line and compiled once for all kernels.
+  HWY_NOINLINE void lay_out_pieces(const ListedFields& fields, std::uint32_t item) {
+    with_skeleton_type(fields.group.skeleton, [&](auto type) HWY_ATTR {
+      using Shape = typename decltype(type)::type;
+      if constexpr (HasPieces<Shape>) lay_out_pieces(fields, item, fields.table.shape<Shape>(fields.group, item));
+    });
+  }
+  template <class Shape>
+  HWY_INLINE void lay_out_pieces(const ListedFields& fields, std::uint32_t item, const Shape& shape) {
+    const double support = fields.group.kernel.support, scale = ComponentTable::v_scale(fields.group),
+                 amplitude = fields.table.amplitude[item];
+    const PlacedLines lines = lines_in(fields, item);
+    OctetMask meets = lanes_;
+    if constexpr (!Endless<Shape>) meets = near_ball(lines, shape, ComponentTable::support_root(fields.group));
+    std::uint32_t reaching = bits(meets);
+    if (reaching == 0) return;
     m_.reserve(rows_ + kMostPieces);
-    const double support = group.kernel.support, scale = ComponentTable::v_scale(group),
-                 amplitude = table.amplitude[item];
-    const std::uint32_t in_use = bits(lanes_), first = rows_;
-    for (std::size_t lane = 0; lane < kPacket; ++lane) {
-      if ((in_use >> lane & 1) == 0) continue;
-      const PlacedLine line(fields, item, rays_.origin_of(lane), rays_.direction_of(lane));
-      double size = 0;
+    alignas(64) double o[3][kPacket], d[3][kPacket], start[kPacket], size[kPacket];
+    for (std::size_t i = 0; i < 3; ++i) {
+      store(lines.o[i], o[i]);
+      store(lines.d[i], d[i]);
+    }
+    store(lines.start, start);
+    store((lines.size + Octet(shape.extent())) * Octet(std::sqrt(scale) / shape.thickest()), size);
+    const std::uint32_t first = rows_;
+    for (; reaching != 0; reaching &= reaching - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(reaching));
       std::uint32_t next = first;
       const auto emit = [&](const QuadraticPiece& piece) {
         const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
-        const double middle = line.start + piece.middle, begin = line.start + piece.begin, end = line.start + piece.end;
+        const double middle = start[lane] + piece.middle, begin = start[lane] + piece.begin,
+                     end = start[lane] + piece.end;
         const double from = std::max(rays_.t0[lane], begin), to = std::min(rays_.t1[lane], end);
         if (!(from <= to)) return;
         const double near = std::clamp(middle, from, to) - middle;
-        const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * size);
+        const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * size[lane]);
         if (!(least * least < support)) return;
         if (next == rows_) clear(new_row(amplitude), 2 * support);
         PacketRow& row = m_.rows[next++];
         const double columns[] = {v0, kappa, middle, begin, end};
         for (std::size_t c = 0; c < std::size(columns); ++c) row.along[c][lane] = columns[c];
-        row.size[lane] = size;
+        row.size[lane] = size[lane];
       };
-      table.with_skeleton(group, item, [&](const auto& shape) {
-        using Shape = std::decay_t<decltype(shape)>;
-        size = (line.size + shape.extent()) * std::sqrt(scale) / shape.thickest();
-        if constexpr (HasPieces<Shape>) shape.along(line.origin, line.direction, emit);
-      });
-    }
-    for (std::uint32_t i = first; i < rows_; ++i) {
-      const QuadraticLanes lanes = load_lanes<QuadraticLanes>(m_.rows[i]);
-      const PieceBorders borders = borders_of(m_.rows[i]);
-      adds(kernel, least(lanes, borders, held_part(borders, t0_, t1_)), amplitude);
+      shape.along({o[0][lane], o[1][lane], o[2][lane]}, {d[0][lane], d[1][lane], d[2][lane]}, emit);
     }
   }
   /// Fills a row with pieces on which v = `beyond`, a value beyond the support.

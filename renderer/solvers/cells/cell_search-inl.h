@@ -83,6 +83,7 @@ class CellSearch {
     crosses,         ///< none: the ray has changed sides on the way, and the search is over
     passes,          ///< none: the ray stays on its side
     candidate_leaf,  ///< find a root of a ray that comes from outside, in a leaf
+    starting_leaf,   ///< the same of a ray that starts there on the surface, unless it leaves inwards
     other_candidate  ///< call solve_in, which covers all other cases
   };
   [[nodiscard]] Arrival arrive(const CellStretch& stretch) {
@@ -105,8 +106,9 @@ class CellSearch {
     }
     last_cell_ = index;
     reached_ = t1;
-    const bool is_plain = cell.kind() == CellKind::leaf && side_ == Side::outside && !(starts_on_surface_ && t0 == 0);
-    return is_plain ? Arrival::candidate_leaf : Arrival::other_candidate;
+    if (cell.kind() != CellKind::leaf) return Arrival::other_candidate;
+    if (starts_on_surface_ && t0 == 0) return Arrival::starting_leaf;
+    return side_ == Side::outside ? Arrival::candidate_leaf : Arrival::other_candidate;
   }
   /// True if the ray crosses in a cell that it has arrived at.
   [[nodiscard]] bool solve_in(const CellStretch& stretch) {
@@ -116,9 +118,12 @@ class CellSearch {
       undecided_from_ = std::min(undecided_from_, base_ + stretch.enter);
     return crosses;
   }
-  /// Records the result, found elsewhere, of a cell that the ray has arrived at: the ray stays on its side to the end
-  /// of the cell, or crosses at t.
-  void set_passed() { is_node_valid_ = false; }
+  /// Records the result, found elsewhere, of a leaf that the ray has arrived at: the ray is outside from where it
+  /// enters or starts to the end of the cell, or crosses at t.
+  void set_passed() {
+    side_ = Side::outside;
+    is_node_valid_ = false;
+  }
   void set_crossing(double t) { cross(t, last_cell_); }
 
   [[nodiscard]] const BlobHit& hit() {

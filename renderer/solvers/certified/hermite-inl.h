@@ -61,6 +61,8 @@ class HermiteSolver {
   using Lengths = Shortest;
   /// h²|F″ − p″| on an interval is no greater than this times E.
   static constexpr double kBendBand = 43;
+  /// The band of c₁ of the quotient by a known root, over E.
+  static constexpr double kMiddleBand = 14;
   /// No search halves more often, so that each ray ends in time. Searches in scenes of ordinary sizes need a few
   /// hundred; those whose bounds overflow, because a component is larger than 1e77, would never end.
   static constexpr int kMostSplits = 1 << 16;
@@ -133,8 +135,6 @@ class HermiteSolver {
   }
 
  private:
-  /// The band of c₁ of the quotient by a known root, over E.
-  static constexpr double kMiddleBand = 14;
   enum class Verdict { none, at_start, one, back, in_cubic, unclear, undecided };
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {

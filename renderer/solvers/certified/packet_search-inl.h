@@ -75,18 +75,19 @@ class PacketSearch {
                       const Octet& leave) {
     store(enter, packet_.t0);
     store(leave, packet_.t1);
-    std::uint32_t together = 0, done = 0;
+    std::uint32_t together = 0, starting = 0, done = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
       switch (searches_[lane]->arrive({index, cell, packet_.t0[lane], packet_.t1[lane]})) {
         case Arrival::crosses: done |= 1u << lane; break;
         case Arrival::passes: break;
+        case Arrival::starting_leaf: starting |= 1u << lane; [[fallthrough]];
         case Arrival::candidate_leaf: together |= 1u << lane; break;
         case Arrival::other_candidate:
           if (solve_alone(index, cell, lane)) done |= 1u << lane;
           break;
       }
     });
-    if (std::popcount(together) >= kFewest) return done | solve_together(index, cell, together);
+    if (std::popcount(together) >= kFewest) return done | solve_together(index, cell, together, starting);
     for_each_lane(together, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
@@ -97,15 +98,19 @@ class PacketSearch {
     return searches_[lane]->solve_in({index, cell, packet_.t0[lane], packet_.t1[lane]});
   }
 
-  /// Searches a leaf for rays that come from outside. Returns those that cross there.
-  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, std::uint32_t together) {
-    const OctetMask lanes = mask_of(together);
+  /// Searches a leaf for rays that come from outside or, those in `starting`, begin there on the surface. Returns those
+  /// that cross there.
+  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, std::uint32_t together, std::uint32_t starting) {
+    const OctetMask lanes = mask_of(together), starts = mask_of(starting);
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
     // A bound that is no number knows nothing.
-    const OctetMask open = and_not(fields_.upper_bound() < Octet(0.0), lanes);
-    for_each_lane(together, [&](std::size_t lane) { searches_[lane]->set_passed(); });
-    if (none(open)) return 0;
-    PacketSolver(fields_, counters_).first_roots(open, load(packet_.t0), load(packet_.t1), load(least_), any_, roots_);
+    const OctetMask open = and_not(and_not(starts, fields_.upper_bound() < Octet(0.0)), lanes);
+    roots_.found = roots_.undecided = 0;
+    if (!none(open)) {
+      PacketSolver(fields_, counters_)
+          .first_roots({open, starts, load(packet_.t0), load(packet_.t1), load(least_), any_}, roots_);
+    }
+    for_each_lane(together & ~roots_.undecided, [&](std::size_t lane) { searches_[lane]->set_passed(); });
     std::uint32_t done = roots_.found;
     for_each_lane(roots_.found, [&](std::size_t lane) { searches_[lane]->set_crossing(roots_.t[lane]); });
     for_each_lane(roots_.undecided, [&](std::size_t lane) {

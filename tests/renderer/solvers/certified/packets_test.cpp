@@ -1,4 +1,5 @@
 // Rays in packets have the same hits as single rays, and meet the same cells.
+#include "renderer/fields/packet/ray_packet.h"
 #include "renderer/trace/tracer.h"
 #include "tests/support/sphereflake.h"
 
@@ -88,7 +89,8 @@ TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
     for (int axis = 0; axis < 3; ++axis) {
       for (const double towards : {-1.0, 1.0}) {
         // The origins lie in planes of the grid as well, because its box has round numbers about the origin.
-        Vec3 origin(0.05 * (i % 8) - 0.2, 0.05 * (i / 8) - 0.1, 0.03 * i - 0.6), direction(0);
+        const int column = i % 8, row = i / 8;
+        Vec3 origin(0.05 * column - 0.2, 0.05 * row - 0.1, 0.03 * i - 0.6), direction(0);
         direction[axis] = towards;
         origin[axis] = i % 5 == 0 ? 0 : -2 * towards;
         rays.push_back({origin, direction, 4.5, 0, {}});
@@ -96,6 +98,39 @@ TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
     }
   }
   EXPECT_GT(expect_same(database, rays, true), 100);
+}
+
+/// Rays that begin on the surface where `rays` hit it: eight that hit it side by side go to one of several lights, along
+/// the surface, or anywhere.
+std::vector<Ray> leaving(const scene::Database& database, const std::vector<Ray>& rays, std::mt19937_64& bits) {
+  const Traced found = traced(database, true, rays);
+  const Tracer tracer(database, {});
+  TraceCounters counters;
+  SurfacePoint surface;
+  std::vector<Ray> from_surface;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit& hit = found.hits[i];
+    if (hit.is_miss()) continue;
+    tracer.surface_at(rays[i], hit, surface, counters);
+    const std::size_t packet = i / kPacket;
+    const auto any = [&] { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; };
+    Vec3 towards = packet % 4 == 0 ? Vec3(any(), any(), any()) : Vec3(3, 5.0 - static_cast<double>(packet % 7), 2);
+    if (packet % 4 == 3) towards = towards.cross(surface.normal) + surface.normal * (1e-3 * any());
+    Ray ray{surface.position, towards.normalized(), 4.5, 0, {}};
+    ray.start = hit.start();
+    from_surface.push_back(ray);
+  }
+  return from_surface;
+}
+
+TEST(Packets, TakeRaysThatBeginOnTheSurface) {
+  const scene::Database database = flake();
+  std::mt19937_64 bits(6);
+  for (const double spread : {1e-3, 0.05}) {
+    SCOPED_TRACE(spread);
+    const std::vector<Ray> rays = leaving(database, bundles(bits, 8000, {2.1, 1.3, 1.7}, spread), bits);
+    EXPECT_GT(expect_same(database, rays), 300);
+  }
 }
 
 TEST(Packets, TakeEverySkeleton) {
@@ -125,7 +160,9 @@ TEST(Packets, TakeEverySkeleton) {
         blob.origins.push_back({});
       }
       SCOPED_TRACE("skeleton " + std::to_string(which) + (is_mapped ? ", mapped" : ""));
-      EXPECT_GT(expect_same(database, bundles(bits, 800, {2.1, 1.3, 1.7}, 0.02)), 100);
+      const std::vector<Ray> rays = bundles(bits, 800, {2.1, 1.3, 1.7}, 0.02);
+      EXPECT_GT(expect_same(database, rays), 100);
+      EXPECT_GT(expect_same(database, leaving(database, rays, bits)), 10);
     }
   }
 }
