@@ -71,6 +71,10 @@ class FieldLanes {
   [[nodiscard]] HWY_INLINE Number noise(const Number& t, const FieldAt& f) const {
     return relative_noise_ * f.magnitude + threshold_noise_ + Number(0x1p-51) * abs(t) * f.steepness;
   }
+  /// The least that noise() can be where F is the threshold, since the fields' values there sum to it.
+  [[nodiscard]] HWY_INLINE Number least_noise() const {
+    return relative_noise_ * Number(abs(threshold_)) + threshold_noise_;
+  }
   /// The same bound with the rounding errors of positions within the components. The value's own sign is the best guess
   /// of where a ray crosses, but that it does not cross must hold for every value within this.
   [[nodiscard]] HWY_INLINE Number doubt(const Number& noise, const FieldAt& f) const {

@@ -25,8 +25,9 @@ class IntervalSolver : public Bisection<IntervalSolver> {
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, std::optional<Node>&) {
     // A value within its rounding is no crossing, and the range is wider than F by about as much. An interval that
-    // exceeds neither would be undecided again in every part.
-    if (!a_is_root && values(a.t, b.t).high <= 2 * std::min(a.noise, b.noise)) return Verdict::none;
+    // exceeds neither would be undecided again in every part. The rounding at its ends may be far greater than between
+    // them, as where a ray passes through the hole of a ring.
+    if (!a_is_root && values(a.t, b.t).high <= 2 * fields_.least_noise()) return Verdict::none;
     const FieldRange slope = slopes(a.t, b.t);
     if (slope.high < 0) return Verdict::none;
     return slope.low > 0 && !a_is_root ? Verdict::rises : Verdict::unclear;
