@@ -36,7 +36,8 @@ struct ProductSearch {
   [[nodiscard]] static bool takes_packets(const CompiledBlob& blob) { return PacketSearch::takes(blob); }
   static void first_hits(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
                          TraceCounters& counters, const BlobRay* rays, std::uint32_t rays_in_use, BlobHit* hits) {
-    PacketSearch(blob, settings, memory.lanes, memory.packet, counters).first_hits(rays, rays_in_use, hits);
+    PacketSearch(blob, settings, memory.lanes, memory.packet, memory.rays, counters)
+        .first_hits(rays, rays_in_use, hits);
   }
 };
 

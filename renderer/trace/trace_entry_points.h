@@ -20,6 +20,7 @@ namespace isl::render {
 struct TraceMemory {
   LaneMemory lanes;
   PacketMemory packet;
+  RayPacket rays;
   PaperMemory paper;
   CsgMemory csg;
   BlobPoint point;

@@ -135,7 +135,9 @@ class WorldTrace {
     } else if (!is_hidden(instance)) {
       BlobRay blob_rays[kPacket];
       BlobHit blob_hits[kPacket];
-      for (std::size_t i = 0; i < rays.size(); ++i) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((open >> i & 1) != 0) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
+      }
       Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
       for (std::size_t i = 0; i < rays.size(); ++i) {
         if ((open >> i & 1) == 0) continue;

@@ -1,6 +1,5 @@
-// Lays out the fields of a cell's list for eight rays, one row for each field, and drops fields that cannot reach the
-// stretch of any of the rays. For skeletons with pieces, a row holds the n-th piece along each ray; these may be
-// different pieces of the skeleton, since the rays cut it in different orders.
+// Lays out the fields of a cell's list for eight rays, one row for each field or for each of its pieces, and drops
+// those that cannot reach the stretch of any of the rays.
 #if defined(ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_
 #undef ISL_RENDERER_FIELDS_PACKET_PACKET_SETUP_INL_H_
@@ -201,6 +200,17 @@ class PacketSetup {
     return v[0] * Octet(m[0][i]) + v[1] * Octet(m[1][i]) + v[2] * Octet(m[2][i]);
   }
 
+  // ---- Pieces
+  // ---------------------------------------------------------------------------------------------------------
+
+  /// A component with pieces, and the rays in its own space.
+  struct InPieces {
+    double scale, support, amplitude;
+    PlacedLines lines;
+    Octet size;       ///< as in PieceBorders
+    OctetMask meets;  ///< the rays that may reach it
+  };
+
   // It is out of line and compiled once for all kernels.
   HWY_NOINLINE void lay_out_pieces(const ListedFields& fields, std::uint32_t item) {
     with_skeleton_type(fields.group.skeleton, [&](auto type) HWY_ATTR {
@@ -210,38 +220,66 @@ class PacketSetup {
   }
   template <class Shape>
   HWY_INLINE void lay_out_pieces(const ListedFields& fields, std::uint32_t item, const Shape& shape) {
-    const double support = fields.group.kernel.support, scale = ComponentTable::v_scale(fields.group),
-                 amplitude = fields.table.amplitude[item];
+    const FieldGroup& group = fields.group;
+    const double scale = ComponentTable::v_scale(group);
     const PlacedLines lines = lines_in(fields, item);
     OctetMask meets = lanes_;
-    if constexpr (!Endless<Shape>) meets = near_ball(lines, shape, ComponentTable::support_root(fields.group));
-    std::uint32_t reaching = bits(meets);
-    if (reaching == 0) return;
+    if constexpr (!Endless<Shape>) meets = near_ball(lines, shape, ComponentTable::support_root(group));
+    if (none(meets)) return;
+    const Octet size = (lines.size + Octet(shape.extent())) * Octet(std::sqrt(scale) / shape.thickest());
     m_.reserve(rows_ + kMostPieces);
+    const InPieces component{scale, group.kernel.support, fields.table.amplitude[item], lines, size, meets};
+    using Pieces = typename PiecesAlong<Shape>::type;
+    if constexpr (std::is_void_v<Pieces>) {
+      put_ray_by_ray(component, shape);
+    } else {
+      for (const OctetPiece& piece : Pieces::along(shape, lines)) put(component, piece);
+    }
+  }
+  /// Makes a row of a piece, unless it cannot reach the stretch of any ray.
+  HWY_INLINE void put(const InPieces& c, const OctetPiece& piece) {
+    const Octet zero(0.0), scale(c.scale), support(c.support), infinity(kInfinity);
+    const Octet v0 = scale * piece.q0, kappa = scale * piece.kappa, middle = c.lines.start + piece.middle;
+    const Octet begin = c.lines.start + piece.begin, end = c.lines.start + piece.end;
+    const Octet from = max(t0_, begin), to = min(t1_, end);
+    const Octet near = max(zero, max(from - middle, middle - to));
+    const Octet least = max(zero, sqrt(v0 + kappa * near * near) - Octet(kPositionError) * c.size);
+    const OctetMask holds = and_not(least * least >= support, c.meets & (from <= to));
+    if (none(holds)) return;
+    PacketRow& row = new_row(c.amplitude);
+    store_along(std::array{select(holds, v0, support + support), keep(holds, kappa), keep(holds, middle),
+                           select(holds, begin, zero - infinity), select(holds, end, infinity)},
+                row);
+    store(keep(holds, c.size), row.size);
+  }
+  /// Makes rows of the n-th piece along each ray, without those that cannot reach its stretch. These may be different
+  /// pieces of the skeleton, since the rays cut it in different orders.
+  template <class Shape>
+  HWY_INLINE void put_ray_by_ray(const InPieces& c, const Shape& shape) {
     alignas(64) double o[3][kPacket], d[3][kPacket], start[kPacket], size[kPacket];
     for (std::size_t i = 0; i < 3; ++i) {
-      store(lines.o[i], o[i]);
-      store(lines.d[i], d[i]);
+      store(c.lines.o[i], o[i]);
+      store(c.lines.d[i], d[i]);
     }
-    store(lines.start, start);
-    store((lines.size + Octet(shape.extent())) * Octet(std::sqrt(scale) / shape.thickest()), size);
+    store(c.lines.start, start);
+    store(c.size, size);
     const std::uint32_t first = rows_;
-    for (; reaching != 0; reaching &= reaching - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(reaching));
+    for (std::uint32_t left = bits(c.meets); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       std::uint32_t next = first;
       const auto emit = [&](const QuadraticPiece& piece) {
-        const double v0 = scale * piece.q0, kappa = scale * piece.kappa;
+        const double v0 = c.scale * piece.q0, kappa = c.scale * piece.kappa;
         const double middle = start[lane] + piece.middle, begin = start[lane] + piece.begin,
                      end = start[lane] + piece.end;
         const double from = std::max(rays_.t0[lane], begin), to = std::min(rays_.t1[lane], end);
         if (!(from <= to)) return;
         const double near = std::clamp(middle, from, to) - middle;
         const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * size[lane]);
-        if (!(least * least < support)) return;
-        if (next == rows_) clear(new_row(amplitude), 2 * support);
+        if (!(least * least < c.support)) return;
+        if (next == rows_) clear(new_row(c.amplitude), 2 * c.support);
         PacketRow& row = m_.rows[next++];
         const double columns[] = {v0, kappa, middle, begin, end};
-        for (std::size_t c = 0; c < std::size(columns); ++c) row.along[c][lane] = columns[c];
+        for (std::size_t i = 0; i < std::size(columns); ++i) row.along[i][lane] = columns[i];
         row.size[lane] = size[lane];
       };
       shape.along({o[0][lane], o[1][lane], o[2][lane]}, {d[0][lane], d[1][lane], d[2][lane]}, emit);

@@ -2,7 +2,8 @@
 // lane_setup-inl.h reads eight components at once.
 //
 // Record: the position a, radius_a.
-#pragma once
+#ifndef ISL_RENDERER_FIELDS_SKELETONS_POINT_H_
+#define ISL_RENDERER_FIELDS_SKELETONS_POINT_H_
 
 #include "renderer/fields/skeletons/skeleton.h"
 
@@ -50,3 +51,28 @@ struct Point {
 };
 
 }  // namespace isl::render
+
+#endif  // ISL_RENDERER_FIELDS_SKELETONS_POINT_H_
+
+// The piece along eight rays of a point that is mapped.
+#ifdef ISL_RAY_FORMS  // renderer/fields/skeletons/ray_forms-inl.h
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct PointPieces {
+  [[nodiscard]] static HWY_INLINE std::array<OctetPiece, 1> along(const Point& point, const Lines<Octet>& lines) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {sphere_piece(point.centre, Octet(point.inverse_radius2), lines, Octet(-kInfinity), Octet(kInfinity))};
+  }
+};
+
+template <>
+struct PiecesAlong<Point> {
+  using type = PointPieces;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -59,6 +59,18 @@ struct RayFormOf {
   using type = void;
 };
 
+/// A QuadraticPiece along each of eight rays; it is empty where begin ≥ end.
+struct OctetPiece {
+  Octet q0, kappa, middle, begin, end;
+};
+
+/// The class whose along(shape, lines) gives the pieces of a skeleton along eight rays; void if they are found ray by
+/// ray.
+template <class Shape>
+struct PiecesAlong {
+  using type = void;
+};
+
 /// Lines o + d t, in a component's own space.
 template <class N>
 struct Lines {
@@ -89,6 +101,17 @@ template <class N>
   ox = ox + dx * r.middle, oy = oy + dy * r.middle, oz = oz + dz * r.middle;
   r.n0 = ox * ox + oy * oy + oz * oz;
   return r;
+}
+
+/// As sphere_piece() for one ray.
+[[nodiscard]] HWY_INLINE OctetPiece sphere_piece(const scene::Vec3& centre, const Octet& inverse_radius2,
+                                                 const Lines<Octet>& lines, const Octet& begin, const Octet& end) {
+  const Octet x = Octet(centre.x) - lines.o[0], y = Octet(centre.y) - lines.o[1], z = Octet(centre.z) - lines.o[2];
+  const auto& d = lines.d;
+  const Octet dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  const Octet middle = (x * d[0] + y * d[1] + z * d[2]) / dd;
+  const Octet px = x - middle * d[0], py = y - middle * d[1], pz = z - middle * d[2];
+  return {inverse_radius2 * (px * px + py * py + pz * pz), inverse_radius2 * dd, middle, begin, end};
 }
 
 }  // namespace HWY_NAMESPACE

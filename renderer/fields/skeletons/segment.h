@@ -2,7 +2,8 @@
 // ray, q is one quadratic between the planes at the ends, and the quadratic of the nearer end's sphere beyond them.
 //
 // Record: the ends a and b, radius_a.
-#pragma once
+#ifndef ISL_RENDERER_FIELDS_SKELETONS_SEGMENT_H_
+#define ISL_RENDERER_FIELDS_SKELETONS_SEGMENT_H_
 
 #include "renderer/fields/skeletons/skeleton.h"
 
@@ -68,3 +69,45 @@ struct Segment {
 };
 
 }  // namespace isl::render
+
+#endif  // ISL_RENDERER_FIELDS_SKELETONS_SEGMENT_H_
+
+// The pieces along eight rays: those of the sphere at a, of the tube between the ends, and of the sphere at b.
+#ifdef ISL_RAY_FORMS  // renderer/fields/skeletons/ray_forms-inl.h
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct SegmentPieces {
+  [[nodiscard]] static HWY_INLINE std::array<OctetPiece, 3> along(const Segment& segment, const Lines<Octet>& lines) {
+    const Octet zero(0.0), length(segment.length), inverse_radius2(1 / (segment.radius * segment.radius));
+    const Octet infinity(std::numeric_limits<double>::infinity());
+    const AboutAxis<Octet> line = about_axis(segment.a, segment.axis, lines);
+    // A ray across the axis is beside one piece all along.
+    const OctetMask across = abs(line.dx) <= zero, forward = line.dx > zero;
+    const Octet at_a = (zero - line.x0) / line.dx, at_b = (length - line.x0) / line.dx;
+    const auto between = [&](const Octet& begin, const Octet& end, const OctetMask& all) HWY_ATTR {
+      return std::array{select(across, select(all, zero - infinity, infinity), begin),
+                        select(across, select(all, infinity, zero - infinity), end)};
+    };
+    const auto by_a = between(select(forward, zero - infinity, at_a), select(forward, at_a, infinity), line.x0 < zero);
+    const auto by_b =
+        between(select(forward, at_b, zero - infinity), select(forward, infinity, at_b), line.x0 > length);
+    const auto by_tube = between(min(at_a, at_b), max(at_a, at_b), (line.x0 >= zero) & (line.x0 <= length));
+    const auto sphere = [&](const Vec3& centre, const std::array<Octet, 2>& on)
+                            HWY_ATTR { return sphere_piece(centre, inverse_radius2, lines, on[0], on[1]); };
+    return {sphere(segment.a, by_a),
+            {inverse_radius2 * line.n0, inverse_radius2 * line.n2, line.middle, by_tube[0], by_tube[1]},
+            sphere(segment.a + segment.axis * segment.length, by_b)};
+  }
+};
+
+template <>
+struct PiecesAlong<Segment> {
+  using type = SegmentPieces;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+#endif

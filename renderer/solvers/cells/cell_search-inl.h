@@ -43,7 +43,8 @@ class CellSearch {
 
   [[nodiscard]] BlobHit first_hit(const BlobRay& ray) {
     const Grid& grid = blob_.grid;
-    const BoxSpan span = begin(ray);
+    begin(ray);
+    const BoxSpan span = span_in_grid(grid, ray);
     const bool meets_grid = span.enter < span.leave;
     if (grid.beyond == scene::kNone) {
       if (meets_grid) in_grid(span);
@@ -56,18 +57,20 @@ class CellSearch {
   }
 
   // The search step by step, for callers that walk the grid themselves (packet_search-inl.h). Precondition: nothing
-  // lies beyond the grid. Call begin, enter_grid, then arrive for each cell in order and what it asks for, until a
-  // crossing is found.
+  // lies beyond the grid. Call begin, enter_grid with the stretch in the grid, then arrive for each cell in order and
+  // what it asks for, until a crossing is found.
 
-  /// Takes up the ray, which must outlive the search. Returns the stretch in the grid's box, empty if the ray misses
-  /// the box.
-  [[nodiscard]] BoxSpan begin(const BlobRay& ray) {
+  /// The stretch of a ray in the grid's box, empty if the ray misses the box.
+  [[nodiscard]] static HWY_INLINE BoxSpan span_in_grid(const Grid& grid, const BlobRay& ray) {
+    if (!(grid.cell_size > 0)) return {1, 0};
+    return clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
+  }
+  /// Takes up the ray, which must outlive the search.
+  void begin(const BlobRay& ray) {
     ray_ = &ray;
     side_ = Side::unknown;
     hit_ = {};
     undecided_from_ = std::numeric_limits<double>::infinity();
-    if (!(blob_.grid.cell_size > 0)) return {1, 0};
-    return clip_to_box(blob_.grid.box, ray.origin, ray.direction, 0, ray.t_max);
   }
   /// Moves to the start of the stretch: from here on t counts from base(), and the ray begins at origin().
   void enter_grid(const BoxSpan& span) {

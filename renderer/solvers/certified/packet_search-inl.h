@@ -27,21 +27,27 @@ class PacketSearch {
   /// True if rays can be searched together in this blob.
   [[nodiscard]] static bool takes(const CompiledBlob& blob) { return blob.grid.beyond == scene::kNone; }
 
+  /// `rays` is memory that the search may use.
   PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& lanes, PacketMemory& packet,
-               TraceCounters& counters)
-      : blob_(blob), settings_(settings), lanes_(lanes), counters_(counters), fields_(packet) {}
+               RayPacket& rays, TraceCounters& counters)
+      : blob_(blob), settings_(settings), lanes_(lanes), counters_(counters), fields_(packet), packet_(rays) {}
 
   /// hits[i] becomes the hit of rays[i] if bit i of `in_use` is set.
   void first_hits(const BlobRay* rays, std::uint32_t in_use, BlobHit* hits) {
     std::uint32_t meeting = 0;
     for_each_lane(in_use, [&](std::size_t lane) {
-      if (begin(lane, rays[lane])) meeting |= 1u << lane;
+      if (begin(lane, rays[lane])) {
+        meeting |= 1u << lane;
+      } else {
+        hits[lane] = {};
+      }
     });
+    if (meeting == 0) return;
     const auto visit =
         [&](std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter, const Octet& leave)
             HWY_ATTR { return mask_of(this->visit(index, cell, bits(lanes), enter, leave)); };
-    if (meeting != 0) PacketWalk(blob_.grid, packet_, visit).walk(meeting, Octet(0.0), load(reach_));
-    for_each_lane(in_use, [&](std::size_t lane) { hits[lane] = searches_[lane]->hit(); });
+    PacketWalk(blob_.grid, packet_, visit).walk(meeting, Octet(0.0), load(reach_));
+    for_each_lane(meeting, [&](std::size_t lane) { hits[lane] = searches_[lane]->hit(); });
   }
 
  private:
@@ -55,10 +61,10 @@ class PacketSearch {
 
   /// True if the ray meets the grid's box.
   bool begin(std::size_t lane, const BlobRay& ray) {
-    searches_[lane].emplace(blob_, settings_, lanes_, counters_);
-    Search& search = *searches_[lane];
-    const BoxSpan span = search.begin(ray);
+    const BoxSpan span = Search::span_in_grid(blob_.grid, ray);
     if (!(span.enter < span.leave)) return false;
+    Search& search = searches_[lane].emplace(blob_, settings_, lanes_, counters_);
+    search.begin(ray);
     search.enter_grid(span);
     for (int axis = 0; axis < 3; ++axis) {
       packet_.origin[axis][lane] = search.origin()[axis];
@@ -130,7 +136,7 @@ class PacketSearch {
 
   bool any_ = false;  ///< BlobRay::any, the same for all rays
   std::optional<Search> searches_[kPacket];
-  RayPacket packet_;
+  RayPacket& packet_;
   alignas(64) double reach_[kPacket]{};  ///< where each ray leaves the grid's box
   alignas(64) double least_[kPacket]{};  ///< the shortest interval to be judged, for each ray
   PacketRoots roots_;

@@ -100,8 +100,8 @@ TEST(Packets, TakeRaysAlongTheAxesAndFromWithin) {
   EXPECT_GT(expect_same(database, rays, true), 100);
 }
 
-/// Rays that begin on the surface where `rays` hit it: eight that hit it side by side go to one of several lights, along
-/// the surface, or anywhere.
+/// Rays that begin on the surface where `rays` hit it: eight that hit it side by side go to one of several lights,
+/// along the surface, or anywhere.
 std::vector<Ray> leaving(const scene::Database& database, const std::vector<Ray>& rays, std::mt19937_64& bits) {
   const Traced found = traced(database, true, rays);
   const Tracer tracer(database, {});
