@@ -1,12 +1,16 @@
 #include "grammar/similar_file.h"
 
+#include "grammar/suggest.h"
+
 #include <fmt/format.h>
 #include <strings.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <functional>
 #include <system_error>
+#include <utility>
 
 namespace isl::grammar {
 namespace {
@@ -53,6 +57,33 @@ fs::path path_like(const fs::path& folder, const fs::path& name, const MayRead& 
   return !error && fs::is_regular_file(canonical, error) && may_read(canonical) ? below : fs::path();
 }
 
+/// Calls use(name) for the readable files of a folder.
+void for_each_file(const fs::path& folder, const MayRead& may_read, const std::function<void(std::string)>& use) {
+  std::error_code error;
+  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
+  if (error || !may_read(canonical)) return;
+  std::size_t count = 0;
+  for (fs::directory_iterator entry(canonical, error), end; !error && entry != end && count < kMaxEntries; ++count) {
+    std::error_code unknown;
+    if (entry->is_regular_file(unknown) && may_read(fs::canonical(entry->path(), unknown)) && !unknown)
+      use(entry->path().filename().string());
+    entry.increment(error);
+  }
+}
+
+/// The path below one of the folders of the readable file whose name is nearest to that of `path`, which is misspelt;
+/// empty if none is near.
+fs::path path_nearest_to(const fs::path& path, const std::vector<fs::path>& folders, const MayRead& may_read) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) {
+    for_each_file(folder / path.parent_path(), may_read, [&](std::string name) { names.push_back(std::move(name)); });
+  }
+  std::ranges::sort(names);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const auto nearest = closest(path.filename().native(), candidates);
+  return nearest ? path.parent_path() / *nearest : fs::path();
+}
+
 }  // namespace
 
 std::string hint_of_similar_file(std::string_view name, const std::vector<fs::path>& folders, const MayRead& may_read) {
@@ -75,6 +106,8 @@ std::string hint_of_similar_file(std::string_view name, const std::vector<fs::pa
   for (const fs::path& folder : folders) {
     if (const fs::path found = path_like(folder, path.filename(), may_read); !found.empty()) return hint(folder, found);
   }
+  if (const fs::path found = path_nearest_to(path, folders, may_read); !found.empty())
+    return fmt::format("did you mean `{}`?", found.string());
   return has_backslash ? "separate folders by `/`, and put the file beside the scene" : "";
 }
 

@@ -1,5 +1,5 @@
 // Finds the file that a name without a file may mean: scenes come from systems whose file names ignore case, where `\`
-// separates folders, and where files lie elsewhere. It makes the hint and reads no file; file_access.h decides what may
+// separates folders, and where files lie elsewhere; and names are misspelt. It makes the hint and reads no file; file_access.h decides what may
 // be read.
 #pragma once
 

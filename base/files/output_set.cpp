@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <system_error>
 
 namespace isl {
 namespace {
@@ -25,6 +26,14 @@ std::string failure(const char* doing, const std::string& shown, const std::stri
   const fs::path kept = keep_elsewhere(name, bytes);
   const std::string rest = kept.empty() ? "it could not be kept anywhere else" : "it is kept as " + kept.string();
   return fmt::format("cannot {} {}: {}; {}", doing, shown, reason, rest);
+}
+
+/// Why a file cannot be written. Of a missing folder the system says the same as of a missing file.
+std::string reason_for(const fs::path& file, const std::string& reason) {
+  const fs::path folder = file.parent_path();
+  std::error_code error;
+  if (folder.empty() || fs::exists(folder, error) || error) return reason;
+  return fmt::format("there is no folder {}", folder.string());
 }
 
 }  // namespace
@@ -44,13 +53,14 @@ std::shared_ptr<const OutputFolder> OutputSet::shared(OutputFolder folder) {
 std::string OutputSet::why_not_writable(const fs::path& file) {
   const fs::path target = canonical_path(file);
   const std::string reason = shared(OutputFolder(target.parent_path()))->why_not_writable(target.filename());
-  return reason.empty() ? "" : fmt::format("cannot write {}: {}", file.string(), reason);
+  return reason.empty() ? "" : fmt::format("cannot write {}: {}", file.string(), reason_for(file, reason));
 }
 
 std::string OutputSet::stage(const fs::path& file, std::span<const unsigned char> bytes) {
   const fs::path target = canonical_path(file);
   StagedFile staged(shared(OutputFolder(target.parent_path())), target.filename(), bytes, StagedFile::Sync::now);
-  if (!staged.error().empty()) return failure("write", file.string(), staged.error(), target.filename(), bytes);
+  if (!staged.error().empty())
+    return failure("write", file.string(), reason_for(file, staged.error()), target.filename(), bytes);
   staged_.push_back({std::move(staged), file.string(), true});
   return "";
 }

@@ -72,6 +72,11 @@ ExitCode Session::load() {
     sink_.error({}, fmt::format("--allow-write: `{}` is not a folder", folder.string()));
     return ExitCode::file_error;
   }
+  for (const std::filesystem::path& folder : options_.include_paths) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+      sink_.warning({}, fmt::format("the search path names `{}`, which is not a folder", folder.string()));
+  }
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();

@@ -158,8 +158,9 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   long double from = begin;
   const FieldRange start = field.at(all, 0);
   // A start may be off by the tolerance. In a wall that a carving component makes steeper than that, its level may lie
-  // far below the surface's, and mean nothing; but it is outside.
-  const bool is_beyond_wall = start.value.hi < -std::abs(field.threshold());
+  // far below the surface's, and mean nothing; but it is outside. Where fields many times the threshold all but cancel,
+  // rounding alone moves F as far.
+  const bool is_beyond_wall = start.value.hi < -std::abs(field.threshold()) - options.start_band;
   if (options.starts_on_root && !is_beyond_wall) {
     // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
     // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself

@@ -36,6 +36,7 @@ struct RootOptions {
   long double t_max = std::numeric_limits<long double>::infinity();
   /// The origin is on the surface: the level set through it is searched, and its known root at t = 0 is left out.
   bool starts_on_root = false;
+  long double start_band = 0;  ///< how far rounding may have moved F at such an origin
   bool first_only = false;  ///< stop after the first crossing
 };
 

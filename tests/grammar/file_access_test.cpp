@@ -192,9 +192,11 @@ TEST_F(FileAccessTest, TheFileThatIsMeantIsNamed) {
   EXPECT_THAT(hint("inner\\a.inc"), HasSubstr("folders are separated by `/`"));
   EXPECT_THAT(hint("C:\\my pictures\\inner\\a.inc"), HasSubstr("separate folders by `/`"));
   EXPECT_THAT(hint("nothing.inc"), HasSubstr("looked for it in"));
+  EXPECT_EQ(hint("Maps/Wod.png"), "did you mean `Maps/Wood.png`?");
   folder_.write("secret/other.inc", "Secret");
   EXPECT_THAT(hint("../Secret/OTHER.inc"), testing::Not(HasSubstr("other.inc")))
       << "names outside the folders are not shown";
+  EXPECT_THAT(hint("../secret/othr.inc"), testing::Not(HasSubstr("other.inc")));
 }
 
 TEST_F(FileAccessTest, AFileBesideTheSceneIsNamedWhereAPathLeadsElsewhere) {

@@ -38,6 +38,16 @@ struct Judged {
     return roots_along(blob.field, ReferenceScene::field_ray(blob, ray.origin, ray.direction), options).crossings;
   }
 
+  /// True if the answer is right for a start on the surface that only rounding has moved away from it.
+  [[nodiscard]] bool is_right_from_rounded_start(bool occluded) const {
+    if (!options.starts_on_root) return false;
+    const ReferenceScene::Placed& blob = scene.placed().front();
+    RootOptions rounded = options;
+    rounded.start_band = rounding_band(field(0), exact_length(ray.origin), 0);
+    const FieldRay on_blob = ReferenceScene::field_ray(blob, ray.origin, ray.direction);
+    return roots_along(blob.field, on_blob, rounded).crossings.empty() != occluded;
+  }
+
   /// True if some blob's F is noise on all of [t0, t1].
   [[nodiscard]] bool is_noise(long double t0, long double t1) const {
     for (std::size_t i = 0; i < scene.placed().size(); ++i) {
@@ -174,6 +184,10 @@ void judge_occlusion(Agreement& agreement, const Judged& judged, std::size_t num
                      const std::optional<ReferenceScene::Hit>& truth, bool occluded, const AgreementOptions& options) {
   if (truth) ++agreement.hits;
   if (truth.has_value() == occluded) return;
+  if (judged.is_right_from_rounded_start(occluded)) {
+    ++agreement.lost_in_rounding;
+    return;
+  }
   if (!truth) {
     if (judged.comes_within_noise()) {
       ++agreement.lost_in_rounding;

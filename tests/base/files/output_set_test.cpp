@@ -111,7 +111,7 @@ TEST_F(OutputSetTest, TryingAPlaceLeavesNothing) {
   EXPECT_EQ(outputs.why_not_writable(path("out/new")), "");
   EXPECT_EQ(files_in("out"), 0u);
   const std::string none = path("none/a"), folder = path("out");
-  EXPECT_EQ(outputs.why_not_writable(none), "cannot write " + none + ": No such file or directory");
+  EXPECT_EQ(outputs.why_not_writable(none), "cannot write " + none + ": there is no folder " + path("none").string());
   EXPECT_EQ(outputs.why_not_writable(folder), "cannot write " + folder + ": it is a folder");
   EXPECT_EQ(outputs.why_not_writable("/dev/null"), "cannot write /dev/null: it is not an ordinary file");
 }
@@ -129,7 +129,8 @@ TEST_F(OutputSetTest, AFailedWritingLeavesTheOldFile) {
 TEST_F(OutputSetTest, AResultWhoseFolderIsGoneIsKeptElsewhere) {
   for (const char* const kept : {"cache/isl/a.png", "cache/isl/a-2.png"}) {
     const std::string problem = write(path("gone/a.png"), kept);
-    EXPECT_THAT(problem, HasSubstr("No such file or directory; it is kept as " + path(kept).string()));
+    EXPECT_THAT(problem,
+                HasSubstr("there is no folder " + path("gone").string() + "; it is kept as " + path(kept).string()));
     EXPECT_EQ(content(path(kept)), kept);
     EXPECT_EQ(fs::status(path(kept)).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   }

@@ -35,6 +35,18 @@ TEST_F(Files, ThatAreMissingAreErrorsWhereverTheyAreRead) {
   }
 }
 
+TEST_F(Files, ThatAreMisspeltAreNamedAndFoldersThatAreMissingAreToldOf) {
+  write("a.isl", "#include \"colurs.inc\"\n");
+  EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("did you mean `colors.inc`?"));
+  write("b.isl", kSmallScene);
+  const ProcessResult searched = run({"check", "b.isl", "-I", "nowhere"});
+  EXPECT_EQ(searched.exit_code, 0);
+  EXPECT_THAT(searched.err, HasSubstr("warning: the search path names `nowhere`, which is not a folder"));
+  const ProcessResult rendered = run({"render", "b.isl", "-o", "none/b.png", "-s", "16x12"});
+  EXPECT_EQ(rendered.exit_code, 3);
+  EXPECT_THAT(rendered.err, HasSubstr("cannot write none/b.png: there is no folder none"));
+}
+
 TEST_F(Files, ThatAreNoImagesAreErrorsAtTheirPlaceWhenTheyAreDecoded) {
   write("c.png", "no picture");
   write("b.ppm", "P6 2 1 255\n" + std::string("\xff\x80\x01", 3));

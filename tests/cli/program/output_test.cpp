@@ -141,7 +141,7 @@ TEST_F(RenderOutput, APictureWhoseFolderIsGoneIsKeptElsewhere) {
       render({"-o", "out/a.png", "-o", "b.png", "--stats", "out/s.json", "-s", "300x200", "--samples", "64"},
              {.when_marked = [this](int) { fs::remove_all(folder() / "out"); }, .err_marker = "read\n"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("isl: error: cannot write out/a.png: No such file or directory; it is kept as " +
+  EXPECT_THAT(result.err, HasSubstr("isl: error: cannot write out/a.png: there is no folder out; it is kept as " +
                                     (folder() / "kept/isl/a.png").string()));
   EXPECT_THAT(result.err, HasSubstr("it is kept as " + (folder() / "kept/isl/s.json").string()));
   EXPECT_TRUE(read("kept/isl/a.png") == read("b.png"));
