@@ -111,16 +111,23 @@ class HermiteSolver {
         case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
         case Verdict::undecided: {
-          const ExtendedAnswer answer = search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root});
-          const bool crossed = b.value > b.noise;
-          if (answer.crossing && b.value > -b.doubt) return answer.crossing;
+          ExtendedAnswer answer = extended_answer(a, b, a_is_root);
+          // An end so close to a root that no digits at hand tell the sign there hides what comes before it. From a
+          // farther one a crossing is seen.
+          int reached = top;
+          while (!answer.is_certain && reached > 0 && top - reached < kMostFartherEnds)
+            answer = extended_answer(a, ends[--reached], a_is_root);
+          if (answer.is_certain) top = reached;
+          const Node& end = ends[top];
+          const bool crossed = end.value > end.noise;
+          if (answer.crossing && end.value > -end.doubt) return answer.crossing;
           // A dip through the surface and back that only more digits show is no deeper than the rounding: its way back
           // could not be found from where it begins. It counts as a touch.
           if (!answer.is_certain || answer.crossing || crossed) {
             ++counters_.undecided_steps;
-            if (shows_crossing_) return root_in_cubic(a, b, a_is_root);
+            if (shows_crossing_) return root_in_cubic(a, end, a_is_root);
           }
-          a = b;
+          a = end;
           a_is_root = false;
           --top;
           break;
@@ -135,6 +142,8 @@ class HermiteSolver {
   }
 
  private:
+  /// How many ends beyond an undecided interval are tried. Intervals are halved, so the first is nearly always enough.
+  static constexpr int kMostFartherEnds = 3;
   enum class Verdict { none, at_start, one, back, in_cubic, unclear, undecided };
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
@@ -201,6 +210,10 @@ class HermiteSolver {
     shows_crossing_ = crossed || (is_exact && first_crossing_of_cubic(known.b0 - noise, known.b1 - noise,
                                                                       known.b2 - noise, known.b3 - noise) <= 1);
     return Verdict::undecided;
+  }
+
+  [[nodiscard]] ExtendedAnswer extended_answer(const Node& a, const Node& b, bool a_is_root) const {
+    return search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root});
   }
 
   /// Decides by the fields' ranges alone. It serves in the middle of a hard component, where no cubic fits.
