@@ -1,6 +1,6 @@
 // Finds the file that a name without a file may mean: scenes come from systems whose file names ignore case, where `\`
-// separates folders, and where files lie elsewhere; and names are misspelt. It makes the hint and reads no file; file_access.h decides what may
-// be read.
+// separates folders, and where files lie elsewhere; and names are misspelt. It makes the hint and reads no file;
+// file_access.h decides what may be read.
 #pragma once
 
 #include <filesystem>
