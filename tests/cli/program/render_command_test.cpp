@@ -237,9 +237,10 @@ TEST_F(RenderCommand, TellsHowManyPixelsAreUncertainAndFailsIfItIsStrict) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const json stats = json::parse(read("stats.json"));
   const int undecided = stats.at("solver").at("undecided_pixels"), refuted = stats.at("solver").at("refuted_pixels");
+  const int uncertain = undecided + refuted;
   EXPECT_GT(undecided, 0);
-  EXPECT_THAT(result.err,
-              HasSubstr(std::to_string(undecided + refuted) + " pixels could be off by more than the tolerance"));
+  EXPECT_THAT(result.err, HasSubstr(std::to_string(uncertain) + (uncertain == 1 ? " pixel" : " pixels") +
+                                    " could be off by more than the tolerance"));
   const ProcessResult strict = render({"--strict", "-q"});
   EXPECT_EQ(strict.exit_code, 1);
   EXPECT_THAT(strict.err, HasSubstr("error: "));
