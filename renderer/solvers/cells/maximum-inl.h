@@ -83,9 +83,11 @@ class MaximumSolver {
     lay_out(i);
     return Solver(fields_, 1, lengths_, counters_).node(t);
   }
-  [[nodiscard]] Greatest greatest_at(double t) {
+  /// The greatest of the sums, without one of them.
+  [[nodiscard]] Greatest greatest_at(double t, std::uint32_t without = scene::kNone) {
     Greatest greatest;
     for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+      if (i == without) continue;
       if (const Node node = node_of(i, t); node.value > greatest.node.value) greatest = {i, node};
     }
     return greatest;
@@ -140,8 +142,9 @@ class MaximumSolver {
       const std::optional<double> left = solver.first_root(from, solver.node(query_.t1), is_start, false);
       if (!left) return std::nullopt;
       t = *left;
-      const Greatest greatest = greatest_at(t);
-      if (greatest.index == followed || !(greatest.node.value > greatest.node.noise)) return t;
+      // The sum that leaves counts no more: its rounding there may be greater than all that the others are worth.
+      const Greatest greatest = greatest_at(t, followed);
+      if (!(greatest.node.value > greatest.node.noise)) return t;
       followed = greatest.index;
       is_start = false;
     }
