@@ -29,7 +29,7 @@ struct PacketRoots {
   alignas(64) double t[kPacket];
 };
 
-/// What to search in a cell, for each of eight rays.
+/// The search of a cell for each of eight rays.
 struct PacketQuery {
   OctetMask lanes;   ///< the rays to search, which come from outside
   OctetMask starts;  ///< those of them that start on the surface at t0; that root is not searched for
@@ -101,7 +101,8 @@ class PacketSolver {
   }
 
  private:
-  /// Of 1, 2, 4, 8 and 64, this one makes flakes fastest: a tenth faster than 1.
+  /// The length of the interval after one that began at a known root, over the length of that one. Of 1, 2, 4, 8 and 64,
+  /// flakes are traced fastest with 4; with 1 they take up to a tenth longer.
   static constexpr double kAfterRoot = 4;
 
   struct Node {
