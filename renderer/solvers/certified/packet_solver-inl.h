@@ -101,8 +101,8 @@ class PacketSolver {
   }
 
  private:
-  /// The length of the interval after one that began at a known root, over the length of that one. Of 1, 2, 4, 8 and 64,
-  /// flakes are traced fastest with 4; with 1 they take up to a tenth longer.
+  /// The length of the interval after one that began at a known root, over the length of that one. Of 1, 2, 4, 8 and
+  /// 64, flakes are traced fastest with 4; with 1 they take up to a tenth longer.
   static constexpr double kAfterRoot = 4;
 
   struct Node {
