@@ -61,8 +61,7 @@ class MaximumSolver {
         if (is_on_surface(i) && leaves_inwards(fields_, node_of(i, query_.t0))) side = Side::inside;
       }
     } else if (side == Side::unknown) {
-      const Greatest greatest = greatest_at(query_.t0);
-      side = greatest.node.value > greatest.node.noise ? Side::inside : Side::outside;
+      side = inside_at(query_.t0) ? Side::inside : Side::outside;
     }
     return side == Side::inside ? leave() : enter();
   }
@@ -83,14 +82,38 @@ class MaximumSolver {
     lay_out(i);
     return Solver(fields_, 1, lengths_, counters_).node(t);
   }
-  /// The greatest of the sums, without one of them.
-  [[nodiscard]] Greatest greatest_at(double t, std::uint32_t without = scene::kNone) {
+  [[nodiscard]] Greatest greatest_at(double t) {
     Greatest greatest;
     for (std::uint32_t i = 0; i < cell_.count(); ++i) {
-      if (i == without) continue;
       if (const Node node = node_of(i, t); node.value > greatest.node.value) greatest = {i, node};
     }
     return greatest;
+  }
+  /// A sum other than `without` that is above the threshold at t. One whose sign is lost in the rounding of double
+  /// precision, as where large fields of both signs meet, is asked with more digits, but only if no other is above.
+  [[nodiscard]] std::optional<std::uint32_t> inside_at(double t, std::uint32_t without = scene::kNone) {
+    bool is_doubtful = false;
+    for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+      if (i == without) continue;
+      const Node node = node_of(i, t);
+      if (node.value > node.doubt) return i;
+      if (node.value > -node.doubt) is_doubtful = true;
+    }
+    for (std::uint32_t i = 0; is_doubtful && i < cell_.count(); ++i) {
+      if (i == without) continue;
+      const Node node = node_of(i, t);
+      if (!(node.value > -node.doubt)) continue;
+      const std::optional<bool> inside = is_inside(fields_.laid_out(), t);
+      if (!inside) ++counters_.undecided_steps;
+      if (inside.value_or(node.value > node.noise)) return i;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool is_outside_at(double t) {
+    for (std::uint32_t i = 0; i < cell_.count(); ++i) {
+      if (const Node node = node_of(i, t); !(node.value < -node.doubt)) return false;
+    }
+    return true;
   }
   /// True if the ray starts on the sum. Leaves the sum's fields laid out.
   [[nodiscard]] bool is_on_surface(std::uint32_t i) {
@@ -128,26 +151,31 @@ class MaximumSolver {
 
   [[nodiscard]] std::optional<double> leave() {
     // A ray that is outside in the end has left, wherever that was.
-    if (query_.any) {
-      if (const Greatest last = greatest_at(query_.t1); last.node.value < -last.node.noise) return query_.t1;
-    }
+    if (query_.any && is_outside_at(query_.t1)) return query_.t1;
     double t = query_.t0;
-    std::uint32_t followed = query_.starts_here ? first_entered() : greatest_at(t).index;
+    std::optional<std::uint32_t> followed = query_.starts_here ? first_entered() : inside_at(t);
     bool is_start = query_.starts_here;
-    while (true) {
-      lay_out(followed);
+    std::uint32_t switches = 0;  // at the same t
+    while (followed) {
+      lay_out(*followed);
       Solver solver(fields_, -1, lengths_, counters_);
       Node from = solver.node(t);
-      if (is_start) from.value = 0;
+      // More digits may have told that the ray is inside, where double precision says that it is not.
+      from.value = is_start ? 0 : std::min(from.value, 0.0);
       const std::optional<double> left = solver.first_root(from, solver.node(query_.t1), is_start, false);
       if (!left) return std::nullopt;
+      // Sums that leave where they were taken up would hand the ray to each other for ever.
+      switches = *left > t ? 0 : switches + 1;
       t = *left;
+      if (switches > cell_.count()) {
+        ++counters_.undecided_steps;
+        return t;
+      }
       // The sum that leaves counts no more: its rounding there may be greater than all that the others are worth.
-      const Greatest greatest = greatest_at(t, followed);
-      if (!(greatest.node.value > greatest.node.noise)) return t;
-      followed = greatest.index;
+      followed = inside_at(t, *followed);
       is_start = false;
     }
+    return t;
   }
   [[nodiscard]] std::uint32_t first_entered() {
     std::uint32_t i = 0;
