@@ -221,10 +221,10 @@ long double rounding_band(const FieldOnRay& field, long double origin_size, long
 
 std::string Agreement::text() const {
   std::string all = fmt::format(
-      "{} rays, {} hits: missed {}, invented {}, misplaced {}, reversed {}; excused: rounding {}, thin {}; worst depth "
-      "{:.3g}, {:.3g} px",
-      rays, hits, missed, invented, misplaced, reversed, lost_in_rounding, too_thin, static_cast<double>(worst_depth),
-      static_cast<double>(worst_pixels));
+      "{} rays, {} hits: missed {}, invented {}, misplaced {}, reversed {}; excused: rounding {}, thin {}; "
+      "flagged {}, {} of them wrong; worst depth {:.3g}, {:.3g} px",
+      rays, hits, missed, invented, misplaced, reversed, lost_in_rounding, too_thin, flagged, wrong_flagged,
+      static_cast<double>(worst_depth), static_cast<double>(worst_pixels));
   for (const std::string& line : listed) all += "\n  " + line;
   return all;
 }
@@ -244,8 +244,13 @@ Agreement compare_first_hits(const ReferenceScene& scene, const Truth& truth, co
   trace(rays, hits);
   Agreement agreement;
   agreement.rays = rays.size();
-  for (std::size_t i = 0; i < rays.size(); ++i)
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const std::size_t before = agreement.disagreements();
     judge_hit(agreement, Judged(scene, rays[i]), i, truth[i], hits[i], options);
+    if (hits[i].certainty == render::Certainty::certified) continue;
+    ++agreement.flagged;
+    agreement.wrong_flagged += agreement.disagreements() - before;
+  }
   return agreement;
 }
 
@@ -258,7 +263,11 @@ Agreement compare_occlusions(const ReferenceScene& scene, const OccludeBatch& oc
   Agreement agreement;
   agreement.rays = rays.size();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    judge_occlusion(agreement, Judged(scene, rays[i]), i, truth[i], occluded[i] != 0, options);
+    const std::size_t before = agreement.disagreements();
+    judge_occlusion(agreement, Judged(scene, rays[i]), i, truth[i], occluded[i] == render::kOccluded, options);
+    if (occluded[i] != render::kUndecidedOcclusion) continue;
+    ++agreement.flagged;
+    agreement.wrong_flagged += agreement.disagreements() - before;
   }
   return agreement;
 }

@@ -15,6 +15,7 @@
 namespace isl::reference {
 
 using TraceBatch = std::function<void(std::span<const render::Ray>, std::span<render::Hit>)>;
+/// Every answer is a render::Occlusion.
 using OccludeBatch = std::function<void(std::span<const render::Ray>, std::span<std::uint8_t>)>;
 
 struct AgreementOptions {
@@ -38,6 +39,9 @@ struct Agreement {
   std::size_t lost_in_rounding = 0;
   /// Differences in features thinner than the length at which a solver may stop: a thousandth of the tolerance.
   std::size_t too_thin = 0;
+
+  std::size_t flagged = 0;        ///< rays that the tracer says it could not decide
+  std::size_t wrong_flagged = 0;  ///< differences of the first four kinds at those
 
   long double worst_depth =
       0;  ///< largest difference in t where both hit and rounding does not excuse it, in scene units

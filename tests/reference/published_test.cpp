@@ -163,7 +163,8 @@ TEST(PublishedSolver, ShadowsAreThoseOfItsFirstHits) {
     const TracerUnderTest tracer(database, options_of(solver));
     std::vector<std::uint8_t> occluded(rays.size());
     tracer.occlude()(rays, occluded);
-    for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(occluded[i] != 0, !seen.hits[i].is_miss()) << i;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      EXPECT_EQ(occluded[i] == render::kOccluded, !seen.hits[i].is_miss()) << i;
   }
 }
 

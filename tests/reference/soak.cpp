@@ -58,7 +58,9 @@ RandomBlobOptions options_of(RandomSource& random) {
 void judge(const Agreement& agreement, const char* what, std::uint64_t seed, Totals& totals) {
   totals.hits += agreement.hits;
   totals.excused += agreement.lost_in_rounding + agreement.too_thin;
-  totals.wrong += agreement.disagreements();
+  totals.wrong += agreement.disagreements() - agreement.wrong_flagged;
+  totals.flagged += agreement.flagged;
+  totals.wrong_flagged += agreement.wrong_flagged;
   if (agreement.disagreements() > 0) std::cout << "seed " << seed << ", " << what << ": " << agreement.text() << '\n';
 }
 

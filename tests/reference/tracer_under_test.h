@@ -48,7 +48,6 @@ class TracerUnderTest {
   [[nodiscard]] OccludeBatch occlude() const {
     return [this](std::span<const render::Ray> rays, std::span<std::uint8_t> occluded) {
       tracer_.occlusions(rays, occluded, counters_);
-      for (std::uint8_t& answer : occluded) answer = answer == render::kOccluded ? 1 : 0;
     };
   }
   [[nodiscard]] std::vector<render::Hit> hits(const std::vector<render::Ray>& rays) const {
