@@ -27,8 +27,11 @@ class RootSearch {
     if (is_done() || !(t0 < t1)) return;
     const FieldRange range = field_.over(piece);
     if (range.value.sign() != 0) return constant(range.value.sign());
-    if (range.derivative.sign() != 0 && sign0 != 0 && sign1 != 0) {
-      return sign0 == sign1 ? constant(sign0) : crossing(piece.active, t0, t1, sign0);
+    if (const int slope = range.derivative.sign(); slope != 0) {
+      if (sign0 == slope) return constant(sign0);
+      if (sign1 == -slope) return constant(sign1);
+      // Where F was before the stretches in doubt that end here says as much as its sign here.
+      if (sign1 == slope && (sign0 != 0 || sign_ == -slope)) return crossing(piece.active, t0, t1, sign0, slope);
     }
     if (depth > kMaxDepth || t1 - t0 <= 0x1p-60L * std::max(std::abs(t0), std::abs(t1))) return doubt(t0, t1);
     // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
@@ -71,12 +74,16 @@ class RootSearch {
   [[nodiscard]] bool is_done() const { return first_only_ && !roots_.crossings.empty(); }
 
  private:
-  /// Records a crossing: F is monotone on [t0, t1] with certain and different signs at its ends.
-  void crossing(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) {
-    constant(sign0);
+  /// Records a crossing: F is monotone on [t0, t1], in the direction `slope`, and certainly has its sign at t1. It has
+  /// the other one at t0 or, if its sign there is unknown, had it before.
+  void crossing(const FieldOnRay::Active& active, long double t0, long double t1, int sign0, int slope) {
+    if (sign0 != 0) constant(sign0);
     if (is_done()) return;
-    roots_.crossings.push_back(refined(active, t0, t1, sign0));
-    sign_ = -sign0;
+    Crossing found = refined(active, t0, t1, -slope);
+    if (doubt_) found.slack = std::max(found.slack, found.t - doubt_->begin);
+    doubt_.reset();
+    roots_.crossings.push_back(found);
+    sign_ = slope;
   }
 
   /// Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's steps in that of t
@@ -172,8 +179,9 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
     search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
     from = settled;
     field.raise_threshold(-offset);
-  } else if (begin > 0 || options.starts_on_root) {
-    if (const int sign = start.value.sign(); sign != 0) search.constant(sign);
+  } else {
+    const int sign = start.value.sign() != 0 ? start.value.sign() : options.coming_from;
+    if (sign != 0) search.constant(sign);
   }
   search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
   return search.finish();

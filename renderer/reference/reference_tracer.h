@@ -37,7 +37,8 @@ struct RootOptions {
   /// The origin is on the surface: the level set through it is searched, and its known root at t = 0 is left out.
   bool starts_on_root = false;
   long double start_band = 0;  ///< how far rounding may have moved F at such an origin
-  bool first_only = false;     ///< stop after the first crossing
+  int coming_from = 0;      ///< the sign of F before the origin, if it is known: it tells a crossing there from a touch
+  bool first_only = false;  ///< stop after the first crossing
 };
 
 [[nodiscard]] RayRoots roots_along(const ReferenceField& field, const FieldRay& ray, const RootOptions& options);

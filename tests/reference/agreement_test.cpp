@@ -4,6 +4,7 @@
 
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
+#include "tests/reference/soak_case.h"
 #include "tests/reference/tracer_under_test.h"
 #include "tests/support/sphereflake.h"
 
@@ -168,6 +169,33 @@ INSTANTIATE_TEST_SUITE_P(Convolutions, RandomBlobs,
                          testing::Values(RandomBlobsCase{1, 8, false, false, true},
                                          RandomBlobsCase{1e-3, 40, false, true, true},
                                          RandomBlobsCase{30, 300, true, true, true}));
+
+// Blobs of the long proofs that were wrong once, or flagged without need.
+
+TEST(OnceWrong, MaximaWhoseSumsAreLostInTheRoundingOfDoublePrecision) {
+  for (const std::uint64_t seed : {507671U, 509508U}) {
+    RandomSource random(seed);
+    const SoakCase made = soak_case(random);
+    const ReferenceScene scene(made.database);
+    const TracerUnderTest tracer(made.database, with(render::SolverName::hermite, made.tolerance));
+    const Agreement first = compare_first_hits(scene, tracer.trace(), made.rays, tracer.comparison());
+    EXPECT_EQ(first.disagreements() + first.flagged, 0U) << seed << ": " << first.text();
+    const std::vector<render::Ray> shadows = shadow_rays(tracer, made.rays, made.scale, random);
+    const Agreement second = compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison());
+    EXPECT_EQ(second.disagreements() + second.flagged, 0U) << seed << ": " << second.text();
+  }
+}
+
+TEST(OnceFlagged, SumsOfAMaximumThatLeaveTheSurfaceTogether) {
+  for (const std::uint64_t seed : {701770U, 702112U, 701282U}) {
+    RandomSource random(seed);
+    const LinesThroughBlob made = lines_through_blob(random, 100);
+    const ReferenceScene scene(made.database);
+    const TracerUnderTest tracer(made.database);
+    const Agreement agreement = compare_first_hits(scene, tracer.trace(), camera_rays(made.lines), tracer.comparison());
+    EXPECT_EQ(agreement.disagreements() + agreement.flagged, 0U) << seed << ": " << agreement.text();
+  }
+}
 
 TEST(PlacedBlobs, TracerAgreesThroughTransformsAndGroups) {
   RandomSource random(51);

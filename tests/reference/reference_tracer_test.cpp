@@ -68,6 +68,22 @@ TEST(ReferenceTracer, A02_DoubleRootInsideIsATouchAndNoCrossing) {
   EXPECT_CLOSE(four.crossings[2].t, 4 + x, 5e-14L);
 }
 
+TEST(ReferenceTracer, TheSideARayComesFromTellsACrossingAtItsStartFromATouch) {
+  // (1 − r²)² is 9/16 at r = 1/2, exactly: rounding hides on which side the start lies.
+  const scene::Database ball = one_blob(kPovRay, {point({0, 0, 0}, 1)}, 0.5625);
+  const Vec3 start{0, 0, -0.5}, inwards{0, 0, 1}, outwards{0, 0, -1};
+  const RayRoots entering = roots(ball, start, inwards, {.coming_from = -1});
+  expect_roots(entering, {0, 1}, 1e-17L);
+  EXPECT_FALSE(entering.starts_inside);
+  EXPECT_THAT(entering.touches, IsEmpty());
+  const RayRoots leaving = roots(ball, start, outwards, {.coming_from = 1});
+  expect_roots(leaving, {0}, 1e-17L);
+  EXPECT_TRUE(leaving.starts_inside);
+  EXPECT_THAT(leaving.touches, IsEmpty());
+  for (const int coming_from : {0, 1})
+    EXPECT_THAT(roots(ball, start, inwards, {.coming_from = coming_from}).touches, SizeIs(1)) << coming_from;
+}
+
 TEST(ReferenceTracer, A03_QuadrupleRoot) {
   // With c² = 1/3 the same quadratic has no middle term: F = 2x⁴ + 8/9 − T.
   const double c = std::sqrt(1.0 / 3.0);

@@ -16,6 +16,7 @@
 #include "tests/reference/rounding_rule.h"
 #include "tests/reference/scale_cases.h"
 #include "tests/reference/small_scenes.h"
+#include "tests/reference/soak_case.h"
 #include "tests/reference/tracer_under_test.h"
 
 #include <fmt/format.h>
@@ -34,26 +35,11 @@ namespace {
 using namespace isl;
 using namespace isl::reference;
 
-constexpr double kTolerances[] = {0.05, 1e-6, 1e-10};
-
 struct Totals {
   std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
   std::uint64_t flagged = 0;        ///< rays that the solver says it did not decide
   std::uint64_t wrong_flagged = 0;  ///< those of them that are wrong, which `wrong` does not count
 };
-
-RandomBlobOptions options_of(RandomSource& random) {
-  RandomBlobOptions options;
-  options.components = 1 + static_cast<int>(std::pow(200, random.unit()));
-  options.scale = std::pow(10, random.between(-3, 3));
-  options.negatives = random.below(2) == 0;
-  options.transforms = random.below(2) == 0;
-  options.maxima = random.below(3) == 0;
-  options.half_space = random.below(6) == 0;
-  options.hardest = std::pow(300, random.unit());
-  options.convolutions = random.below(2) == 0;
-  return options;
-}
 
 void judge(const Agreement& agreement, const char* what, std::uint64_t seed, Totals& totals) {
   totals.hits += agreement.hits;
@@ -72,23 +58,15 @@ void add_uncertified(const TracerUnderTest& tracer, std::uint64_t seed, Totals& 
 
 void soak_blob(std::uint64_t seed, Totals& totals) {
   RandomSource random(seed);
-  const RandomBlobOptions options = options_of(random);
-  const scene::Database database = random_blob(random, options);
-  const ReferenceScene scene(database);
-  const int which = random.below(3);
-  const render::Tolerance tolerance{which == 0 ? kTolerances[0] : kTolerances[which] * options.scale, which == 0};
-  const TracerUnderTest tracer(database, with(render::SolverName::hermite, tolerance));
+  const SoakCase made = soak_case(random);
+  const ReferenceScene scene(made.database);
+  const TracerUnderTest tracer(made.database, with(render::SolverName::hermite, made.tolerance));
+  judge(compare_first_hits(scene, tracer.trace(), made.rays, tracer.comparison()), "first hits", seed, totals);
 
-  constexpr int kEyes = 104, kWithin = 20;
-  std::vector<render::Ray> rays = camera_rays(random_lines(random, kEyes, 3 * options.scale, 0.7 * options.scale));
-  for (int i = 0; i < kWithin; ++i)
-    rays.push_back(camera_ray({random.in_ball(0.7 * options.scale), random.direction()}));
-  judge(compare_first_hits(scene, tracer.trace(), rays, tracer.comparison()), "first hits", seed, totals);
-
-  const std::vector<render::Ray> shadows = shadow_rays(tracer, rays, options.scale, random);
+  const std::vector<render::Ray> shadows = shadow_rays(tracer, made.rays, made.scale, random);
   judge(compare_occlusions(scene, tracer.occlude(), shadows, tracer.comparison()), "shadows", seed, totals);
   add_uncertified(tracer, seed, totals);
-  totals.rays += rays.size() + shadows.size();
+  totals.rays += made.rays.size() + shadows.size();
 }
 
 /// Counts by the rule of rounding, which allows no error in proportion to the blob.
@@ -135,10 +113,8 @@ void soak_scale(std::uint64_t seed, Totals& totals) {
   RandomSource random(seed);
   constexpr int kLines = 100;
   if (seed % 2 == 0) {
-    const RandomBlobOptions options = options_of(random);
-    const scene::Database database = random_blob(random, options);
-    const auto lines = random_lines(random, kLines, 3 * options.scale, 0.7 * options.scale);
-    judge_hits(database, lines, 1e-3, seed, fmt::format("one scale, hardness {:.3g}", options.hardest), totals);
+    const LinesThroughBlob made = lines_through_blob(random, kLines);
+    judge_hits(made.database, made.lines, 1e-3, seed, fmt::format("one scale, hardness {:.3g}", made.hardest), totals);
     return;
   }
   static const std::vector<Combination> kAll = every_combination();
@@ -153,7 +129,7 @@ void soak_scale(std::uint64_t seed, Totals& totals) {
 
 void soak_walk(std::uint64_t seed, WalkCounts& totals) {
   RandomSource random(seed);
-  RandomBlobOptions options = options_of(random);
+  RandomBlobOptions options = varied_options(random);
   options.half_space = false;  // a bounded object
   options.components = 1 + options.components / 4;
   options.hardest = std::min(options.hardest, 60.0);

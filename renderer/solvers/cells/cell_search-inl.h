@@ -252,7 +252,7 @@ class CellSearch {
       }
     }
     if (starts_here) a.value = 0;
-    const Node b = solver.node(t1);
+    Node b = solver.node(t1);
     if (const std::optional<double> t = solver.first_root(a, b, starts_here, ray_->any)) return cross(*t, index);
     node_ = b;
     is_node_valid_ = true;

@@ -23,10 +23,10 @@ reference::FieldRay ray_from(const LaidOutFields& fields, double t0) {
   return {reference::interval_of(fields.origin) + direction * Interval(static_cast<long double>(t0)), direction};
 }
 
-reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, bool starts_on_root) {
-  const long double length = static_cast<long double>(t1) - static_cast<long double>(t0);
-  return reference::roots_along(field_of(fields), ray_from(fields, t0),
-                                {.t_max = length, .starts_on_root = starts_on_root, .first_only = true});
+reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, reference::RootOptions options) {
+  options.t_max = static_cast<long double>(t1) - static_cast<long double>(t0);
+  options.first_only = true;
+  return reference::roots_along(field_of(fields), ray_from(fields, t0), options);
 }
 
 }  // namespace
@@ -41,14 +41,15 @@ std::optional<bool> is_inside(const LaidOutFields& fields, double t) {
 }
 
 bool may_cross(const LaidOutFields& fields, double t0, double t1) {
-  const reference::RayRoots roots = roots_on(fields, t0, t1, false);
+  const reference::RayRoots roots = roots_on(fields, t0, t1, {});
   return !roots.crossings.empty() || !roots.touches.empty();
 }
 
 ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch) {
-  const reference::RayRoots roots = roots_on(fields, stretch.t0, stretch.t1, stretch.starts_on_root);
-  if (!roots.touches.empty()) return {};
   const bool is_inside = stretch.side < 0;
+  const reference::RayRoots roots = roots_on(
+      fields, stretch.t0, stretch.t1, {.starts_on_root = stretch.starts_on_root, .coming_from = is_inside ? 1 : -1});
+  if (!roots.touches.empty()) return {};
   if (roots.starts_inside != is_inside) {
     // A ray that starts on the surface was given its side by double precision, and cannot be back at once.
     if (stretch.starts_on_root) return {};

@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -89,18 +91,19 @@ class MaximumSolver {
     }
     return greatest;
   }
-  /// A sum other than `without` that is above the threshold at t. One whose sign is lost in the rounding of double
-  /// precision, as where large fields of both signs meet, is asked with more digits, but only if no other is above.
-  [[nodiscard]] std::optional<std::uint32_t> inside_at(double t, std::uint32_t without = scene::kNone) {
+  /// A sum that is above the threshold at t, and not among those that have left there. One whose sign is lost in the
+  /// rounding of double precision, as where large fields of both signs meet, is asked with more digits, but only if no
+  /// other is above.
+  [[nodiscard]] std::optional<std::uint32_t> inside_at(double t) {
     bool is_doubtful = false;
     for (std::uint32_t i = 0; i < cell_.count(); ++i) {
-      if (i == without) continue;
+      if (has_left(i)) continue;
       const Node node = node_of(i, t);
       if (node.value > node.doubt) return i;
       if (node.value > -node.doubt) is_doubtful = true;
     }
     for (std::uint32_t i = 0; is_doubtful && i < cell_.count(); ++i) {
-      if (i == without) continue;
+      if (has_left(i)) continue;
       const Node node = node_of(i, t);
       if (!(node.value > -node.doubt)) continue;
       const std::optional<bool> inside = is_inside(fields_.laid_out(), t);
@@ -109,6 +112,7 @@ class MaximumSolver {
     }
     return std::nullopt;
   }
+  [[nodiscard]] bool has_left(std::uint32_t i) const { return std::ranges::find(left_, i) != left_.end(); }
   [[nodiscard]] bool is_outside_at(double t) {
     for (std::uint32_t i = 0; i < cell_.count(); ++i) {
       if (const Node node = node_of(i, t); !(node.value < -node.doubt)) return false;
@@ -132,7 +136,8 @@ class MaximumSolver {
       Solver solver(fields_, 1, lengths_, counters_);
       Node from = solver.node(query_.t0);
       if (is_start) from.value = 0;
-      const std::optional<double> t = solver.first_root(from, solver.node(end), is_start, query_.any);
+      Node last = solver.node(end);
+      const std::optional<double> t = solver.first_root(from, last, is_start, query_.any);
       if (!t) continue;
       nearest = t;
       if (query_.any) break;
@@ -155,24 +160,21 @@ class MaximumSolver {
     double t = query_.t0;
     std::optional<std::uint32_t> followed = query_.starts_here ? first_entered() : inside_at(t);
     bool is_start = query_.starts_here;
-    std::uint32_t switches = 0;  // at the same t
     while (followed) {
       lay_out(*followed);
       Solver solver(fields_, -1, lengths_, counters_);
       Node from = solver.node(t);
       // More digits may have told that the ray is inside, where double precision says that it is not.
       from.value = is_start ? 0 : std::min(from.value, 0.0);
-      const std::optional<double> left = solver.first_root(from, solver.node(query_.t1), is_start, false);
-      if (!left) return std::nullopt;
-      // Sums that leave where they were taken up would hand the ray to each other for ever.
-      switches = *left > t ? 0 : switches + 1;
-      t = *left;
-      if (switches > cell_.count()) {
-        ++counters_.undecided_steps;
-        return t;
-      }
-      // The sum that leaves counts no more: its rounding there may be greater than all that the others are worth.
-      followed = inside_at(t, *followed);
+      Node last = solver.node(query_.t1);
+      const std::optional<double> next = solver.first_root(from, last, is_start, false);
+      if (!next) return std::nullopt;
+      // A sum that leaves counts no more at this t: its rounding there may be greater than all that the others are
+      // worth. Two sums that leave in the same rounding of t would hand the ray to each other for ever.
+      if (*next > t) left_.clear();
+      left_.push_back(*followed);
+      t = *next;
+      followed = inside_at(t);
       is_start = false;
     }
     return t;
@@ -190,6 +192,7 @@ class MaximumSolver {
   typename Solver::Fields& fields_;
   TraceCounters& counters_;
   Greatest greatest_at_start_;
+  std::vector<std::uint32_t> left_;  ///< the sums that fell below the threshold at the t that the ray has come to
 };
 
 }  // namespace HWY_NAMESPACE

@@ -89,8 +89,8 @@ class HermiteSolver {
 
   /// The first t in (a.t, last.t] where the ray crosses. With `a_is_root` the ray starts on the surface at a.t and
   /// leaves to the side it is on, and that root is not searched for. `any`: only asks whether there is a crossing; t
-  /// may be rough.
-  [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
+  /// may be rough. If there is none, `last` is set to its node as the ray is known to arrive there: on its side.
+  [[nodiscard]] std::optional<double> first_root(Node a, Node& last, bool a_is_root, bool any) {
     // `ends` holds the right ends of the intervals that are still to be searched, the nearest on top. Each halving adds
     // one. An interval too short to be halved is split at borders of pieces, from the first on, which adds one more.
     least_ = kLeastShare * (last.t - a.t);
@@ -113,21 +113,24 @@ class HermiteSolver {
         case Verdict::undecided: {
           ExtendedAnswer answer = extended_answer(a, b, a_is_root);
           // An end so close to a root that no digits at hand tell the sign there hides what comes before it. From a
-          // farther one a crossing is seen.
+          // farther one a crossing is seen. Intervals are halved, so the next end is nearly always enough.
           int reached = top;
-          while (!answer.is_certain && reached > 0 && top - reached < kMostFartherEnds)
-            answer = extended_answer(a, ends[--reached], a_is_root);
+          for (int step = 1; !answer.is_certain && reached > 0; step *= 2) {
+            reached = std::max(0, reached - step);
+            answer = extended_answer(a, ends[reached], a_is_root);
+          }
           if (answer.is_certain) top = reached;
           const Node& end = ends[top];
-          const bool crossed = end.value > end.noise;
           if (answer.crossing && end.value > -end.doubt) return answer.crossing;
           // A dip through the surface and back that only more digits show is no deeper than the rounding: its way back
           // could not be found from where it begins. It counts as a touch.
-          if (!answer.is_certain || answer.crossing || crossed) {
+          if (!answer.is_certain || answer.crossing) {
             ++counters_.undecided_steps;
             if (shows_crossing_) return root_in_cubic(a, end, a_is_root);
           }
           a = end;
+          // Rounding may show a side that the ray is certainly not on.
+          if (answer.is_certain) a.value = std::min(a.value, 0.0);
           a_is_root = false;
           --top;
           break;
@@ -138,12 +141,11 @@ class HermiteSolver {
           break;
       }
     }
+    last = a;
     return std::nullopt;
   }
 
  private:
-  /// How many ends beyond an undecided interval are tried. Intervals are halved, so the first is nearly always enough.
-  static constexpr int kMostFartherEnds = 3;
   enum class Verdict { none, at_start, one, back, in_cubic, unclear, undecided };
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
