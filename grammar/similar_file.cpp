@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <system_error>
-#include <utility>
+#include <vector>
 
 namespace isl::grammar {
 namespace {
@@ -29,17 +29,30 @@ std::string with_slashes(std::string_view name) {
   return text;
 }
 
+/// The entries of a readable folder; none if it cannot be read.
+std::vector<fs::path> entries_of(const fs::path& folder, const MayRead& may_read) {
+  std::error_code error;
+  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
+  if (error || !may_read(canonical)) return {};
+  std::vector<fs::path> found;
+  fs::directory_iterator entry(canonical, error);
+  for (; !error && entry != fs::directory_iterator() && found.size() < kMaxEntries; entry.increment(error))
+    found.push_back(entry->path());
+  return found;
+}
+
+bool is_readable_file(const fs::path& path, const MayRead& may_read) {
+  std::error_code error;
+  const fs::path canonical = fs::canonical(path, error);
+  return !error && fs::is_regular_file(canonical, error) && may_read(canonical);
+}
+
 /// The entry of a readable folder that equals `part` apart from the case of letters; empty if there is none.
 fs::path entry_like(const fs::path& folder, const fs::path& part, const MayRead& may_read) {
   std::error_code error;
   if (fs::exists(folder / part, error)) return part;
-  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
-  if (error || !may_read(canonical)) return {};
-  std::size_t count = 0;
-  for (fs::directory_iterator entry(canonical, error), end; !error && entry != end && count < kMaxEntries; ++count) {
-    fs::path name = entry->path().filename();
-    if (::strcasecmp(name.c_str(), part.c_str()) == 0) return name;
-    entry.increment(error);
+  for (const fs::path& entry : entries_of(folder, may_read)) {
+    if (::strcasecmp(entry.filename().c_str(), part.c_str()) == 0) return entry.filename();
   }
   return {};
 }
@@ -52,23 +65,7 @@ fs::path path_like(const fs::path& folder, const fs::path& name, const MayRead& 
     if (entry.empty()) return {};
     below /= entry;
   }
-  std::error_code error;
-  const fs::path canonical = fs::canonical(folder / below, error);
-  return !error && fs::is_regular_file(canonical, error) && may_read(canonical) ? below : fs::path();
-}
-
-/// Calls use(name) for the readable files of a folder.
-void for_each_file(const fs::path& folder, const MayRead& may_read, const std::function<void(std::string)>& use) {
-  std::error_code error;
-  const fs::path canonical = fs::canonical(folder.empty() ? "." : folder, error);
-  if (error || !may_read(canonical)) return;
-  std::size_t count = 0;
-  for (fs::directory_iterator entry(canonical, error), end; !error && entry != end && count < kMaxEntries; ++count) {
-    std::error_code unknown;
-    if (entry->is_regular_file(unknown) && may_read(fs::canonical(entry->path(), unknown)) && !unknown)
-      use(entry->path().filename().string());
-    entry.increment(error);
-  }
+  return is_readable_file(folder / below, may_read) ? below : fs::path();
 }
 
 /// The path below one of the folders of the readable file whose name is nearest to that of `path`, which is misspelt;
@@ -76,7 +73,9 @@ void for_each_file(const fs::path& folder, const MayRead& may_read, const std::f
 fs::path path_nearest_to(const fs::path& path, const std::vector<fs::path>& folders, const MayRead& may_read) {
   std::vector<std::string> names;
   for (const fs::path& folder : folders) {
-    for_each_file(folder / path.parent_path(), may_read, [&](std::string name) { names.push_back(std::move(name)); });
+    for (const fs::path& entry : entries_of(folder / path.parent_path(), may_read)) {
+      if (is_readable_file(entry, may_read)) names.push_back(entry.filename().string());
+    }
   }
   std::ranges::sort(names);
   const std::vector<std::string_view> candidates(names.begin(), names.end());

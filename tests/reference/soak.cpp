@@ -27,7 +27,10 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -39,6 +42,8 @@ struct Totals {
   std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
   std::uint64_t flagged = 0;        ///< rays that the solver says it did not decide
   std::uint64_t wrong_flagged = 0;  ///< those of them that are wrong, which `wrong` does not count
+  /// `scales`: rays and flagged rays by the exponent of the extent over the detail, 0 for blobs of one scale.
+  std::map<int, std::pair<std::uint64_t, std::uint64_t>> by_exponent;
 };
 
 void judge(const Agreement& agreement, const char* what, std::uint64_t seed, Totals& totals) {
@@ -71,8 +76,9 @@ void soak_blob(std::uint64_t seed, Totals& totals) {
 
 /// Counts by the rule of rounding, which allows no error in proportion to the blob.
 void judge_hits(const scene::Database& database, const std::vector<LineOfSight>& lines, double pixel_angle,
-                std::uint64_t seed, const std::string& what, Totals& totals) {
+                std::uint64_t seed, int exponent, const std::string& what, Totals& totals) {
   const RoundingRule rule(database);
+  auto& [rays_here, flagged_here] = totals.by_exponent[exponent];
   render::TracerOptions options;
   options.pixel_angle = pixel_angle;
   const TracerUnderTest tracer(database, options);
@@ -82,9 +88,10 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
   long double worst = 0;  // |F| where a hit was found, over what the rule allows
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ++totals.rays;
+    ++rays_here;
     if (!hits[i].is_miss()) ++totals.hits;
     const bool is_flagged = hits[i].certainty != render::Certainty::certified;
-    if (is_flagged) ++totals.flagged;
+    if (is_flagged) ++totals.flagged, ++flagged_here;
     switch (rule.judge(rays[i], hits[i].is_miss() ? std::nullopt : std::optional(hits[i].t)).verdict) {
       case Verdict::agrees: break;
       case Verdict::undecided: ++totals.undecided; break;
@@ -114,7 +121,8 @@ void soak_scale(std::uint64_t seed, Totals& totals) {
   constexpr int kLines = 100;
   if (seed % 2 == 0) {
     const LinesThroughBlob made = lines_through_blob(random, kLines);
-    judge_hits(made.database, made.lines, 1e-3, seed, fmt::format("one scale, hardness {:.3g}", made.hardest), totals);
+    judge_hits(made.database, made.lines, 1e-3, seed, 0, fmt::format("one scale, hardness {:.3g}", made.hardest),
+               totals);
     return;
   }
   static const std::vector<Combination> kAll = every_combination();
@@ -122,7 +130,7 @@ void soak_scale(std::uint64_t seed, Totals& totals) {
   const auto extreme = static_cast<Extreme>(random.below(3));
   const int exponent = 6 + random.below(10);
   const ScaleCase made = scale_case(random, combination, extreme, exponent, kLines);
-  judge_hits(made.database, made.lines, made.pixel_angle, seed,
+  judge_hits(made.database, made.lines, made.pixel_angle, seed, exponent,
              fmt::format("{} 1e-{}, {}", kExtremeNames[static_cast<int>(extreme)], exponent, combination.name()),
              totals);
 }
@@ -179,5 +187,9 @@ int main(int argc, char** argv) {
       "uncertified steps, {} rays flagged as undecided, {} of them wrong; {:.0f} s\n",
       first, seed - 1, totals.rays, totals.hits, totals.wrong, totals.undecided, totals.excused, totals.uncertified,
       totals.flagged, totals.wrong_flagged, seconds());
+  for (const auto& [exponent, counts] : totals.by_exponent) {
+    const std::string scale = exponent == 0 ? "one scale" : fmt::format("1e-{}", exponent);
+    std::cout << fmt::format("  {}: {} flagged of {} rays\n", scale, counts.second, counts.first);
+  }
   return totals.wrong > 0 ? 1 : 0;
 }
