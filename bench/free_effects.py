@@ -49,7 +49,7 @@ OTHER_HOOKS = {
 }
 # The bumps of a camera are bent by the same functions.
 SHARED = {"normal": {"camera_normal"}}
-# Of bench/pairs/. With the run below they call for every effect with hooks.
+# Of bench/pairs/. With the scenes of soft light and the run below they call for every effect with hooks.
 CALLING = [
     "air_fog_dims_light", "air_fog_in_mirror", "air_rainbow", "air_sky_clouds", "camera_fisheye", "clear_shadow", "finish_crand",
     "finish_emission", "finish_irid", "finish_metallic", "glass_dispersion", "image_planar", "light_area", "light_area_adaptive",
@@ -57,6 +57,7 @@ CALLING = [
     "mirror_exponent", "mirror_fresnel", "normal_bump_map", "normal_bumps", "normal_camera", "object_double_illuminate",
     "object_interior_texture", "object_no_image", "object_no_reflection",
 ]
+SOFT = ["scenes/features/occlusion.isl", "scenes/features/soft_light.isl"]
 # The only effect of this run is that of plain colours.
 PLAIN = "scenes/features/solids.isl", "--quality", "0"
 INCLUDES = "/usr/share/povray-3.7/include"

@@ -4,6 +4,10 @@
 #include "renderer/numerics/bisection.h"
 
 #include <cmath>
+#include <cstddef>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace isl::render {
 namespace {
@@ -91,6 +95,20 @@ KernelConstants cauchy(double h) {
   return constants;
 }
 
+/// The same, searched for once: it takes milliseconds, and several parts of the program ask for the constants of each
+/// of a scene's kernels.
+KernelConstants remembered_cauchy(double h) {
+  constexpr std::size_t kMost = 64;  // so that a scene with a kernel for each component does not grow the list for ever
+  static std::mutex mutex;
+  static std::vector<std::pair<double, KernelConstants>> known;
+  const std::scoped_lock lock(mutex);
+  for (const auto& [hardness, constants] : known) {
+    if (hardness == h) return constants;
+  }
+  if (known.size() == kMost) known.clear();
+  return known.emplace_back(h, cauchy(h)).second;
+}
+
 }  // namespace
 
 KernelConstants curve_constants(const scene::Kernel& kernel) {
@@ -98,7 +116,7 @@ KernelConstants curve_constants(const scene::Kernel& kernel) {
   ISL_CHECK(kernel.hardness > 0 && kernel.hardness <= 500, "{}", kernel.hardness);
   const bool is_quartic = kernel.shape == scene::KernelShape::quartic;
   ISL_CHECK(is_quartic || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
-  KernelConstants constants = is_quartic ? quartic(kernel.hardness) : cauchy(kernel.hardness);
+  KernelConstants constants = is_quartic ? quartic(kernel.hardness) : remembered_cauchy(kernel.hardness);
   constants.shape = kernel.shape;
   constants.is_convolved = true;
   return constants;
