@@ -188,7 +188,8 @@
 
 // Curve_limb(Points, Pieces)
 // A limb along a curve as segments of a blob, to stand behind `convolution on`, which makes one smooth surface of
-// them, without bulges where they meet. Its ends are a little shorter than the curve.
+// them, without bulges where they meet. Beyond its ends it reaches less than a ball would: 0.6 radii with a hardness of
+// 3, 0.8 with 8, 0.1 with 1.
 // Points: a curve with radii, which should not change faster than the limb is thick. Pieces: the number of segments,
 // so that each is about as long as the limb is thick.
 // Example: #declare C = array[3] {t/3 - x, y + t/4, x + t/9} blob { kernel "cauchy" convolution on Curve_limb(C, 20) }

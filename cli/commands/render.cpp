@@ -194,6 +194,13 @@ void tell_noisy(const RenderCommand& command, const render::RenderStatistics& st
   if (!line.empty() && command.scene.format == OutputFormat::text) print(Stream::error, fmt::format("isl: {}\n", line));
 }
 
+/// Says so if nothing is seen.
+void tell_black(const RenderCommand& command, const scene::Database& database, const render::Image& image) {
+  const std::string line = black_line(database, image);
+  if (!line.empty() && command.scene.format == OutputFormat::text)
+    print(Stream::error, fmt::format("isl: warning: {}\n", line));
+}
+
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
@@ -257,7 +264,10 @@ ExitCode run(const RenderCommand& command) {
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
-  if (complete) tell_noisy(command, picture.result.statistics);
+  if (complete) {
+    tell_noisy(command, picture.result.statistics);
+    tell_black(command, database, image);
+  }
   const bool is_uncertain = tell_uncertain(command, picture.result.statistics);
   if (!complete) return exit_code_of(stop_flag().reason());
   return is_uncertain && command.picture.strict ? ExitCode::scene_error : ExitCode::done;

@@ -1,8 +1,12 @@
 #include "cli/summary/view_check.h"
 
+#include "renderer/queries/pattern_insides.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 namespace isl::cli {
 
@@ -20,6 +24,21 @@ void warn_of_view(Session& session, const SceneSummary& summary, const SceneExte
   if (summary.primitives() > 0 && summary.lights == 0 && !has_light_around) {
     session.sink().warning({}, "the scene has no light_source: only ambient light is visible");
   }
+}
+
+std::string black_line(const scene::Database& database, const render::Image& image) {
+  const auto is_lit = [](double value) { return value > 0; };
+  for (std::size_t pixel = 0; pixel < image.rgba.size(); pixel += 4) {
+    if (image.has_alpha || std::any_of(&image.rgba[pixel], &image.rgba[pixel] + 3, is_lit)) return {};
+  }
+  const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
+  const render::PatternInsides insides(database);
+  constexpr std::uint64_t kMostSteps = 1'000'000;  // a tenth of a second or two
+  StepCounter steps(kMostSteps);
+  const bool is_inside = std::ranges::any_of(
+      database.objects, [&](const scene::Object& object) { return insides.is_inside(object, eye, steps); });
+  return is_inside && !steps.is_spent() ? "the picture is black: the camera is inside an object"
+                                        : "the picture is black";
 }
 
 }  // namespace isl::cli

@@ -145,6 +145,10 @@ std::string hint_for_misplaced(Context& context, const Element& element, Symbol 
   if (element.is(ElementKind::block) && is_object_word(element.word)) return hint_for_object(context, stream_word);
   if (stream_word == kw_blob && element.word == kw_threshold)
     return "`threshold` comes before the modifiers of the blob";
+  if (element.word == kw_strength && is_object_word(stream_word)) {
+    return "in a component of a `blob`, `strength` comes right after the component's numbers, before transforms and "
+           "textures";
+  }
   const bool is_inside = stream_word != grammar::kNoSymbol;
   if (is_inside && is_of_top_level(context, element))
     return fmt::format("a `{}` is not allowed inside another block: check for a missing `}}` before it",

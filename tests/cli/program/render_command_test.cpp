@@ -212,6 +212,18 @@ TEST_F(RenderCommand, AWrongNoiseIsToldAndSoAreTwoRulesForSamples) {
   }
 }
 
+TEST_F(RenderCommand, ABlackPictureIsExplained) {
+  const char* const rest = "light_source { <50, 90, -90> rgb 1 }\ncamera { location <0, 0, -4> look_at 0 }\n";
+  // The camera stands in what is left of a box around a hole.
+  write("ball.isl",
+        std::string(rest) + "difference { box { -9, 9 } sphere { 0, 2 } pigment { rgb 1 } finish { ambient 0 } }\n");
+  EXPECT_THAT(render({}).err, HasSubstr("the picture is black: the camera is inside an object"));
+  write("ball.isl", std::string(rest) + "sphere { 0, 1 pigment { rgb 0 } }\n");
+  EXPECT_THAT(render({}).err, AllOf(HasSubstr("the picture is black"), Not(HasSubstr("inside"))));
+  write("ball.isl", std::string(rest) + "sphere { 0, 1 pigment { rgb 1 } }\n");
+  EXPECT_THAT(render({}).err, Not(HasSubstr("black")));
+}
+
 TEST_F(RenderCommand, TellsHowManyPixelsStayNoisy) {
   // A lamp of ten thousand, seen by few of the rays that reach it from the floor.
   write("ball.isl",
