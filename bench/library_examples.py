@@ -92,7 +92,7 @@ def main():
     count = 0
     for library in chosen:
         head = HEAD.format(library) + ('' if library == 'cameras.isl' else CAMERA)
-        message = run(options, head.replace('#include', f'#include "{library}"\n#include', 1) + 'sphere { 0, 1 }', *size)
+        message = run(options, head.replace('#include', f'#include "{library}"\n#include', 1) + 'sphere { 3*z, 1 }', *size)
         if message:
             wrong.append(f'{library}, included twice: {message}')
         for entry in all_entries[library]:

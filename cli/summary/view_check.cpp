@@ -35,10 +35,15 @@ std::string black_line(const scene::Database& database, const render::Image& ima
   const render::PatternInsides insides(database);
   constexpr std::uint64_t kMostSteps = 1'000'000;  // a tenth of a second or two
   StepCounter steps(kMostSteps);
-  const bool is_inside = std::ranges::any_of(
-      database.objects, [&](const scene::Object& object) { return insides.is_inside(object, eye, steps); });
-  return is_inside && !steps.is_spent() ? "the picture is black: the camera is inside an object"
-                                        : "the picture is black";
+  const bool is_inside = std::ranges::any_of(database.objects, [&](const scene::Object& object) {
+    // A camera before a flat wall is as often on its inner side as on the other.
+    const auto is_flat = [&](scene::SolidKind kind) {
+      return kind == scene::SolidKind::plane || kind == scene::SolidKind::disc;
+    };
+    const bool is_wall = object.kind == scene::Object::Kind::solid && is_flat(database.solids[object.shape].kind);
+    return !is_wall && insides.is_inside(object, eye, steps);
+  });
+  return is_inside && !steps.is_spent() ? "the picture is black: the camera is inside an object" : "";
 }
 
 }  // namespace isl::cli
