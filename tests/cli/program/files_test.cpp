@@ -35,6 +35,17 @@ TEST_F(Files, ThatAreMissingAreErrorsWhereverTheyAreRead) {
   }
 }
 
+TEST_F(Files, OfDensitiesAreWrittenByTheLibraryOfArrays) {
+  write("a.isl", std::string(kSmallScene) +
+                     "#include \"arrays.inc\"\n#declare Cells = array[2][1] { { 0 }, { 1 } }\n"
+                     "ARRAYS_WriteDF3(Cells, \"cells.df3\", 8)\n");
+  EXPECT_EQ(run({"check", "a.isl"}).exit_code, 1) << "it may not write";
+  const ProcessResult result = run({"check", "a.isl", "--allow-write", "."});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  // Three sizes of two bytes each, then a byte for each cell.
+  EXPECT_EQ(read("cells.df3"), (std::string{0, 2, 0, 1, 0, 1, 0, '\xff'}));
+}
+
 TEST_F(Files, ThatAreMisspeltAreNamedAndFoldersThatAreMissingAreToldOf) {
   write("a.isl", "#include \"colurs.inc\"\n");
   EXPECT_THAT(run({"check", "a.isl"}).err, HasSubstr("did you mean `colors.inc`?"));
