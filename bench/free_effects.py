@@ -110,7 +110,7 @@ def calls(program, scene, folder, *options):
 def count_hooks(program, folder):
     """Prints the table of hooks; false if one runs where nothing calls for it, or one was never seen to run."""
     hooks = hooks_of_effects(program)
-    runs = [(scene,) for scene in SCENES + [f"bench/pairs/{name}.pov" for name in CALLING]] + [PLAIN]
+    runs = [(scene,) for scene in SCENES + [f"bench/pairs/{name}.pov" for name in CALLING] + SOFT] + [PLAIN]
     used, unused = collections.defaultdict(list), collections.defaultdict(list)
     for scene, *options in runs:
         functions, called_for = calls(program, scene, folder, *options)
