@@ -35,12 +35,17 @@ std::span<const SurfaceAov> surface_aovs() {
 }
 
 const Aov& samples_aov() {
-  static const Aov kAov{.name = "samples", .channels = {"count"}, .value = AovValue::whole};
+  static const Aov kAov{.name = "samples",
+                        .channels = {"count"},
+                        .value = AovValue::whole,
+                        .picture = {AovPicture::Kind::counts, "samples"}};
   return kAov;
 }
 
 const Aov& noise_aov() {
-  static const Aov kAov{.name = "noise", .channels = {"rms"}};
+  static const Aov kAov{.name = "noise",
+                        .channels = {"rms"},
+                        .picture = {AovPicture::Kind::errors, "noise", {{"no estimate", kMissedColour}}}};
   return kAov;
 }
 

@@ -23,7 +23,7 @@ struct AovPicture {
   enum class Kind : std::uint8_t {
     none,
     counts,  ///< of the first channel; 0 is the background
-    errors,  ///< the first channel in pixels; infinite where a surface was missed or false
+    errors,  ///< the first channel, over decades; infinite where a surface was missed or false, or noise is unknown
     kinds,   ///< the first channel is 0 for nothing to tell, else the number of a word, from 1
   };
   struct Word {
