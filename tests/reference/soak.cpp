@@ -84,14 +84,14 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
   const TracerUnderTest tracer(database, options);
   const std::vector<render::Ray> rays = camera_rays(lines);
   const std::vector<render::Hit> hits = tracer.hits(rays);
-  std::uint64_t wrong = 0;
+  std::uint64_t wrong = 0, flagged = 0;
   long double worst = 0;  // |F| where a hit was found, over what the rule allows
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ++totals.rays;
     ++rays_here;
     if (!hits[i].is_miss()) ++totals.hits;
     const bool is_flagged = hits[i].certainty != render::Certainty::certified;
-    if (is_flagged) ++totals.flagged, ++flagged_here;
+    if (is_flagged) ++flagged;
     switch (rule.judge(rays[i], hits[i].is_miss() ? std::nullopt : std::optional(hits[i].t)).verdict) {
       case Verdict::agrees: break;
       case Verdict::undecided: ++totals.undecided; break;
@@ -112,7 +112,10 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
     std::cout << fmt::format("seed {}: {} of {}, at most {:.3g} times the rule: {}\n", seed, wrong, rays.size(),
                              static_cast<double>(worst), what);
   }
+  if (flagged > 0) std::cout << fmt::format("seed {}: {} of {} flagged: {}\n", seed, flagged, rays.size(), what);
   totals.wrong += wrong;
+  totals.flagged += flagged;
+  flagged_here += flagged;
   add_uncertified(tracer, seed, totals);
 }
 
