@@ -1,5 +1,6 @@
 #include "renderer/compiled/compiled_scene.h"
 
+#include "renderer/compiled/clear_instances.h"
 #include "renderer/compiled/flattener.h"
 #include "renderer/compiled/instance_boxes.h"
 #include "renderer/csg/expansion.h"
@@ -56,6 +57,7 @@ class Compiler {
     if (meter_.goes_on() && !refusal_) compile_blobs();
     if (meter_.goes_on() && !refusal_) {
       for (Instance& instance : scene_.instances) set_spread(database_, scene_, instance);
+      part_clear_from_opaque(database_, scene_);
       at_ = most_placed_at_;
       wanted_ = [this] { return fmt::format("the boxes over {:.4g} objects, most of them placed here,", placed_); };
       build_instance_boxes(scene_, meter_);

@@ -37,7 +37,7 @@ struct CompiledBlob {
 /// A placed solid, blob or CSG tree. Its index is its InstanceId.
 struct Instance {
   scene::Object::Kind kind;     ///< for `group`, `shape` is the index of a CSG tree
-  std::uint8_t hidden_from;     ///< the kinds of rays that do not meet it, as bits of RayKind
+  std::uint8_t hidden_from;     ///< the kinds of rays that do not meet it, as bits of RayKind, kOnlyOpaque, kOnlyClear
   bool is_placed;               ///< false: object space is world space
   bool is_inverse;              ///< normals point inwards; false for a CSG tree, whose leaves know it
   bool is_lit_from_both_sides;  ///< `double_illuminate`
@@ -66,6 +66,7 @@ struct CompiledScene {
   std::vector<std::uint32_t> listed;  ///< instances that are not in `boxes`: half-spaces, and a few blobs
   BoxTree boxes;                      ///< over all other instances
   Box bounds;                         ///< bounds of all that are no half-spaces
+  Box clear_bounds;                   ///< bounds of all that may let light through
   double crowd = 0;                   ///< mean number of their boxes on a line that meets `bounds`
   Charge charge;                      ///< of all this
   /// The reason why the scene takes more memory than the run allows. A scene that is refused, or was stopped while it

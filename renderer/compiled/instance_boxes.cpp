@@ -1,5 +1,6 @@
 #include "renderer/compiled/instance_boxes.h"
 
+#include "renderer/rays/ray.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ void build_instance_boxes(CompiledScene& scene, Meter& meter) {
     if (!meter.goes_on()) return;
     const Box box = world_bounds(scene, scene.instances[i]);
     if (box.isEmpty()) continue;  // a blob without a surface
+    if ((scene.instances[i].hidden_from & kOnlyOpaque) != 0) scene.clear_bounds.extendBy(box);
     if (!fits_in_tree(box)) {
       scene.listed.push_back(i);
       continue;

@@ -5,8 +5,8 @@
 
 namespace isl::render {
 
-/// Fills `unbounded`, `bounded`, `bounds`, `boxes` and `crowd` from the instances. They are of no use once `meter` has
-/// refused.
+/// Fills `listed`, `bounds`, `clear_bounds`, `boxes` and `crowd` from the instances. They are of no use once `meter`
+/// has refused.
 void build_instance_boxes(CompiledScene& scene, Meter& meter);
 
 }  // namespace isl::render

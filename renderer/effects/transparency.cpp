@@ -5,7 +5,7 @@
 // A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
 // the surface's normal; a single face, which has no inside, is entered where it is met first.
 #include "renderer/effects/effect.h"
-#include "renderer/effects/image_transparency.h"
+#include "renderer/scene/image_transparency.h"
 #include "renderer/effects/pigment_search.h"
 #include "renderer/paths/behind.h"
 #include "renderer/patterns/kinds/pattern_kind.h"
@@ -149,7 +149,7 @@ bool lets_light_through(const scene::Database& database, const scene::Pigment& p
                         const scene::PatternedPigment* record) {
   if (record) {
     const auto* const image = std::get_if<scene::ImageId>(&record->pattern.operands);
-    if (image && info_of(record->pattern.kind).colour && may_be_transparent(database.images[index(*image)]))
+    if (image && info_of(record->pattern.kind).colour && scene::may_be_transparent(database.images[index(*image)]))
       return true;
   }
   if (record && record->pattern.kind != scene::PatternKind::plain) return false;

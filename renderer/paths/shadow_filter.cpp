@@ -35,16 +35,23 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& m
 
 void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> shares, std::span<Certainty> certainties,
                        ShadowFilterMemory& memory, TraceCounters& counters) const {
-  memory.rays.assign(rays.begin(), rays.end());
-  memory.numbers.resize(rays.size());
+  // Most rays end at an opaque object, whatever they meet before it, or meet nothing.
+  memory.occluded.resize(rays.size());
+  tracer_.occlusions(rays, memory.occluded, counters, with(kind, kOnlyOpaque));
+  memory.rays.clear();
+  memory.numbers.clear();
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
-    shares[i] = Rgb(1);
-    memory.numbers[i] = i;
+    shares[i] = Rgb(memory.occluded[i] == kOccluded ? 0 : 1);
+    if (memory.occluded[i] == kOccluded) continue;
+    if (memory.occluded[i] == kUndecidedOcclusion) lower(certainties[i], Certainty::undecided);
+    if (!tracer_.may_meet_clear(rays[i])) continue;
+    memory.rays.push_back(rays[i]);
+    memory.numbers.push_back(i);
   }
   // Every step takes all rays that have not ended past one more surface.
   while (!memory.rays.empty()) {
     memory.hits.assign(memory.rays.size(), Hit{});
-    tracer_.first_hits(memory.rays, memory.hits, counters, kind);
+    tracer_.first_hits(memory.rays, memory.hits, counters, with(kind, kOnlyClear));
     if (refusals_.is_set()) return;
     std::size_t left = 0;
     for (std::size_t i = 0; i < memory.rays.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "renderer/shading/point_textures.h"
 #include "renderer/trace/tracer.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace isl::render {
 /// Memory of one thread.
 struct ShadowFilterMemory {
   std::vector<Ray> rays;
+  std::vector<std::uint8_t> occluded;
   std::vector<Hit> hits;
   std::vector<std::uint32_t> numbers;
   SurfacePoint surface;

@@ -42,6 +42,12 @@ struct Ray {
   RayStart start;
 };
 
+/// Bits that are added to a kind: the ray meets only objects that let no light through, or only those that may.
+inline constexpr std::uint8_t kOnlyOpaque = 16, kOnlyClear = 32;
+[[nodiscard]] constexpr RayKind with(RayKind kind, std::uint8_t only) {
+  return static_cast<RayKind>(static_cast<std::uint8_t>(kind) | only);
+}
+
 /// How sure the answer of a ray is. Greater is worse.
 enum class Certainty : std::uint8_t {
   certified,  ///< proved: this is the first surface, or there is none
@@ -66,7 +72,8 @@ struct Hit {
                                       ///< hit; for `paper` and `iso` with reuse, a number known to the thread that
                                       ///< found it
   std::uint8_t part = 0;              ///< for a solid: which of its surfaces
-  bool from_inside = false;           ///< the ray came out of the solid rather than into it
+  bool from_inside = false;           ///< the ray came out of the object rather than into it; false for a solid that is
+                                      ///< no part of a group, unless the ray is a query
   std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves
   Certainty certainty = Certainty::certified;
 

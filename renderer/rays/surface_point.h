@@ -25,6 +25,11 @@ struct TextureFrame {
   const scene::Transform* outer = nullptr;  ///< world_from_outer; null: the world itself
   const scene::Transform* inner = nullptr;  ///< outer_from_inner; null: the outer space itself
 
+  /// A vector, from the world to the texture's space.
+  [[nodiscard]] Vec3 enter_vector(Vec3 vector) const {
+    if (outer) vector = outer->inverse_vector(vector);
+    return inner ? inner->inverse_vector(vector) : vector;
+  }
   /// A normal, from the world to the texture's space and back; lengths change.
   [[nodiscard]] Vec3 enter(Vec3 normal) const {
     if (outer) normal = outer->inverse_normal(normal);

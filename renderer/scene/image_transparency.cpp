@@ -1,11 +1,9 @@
-#include "renderer/effects/image_transparency.h"
+#include "renderer/scene/image_transparency.h"
 
 #include <string_view>
 
-namespace isl::render {
+namespace isl::scene {
 namespace {
-
-using scene::ImageType;
 
 /// A PNG file has transparent pixels only with alpha in its header's type of colour, or with a chunk tRNS before the
 /// pixels.
@@ -20,7 +18,7 @@ bool may_png_be_transparent(std::string_view bytes) {
 /// By its contents, whatever its name: what is no PNG file will be refused anyway.
 bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
 
-bool is_opaque_format(const scene::Image& image) {
+bool is_opaque_format(const Image& image) {
   switch (image.type) {
     case ImageType::jpeg:
     case ImageType::ppm:
@@ -33,7 +31,7 @@ bool is_opaque_format(const scene::Image& image) {
 
 }  // namespace
 
-bool may_be_transparent(const scene::Image& image) {
+bool may_be_transparent(const Image& image) {
   if (image.once || image.filter_all.value_or(0) != 0 || image.transmit_all.value_or(0) != 0) return true;
   if (!image.filters.empty() || !image.transmits.empty()) return true;
   if (image.type != ImageType::function && !image.bytes) return false;
@@ -41,4 +39,4 @@ bool may_be_transparent(const scene::Image& image) {
   return !is_png(*image.bytes) || may_png_be_transparent(*image.bytes);
 }
 
-}  // namespace isl::render
+}  // namespace isl::scene

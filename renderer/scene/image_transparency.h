@@ -4,9 +4,9 @@
 
 #include "renderer/scene/image.h"
 
-namespace isl::render {
+namespace isl::scene {
 
 /// False if no texel of an image_map, nor the space around it, lets light through.
-[[nodiscard]] bool may_be_transparent(const scene::Image& image);
+[[nodiscard]] bool may_be_transparent(const Image& image);
 
-}  // namespace isl::render
+}  // namespace isl::scene

@@ -1,6 +1,7 @@
 #include "renderer/trace/tracer.h"
 
 #include "base/check.h"
+#include "renderer/boxes/box_test.h"
 #include "renderer/compiled/compiled_scene.h"
 #include "renderer/compiled/grid_json.h"
 #include "renderer/solids/solid.h"
@@ -44,10 +45,18 @@ struct Tracer::Impl {
       trace(first, std::min(rays_between_looks, rays - first));
   }
 
+  /// How far a hit may be off along its ray: by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with
+  /// room to spare.
+  [[nodiscard]] Vec3 step(const Ray& ray, const Hit& hit) const {
+    const double coordinates = ray.origin.length() + std::abs(hit.t);
+    return ray.direction * (settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
+  }
+
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
-  /// `other` is used where the shape has none of its own. `step` is that of FoundPlace.
+  /// `other` is used where the shape has none of its own. `ray` is that of the
+  /// world.
   Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const TextureFrame& own,
-                const Hit& hit, const Vec3& local, const Vec3& step, SurfacePoint& surface,
+                const Ray& ray, const Hit& hit, const Vec3& local, SurfacePoint& surface,
                 TraceCounters& counters) const {
     std::vector<TextureShare>& textures = surface.textures;
     if (kind == scene::Object::Kind::solid) {
@@ -62,7 +71,7 @@ struct Tracer::Impl {
       entry_points->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
     } else {
       entry_points->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
-      surface.is_refuted = is_refuted(scene.blobs[shape], {local, step, hit.cell}, blob);
+      surface.is_refuted = is_refuted(scene.blobs[shape], {local, own.enter_vector(step(ray, hit)), hit.cell}, blob);
     }
     counters.shading_evaluations += blob.evaluations;
     double total = 0;
@@ -179,6 +188,10 @@ void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occlu
   });
 }
 
+bool Tracer::may_meet_clear(const Ray& ray) const {
+  return may_meet(impl_->scene.clear_bounds, ray.origin, ray.direction, ray.t_max);
+}
+
 namespace {
 
 /// A disc bounds a half-space in combinations of solids alone.
@@ -196,10 +209,6 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   point.is_sheet = instance.kind == scene::Object::Kind::solid && is_sheet(impl_->scene.solids[instance.shape]);
   point.is_refuted = false;
   point.textures.clear();
-  // A hit may be off by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with room to spare.
-  const double coordinates = ray.origin.length() + std::abs(hit.t);
-  Vec3 step = ray.direction * (impl_->settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
-  if (instance.is_placed) step = instance.world_from_object.inverse_vector(step);
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::group) {
@@ -214,15 +223,14 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
         texture = share_of(cut->texture, instance, tree, *cut, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
-    if (leaf.is_placed) step = leaf.group_from_leaf.inverse_vector(step);
     const TextureFrame own{placing(instance), placing(leaf)};
-    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, own, hit, in_leaf, step, point, counters);
+    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, own, ray, hit, in_leaf, point, counters);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
     const TextureShare texture = share_of(instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
-    normal = impl_->shape_at(instance.kind, instance.shape, texture, own, hit, local, step, point, counters);
+    normal = impl_->shape_at(instance.kind, instance.shape, texture, own, ray, hit, local, point, counters);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;

@@ -44,6 +44,9 @@ class Tracer {
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
                   RayKind kind = RayKind::shadow) const;
 
+  /// False if the ray meets nothing that may let light through, which costs little to tell.
+  [[nodiscard]] bool may_meet_clear(const Ray& ray) const;
+
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {

@@ -14,6 +14,7 @@
 #include "renderer/boxes/box_walk-inl.h"
 #include "renderer/compiled/blob_point-inl.h"
 #include "renderer/rays/blob_ray.h"
+#include "renderer/solids/first_crossings-inl.h"
 #include "renderer/solids/solid.h"
 #include "renderer/trace/ray_faces.h"
 #include "renderer/trace/trace_entry_points.h"
@@ -76,6 +77,7 @@ class WorldTrace {
   /// them together.
   void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
     std::uint32_t open = 0;
+    are_lines_loaded_ = false;
     all_undecided_from_.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {};
@@ -122,6 +124,9 @@ class WorldTrace {
   /// Lets the rays whose bit in `open` is set meet the instance. Returns the rays that go on.
   std::uint32_t meet_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
     const Instance& instance = scene_.instances[index];
+    if (instance.kind == scene::Object::Kind::solid && has_first_crossings(scene_.solids[instance.shape])) {
+      return meet_solid_packet(index, rays, open, any, hits);
+    }
     const bool is_packed =
         instance.kind == scene::Object::Kind::blob && Search::takes_packets(scene_.blobs[instance.shape]);
     std::uint32_t met = 0;
@@ -149,17 +154,75 @@ class WorldTrace {
     return any ? open & ~met : open;
   }
 
+  /// As meet_packet(), for a solid whose crossings are found for eight rays at once.
+  std::uint32_t meet_solid_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any,
+                                  Hit* hits) {
+    const Instance& instance = scene_.instances[index];
+    if (is_hidden(instance)) return open;
+    alignas(64) double start_part[kOctet] = {};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      start_part[i] = rays[i].start.instance == index ? rays[i].start.part : -1;
+    }
+    const OctetLines& lines = lines_of(rays);
+    const FirstCrossings found = first_crossings(
+        scene_.solids[instance.shape], instance.is_placed ? mapped(lines, instance.world_from_object.inverse) : lines,
+        load(start_part));
+    std::uint32_t met = 0;
+    const std::uint32_t alone = bits(found.alone) & open;
+    for (std::uint32_t left = alone; left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      if (meet(index, rays[static_cast<std::size_t>(i)], any, hits[i])) met |= 1u << i;
+    }
+    std::uint32_t crossing = bits(found.t < Octet(kInfinity)) & open & ~alone;
+    if (crossing != 0) {
+      alignas(64) double t[kOctet], part[kOctet];
+      store(found.t, t);
+      store(found.part, part);
+      for (; crossing != 0; crossing &= crossing - 1) {
+        const int i = std::countr_zero(crossing);
+        const Ray& ray = rays[static_cast<std::size_t>(i)];
+        const bool is_met = starts_close(index, ray, t[i])
+                                ? meet(index, ray, any, hits[i])
+                                : take_solid(index, ray, t[i], static_cast<std::uint8_t>(part[i]), any, hits[i]);
+        if (is_met) met |= 1u << i;
+      }
+    }
+    return any ? open & ~met : open;
+  }
+
+  /// The rays of the present packet side by side.
+  const OctetLines& lines_of(std::span<const Ray> rays) {
+    if (are_lines_loaded_) return lines_;
+    are_lines_loaded_ = true;
+    alignas(64) double values[6][kOctet] = {};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        values[axis][i] = rays[i].origin[axis];
+        values[3 + axis][i] = rays[i].direction[axis];
+      }
+    }
+    lines_ = {{load(values[0]), load(values[1]), load(values[2])}, {load(values[3]), load(values[4]), load(values[5])}};
+    return lines_;
+  }
+
   [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
 
-  /// The ray in the space of an instance that is a blob.
+  struct Line {
+    Vec3 origin, direction;
+  };
+  /// The ray in the space of an instance.
+  [[nodiscard]] static Line in_object(const Instance& instance, const Ray& ray) {
+    if (!instance.is_placed) return {ray.origin, ray.direction};
+    return {instance.world_from_object.inverse_point(ray.origin),
+            instance.world_from_object.inverse_vector(ray.direction)};
+  }
+
+  /// The same for an instance that is a blob.
   [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
     const Instance& instance = scene_.instances[index];
-    Vec3 origin = ray.origin, direction = ray.direction;
-    if (instance.is_placed) {
-      origin = instance.world_from_object.inverse_point(origin);
-      direction = instance.world_from_object.inverse_vector(direction);
-    }
-    return {origin, direction, farthest(index, ray, any, best), ray.start.instance == index, any, ray.path_length};
+    const Line line = in_object(instance, ray);
+    return {line.origin, line.direction, farthest(index, ray, any, best), ray.start.instance == index,
+            any,         ray.path_length};
   }
 
   /// The farthest t at which an instance's hit can matter: behind the nearest hit, if it may coincide with it and was
@@ -209,11 +272,7 @@ class WorldTrace {
       const BlobHit hit = first_hit(scene_.blobs[instance.shape], blob_ray);
       return !hit.is_miss() && take_blob(index, ray, blob_ray, hit, best);
     }
-    Vec3 origin = ray.origin, direction = ray.direction;
-    if (instance.is_placed) {
-      origin = instance.world_from_object.inverse_point(origin);
-      direction = instance.world_from_object.inverse_vector(direction);
-    }
+    const auto [origin, direction] = in_object(instance, ray);
     const bool starts_here = ray.start.instance == index;
     if (instance.kind == scene::Object::Kind::group) {
       return meet_csg(index, ray, any,
@@ -227,15 +286,29 @@ class WorldTrace {
     std::size_t first = 0;
     while (first < count && !(found.t[first] > 0)) ++first;
     if (first == count) return false;
-    if (ray.start.instance != scene::kNone && !starts_here &&
-        found.t[first] <= faces_.nearness(index, ray, found.t[first])) {
+    if (starts_close(index, ray, found.t[first])) {
       first = faces_.pass_start(index, ray, found, first);
       if (first == count) return false;
     }
-    const double t = found.t[first];
-    const std::uint8_t part = found.part[first];
+    return take_solid(index, ray, found.t[first], found.part[first], any, best);
+  }
+
+  /// True if the ray starts on another instance, and so close to a crossing that this may be the face that it starts
+  /// on.
+  [[nodiscard]] bool starts_close(std::uint32_t index, const Ray& ray, double t) const {
+    return ray.start.instance != scene::kNone && ray.start.instance != index && t <= faces_.nearness(index, ray, t);
+  }
+
+  /// Takes a crossing of a solid. True if it is the nearest.
+  bool take_solid(std::uint32_t index, const Ray& ray, double t, std::uint8_t part, bool any, Hit& best) {
     if (!(t < best.t) && !(t < farthest(index, ray, any, best))) return false;
-    const bool from_inside = !any && is_leaving(solid, part, origin + direction * t, direction) != instance.is_inverse;
+    const Instance& instance = scene_.instances[index];
+    bool from_inside = false;
+    if (kind_ == static_cast<std::uint8_t>(RayKind::query) && !any) {
+      const Line line = in_object(instance, ray);
+      from_inside = is_leaving(scene_.solids[instance.shape], part, line.origin + line.direction * t, line.direction) !=
+                    instance.is_inverse;
+    }
     return offer(ray, {t, index, scene::kNone, part, from_inside, scene::kNone}, any, best);
   }
 
@@ -315,6 +388,8 @@ class WorldTrace {
   std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
   std::uint8_t kind_;                                 ///< one bit of RayKind
   RayFaces faces_;
+  OctetLines lines_;  ///< the rays of the present packet, if are_lines_loaded_
+  bool are_lines_loaded_ = false;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -19,7 +19,8 @@ double positive_remainder(double whole, double divisor) {
   const double remainder = std::fmod(whole, divisor);
   return remainder < 0 ? remainder + divisor : remainder + 0.0;  // and no negative zero
 }
-bool is_odd(double whole) { return std::fmod(whole, 2) != 0; }
+/// Halves of whole numbers are exact.
+bool is_odd(double whole) { return whole * 0.5 != std::floor(whole * 0.5); }
 
 /// Unit cubes with alternating values 0 and 1.
 double checker_at(const PatternPoint& at) noexcept {

@@ -1,0 +1,143 @@
+// Rays that meet solids in packets have the same hits, to the last bit, as the same rays alone.
+#include "renderer/trace/tracer.h"
+#include "tests/renderer/solids/solid_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace isl::render {
+namespace {
+
+using scene::Solid;
+using scene::SolidKind;
+using test::Random;
+
+Solid any_solid(Random& random, SolidKind kind) {
+  if (kind == SolidKind::box) {
+    Solid box{.kind = kind, .a = random.in_cube(1)};
+    box.b = box.a + Vec3(random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1));
+    if (random.uniform(0, 8) < 1) box.b.y = box.a.y;  // an open surface
+    return box;
+  }
+  if (kind == SolidKind::disc) {
+    const double radius = random.uniform(0.2, 1);
+    return {.kind = kind,
+            .a = random.in_cube(1),
+            .b = random.direction(),
+            .radius_a = radius,
+            .radius_b = random.uniform(0, 2) < 1 ? 0 : radius / 2};
+  }
+  Solid solid = test::random_solid(random, kind);
+  solid.open = kind == SolidKind::cylinder && random.uniform(0, 3) < 1;
+  return solid;
+}
+
+scene::Transform random_place(Random& random) {
+  scene::Transform place;
+  const Vec3 turn = random.in_cube(3);
+  place.matrix.rotate(turn);
+  place.matrix.scale(Vec3(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2)));
+  place.matrix.translate(random.in_cube(1));
+  place.inverse = place.matrix.inverse();
+  return place;
+}
+
+/// `count` solids; some of them touch each other's faces.
+scene::Database random_scene(Random& random, int count) {
+  constexpr SolidKind kKinds[] = {SolidKind::plane,    SolidKind::sphere, SolidKind::box,
+                                  SolidKind::cylinder, SolidKind::disc,   SolidKind::cone};
+  scene::Database database;
+  for (int i = 0; i < count; ++i) {
+    const auto kind = kKinds[static_cast<int>(random.uniform(0, 6))];
+    Solid solid = any_solid(random, kind);
+    scene::Object object{.shape = static_cast<std::uint32_t>(database.solids.size())};
+    object.inverse = random.uniform(0, 4) < 1;
+    if (random.uniform(0, 2) < 1) object.parent_from_object = random_place(random);
+    if (kind == SolidKind::box && !database.solids.empty() && database.solids.back().kind == SolidKind::box) {
+      solid.a = database.solids.back().a;
+      if (!(solid.b.x > solid.a.x && solid.b.y > solid.a.y && solid.b.z > solid.a.z)) solid.b = solid.a + Vec3(0.5);
+      object.parent_from_object = database.objects.back().parent_from_object;
+    }
+    database.solids.push_back(solid);
+    database.objects.push_back(object);
+  }
+  return database;
+}
+
+Ray random_ray(Random& random) {
+  Ray ray;
+  ray.origin = random.in_cube(3);
+  ray.direction = random.direction();
+  const double along = random.uniform(0, 6);
+  if (along < 1) {  // along an axis
+    ray.direction = Vec3(0);
+    ray.direction[static_cast<int>(3 * along)] = along < 0.5 ? 1 : -1;
+  }
+  if (random.uniform(0, 3) < 1) ray.t_max = random.uniform(0.1, 4);
+  return ray;
+}
+
+bool equal_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+struct Traced {
+  std::vector<Hit> hits;
+  std::vector<std::uint8_t> occluded;
+};
+
+Traced traced(const scene::Database& database, bool packets, const std::vector<Ray>& rays) {
+  TracerOptions options;
+  options.packets = packets;
+  const Tracer tracer(database, options);
+  Traced result{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size())};
+  TraceCounters counters;
+  tracer.first_hits(rays, result.hits, counters, RayKind::query);
+  tracer.occlusions(rays, result.occluded, counters);
+  return result;
+}
+
+/// Returns the hits of the rays.
+std::vector<Hit> expect_same(const scene::Database& database, const std::vector<Ray>& rays) {
+  const Traced alone = traced(database, false, rays), together = traced(database, true, rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit &a = alone.hits[i], &b = together.hits[i];
+    EXPECT_TRUE(equal_bits(a.t, b.t)) << "ray " << i << ": " << a.t << " and " << b.t;
+    EXPECT_EQ(a.instance, b.instance) << "ray " << i;
+    EXPECT_EQ(alone.occluded[i], together.occluded[i]) << "ray " << i;
+    if (a.is_miss() || b.is_miss()) continue;
+    EXPECT_EQ(a.part, b.part) << "ray " << i;
+    EXPECT_EQ(a.from_inside, b.from_inside) << "ray " << i;
+  }
+  return together.hits;
+}
+
+TEST(SolidPackets, HitWhatSingleRaysHitAlsoFromSurfaces) {
+  Random random(21);
+  int hits = 0, again = 0;
+  for (int scene = 0; scene < 300; ++scene) {
+    SCOPED_TRACE(scene);
+    const scene::Database database = random_scene(random, 1 + scene % 12);
+    std::vector<Ray> rays;
+    while (rays.size() < 203) rays.push_back(random_ray(random));
+    const std::vector<Hit> found = expect_same(database, rays);
+    std::vector<Ray> next;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (found[i].is_miss()) continue;
+      ++hits;
+      Ray ray = random_ray(random);
+      ray.origin = rays[i].origin + rays[i].direction * found[i].t;
+      ray.path_length = found[i].t;
+      ray.start = found[i].start();
+      next.push_back(ray);
+    }
+    for (const Hit& hit : expect_same(database, next)) again += hit.is_miss() ? 0 : 1;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(hits, 10000);
+  EXPECT_GT(again, 3000);
+}
+
+}  // namespace
+}  // namespace isl::render
