@@ -10,6 +10,7 @@
 // and it has maxima, sometimes a half-space (or a sheet), and every other time convolutions, a hardness up to 300, and
 // a scale from 10⁻³ to 10³. Half of the rays of `blobs` look for the first hit, and half are shadow rays from the
 // surfaces that were found, at all angles down to grazing.
+#include "renderer/reference/reference_tracer.h"
 #include "tests/reference/agreement.h"
 #include "tests/reference/blob_walk.h"
 #include "tests/reference/random_scenes.h"
@@ -42,6 +43,7 @@ struct Totals {
   std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
   std::uint64_t flagged = 0;        ///< rays that the solver says it did not decide
   std::uint64_t wrong_flagged = 0;  ///< those of them that are wrong, which `wrong` does not count
+  std::uint64_t needless = 0;       ///< those of them for which the reference sees no reason (has_reason)
   /// `scales`: rays and flagged rays by the exponent of the extent over the detail, 0 for blobs of one scale.
   std::map<int, std::pair<std::uint64_t, std::uint64_t>> by_exponent;
 };
@@ -74,24 +76,40 @@ void soak_blob(std::uint64_t seed, Totals& totals) {
   totals.rays += made.rays.size() + shadows.size();
 }
 
+/// True if the reference, too, sees something on the way to the hit that may be rounding: a place whose sign is lost in
+/// extended precision, or a part so thin that the ray is out of it again before the hit.
+bool has_reason(const ReferenceScene& scene, const render::Ray& ray, const render::Hit& hit) {
+  constexpr long double kBeyond = 1 + 0x1p-40L;
+  for (const ReferenceScene::Placed& placed : scene.placed()) {
+    const RayRoots roots = roots_along(placed.field, ReferenceScene::field_ray(placed, ray.origin, ray.direction),
+                                       {.t_max = std::min<long double>(hit.t, ray.t_max) * kBeyond});
+    if (!roots.touches.empty() || roots.crossings.size() > 1) return true;
+  }
+  return false;
+}
+
 /// Counts by the rule of rounding, which allows no error in proportion to the blob.
 void judge_hits(const scene::Database& database, const std::vector<LineOfSight>& lines, double pixel_angle,
                 std::uint64_t seed, int exponent, const std::string& what, Totals& totals) {
   const RoundingRule rule(database);
+  const ReferenceScene scene(database);
   auto& [rays_here, flagged_here] = totals.by_exponent[exponent];
   render::TracerOptions options;
   options.pixel_angle = pixel_angle;
   const TracerUnderTest tracer(database, options);
   const std::vector<render::Ray> rays = camera_rays(lines);
   const std::vector<render::Hit> hits = tracer.hits(rays);
-  std::uint64_t wrong = 0, flagged = 0;
+  std::uint64_t wrong = 0, flagged = 0, needless = 0;
   long double worst = 0;  // |F| where a hit was found, over what the rule allows
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ++totals.rays;
     ++rays_here;
     if (!hits[i].is_miss()) ++totals.hits;
     const bool is_flagged = hits[i].certainty != render::Certainty::certified;
-    if (is_flagged) ++flagged;
+    if (is_flagged) {
+      ++flagged;
+      if (!has_reason(scene, rays[i], hits[i])) ++needless;
+    }
     switch (rule.judge(rays[i], hits[i].is_miss() ? std::nullopt : std::optional(hits[i].t)).verdict) {
       case Verdict::agrees: break;
       case Verdict::undecided: ++totals.undecided; break;
@@ -112,9 +130,13 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
     std::cout << fmt::format("seed {}: {} of {}, at most {:.3g} times the rule: {}\n", seed, wrong, rays.size(),
                              static_cast<double>(worst), what);
   }
-  if (flagged > 0) std::cout << fmt::format("seed {}: {} of {} flagged: {}\n", seed, flagged, rays.size(), what);
+  if (flagged > 0) {
+    std::cout << fmt::format("seed {}: {} of {} flagged, {} without a reason: {}\n", seed, flagged, rays.size(),
+                             needless, what);
+  }
   totals.wrong += wrong;
   totals.flagged += flagged;
+  totals.needless += needless;
   flagged_here += flagged;
   add_uncertified(tracer, seed, totals);
 }
@@ -187,9 +209,9 @@ int main(int argc, char** argv) {
   for (; totals.rays < count; ++seed) what == "blobs" ? soak_blob(seed, totals) : soak_scale(seed, totals);
   std::cout << fmt::format(
       "seeds {} to {}: {} rays, {} hits, {} refuted, {} undecided by the reference, {} lost in rounding, {} "
-      "uncertified steps, {} rays flagged as undecided, {} of them wrong; {:.0f} s\n",
+      "uncertified steps, {} rays flagged as undecided, {} of them wrong, {} without a reason; {:.0f} s\n",
       first, seed - 1, totals.rays, totals.hits, totals.wrong, totals.undecided, totals.excused, totals.uncertified,
-      totals.flagged, totals.wrong_flagged, seconds());
+      totals.flagged, totals.wrong_flagged, totals.needless, seconds());
   for (const auto& [exponent, counts] : totals.by_exponent) {
     const std::string scale = exponent == 0 ? "one scale" : fmt::format("1e-{}", exponent);
     std::cout << fmt::format("  {}: {} flagged of {} rays\n", scale, counts.second, counts.first);
