@@ -5,10 +5,10 @@
 // A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
 // the surface's normal; a single face, which has no inside, is entered where it is met first.
 #include "renderer/effects/effect.h"
-#include "renderer/scene/image_transparency.h"
 #include "renderer/effects/pigment_search.h"
 #include "renderer/paths/behind.h"
 #include "renderer/patterns/kinds/pattern_kind.h"
+#include "renderer/scene/image_transparency.h"
 #include "renderer/shading/interiors.h"
 #include "renderer/shading/irid.h"
 
