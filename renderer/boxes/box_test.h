@@ -10,11 +10,13 @@
 
 namespace isl::render {
 
-/// False only if no point of the ray up to t_max is in the box, whose sides may be infinite. t of a plane is
-/// (plane − origin)·(1/direction), which three roundings move by less than 4 units of 2⁻⁵³ of itself.
+/// t of a plane is (plane − origin)·(1/direction), which three roundings move by less than 4 units of 2⁻⁵³ of itself.
+/// Stretches are longer by more than that on both sides, so a ray that meets a box always meets it here too.
+inline constexpr double kBoxEarlier = 1 - 0x1p-50, kBoxLater = 1 + 0x1p-50;
+
+/// False only if no point of the ray up to t_max is in the box, whose sides may be infinite.
 [[nodiscard]] inline bool may_meet(const Imath::Box3d& box, const scene::Vec3& origin, const scene::Vec3& direction,
                                    double t_max) {
-  constexpr double kEarlier = 1 - 0x1p-50, kLater = 1 + 0x1p-50;
   if (box.isEmpty()) return false;
   double enter = 0, leave = t_max;
   for (int axis = 0; axis < 3; ++axis) {
@@ -27,7 +29,7 @@ namespace isl::render {
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }
-  return enter * kEarlier <= leave * kLater;
+  return enter * kBoxEarlier <= leave * kBoxLater;
 }
 
 }  // namespace isl::render

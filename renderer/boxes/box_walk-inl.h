@@ -1,8 +1,5 @@
 // Rays through a hierarchy of boxes, nearest boxes first: one ray, which meets the eight children of a node at once, or
 // eight rays, which meet one child after the other at once.
-//
-// t of a plane is (plane − origin)·(1/direction), which three roundings move by less than 4 units of 2⁻⁵³ of itself.
-// Stretches are longer by more than that on both sides, so a ray that meets a box always meets it here too.
 #if defined(ISL_RENDERER_BOXES_BOX_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_BOXES_BOX_WALK_INL_H_
 #undef ISL_RENDERER_BOXES_BOX_WALK_INL_H_
@@ -10,6 +7,7 @@
 #define ISL_RENDERER_BOXES_BOX_WALK_INL_H_
 #endif
 
+#include "renderer/boxes/box_test.h"
 #include "renderer/boxes/box_tree.h"
 #include "renderer/rays/ray.h"
 #include "renderer/simd/octet-inl.h"
@@ -23,8 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
-
-inline constexpr double kBoxEarlier = 1 - 0x1p-50, kBoxLater = 1 + 0x1p-50;
 
 /// What is left to visit, with the farthest on top of the nearest so that the nearest is taken first.
 template <class Entry>

@@ -2,10 +2,10 @@
 
 #include "renderer/rays/ray.h"
 #include "renderer/scene/clear_textures.h"
+#include "renderer/scene/remembered.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 namespace isl::render {
@@ -25,13 +25,13 @@ class ClearInstances {
   bool has(const Instance& instance) {
     if (!textures_.any()) return false;
     if (textures_.has(instance.texture.id)) return true;
-    if (instance.interior_texture.id != scene::kNoTexture && textures_.has(instance.interior_texture.id)) return true;
+    if (is_clear(instance.interior_texture.id)) return true;
     switch (instance.kind) {
       case scene::Object::Kind::solid: return false;
       case scene::Object::Kind::blob: return is_clear_blob(instance.shape);
       case scene::Object::Kind::group: break;
     }
-    return known(trees_[instance.shape], [&] {
+    return scene::remembered(trees_[instance.shape], [&] {
       return std::ranges::any_of(scene_.trees[instance.shape].leaves, [&](const CsgLeaf& leaf) {
         return is_clear(leaf.texture.id) || is_clear(leaf.interior_texture.id) ||
                (leaf.kind == scene::Object::Kind::blob && is_clear_blob(leaf.shape));
@@ -40,19 +40,11 @@ class ClearInstances {
   }
 
  private:
-  using Answer = std::optional<bool>;
-
-  template <class Ask>
-  static bool known(Answer& answer, const Ask& ask) {
-    if (!answer) answer = ask();
-    return *answer;
-  }
-
   /// True of a texture of a part alone, if the part has one.
   [[nodiscard]] bool is_clear(scene::TextureId id) const { return id != scene::kNoTexture && textures_.has(id); }
 
   bool is_clear_blob(std::uint32_t shape) {
-    return known(blobs_[shape], [&] {
+    return scene::remembered(blobs_[shape], [&] {
       return std::ranges::any_of(database_.blobs[shape].components,
                                  [&](const scene::Component& component) { return is_clear(component.texture); });
     });
@@ -61,7 +53,7 @@ class ClearInstances {
   const scene::Database& database_;
   const CompiledScene& scene_;
   scene::ClearTextures textures_;
-  std::vector<Answer> blobs_, trees_;
+  std::vector<scene::Answer> blobs_, trees_;
 };
 
 }  // namespace

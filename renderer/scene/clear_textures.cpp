@@ -1,10 +1,10 @@
 #include "renderer/scene/clear_textures.h"
 
 #include "renderer/scene/image_transparency.h"
+#include "renderer/scene/remembered.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <variant>
 
 namespace isl::scene {
@@ -26,25 +26,17 @@ class ClearSearch {
   }
 
   bool is_clear(TextureId id) {
-    if (id == kNoTexture) return known(default_, [&] { return is_clear(database_.default_texture); });
-    return known(textures_[index(id)], [&] { return is_clear(database_.textures[index(id)]); });
+    if (id == kNoTexture) return remembered(default_, [&] { return is_clear(database_.default_texture); });
+    return remembered(textures_[index(id)], [&] { return is_clear(database_.textures[index(id)]); });
   }
 
  private:
-  using Answer = std::optional<bool>;
-
-  template <class Ask>
-  static bool known(Answer& answer, const Ask& ask) {
-    if (!answer) answer = ask();
-    return *answer;
-  }
-
   static bool is_clear(const Colour& colour) { return colour.filter != 0 || colour.transmit != 0; }
 
   bool is_clear(const Pigment& pigment) {
     if (pigment.is_plain()) return is_clear(pigment.colour);
-    return known(pigments_[index(pigment.pattern)],
-                 [&] { return is_clear(database_.pigments[index(pigment.pattern)]); });
+    return remembered(pigments_[index(pigment.pattern)],
+                      [&] { return is_clear(database_.pigments[index(pigment.pattern)]); });
   }
 
   bool is_clear(const PatternedPigment& pigment) {

@@ -1,10 +1,10 @@
 #include "renderer/scene/coordinate_textures.h"
 
 #include "renderer/scene/edges.h"
+#include "renderer/scene/remembered.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 namespace isl::scene {
 namespace {
@@ -22,18 +22,10 @@ class Walk {
   bool asks(const Texture& texture) { return texture.uv_mapping != 0 || edge_asks(texture); }
 
   bool asks(TextureId id) {
-    return id != kNoTexture && known(textures_[index(id)], [&] { return asks(database_.textures[index(id)]); });
+    return id != kNoTexture && remembered(textures_[index(id)], [&] { return asks(database_.textures[index(id)]); });
   }
 
  private:
-  using Answer = std::optional<bool>;
-
-  template <class Ask>
-  static bool known(Answer& answer, const Ask& ask) {
-    if (!answer) answer = ask();
-    return *answer;
-  }
-
   template <class Record>
   bool edge_asks(const Record& record) {
     bool found = false;
@@ -49,10 +41,11 @@ class Walk {
 
   bool asks(PigmentId id) {
     return id != kPlainColour &&
-           known(pigments_[index(id)], [&] { return patterned_asks(database_.pigments[index(id)]); });
+           remembered(pigments_[index(id)], [&] { return patterned_asks(database_.pigments[index(id)]); });
   }
   bool asks(NormalId id) {
-    return id != kNoNormal && known(normals_[index(id)], [&] { return patterned_asks(database_.normals[index(id)]); });
+    return id != kNoNormal &&
+           remembered(normals_[index(id)], [&] { return patterned_asks(database_.normals[index(id)]); });
   }
   bool asks(TexturePatternId id) {
     return id != kNoTexturePattern && patterned_asks(database_.texture_patterns[index(id)]);

@@ -87,7 +87,7 @@ struct OctetIntervals {
                                                        const Octet& start_part) {
   const Octet rise = lines.direction.dot(solid.a);
   const Octet t = (Octet(solid.radius_a) - lines.origin.dot(solid.a)) / rise;
-  // Where the line runs along the plane, t is infinite or no number.
+  // A line parallel to the plane has an infinite t or NaN; neither is a crossing.
   FirstCrossings result;
   result.t = select((start_part < Octet(0.0)) & (t > Octet(0.0)), t, Octet(kInfinity));
   return result;
@@ -147,7 +147,6 @@ struct OctetIntervals {
   const OctetMask on_side = equal(start_part, Octet(kSide)), on_a = equal(start_part, cap_a),
                   on_b = equal(start_part, cap_b);
   const auto across = [&](const OctetVector& v) HWY_ATTR { return v - along * v.dot(along); };
-  FirstCrossings result;
   OctetMask alone = no_lane();
   const OctetIntervals side = within_radius(across(lines.origin - solid.a), across(lines.direction),
                                             Octet(std::abs(solid.radius_a)), on_side, alone);
@@ -164,7 +163,7 @@ struct OctetIntervals {
                                              on_side);
   // A line that misses the side misses the cylinder, wherever it starts.
   const OctetIntervals held_side = holding_origin(side, (on_a | on_b) & (side.low < side.high));
-  result = solid.open ? first_of_open(side, slab) : first_end(intersection(held_side, slab));
+  FirstCrossings result = solid.open ? first_of_open(side, slab) : first_end(intersection(held_side, slab));
   result.alone = alone;
   return result;
 }

@@ -386,7 +386,7 @@ class WorldTrace {
   TraceCounters& counters_;
   double undecided_from_ = 0;                         ///< the least t at which the present ray was undecided
   std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
-  std::uint8_t kind_;                                 ///< one bit of RayKind
+  std::uint8_t kind_;                                 ///< the bits of a RayKind, kOnlyOpaque and kOnlyClear
   RayFaces faces_;
   OctetLines lines_;  ///< the rays of the present packet, if are_lines_loaded_
   bool are_lines_loaded_ = false;

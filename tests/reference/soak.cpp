@@ -43,7 +43,7 @@ struct Totals {
   std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
   std::uint64_t flagged = 0;        ///< rays that the solver says it did not decide
   std::uint64_t wrong_flagged = 0;  ///< those of them that are wrong, which `wrong` does not count
-  std::uint64_t needless = 0;       ///< those of them for which the reference sees no reason (has_reason)
+  std::uint64_t needless = 0;       ///< those of them for which the reference sees no reason, in `scales` alone
   /// `scales`: rays and flagged rays by the exponent of the extent over the detail, 0 for blobs of one scale.
   std::map<int, std::pair<std::uint64_t, std::uint64_t>> by_exponent;
 };
@@ -207,11 +207,12 @@ int main(int argc, char** argv) {
   }
   Totals totals;
   for (; totals.rays < count; ++seed) what == "blobs" ? soak_blob(seed, totals) : soak_scale(seed, totals);
+  const std::string needless = what == "scales" ? fmt::format(", {} without a reason", totals.needless) : "";
   std::cout << fmt::format(
       "seeds {} to {}: {} rays, {} hits, {} refuted, {} undecided by the reference, {} lost in rounding, {} "
-      "uncertified steps, {} rays flagged as undecided, {} of them wrong, {} without a reason; {:.0f} s\n",
+      "uncertified steps, {} rays flagged as undecided, {} of them wrong{}; {:.0f} s\n",
       first, seed - 1, totals.rays, totals.hits, totals.wrong, totals.undecided, totals.excused, totals.uncertified,
-      totals.flagged, totals.wrong_flagged, totals.needless, seconds());
+      totals.flagged, totals.wrong_flagged, needless, seconds());
   for (const auto& [exponent, counts] : totals.by_exponent) {
     const std::string scale = exponent == 0 ? "one scale" : fmt::format("1e-{}", exponent);
     std::cout << fmt::format("  {}: {} flagged of {} rays\n", scale, counts.second, counts.first);

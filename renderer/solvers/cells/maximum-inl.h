@@ -107,7 +107,8 @@ class MaximumSolver {
       const Node node = node_of(i, t);
       if (!(node.value > -node.doubt)) continue;
       const std::optional<bool> inside = is_inside(fields_.laid_out(), t);
-      // Where one sum has just left, another that falls and whose sign no digits tell leaves in the same rounding of t.
+      // A sum has just left the surface at this t. If another one falls here and no digits tell its sign, it leaves
+      // within the same rounding of t.
       if (!inside && !left_.empty() && node.slope < -node.slope_noise) continue;
       if (!inside) ++counters_.undecided_steps;
       if (inside.value_or(node.value > node.noise)) return i;
