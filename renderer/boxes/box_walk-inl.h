@@ -9,14 +9,12 @@
 
 #include "renderer/boxes/box_test.h"
 #include "renderer/boxes/box_tree.h"
-#include "renderer/rays/ray.h"
 #include "renderer/simd/octet-inl.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -95,25 +93,20 @@ HWY_INLINE void walk_boxes(const BoxTree& tree, const scene::Vec3& origin, const
   }
 }
 
-/// Eight rays side by side. Lanes that are not in use are never asked about.
+/// Eight rays side by side.
 struct BoxRays {
   Octet origin[3], inverse[3];
   bool is_parallel = false;  ///< some ray does not move along some axis
 
-  HWY_INLINE explicit BoxRays(std::span<const Ray> rays) {
-    alignas(64) double values[6][kOctet] = {};
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) {
-        values[axis][i] = rays[i].origin[axis];
-        const double by = 1 / rays[i].direction[axis];
-        values[3 + axis][i] = by;
-        is_parallel |= !std::isfinite(by);
-      }
-    }
+  /// Rays without a bit in `open` may be anything.
+  HWY_INLINE BoxRays(const Octet (&from)[3], const Octet (&along)[3], std::uint32_t open) {
+    OctetMask is_finite = all_lanes();
     for (int axis = 0; axis < 3; ++axis) {
-      origin[axis] = load(values[axis]);
-      inverse[axis] = load(values[3 + axis]);
+      origin[axis] = from[axis];
+      inverse[axis] = Octet(1.0) / along[axis];
+      is_finite = is_finite & (abs(inverse[axis]) < Octet(std::numeric_limits<double>::infinity()));
     }
+    is_parallel = (open & ~bits(is_finite)) != 0;
   }
 
   /// Where the rays are in a child's box, between 0 and `limits`.

@@ -42,6 +42,7 @@ struct Instance {
   bool is_inverse;              ///< normals point inwards; false for a CSG tree, whose leaves know it
   bool is_lit_from_both_sides;  ///< `double_illuminate`
   bool is_hollow;               ///< media around it fill it too
+  bool is_sheet;                ///< a solid whose surface has no inside
   std::uint32_t shape;
   PlacedTexture texture;
   PlacedTexture interior_texture;  ///< of the surface seen from inside, if it differs

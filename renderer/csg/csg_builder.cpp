@@ -3,6 +3,7 @@
 #include "renderer/csg/shape_size.h"
 #include "renderer/csg/spread.h"
 #include "renderer/extents/box_operations.h"
+#include "renderer/solids/octet_solids.h"
 #include "renderer/solids/solid.h"
 
 #include <algorithm>
@@ -115,8 +116,16 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   for (std::size_t i = tree.nodes.size() - 1; i > 0; --i) {  // children before parents
     if (tree.nodes[i].holds(tree.holding_at_rest[i])) ++tree.holding_at_rest[tree.nodes[i].parent];
   }
+  tree.is_met_by_octets = fits_octets(tree);
   trees_.push_back(std::move(tree));
   return place->second;
+}
+
+bool CsgBuilder::fits_octets(const CsgTree& tree) const {
+  return tree.leaves.size() <= kMostOctetLeaves && tree.nodes.size() <= kMostOctetNodes &&
+         std::ranges::all_of(tree.leaves, [this](const CsgLeaf& leaf) {
+           return leaf.kind == Object::Kind::solid && is_convex_for_octets(database_.solids[leaf.shape]);
+         });
 }
 
 bool CsgBuilder::cuts_all(const CsgTree& tree, const CsgLeaf& leaf) const {

@@ -34,6 +34,8 @@ class CsgBuilder {
   void add_leaf(CsgTree& tree, const scene::Object& object, const Above& above);
   [[nodiscard]] Imath::Box3d box_of_leaf(const CsgLeaf& leaf);
   [[nodiscard]] bool cuts_all(const CsgTree& tree, const CsgLeaf& leaf) const;
+  /// CsgTree::is_met_by_octets.
+  [[nodiscard]] bool fits_octets(const CsgTree& tree) const;
   void add_boxes(CsgTree& tree);
 
   const scene::Database& database_;

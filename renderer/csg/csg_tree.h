@@ -63,6 +63,10 @@ struct CsgLeaf {
   double size = 0;  ///< the largest coordinate in its own space that its surface is computed from
 };
 
+/// Combinations with more leaves or nodes are not met by eight rays at once. The work for all crossings grows with the
+/// square of the leaves, and csg_search.h asks only those near the ray's first surface.
+inline constexpr std::size_t kMostOctetLeaves = 10, kMostOctetNodes = 10;
+
 /// A leaf that is a plane and cuts the whole: where the leaf does not hold, nothing of the tree is seen.
 struct CuttingPlane {
   BoundingPlane plane;  ///< in the group's space; holds where n·x ≤ d
@@ -80,6 +84,8 @@ struct CsgTree {
   std::vector<std::uint32_t> endless_leaves;  ///< all others
   Imath::Box3d bounds;                        ///< bounds of the surface; sides may be infinite
   Spread spread;                              ///< covers every leaf
+  /// True if there are few leaves, all of them convex solids that eight rays meet at once.
+  bool is_met_by_octets = false;
 
   [[nodiscard]] std::size_t bytes() const {
     return nodes.capacity() * sizeof(CsgNode) + leaves.capacity() * sizeof(CsgLeaf) +

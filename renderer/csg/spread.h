@@ -26,7 +26,8 @@ struct Spread {
 /// The spread of the same shape as the space around it sees it.
 [[nodiscard]] Spread spread_through(const scene::Transform& outer_from_inner, const Spread& inner);
 
-/// The Frobenius norm of the linear part: no vector is stretched by more.
-[[nodiscard]] double frobenius_norm(const scene::Matrix& map);
+/// No vector is stretched by more: the root of the product of the greatest column and row sums of the linear part,
+/// which its greatest singular value is at most.
+[[nodiscard]] double length_stretch(const scene::Matrix& map);
 
 }  // namespace isl::render

@@ -19,7 +19,10 @@ class HighlightStage final : public Stage<LightWork> {
     Rgb* shine = work.shine.data();
     for (const LitPoint& lit : work.lit) {
       const ShadingPoint& point = work.block.points[lit.point];
-      const HighlightAngles angle = highlight_angles(point.normal, point.view, lit.light.direction);
+      HighlightAngles angle;
+      if (std::ranges::any_of(point.textures,
+                              [](const LitTexture& texture) { return has_highlights(*texture.material); }))
+        angle = highlight_angles(point.normal, point.view, lit.light.direction);
       for (const LitTexture& texture : point.textures) *shine++ = Rgb(highlight(*texture.material, angle));
     }
   }
@@ -28,11 +31,11 @@ class HighlightStage final : public Stage<LightWork> {
   /// The same where every texture has a normal of its own, or is lit from behind, which makes no highlights.
   static void run_each(LightWork& work) {
     for_each_lit_texture(work, [&](const LitPoint& lit, const LitTexture& texture, double cosine, std::size_t i) {
+      work.shine[i] = Rgb(0);
+      if (!(cosine > 0) || !has_highlights(*texture.material)) return;
       const ShadingPoint& point = work.block.points[lit.point];
       const Vec3& normal = work.block.normal_of(point, texture);
-      const bool shines = cosine > 0;
-      const HighlightAngles angle = highlight_angles(normal, point.view, lit.light.direction);
-      work.shine[i] = Rgb(shines ? highlight(*texture.material, angle) : 0);
+      work.shine[i] = Rgb(highlight(*texture.material, highlight_angles(normal, point.view, lit.light.direction)));
     });
   }
 };

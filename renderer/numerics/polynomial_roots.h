@@ -23,6 +23,7 @@
 
 #include "renderer/numerics/bernstein.h"
 #include "renderer/numerics/bernstein_root.h"
+#include "renderer/numerics/goes_on_after.h"
 
 #include <cmath>
 #include <limits>
@@ -44,10 +45,11 @@ class SignFollower {
   /// The last certain sign: +1, −1, or 0 while there was none.
   [[nodiscard]] int sign() const { return sign_; }
 
-  /// Calls crossed(u) for every u in [0, 1] where the sign changes, ascending. `band` is E above.
+  /// Calls crossed(u) for every u in [0, 1] where the sign changes, ascending. `band` is E above. If crossed() returns
+  /// a bool, false ends the walk.
   template <class Polynomial, class Crossed>
   void follow(const Polynomial& whole, double band, Crossed&& crossed) {
-    bracket(whole, band, [&](double low, double high) { crossed(root_between(whole, low, high)); });
+    bracket(whole, band, [&](double low, double high) { return crossed(root_between(whole, low, high)); });
   }
 
   /// Calls is_between(low, high) for every such place, which is the only one there.
@@ -76,7 +78,7 @@ class SignFollower {
         continue;
       }
       if (right != 0) {
-        if (sign_ != 0 && right != sign_) is_between(certain, part.high);
+        if (sign_ != 0 && right != sign_ && !goes_on_after(is_between, certain, part.high)) return;
         sign_ = right;
         certain = part.high;
       }

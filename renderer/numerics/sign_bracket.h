@@ -6,12 +6,18 @@
 
 namespace isl::render {
 
-/// Precondition: f(low) has the sign `sign` or, within rounding, is zero; f(high) has the opposite sign. Regula falsi
-/// that halves the weight of an end that stays (Illinois; Dowell and Jarratt 1971), and halves the bracket whenever
-/// three steps have not halved it. It needs at most four times as many evaluations as bisection, usually eight in all.
+/// Where a function was evaluated.
+struct FunctionAt {
+  double t, value;
+};
+
+/// Precondition: f has the sign `sign` at `first` or, within rounding, is zero; it has the opposite sign at `last`.
+/// Regula falsi that halves the weight of an end that stays (Illinois; Dowell and Jarratt 1971), and halves the bracket
+/// whenever three steps have not halved it. It needs at most four times as many evaluations as bisection, usually six in
+/// all.
 template <class Function>
-[[nodiscard]] double root_in_bracket(const Function& f, double low, double high, int sign) {
-  double f_low = sign * f(low), f_high = sign * f(high);
+[[nodiscard]] double root_in_bracket(const Function& f, const FunctionAt& first, const FunctionAt& last, int sign) {
+  double low = first.t, high = last.t, f_low = sign * first.value, f_high = sign * last.value;
   if (!(f_low > 0)) return low;
   if (!(f_high < 0)) return high;
   double width = high - low;

@@ -134,12 +134,23 @@ struct HighlightAngles {
   return {mirrored.dot(to_light), length > 0 ? halfway.dot(normal) / length : 0};
 }
 
+/// cosine^exponent for a cosine above 0, or 0 where that is certainly below the least number of single precision: no
+/// picture holds it.
+[[nodiscard]] inline double lobe(double cosine, double exponent) {
+  // ln c ≤ c − 1, and 2⁻¹⁵⁰ = e^−103.97.
+  return exponent * (cosine - 1) < -104 ? 0 : power(cosine, exponent);
+}
+
+[[nodiscard]] inline bool has_highlights(const Material& material) {
+  return material.phong > 0 || material.specular > 0;
+}
+
 /// phong (R·L)^phong_size + specular (N·H)^(1/roughness), where a term counts only if its cosine is above 0.
 [[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
   double sum = 0;
-  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * power(angle.mirror, material.finish->phong_size);
+  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * lobe(angle.mirror, material.finish->phong_size);
   if (material.specular > 0 && angle.halfway > 0)
-    sum += material.specular * power(angle.halfway, material.specular_exponent);
+    sum += material.specular * lobe(angle.halfway, material.specular_exponent);
   return sum;
 }
 

@@ -53,8 +53,31 @@ struct PointTextures::Making {
   }
 };
 
-bool PointTextures::append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
-                           const LayerLists& lists) const {
+PointTextures::PointTextures(const scene::Database& database, const RunLimits& run, const ImageTable* images)
+    : database_(database),
+      run_(run),
+      materials_(database),
+      coordinate_textures_(database),
+      insides_(database),
+      patterns_(database, &insides_, database.settings.number_of_waves, images),
+      noise_generator_(values::noise_generator_of(database.settings.noise_generator)),
+      is_old_(database.settings.language_version < 3.7) {
+  const auto lit_of = [&](scene::TextureId id) {
+    const scene::Texture& texture = database.texture(id);
+    const Material& material = materials_[id];
+    const scene::Colour& colour = database.colour(texture.pigment);
+    const bool is_same = texture.pattern == scene::kNoTexturePattern && texture.below == scene::kNoTexture &&
+                         texture.normal == scene::kNoNormal && !material.is_patterned && colour.filter == 0 &&
+                         colour.transmit == 0;
+    return LitTexture{is_same ? &material : nullptr, material.pigment, material.pigment, 1};
+  };
+  same_everywhere_.reserve(database.textures.size() + 1);
+  for (std::uint32_t i = 0; i < database.textures.size(); ++i) same_everywhere_.push_back(lit_of(scene::TextureId{i}));
+  same_everywhere_.push_back(lit_of(scene::kNoTexture));
+}
+
+bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
+                                const LayerLists& lists) const {
   const std::size_t first = lit.size();
   Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge, lists};
   making.surface = {point.position, lists.normal, lists.view};

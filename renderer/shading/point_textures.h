@@ -10,6 +10,7 @@
 #include "renderer/shading/material.h"
 #include "renderer/solids/surface_coordinates.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -36,15 +37,8 @@ struct LayerLists {
 class PointTextures {
  public:
   /// `run` limits the steps at each point. `images` may be null if no texture has one.
-  explicit PointTextures(const scene::Database& database, const RunLimits& run = {}, const ImageTable* images = nullptr)
-      : database_(database),
-        run_(run),
-        materials_(database),
-        coordinate_textures_(database),
-        insides_(database),
-        patterns_(database, &insides_, database.settings.number_of_waves, images),
-        noise_generator_(values::noise_generator_of(database.settings.noise_generator)),
-        is_old_(database.settings.language_version < 3.7) {}
+  explicit PointTextures(const scene::Database& database, const RunLimits& run = {},
+                         const ImageTable* images = nullptr);
   PointTextures(const PointTextures&) = delete;
   PointTextures& operator=(const PointTextures&) = delete;
 
@@ -52,7 +46,18 @@ class PointTextures {
   /// layer first, and appends to `lists` as well. `charge` counts the memory that `lit` grows by. False, with
   /// nothing appended, if that or the steps of the run did not suffice, or the run is stopped.
   [[nodiscard]] bool append(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
-                            const LayerLists& lists = {}) const;
+                            const LayerLists& lists = {}) const {
+    if (point.textures.size() == 1 && lit.size() < lit.capacity()) [[likely]] {
+      const TextureShare& share = point.textures.front();
+      if (const LitTexture& same = same_everywhere_[texture_number(share.texture)]; same.material != nullptr) {
+        lit.push_back(same);
+        if (lists.normals) lists.normals->push_back(share.frame.leave(share.frame.enter(lists.normal)).normalized());
+        if (lists.passing) lists.passing->push_back(Rgb(0));
+        return true;
+      }
+    }
+    return append_each(point, lit, charge, lists);
+  }
 
   /// The colour of a pigment that is on no surface, such as the sky's. Nullopt if the steps of the run did not suffice,
   /// or the run is stopped.
@@ -62,6 +67,12 @@ class PointTextures {
   [[nodiscard]] Coordinates coordinates_of(const SurfacePlace& place, const Vec3& world) const;
 
  private:
+  [[nodiscard]] std::size_t texture_number(scene::TextureId id) const {
+    return id == scene::kNoTexture ? same_everywhere_.size() - 1 : index(id);
+  }
+  /// append() for textures that depend on the point.
+  [[nodiscard]] bool append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
+                                 const LayerLists& lists) const;
   /// The textures of one point in the making.
   struct Making;
   /// Adds a texture with all its parts, at a point of the space that it lives in.
@@ -81,6 +92,9 @@ class PointTextures {
   const scene::Database& database_;
   RunLimits run_;
   MaterialTable materials_;
+  /// Textures that are one opaque layer of one colour without bumps, by number, the scene's default last; all others
+  /// have no material here.
+  std::vector<LitTexture> same_everywhere_;
   scene::CoordinateTextures coordinate_textures_;
   PatternInsides insides_;
   Patterns patterns_;

@@ -13,14 +13,15 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+template <Wanted wanted>
 Crossings algebraic_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                               std::uint8_t start_part, const SolidDetails& details) noexcept {
-  return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part);
+  return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, wanted);
 }
 
 Crossings algebraic_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                              std::uint8_t start_part, const SolidDetails& details, const Stretch& stretch) noexcept {
-  return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, stretch);
+  return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, Wanted::all, stretch);
 }
 
 Vec3 algebraic_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point,
@@ -94,7 +95,8 @@ double algebraic_size(const scene::Database& database, const scene::Solid& solid
 }
 
 constexpr SolidType with_support(double (*support)(const scene::Database&, const scene::Solid&, const Vec3&)) {
-  return {.crossings = algebraic_crossings,
+  return {.crossings = algebraic_crossings<Wanted::all>,
+          .crossings_to_first = algebraic_crossings<Wanted::first>,
           .boundary_in_stretch = algebraic_boundary,
           .normal = algebraic_normal,
           .bounds = algebraic_bounds,

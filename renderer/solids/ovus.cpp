@@ -110,9 +110,11 @@ struct OvusStretch {
   }
 };
 
+template <Wanted wanted>
 Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, const Vec3& given_direction,
                          std::uint8_t start_part, const SolidDetails&) noexcept {
   Crossings result;
+  CrossingsTaker taker(result, wanted);
   const double unit = unit_of(std::max(solid.radius_a, solid.radius_b));
   const Vec3 origin = given_origin * unit, direction = given_direction * unit;
   const Egg egg(solid.radius_a * unit, solid.radius_b * unit);
@@ -141,7 +143,8 @@ Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, co
     if (!(cuts[i] < cuts[i + 1])) continue;
     const double middle = begin.y + direction.y * (0.5 * (cuts[i] + cuts[i + 1]));
     const ArcLine line{egg.at(middle), begin, direction, extent};
-    search.follow(line, cuts[i], cuts[i + 1], 1, -1, starts_here, [&](double t) { result.add(base + t, kSide); });
+    search.follow(line, cuts[i], cuts[i + 1], 1, -1, starts_here, [&](double t) { return taker.add(base + t); });
+    if (taker.is_done()) return result;
     starts_here = false;
   }
   // Beyond the box everything is outside.
@@ -190,7 +193,8 @@ Coordinates ovus_coordinates(const scene::Solid& solid, const Vec3& point, const
 
 }  // namespace
 
-constinit const SolidType kinds::ovus{.crossings = ovus_crossings,
+constinit const SolidType kinds::ovus{.crossings = ovus_crossings<Wanted::all>,
+                                      .crossings_to_first = ovus_crossings<Wanted::first>,
                                       .normal = ovus_normal,
                                       .bounds = ovus_bounds,
                                       .support = ovus_support,

@@ -56,8 +56,13 @@ void reverse(Polynomial& p) {
 class PolynomialLine {
  public:
   PolynomialLine(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
-                 bool starts_on_surface, Crossings& result)
-      : polynomial_(polynomial), origin_(origin), direction_(direction), deflates_(starts_on_surface), result_(result) {
+                 bool starts_on_surface, Wanted wanted, Crossings& result)
+      : polynomial_(polynomial),
+        origin_(origin),
+        direction_(direction),
+        deflates_(starts_on_surface),
+        result_(result),
+        taker_(result, wanted) {
     const double length = direction.length();
     foot_ = -origin.dot(direction) / direction.dot(direction);
     const Vec3 foot = point(foot_);
@@ -99,12 +104,14 @@ class PolynomialLine {
       Polynomial before = p.from_infinity(-1);
       keep_from(before, first);
       follow(before, band, [&](double u) { return foot_ - near_ / (first + u * (1 - first)); });
+      if (taker_.is_done()) return;
     }
     if (begin < 1) {
       Polynomial middle = p.on_part();
       keep_from(middle, 0.5 * (begin + 1));
       const double from = std::max(0.0, foot_ - near_), to = foot_ + near_;
       follow(middle, band, [&](double u) { return from + u * (to - from); });
+      if (taker_.is_done()) return;
     }
     const double last = begin > 1 ? 1 / begin : 1;
     Polynomial beyond = p.from_infinity(1);
@@ -168,7 +175,7 @@ class PolynomialLine {
 
   template <class Polynomial, class TimeAt>
   void follow(const Polynomial& p, double band, const TimeAt& time_at) {
-    const auto add = [&](double u) { result_.add(time_at(u), kSide); };
+    const auto add = [&](double u) { return taker_.add(time_at(u)); };
     if (!deflates_) return sign_.follow(p, band, add);
     deflates_ = false;
     sign_.follow(over_u(p), band * p.degree, add);
@@ -180,6 +187,7 @@ class PolynomialLine {
   double foot_, h_, near_;
   SignFollower sign_{0};
   Crossings& result_;
+  CrossingsTaker taker_;
 };
 
 }  // namespace
@@ -223,7 +231,7 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
 }
 
 Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
-                               std::uint8_t start_part, const Stretch& stretch) noexcept {
+                               std::uint8_t start_part, Wanted wanted, const Stretch& stretch) noexcept {
   Crossings result;
   if (polynomial.order == 0) {
     result.ends_inside = polynomial.coefficients[0] <= 0;
@@ -233,7 +241,7 @@ Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3&
   if (polynomial.order == 2 && find_plain_crossings(polynomial, origin, direction, is_on_surface, result)) {
     return result;
   }
-  PolynomialLine(polynomial, origin, direction, is_on_surface, result).follow(stretch);
+  PolynomialLine(polynomial, origin, direction, is_on_surface, wanted, result).follow(stretch);
   return result;
 }
 

@@ -1,13 +1,14 @@
 // Polynomials of x, y and z along lines and at points, for the algebraic solids (algebraic.cpp).
 #pragma once
 
-#include "renderer/solids/solid.h"
+#include "renderer/solids/solid_type.h"
 
 namespace isl::render {
 
-/// The contract is that of boundary() in solid.h; the surface has one part, kSide.
+/// The contract is that of boundary() or, if only the first is wanted, crossings_to_first() in solid.h; the surface has
+/// one part, kSide.
 [[nodiscard]] Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
-                                             const Vec3& direction, std::uint8_t start_part,
+                                             const Vec3& direction, std::uint8_t start_part, Wanted wanted,
                                              const Stretch& stretch = {}) noexcept;
 
 /// Zero at a singular point, which has no normal.

@@ -23,6 +23,11 @@ Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& d
   return type_of(solid).crossings(solid, origin, direction, start_part, details);
 }
 
+Crossings crossings_to_first(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                             std::uint8_t start_part, const SolidDetails& details) noexcept {
+  return type_of(solid).crossings_to_first(solid, origin, direction, start_part, details);
+}
+
 Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                    const SolidDetails& details, const Stretch& stretch) noexcept {
   const SolidType& type = type_of(solid);

@@ -79,6 +79,10 @@ struct Crossings {
 [[nodiscard]] Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                   std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
+/// As crossings(), but those behind the first one with t > 0 may be left out; `ends_inside` is then meaningless.
+[[nodiscard]] Crossings crossings_to_first(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                                           std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
+
 /// The part of a line from t = `from` to `to`, 0 ≤ from.
 struct Stretch {
   double from = 0, to = std::numeric_limits<double>::infinity();

@@ -23,6 +23,8 @@ struct SolidType {
                             const SolidDetails& details) noexcept;
 
   CrossingsAlong crossings = nullptr;
+  /// crossings_to_first(), for solids whose crossings take long to find.
+  CrossingsAlong crossings_to_first = crossings;
   CrossingsAlong boundary = crossings;
   /// For solids with many crossings that take long to find; all others ignore the stretch.
   Crossings (*boundary_in_stretch)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
@@ -50,6 +52,28 @@ namespace kinds {
 #define ISL_SOLID(word, ...) extern const SolidType word;
 #include "renderer/scene/solids.def"
 }  // namespace kinds
+
+/// The crossings that a search wants.
+enum class Wanted : std::uint8_t { all, first };
+
+/// Adds crossings to a list until no more are wanted.
+class CrossingsTaker {
+ public:
+  CrossingsTaker(Crossings& list, Wanted wanted) : list_(list), wanted_(wanted) {}
+
+  /// False if this was the last one that is wanted.
+  bool add(double t) {
+    list_.add(t, kSide);
+    is_done_ = wanted_ == Wanted::first && t > 0;
+    return !is_done_;
+  }
+  [[nodiscard]] bool is_done() const { return is_done_; }
+
+ private:
+  Crossings& list_;
+  Wanted wanted_;
+  bool is_done_ = false;
+};
 
 /// For kinds that are always open surfaces.
 [[nodiscard]] inline bool always_sheet(const scene::Solid&) noexcept { return true; }

@@ -12,6 +12,7 @@
 // there is no other root, and its slope tells the side.
 #pragma once
 
+#include "renderer/numerics/goes_on_after.h"
 #include "renderer/numerics/sign_bracket.h"
 
 #include <algorithm>
@@ -35,12 +36,13 @@ class SplitSearch {
   [[nodiscard]] int sign() const { return sign_; }
 
   /// `node(t)` is a SplitNode; `u_bends` and `v_bends` are +1 for convex, −1 for concave. crossed(t) is called for
-  /// every change of the certain sign in [a, b]. With `a_is_root`, the root at `a` is known and not reported.
+  /// every change of the certain sign in [a, b]; if it returns a bool, false ends the search. With `a_is_root`, the
+  /// root at `a` is known and not reported.
   template <class Node, class Crossed>
   void follow(const Node& node, double a, double b, int u_bends, int v_bends, bool a_is_root, Crossed&& crossed) {
     const double shortest = 0x1p-50 * (b - a);
     SplitNode left = node(a);
-    double certain = a;
+    FunctionAt certain{a, left.value};
     if (sign_ == 0 && !a_is_root) sign_ = left.sign();
     SplitNode ends[kMostHalvings + 1];
     int top = 0;
@@ -65,10 +67,15 @@ class SplitSearch {
       }
       if (const int now = right.sign(); now != 0) {
         if (sign_ != 0 && now != sign_) {
-          crossed(root_in_bracket([&](double t) { return node(t).value; }, certain, right.t, sign_));
+          const auto value = [&](double t) {
+            const SplitNode at = node(t);
+            return std::abs(at.value) <= kRoundingOfNoise * at.noise ? 0 : at.value;
+          };
+          const double root = root_in_bracket(value, certain, {right.t, right.value}, sign_);
+          if (!goes_on_after(crossed, root)) return;
         }
         sign_ = now;
-        certain = right.t;
+        certain = {right.t, right.value};
       }
       left = right;
       a_is_root = false;
@@ -78,6 +85,8 @@ class SplitSearch {
 
  private:
   static constexpr int kMostHalvings = 60;
+  /// Rounding moves a value by about this share of its bound.
+  static constexpr double kRoundingOfNoise = 1.0 / 64;
 
   struct Range {
     double low, high;

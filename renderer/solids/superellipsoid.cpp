@@ -52,12 +52,6 @@ class OctantLine {
     for (int i = 0; i < 3; ++i) mirror_[i] = point[i] < 0 ? -1 : 1;
   }
 
-  [[nodiscard]] double value(double t) const {
-    const Vec3 point = coordinates(t);
-    const Ring own = ring(std::max(point.x, point.y), std::min(point.x, point.y), p_);
-    return power(own.r, q_) + power(point.z, q_) - 1;
-  }
-
   [[nodiscard]] SplitNode operator()(double t) const {
     const Vec3 point = coordinates(t), step = direction_ * mirror_;
     const bool x_is_larger = point.x >= point.y;
@@ -108,9 +102,11 @@ class OctantLine {
   Vec3 origin_, direction_, mirror_{1};
 };
 
+template <Wanted wanted>
 Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                    std::uint8_t start_part, const SolidDetails&) noexcept {
   Crossings result;
+  CrossingsTaker taker(result, wanted);
   double enter = -kInfinity, leave = kInfinity;
   for (int i = 0; i < 3; ++i) {
     if (direction[i] == 0) {
@@ -144,7 +140,8 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
     if (!(cuts[i] < cuts[i + 1])) continue;
     line.enter_octant_of(begin + direction * (0.5 * (cuts[i] + cuts[i + 1])));
     search.follow(line, cuts[i], cuts[i + 1], line.u_bends(), line.v_bends(), starts_on_surface && i == 0,
-                  [&](double t) { result.add(base + t, kSide); });
+                  [&](double t) { return taker.add(base + t); });
+    if (taker.is_done()) return result;
   }
   // Beyond the cube everything is outside.
   if (search.sign() < 0) result.add(leave, kSide);
@@ -198,7 +195,8 @@ double superellipsoid_size(const scene::Database&, const scene::Solid&) { return
 
 }  // namespace
 
-constinit const SolidType kinds::superellipsoid{.crossings = superellipsoid_crossings,
+constinit const SolidType kinds::superellipsoid{.crossings = superellipsoid_crossings<Wanted::all>,
+                                                .crossings_to_first = superellipsoid_crossings<Wanted::first>,
                                                 .normal = superellipsoid_normal,
                                                 .bounds = superellipsoid_bounds,
                                                 .support = superellipsoid_support,

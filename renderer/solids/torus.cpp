@@ -88,8 +88,8 @@ bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction
   return false;
 }
 
-/// Calls crossed(t) for the line's crossings from `begin` on, where p is f over the stretch of this length. The sign of
-/// f at its end.
+/// Calls crossed(t) for the line's crossings from `begin` on, until it returns false, where p is f over the stretch of
+/// this length. The sign of f at its end.
 template <int n, class Crossed>
 int follow(const FixedBernstein<n>& p, double band, int sign, const scene::Solid& solid, const Vec3& begin,
            const Vec3& direction, double length, Crossed&& crossed) {
@@ -107,7 +107,7 @@ int follow(const FixedBernstein<n>& p, double band, int sign, const scene::Solid
       return crossed(t);
     t = follower.root_between(p, low, high) * length;
     polish(solid, begin, direction, kMoved * length, 0, t);
-    crossed(std::clamp(t, 0.0, length));
+    return crossed(std::clamp(t, 0.0, length));
   });
   return follower.sign();
 }
@@ -128,9 +128,11 @@ SplitNode spindle_node(const scene::Solid& solid, const Vec3& origin, const Vec3
   return node;
 }
 
+template <Wanted wanted>
 Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
                           const SolidDetails&) noexcept {
   Crossings result;
+  CrossingsTaker taker(result, wanted);
   const bool starts_on_surface = start_part == kSide;
   const TorusStretch stretch = stretch_of(solid, origin, direction, starts_on_surface);
   const double length = stretch.to - stretch.from;
@@ -147,17 +149,17 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
     const Vec3 small_begin = begin * unit, small_direction = direction * unit;
     SplitSearch search(sign);
     search.follow([&](double t) { return spindle_node(small, small_begin, small_direction, t); }, 0, length, 1, 1,
-                  starts_on_surface, [&](double t) { result.add(stretch.from + t, kSide); });
+                  starts_on_surface, [&](double t) { return taker.add(stretch.from + t); });
     last = search.sign();
   } else {
     double band = 0;
     const Quartic p = quartic(solid, begin, begin + direction * length, band);
-    const auto crossed = [&](double t) { result.add(stretch.from + t, kSide); };
+    const auto crossed = [&](double t) { return taker.add(stretch.from + t); };
     last = starts_on_surface ? follow(over_u(p), 4 * band, sign, solid, begin, direction, length, crossed)
                              : follow(p, band, sign, solid, begin, direction, length, crossed);
   }
   // Beyond the stretch everything is outside.
-  if (last < 0) result.add(stretch.to, kSide);
+  if (last < 0 && !taker.is_done()) result.add(stretch.to, kSide);
   return result;
 }
 
@@ -191,7 +193,8 @@ Coordinates coordinates_of_torus(const scene::Solid& solid, const Vec3& point, c
 
 }  // namespace
 
-constinit const SolidType kinds::torus{.crossings = torus_crossings,
+constinit const SolidType kinds::torus{.crossings = torus_crossings<Wanted::all>,
+                                       .crossings_to_first = torus_crossings<Wanted::first>,
                                        .normal = torus_normal,
                                        .bounds = torus_bounds,
                                        .support = torus_support,

@@ -42,7 +42,7 @@ Face face_of_shape(const CompiledScene& scene, const Shape& shape, const Surface
 Face outwards(const Face& face, const scene::Transform& outer_from_inner) {
   const Vec3 normal = outer_from_inner.normal(face.normal);
   const double length = normal.length();
-  if (!(length > 0)) return {Vec3(0), face.rounding * frobenius_norm(outer_from_inner.matrix)};
+  if (!(length > 0)) return {Vec3(0), face.rounding * length_stretch(outer_from_inner.matrix)};
   return {normal / length, face.rounding / length};
 }
 

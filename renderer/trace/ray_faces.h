@@ -28,12 +28,16 @@ class RayFaces {
 
   /// An upper bound of the rounding, in t, of a hit of the instance at t. It costs little.
   [[nodiscard]] double nearness(InstanceId instance, const Ray& ray, double t) const {
+    return kNear * scene_.instances[instance].spread.at(reach_before(ray) + std::abs(t));
+  }
+  /// An upper bound of the coordinates that the ray's origin was added up from.
+  [[nodiscard]] double reach_before(const Ray& ray) const {
     double reach = largest(ray.origin);
     if (ray.start.instance != scene::kNone) {
       reach += ray.path_length;
       reach += scene_.instances[ray.start.instance].spread.at(reach);
     }
-    return kNear * scene_.instances[instance].spread.at(reach + std::abs(t));
+    return reach;
   }
 
   /// The reach of a ray's origin. A start on a surface was found at the end of a path, and is as exact as that surface.

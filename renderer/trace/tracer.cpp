@@ -53,8 +53,7 @@ struct Tracer::Impl {
   }
 
   /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
-  /// `other` is used where the shape has none of its own. `ray` is that of the
-  /// world.
+  /// `other` is used where the shape has none of its own. `ray` is that of the world.
   Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const TextureFrame& own,
                 const Ray& ray, const Hit& hit, const Vec3& local, SurfacePoint& surface,
                 TraceCounters& counters) const {
@@ -192,13 +191,6 @@ bool Tracer::may_meet_clear(const Ray& ray) const {
   return may_meet(impl_->scene.clear_bounds, ray.origin, ray.direction, ray.t_max);
 }
 
-namespace {
-
-/// A disc bounds a half-space in combinations of solids alone.
-bool is_sheet(const scene::Solid& solid) { return is_open_surface(solid) || is_part_of_plane(solid); }
-
-}  // namespace
-
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
@@ -206,7 +198,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
-  point.is_sheet = instance.kind == scene::Object::Kind::solid && is_sheet(impl_->scene.solids[instance.shape]);
+  point.is_sheet = instance.is_sheet;
   point.is_refuted = false;
   point.textures.clear();
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;

@@ -16,6 +16,8 @@
 #include "renderer/rays/blob_ray.h"
 #include "renderer/solids/first_crossings-inl.h"
 #include "renderer/solids/solid.h"
+#include "renderer/trace/csg_packet-inl.h"
+#include "renderer/trace/octet_rays-inl.h"
 #include "renderer/trace/ray_faces.h"
 #include "renderer/trace/trace_entry_points.h"
 
@@ -77,16 +79,22 @@ class WorldTrace {
   /// them together.
   void trace_packet(std::span<const Ray> rays, bool any, Hit* hits) {
     std::uint32_t open = 0;
-    are_lines_loaded_ = false;
+    rays_ = rays;
+    are_octets_loaded_ = false;
     all_undecided_from_.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {};
       if (!is_sound(rays[i])) continue;
-      hits[i].t = rays[i].t_max;
+      hits[i].t = limits_[i] = rays[i].t_max;
       open |= 1u << i;
     }
-    for (const std::uint32_t instance : scene_.listed) open = meet_packet(instance, rays, open, any, hits);
-    if (open != 0 && !scene_.boxes.is_empty()) walk_packet(rays, open, any, hits);
+    for (const std::uint32_t instance : scene_.listed) open = meet_packet(instance, open, any, hits);
+    if (open != 0 && !scene_.boxes.is_empty()) {
+      const auto& [o, d] = octets().lines;
+      walk_boxes(scene_.boxes, BoxRays({o.x, o.y, o.z}, {d.x, d.y, d.z}, open), limits_, open,
+                 [&](std::uint32_t instance, std::uint32_t met)
+                     HWY_ATTR { return meet_packet(instance, met, any, hits); });
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
     }
@@ -102,107 +110,123 @@ class WorldTrace {
  private:
   static constexpr double kEnd = -1;
 
-  void walk_packet(std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
-    alignas(64) double limits[kOctet] = {};
-    for (std::size_t i = 0; i < rays.size(); ++i) limits[i] = any ? hits[i].t : last_that_counts(rays[i], hits[i]);
-    walk_boxes(scene_.boxes, BoxRays(rays), limits, open, [&](std::uint32_t instance, std::uint32_t met) HWY_ATTR {
-      const std::uint32_t left = meet_packet(instance, rays, met, any, hits);
-      if (any) return left;
-      for (; met != 0; met &= met - 1) {
-        const int i = std::countr_zero(met);
-        limits[i] = last_that_counts(rays[static_cast<std::size_t>(i)], hits[i]);
-      }
-      return left;
-    });
-  }
-
   [[nodiscard]] static bool is_sound(const Ray& ray) {
     const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
     return std::isfinite(sum) && ray.direction.length2() > 0;
   }
 
-  /// Lets the rays whose bit in `open` is set meet the instance. Returns the rays that go on.
-  std::uint32_t meet_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any, Hit* hits) {
-    const Instance& instance = scene_.instances[index];
-    if (instance.kind == scene::Object::Kind::solid && has_first_crossings(scene_.solids[instance.shape])) {
-      return meet_solid_packet(index, rays, open, any, hits);
-    }
-    const bool is_packed =
-        instance.kind == scene::Object::Kind::blob && Search::takes_packets(scene_.blobs[instance.shape]);
-    std::uint32_t met = 0;
-    if (!is_packed) {
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) == 0) continue;
-        undecided_from_ = all_undecided_from_[i];
-        if (meet(index, rays[i], any, hits[i])) met |= 1u << i;
-        all_undecided_from_[i] = undecided_from_;
-      }
-    } else if (!is_hidden(instance)) {
-      BlobRay blob_rays[kPacket];
-      BlobHit blob_hits[kPacket];
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) != 0) blob_rays[i] = in_blob(index, rays[i], any, hits[i]);
-      }
-      Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, blob_rays, open, blob_hits);
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((open >> i & 1) == 0) continue;
-        undecided_from_ = std::min(all_undecided_from_[i], blob_hits[i].undecided_from);
-        if (!blob_hits[i].is_miss() && take_blob(index, rays[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
-        all_undecided_from_[i] = undecided_from_;
-      }
-    }
-    return any ? open & ~met : open;
-  }
-
-  /// As meet_packet(), for a solid whose crossings are found for eight rays at once.
-  std::uint32_t meet_solid_packet(std::uint32_t index, std::span<const Ray> rays, std::uint32_t open, bool any,
-                                  Hit* hits) {
+  /// Lets the rays of the packet whose bit in `open` is set meet the instance. Returns the rays that go on.
+  std::uint32_t meet_packet(std::uint32_t index, std::uint32_t open, bool any, Hit* hits) {
     const Instance& instance = scene_.instances[index];
     if (is_hidden(instance)) return open;
-    alignas(64) double start_part[kOctet] = {};
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      start_part[i] = rays[i].start.instance == index ? rays[i].start.part : -1;
-    }
-    const OctetLines& lines = lines_of(rays);
-    const FirstCrossings found = first_crossings(
-        scene_.solids[instance.shape], instance.is_placed ? mapped(lines, instance.world_from_object.inverse) : lines,
-        load(start_part));
     std::uint32_t met = 0;
+    if (instance.kind == scene::Object::Kind::solid && has_first_crossings(scene_.solids[instance.shape])) {
+      met = meet_solid_packet(index, open, any, hits);
+    } else if (instance.kind == scene::Object::Kind::group && scene_.trees[instance.shape].is_met_by_octets) {
+      met = meet_csg_packet(index, open, any, hits);
+    } else if (instance.kind == scene::Object::Kind::blob && Search::takes_packets(scene_.blobs[instance.shape])) {
+      met = meet_blob_packet(index, open, any, hits);
+    } else {
+      met = meet_each(index, open, any, hits);
+    }
+    if (any) return open & ~met;
+    for (; met != 0; met &= met - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(met));
+      limits_[i] = last_that_counts(rays_[i], hits[i]);
+    }
+    return open;
+  }
+
+  // The following functions return the rays whose nearest hit is now one of the instance.
+
+  std::uint32_t meet_each(std::uint32_t index, std::uint32_t open, bool any, Hit* hits) {
+    std::uint32_t met = 0;
+    for (; open != 0; open &= open - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(open));
+      undecided_from_ = all_undecided_from_[i];
+      if (meet(index, rays_[i], any, hits[i])) met |= 1u << i;
+      all_undecided_from_[i] = undecided_from_;
+    }
+    return met;
+  }
+
+  std::uint32_t meet_blob_packet(std::uint32_t index, std::uint32_t open, bool any, Hit* hits) {
+    BlobRay blob_rays[kPacket];
+    BlobHit blob_hits[kPacket];
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      if ((open >> i & 1) != 0) blob_rays[i] = in_blob(index, rays_[i], any, hits[i]);
+    }
+    Search::first_hits(scene_.blobs[scene_.instances[index].shape], settings_, memory_, counters_, blob_rays, open,
+                       blob_hits);
+    std::uint32_t met = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      if ((open >> i & 1) == 0) continue;
+      undecided_from_ = std::min(all_undecided_from_[i], blob_hits[i].undecided_from);
+      if (!blob_hits[i].is_miss() && take_blob(index, rays_[i], blob_rays[i], blob_hits[i], hits[i])) met |= 1u << i;
+      all_undecided_from_[i] = undecided_from_;
+    }
+    return met;
+  }
+
+  std::uint32_t meet_solid_packet(std::uint32_t index, std::uint32_t open, bool any, Hit* hits) {
+    const Instance& instance = scene_.instances[index];
+    const OctetRays& rays = octets();
+    const OctetMask starts_here = equal(rays.start_instance, Octet(index));
+    const FirstCrossings found =
+        first_crossings(scene_.solids[instance.shape],
+                        instance.is_placed ? mapped(rays.lines, instance.world_from_object.inverse) : rays.lines,
+                        select(starts_here, rays.start_part, Octet(-1)));
+    const Octet near = rays.nearness(instance.spread, found.t);
+    const OctetMask is_crossed = found.t < load(limits_) + near;
+    // A crossing so close to the start on another instance may be the face that the ray starts on.
+    const OctetMask starts_close = is_crossed & and_not(starts_here, rays.has_start) & (found.t <= near);
+    const std::uint32_t alone = bits(found.alone | starts_close) & open;
+    std::uint32_t met = alone == 0 ? 0 : meet_each(index, alone, any, hits);
+    std::uint32_t crossed = bits(is_crossed) & open & ~alone;
+    if (crossed == 0) return met;
+    alignas(64) double t[kOctet], part[kOctet];
+    store(found.t, t);
+    store(found.part, part);
+    for (; crossed != 0; crossed &= crossed - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
+      if (take_solid(index, rays_[i], t[i], static_cast<std::uint8_t>(part[i]), any, hits[i])) met |= 1u << i;
+    }
+    return met;
+  }
+
+  std::uint32_t meet_csg_packet(std::uint32_t index, std::uint32_t open, bool any, Hit* hits) {
+    const OctetRays& rays = octets();
+    const Octet limits = load(limits_);
+    CsgPacket packet(scene_, index, rays);
+    const CsgCrossings found = packet.first_hits(limits + rays.nearness(scene_.instances[index].spread, limits), open);
     const std::uint32_t alone = bits(found.alone) & open;
-    for (std::uint32_t left = alone; left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      if (meet(index, rays[static_cast<std::size_t>(i)], any, hits[i])) met |= 1u << i;
+    std::uint32_t met = alone == 0 ? 0 : meet_each(index, alone, any, hits);
+    std::uint32_t crossed = bits(found.is_found) & open & ~alone;
+    if (crossed == 0) return met;
+    alignas(64) double t[kOctet], part[kOctet], leaf[kOctet];
+    store(found.t, t);
+    store(found.part, part);
+    store(found.leaf, leaf);
+    const std::uint32_t from_inside = bits(found.from_inside);
+    for (; crossed != 0; crossed &= crossed - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
+      if (!(t[i] < farthest(index, rays_[i], any, hits[i]))) continue;
+      const Hit hit{t[i],
+                    index,
+                    scene::kNone,
+                    static_cast<std::uint8_t>(part[i]),
+                    (from_inside >> i & 1) != 0,
+                    static_cast<std::uint32_t>(leaf[i])};
+      if (offer(rays_[i], hit, any, hits[i])) met |= 1u << i;
     }
-    std::uint32_t crossing = bits(found.t < Octet(kInfinity)) & open & ~alone;
-    if (crossing != 0) {
-      alignas(64) double t[kOctet], part[kOctet];
-      store(found.t, t);
-      store(found.part, part);
-      for (; crossing != 0; crossing &= crossing - 1) {
-        const int i = std::countr_zero(crossing);
-        const Ray& ray = rays[static_cast<std::size_t>(i)];
-        const bool is_met = starts_close(index, ray, t[i])
-                                ? meet(index, ray, any, hits[i])
-                                : take_solid(index, ray, t[i], static_cast<std::uint8_t>(part[i]), any, hits[i]);
-        if (is_met) met |= 1u << i;
-      }
-    }
-    return any ? open & ~met : open;
+    return met;
   }
 
   /// The rays of the present packet side by side.
-  const OctetLines& lines_of(std::span<const Ray> rays) {
-    if (are_lines_loaded_) return lines_;
-    are_lines_loaded_ = true;
-    alignas(64) double values[6][kOctet] = {};
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) {
-        values[axis][i] = rays[i].origin[axis];
-        values[3 + axis][i] = rays[i].direction[axis];
-      }
-    }
-    lines_ = {{load(values[0]), load(values[1]), load(values[2])}, {load(values[3]), load(values[4]), load(values[5])}};
-    return lines_;
+  const OctetRays& octets() {
+    if (!are_octets_loaded_) octets_ = OctetRays(rays_, faces_);
+    are_octets_loaded_ = true;
+    return octets_;
   }
 
   [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
@@ -281,16 +305,24 @@ class WorldTrace {
                       best);
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
-    const Crossings found = crossings(solid, origin, direction, starts_here ? ray.start.part : kNoPart, scene_.details);
+    const std::uint8_t start_part = starts_here ? ray.start.part : kNoPart;
+    const Crossings found = crossings_to_first(solid, origin, direction, start_part, scene_.details);
+    const std::size_t first = first_ahead(found);
+    if (first == static_cast<std::size_t>(found.count)) return false;
+    if (!starts_close(index, ray, found.t[first]))
+      return take_solid(index, ray, found.t[first], found.part[first], any, best);
+    const Crossings all = crossings(solid, origin, direction, start_part, scene_.details);
+    const std::size_t behind_start = faces_.pass_start(index, ray, all, first_ahead(all));
+    return behind_start != static_cast<std::size_t>(all.count) &&
+           take_solid(index, ray, all.t[behind_start], all.part[behind_start], any, best);
+  }
+
+  /// The index of the first crossing beyond the start, or their number.
+  [[nodiscard]] static std::size_t first_ahead(const Crossings& found) {
     const auto count = static_cast<std::size_t>(found.count);
     std::size_t first = 0;
     while (first < count && !(found.t[first] > 0)) ++first;
-    if (first == count) return false;
-    if (starts_close(index, ray, found.t[first])) {
-      first = faces_.pass_start(index, ray, found, first);
-      if (first == count) return false;
-    }
-    return take_solid(index, ray, found.t[first], found.part[first], any, best);
+    return first;
   }
 
   /// True if the ray starts on another instance, and so close to a crossing that this may be the face that it starts
@@ -388,8 +420,11 @@ class WorldTrace {
   std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
   std::uint8_t kind_;                                 ///< the bits of a RayKind, kOnlyOpaque and kOnlyClear
   RayFaces faces_;
-  OctetLines lines_;  ///< the rays of the present packet, if are_lines_loaded_
-  bool are_lines_loaded_ = false;
+  // Of the present packet:
+  std::span<const Ray> rays_;
+  OctetRays octets_;  ///< the rays, if are_octets_loaded_
+  bool are_octets_loaded_ = false;
+  alignas(64) double limits_[kOctet] = {};  ///< the farthest t at which hits of each ray must still be looked at
 };
 
 }  // namespace HWY_NAMESPACE

@@ -3,10 +3,16 @@
 
 namespace isl::values {
 
-/// `value` rounded to the nearest float. The way through `volatile` is needed: GCC 12 at -O2, turning two such
-/// neighbours into a vector, drops both conversions, and the result then depends on the optimiser.
+/// `value` rounded to the nearest float. The empty statement hides the float from the optimiser: GCC 12 at -O2, turning
+/// two such neighbours into a vector, drops both conversions otherwise, and the result then depends on the optimiser.
 [[nodiscard]] inline double to_single(double value) noexcept {
-  const volatile float single = static_cast<float>(value);
+  auto single = static_cast<float>(value);
+#ifdef __SSE2__
+  asm("" : "+x"(single));
+#else
+  const volatile float stored = single;
+  single = stored;
+#endif
   return static_cast<double>(single);
 }
 

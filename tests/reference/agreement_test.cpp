@@ -186,8 +186,8 @@ TEST(OnceWrong, MaximaWhoseSumsAreLostInTheRoundingOfDoublePrecision) {
   }
 }
 
-TEST(OnceFlagged, SumsOfAMaximumThatLeaveTheSurfaceTogether) {
-  for (const std::uint64_t seed : {701770U, 702112U, 701282U, 808868U}) {
+TEST(OnceFlagged, SumsOfAMaximumThatLeaveTheSurfaceTogetherAndMiddlesOfHardCores) {
+  for (const std::uint64_t seed : {701770U, 702112U, 701282U, 808868U, 801972U, 807198U}) {
     RandomSource random(seed);
     const LinesThroughBlob made = lines_through_blob(random, 100);
     const ReferenceScene scene(made.database);

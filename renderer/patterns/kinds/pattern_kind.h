@@ -116,8 +116,12 @@ struct PatternInfo {
   }
 };
 
+/// The descriptors, in the order of PatternKind.
+extern const PatternInfo* const kPatternInfos[];
 /// The descriptor of a kind. `plain`, a uniform value, has the default of every member.
-[[nodiscard]] const PatternInfo& info_of(scene::PatternKind kind) noexcept;
+[[nodiscard]] inline const PatternInfo& info_of(scene::PatternKind kind) noexcept {
+  return *kPatternInfos[static_cast<std::size_t>(kind)];
+}
 
 namespace pattern_kinds {
 #define ISL_PATTERN(name, frequency) extern const PatternInfo name;

@@ -40,26 +40,37 @@ double fading(double distance, double reach) { return std::clamp(1 - distance / 
 // ---- Squares --------------------------------------------------------------------------------------------------------
 
 /// Edges and corners of a square in turn: right, upper, left, lower; corner k lies between the edges k and k + 1.
-struct Square {
-  std::array<bool, 4> edges;
-  std::array<bool, 4> hollow;  ///< neither edge is a border, but one beyond the corner is
-};
+class Square {
+ public:
+  Square(const PolyformBorders& borders, double i, double j) noexcept
+      : borders_(borders), i_(i), j_(j), edges_{right(0, 0), upper(0, 0), right(-1, 0), upper(0, -1)} {}
 
-Square square_at(const PolyformBorders& borders, double i, double j) noexcept {
-  const auto right = [&](double x, double z) { return borders(i + x, j + z, 0); };
-  const auto upper = [&](double x, double z) { return borders(i + x, j + z, 1); };
-  Square square{{right(0, 0), upper(0, 0), right(-1, 0), upper(0, -1)}, {}};
-  const bool beyond[] = {right(0, 1) || upper(1, 0), upper(-1, 0) || right(-1, 1), right(-1, -1) || upper(-1, -1),
-                         upper(1, -1) || right(0, -1)};
-  for (std::size_t k = 0; k < 4; ++k) square.hollow[k] = !square.edges[k] && !square.edges[(k + 1) % 4] && beyond[k];
-  return square;
-}
+  [[nodiscard]] bool edge(std::size_t k) const { return edges_[k % 4]; }
+  /// Neither edge at the corner is a border, but one beyond it is.
+  [[nodiscard]] bool is_hollow(std::size_t k) const {
+    if (edge(k) || edge(k + 1)) return false;
+    switch (k % 4) {
+      case 0: return right(0, 1) || upper(1, 0);
+      case 1: return upper(-1, 0) || right(-1, 1);
+      case 2: return right(-1, -1) || upper(-1, -1);
+      default: return upper(1, -1) || right(0, -1);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool right(double x, double z) const { return borders_(i_ + x, j_ + z, 0); }
+  [[nodiscard]] bool upper(double x, double z) const { return borders_(i_ + x, j_ + z, 1); }
+
+  const PolyformBorders& borders_;
+  double i_, j_;
+  std::array<bool, 4> edges_;
+};
 
 /// The corner that is cut from the square at the other end of the diagonal from a hollow one: a polyform turns there; 4
 /// for none.
 std::size_t turning_corner(const Square& square) noexcept {
   for (std::size_t k = 0; k < 4; ++k) {
-    if (square.edges[k] && square.edges[(k + 1) % 4] && square.hollow[(k + 2) % 4]) return k;
+    if (square.edge(k) && square.edge(k + 1) && square.is_hollow(k + 2)) return k;
   }
   return 4;
 }
@@ -70,7 +81,7 @@ double length_of(double x, double z, bool is_round) { return is_round ? std::hyp
 double squares(const Pavement& o, const Vec3& p) noexcept {
   const PolyformBorders borders(o.sides, o.tiles, o.pattern);
   const double i = std::floor(p.x), j = std::floor(p.z), x = p.x - i, z = p.z - j;
-  const Square square = square_at(borders, i, j);
+  const Square square(borders, i, j);
   const double distances[] = {1 - x, 1 - z, x, z};
   const std::size_t k = x >= 0.5 ? (z >= 0.5 ? 0 : 3) : (z >= 0.5 ? 1 : 2), next = (k + 1) % 4;
   const double u = distances[k], v = distances[next];
@@ -81,13 +92,13 @@ double squares(const Pavement& o, const Vec3& p) noexcept {
     return std::min(std::abs(2 * r - 1), 1.0);
   }
   const bool follows_form = turn < 4 && o.form == 0;  // a form of 3 leaves both corners to the other two
-  if (square.edges[k] && square.edges[next]) {
+  if (square.edge(k) && square.edge(next)) {
     if (o.exterior == 0 || follows_form) return 1 - 2 * std::min(u, v);
     return std::min(length_of(1 - 2 * u, 1 - 2 * v, o.exterior == 2), 1.0);
   }
-  if (square.edges[k]) return 1 - 2 * u;
-  if (square.edges[next]) return 1 - 2 * v;
-  if (!square.hollow[k]) return 0;
+  if (square.edge(k)) return 1 - 2 * u;
+  if (square.edge(next)) return 1 - 2 * v;
+  if (!square.is_hollow(k)) return 0;
   if (o.interior == 0 || follows_form) return 1 - 2 * std::max(u, v);
   return fading(length_of(u, v, o.interior == 2), 0.5);
 }
@@ -201,6 +212,8 @@ Hexagon hexagon_at(const Vec3& p) noexcept {
   // The nearest hexagon is the first guess or a neighbour of it.
   Hexagon nearest{i, j};
   double least = distance(i, j);
+  // No other one is nearer to a place within the circle inscribed in a hexagon.
+  if (least < kTriangleHeight * kTriangleHeight) return nearest;
   for (const auto& [di, dj] : kNeighbours) {
     const double other = distance(i + di, j + dj);
     if (other >= least) continue;

@@ -2,6 +2,7 @@
 #include "renderer/boxes/box_tree.h"
 
 #include "renderer/boxes/box_walk-inl.h"
+#include "renderer/rays/ray.h"
 
 #include <gtest/gtest.h>
 
@@ -191,7 +192,16 @@ TEST_F(BoxTrees, tell_eight_rays_the_same) {
     const std::uint32_t open = static_cast<std::uint32_t>(random_()) & ((1U << count) - 1);
     std::vector<std::set<std::uint32_t>> met(count);
     if (open == 0) continue;
-    lanes::walk_boxes(made, lanes::BoxRays(rays), limits, open, [&](std::uint32_t item, std::uint32_t present) {
+    alignas(64) double values[6][8] = {};
+    for (std::size_t k = 0; k < count; ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        values[axis][k] = rays[k].origin[axis];
+        values[3 + axis][k] = rays[k].direction[axis];
+      }
+    }
+    const auto loaded = [&](int i) { return lanes::load(values[i]); };
+    const lanes::BoxRays box_rays({loaded(0), loaded(1), loaded(2)}, {loaded(3), loaded(4), loaded(5)}, open);
+    lanes::walk_boxes(made, box_rays, limits, open, [&](std::uint32_t item, std::uint32_t present) {
       EXPECT_EQ(present & ~open, 0U);
       for (std::size_t k = 0; k < count; ++k) {
         if ((present >> k & 1) == 0) continue;

@@ -1,11 +1,13 @@
-// Rays that meet solids in packets have the same hits, to the last bit, as the same rays alone.
+// Rays that meet solids and combinations in packets have the same hits, to the last bit, as the same rays alone.
 #include "renderer/trace/tracer.h"
 #include "tests/renderer/solids/solid_oracle.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace isl::render {
@@ -108,35 +110,131 @@ std::vector<Hit> expect_same(const scene::Database& database, const std::vector<
     EXPECT_EQ(alone.occluded[i], together.occluded[i]) << "ray " << i;
     if (a.is_miss() || b.is_miss()) continue;
     EXPECT_EQ(a.part, b.part) << "ray " << i;
+    EXPECT_EQ(a.leaf, b.leaf) << "ray " << i;
     EXPECT_EQ(a.from_inside, b.from_inside) << "ray " << i;
   }
   return together.hits;
 }
 
+scene::Object leaf_of_combination(scene::Database& database, Random& random) {
+  constexpr SolidKind kKinds[] = {SolidKind::plane, SolidKind::sphere, SolidKind::box, SolidKind::cylinder,
+                                  SolidKind::cone};
+  const auto kind = kKinds[static_cast<int>(random.uniform(0, 5))];
+  Solid solid = test::random_solid(random, kind);
+  if (kind == SolidKind::box) {
+    // Corners on a grid, so that many faces coincide.
+    const auto on_grid = [&] { return std::round(random.uniform(-2, 2)) / 2; };
+    solid.a = {on_grid(), on_grid(), on_grid()};
+    solid.b = solid.a + Vec3(0.5 + std::abs(on_grid()), 0.5 + std::abs(on_grid()), 0.5);
+  }
+  scene::Object object{.shape = static_cast<std::uint32_t>(database.solids.size())};
+  if (kind == SolidKind::box) {
+    // The same box in a space of another scale: the faces then coincide with others up to rounding.
+    const double scale = random.uniform(0.3, 3);
+    scene::Matrix& matrix = object.parent_from_object.matrix;
+    matrix.setScale(scale);
+    object.parent_from_object.inverse = matrix.inverse();
+    solid.a /= scale;
+    solid.b /= scale;
+  } else if (random.uniform(0, 2) < 1) {
+    object.parent_from_object = random_place(random);
+  }
+  database.solids.push_back(solid);
+  return object;
+}
+
+scene::Object group_of(scene::Database& database, scene::Operation operation, std::vector<scene::Object> children) {
+  database.groups.push_back({.operation = operation, .children = std::move(children)});
+  scene::Object object{.kind = scene::Object::Kind::group};
+  object.shape = static_cast<std::uint32_t>(database.groups.size() - 1);
+  return object;
+}
+
+scene::Object combination(scene::Database& database, Random& random, int depth) {
+  scene::Object object;
+  if (depth == 0 || random.uniform(0, 5) < 1) {
+    object = leaf_of_combination(database, random);
+  } else {
+    std::vector<scene::Object> children;
+    const int count = 2 + static_cast<int>(random.uniform(0, 2));
+    for (int i = 0; i < count; ++i) children.push_back(combination(database, random, depth - 1));
+    using enum scene::Operation;
+    constexpr scene::Operation kOperations[] = {intersect, subtract, merge, unite};
+    object = group_of(database, kOperations[static_cast<int>(random.uniform(0, 4))], std::move(children));
+    if (random.uniform(0, 4) < 1) object.parent_from_object = random_place(random);
+  }
+  object.inverse = random.uniform(0, 8) < 1;
+  if (random.uniform(0, 8) < 1) {
+    const scene::Object clip = group_of(database, scene::Operation::intersect, {leaf_of_combination(database, random)});
+    object.clip = scene::GroupId{clip.shape};
+  }
+  return object;
+}
+
+/// Combinations among a few solids, whose faces may coincide with theirs.
+scene::Database random_combinations(Random& random) {
+  scene::Database database = random_scene(random, 2);
+  for (int i = 0; i < 4; ++i) database.objects.push_back(leaf_of_combination(database, random));
+  for (int i = 0; i < 2; ++i) {
+    scene::Object object = group_of(
+        database, scene::Operation::intersect,
+        {combination(database, random, 2), combination(database, random, static_cast<int>(random.uniform(0, 3)))});
+    if (random.uniform(0, 2) < 1) object.parent_from_object = random_place(random);
+    database.objects.push_back(object);
+  }
+  return database;
+}
+
+struct Met {
+  int hits = 0, again = 0;
+};
+
+/// Traces random rays, and rays from the surfaces that they meet.
+Met expect_same_from_surfaces(const scene::Database& database, Random& random) {
+  Met met;
+  std::vector<Ray> rays;
+  while (rays.size() < 203) rays.push_back(random_ray(random));
+  const std::vector<Hit> found = expect_same(database, rays);
+  std::vector<Ray> next;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (found[i].is_miss()) continue;
+    ++met.hits;
+    Ray ray = random_ray(random);
+    ray.origin = rays[i].origin + rays[i].direction * found[i].t;
+    ray.path_length = found[i].t;
+    ray.start = found[i].start();
+    next.push_back(ray);
+  }
+  for (const Hit& hit : expect_same(database, next)) met.again += hit.is_miss() ? 0 : 1;
+  return met;
+}
+
 TEST(SolidPackets, HitWhatSingleRaysHitAlsoFromSurfaces) {
   Random random(21);
-  int hits = 0, again = 0;
+  Met all;
   for (int scene = 0; scene < 300; ++scene) {
     SCOPED_TRACE(scene);
-    const scene::Database database = random_scene(random, 1 + scene % 12);
-    std::vector<Ray> rays;
-    while (rays.size() < 203) rays.push_back(random_ray(random));
-    const std::vector<Hit> found = expect_same(database, rays);
-    std::vector<Ray> next;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (found[i].is_miss()) continue;
-      ++hits;
-      Ray ray = random_ray(random);
-      ray.origin = rays[i].origin + rays[i].direction * found[i].t;
-      ray.path_length = found[i].t;
-      ray.start = found[i].start();
-      next.push_back(ray);
-    }
-    for (const Hit& hit : expect_same(database, next)) again += hit.is_miss() ? 0 : 1;
+    const Met met = expect_same_from_surfaces(random_scene(random, 1 + scene % 12), random);
+    all.hits += met.hits;
+    all.again += met.again;
     if (HasFailure()) return;
   }
-  EXPECT_GT(hits, 10000);
-  EXPECT_GT(again, 3000);
+  EXPECT_GT(all.hits, 10000);
+  EXPECT_GT(all.again, 3000);
+}
+
+TEST(SolidPackets, HitWhatSingleRaysHitInCombinations) {
+  Random random(22);
+  Met all;
+  for (int scene = 0; scene < 600; ++scene) {
+    SCOPED_TRACE(scene);
+    const Met met = expect_same_from_surfaces(random_combinations(random), random);
+    all.hits += met.hits;
+    all.again += met.again;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(all.hits, 20000);
+  EXPECT_GT(all.again, 5000);
 }
 
 }  // namespace

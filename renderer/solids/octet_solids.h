@@ -1,0 +1,31 @@
+// The solids that eight rays meet at once (octet_intervals-inl.h, first_crossings-inl.h).
+#pragma once
+
+#include "renderer/solids/solid.h"
+
+namespace isl::render {
+
+/// A cylinder or cone without caps.
+[[nodiscard]] inline bool is_open_tube(const scene::Solid& solid) {
+  return (solid.kind == scene::SolidKind::cylinder || solid.kind == scene::SolidKind::cone) && solid.open;
+}
+
+/// True if a line is inside the solid on one stretch, which inside_of() finds for eight lines.
+[[nodiscard]] inline bool is_convex_for_octets(const scene::Solid& solid) {
+  switch (solid.kind) {
+    case scene::SolidKind::plane:
+    case scene::SolidKind::sphere: return true;
+    case scene::SolidKind::box: return !is_open_surface(solid);
+    case scene::SolidKind::cylinder:
+    case scene::SolidKind::cone: return solid.a != solid.b && !solid.open;
+    default: return false;
+  }
+}
+
+/// True if first_crossings() takes the solid.
+[[nodiscard]] inline bool has_first_crossings(const scene::Solid& solid) {
+  return solid.kind == scene::SolidKind::disc || (is_open_tube(solid) && solid.a != solid.b) ||
+         is_convex_for_octets(solid);
+}
+
+}  // namespace isl::render

@@ -1,0 +1,158 @@
+// The first surface of a small combination of convex solids along eight rays at once (CsgTree::is_met_by_octets).
+//
+// Each leaf is inside on one stretch of a ray, so the state of all leaves at any t follows from the ends of their
+// stretches, and no crossing waits for another. A crossing shows if the other leaves are as CsgState::shows() asks.
+// The nearest one that shows is the hit.
+//
+// Crossings of several leaves that are closer than their rounding are taken together by csg_search.h, as are those near
+// the ray's start. Rays that have such crossings before their hit are left to it. If crossings at one place change the
+// whole together, each of them is close to another, so no such hit is lost here.
+#if defined(ISL_RENDERER_TRACE_CSG_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_TRACE_CSG_PACKET_INL_H_
+#undef ISL_RENDERER_TRACE_CSG_PACKET_INL_H_
+#else
+#define ISL_RENDERER_TRACE_CSG_PACKET_INL_H_
+#endif
+
+#include "renderer/compiled/compiled_scene.h"
+#include "renderer/solids/octet_intervals-inl.h"
+#include "renderer/trace/octet_rays-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct CsgCrossings {
+  Octet t;  ///< `limit` where there is none before it
+  Octet leaf, part;
+  OctetMask is_found, from_inside;
+  OctetMask alone;  ///< rays that are left to csg_search.h
+};
+
+class CsgPacket {
+ public:
+  /// `spread` is that of the tree's instance, `index` its number; `lines` are the rays in the tree's space.
+  CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetRays& rays)
+      : instance_(scene.instances[index]), tree_(scene.trees[instance_.shape]), rays_(rays) {
+    const OctetLines lines = instance_.is_placed ? mapped(rays.lines, instance_.world_from_object.inverse) : rays.lines;
+    const OctetMask starts_here = equal(rays.start_instance, Octet(index));
+    const Octet nowhere(-1), endless(kInfinity);
+    const Octet start_leaf = select(starts_here, rays.start_leaf, nowhere);
+    alone_ = no_lane();
+    for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
+      const CsgLeaf& leaf = tree_.leaves[i];
+      Leaf& own = leaves_[i];
+      own.starts_here = equal(start_leaf, Octet(i));
+      own.inside =
+          inside_of(scene.solids[leaf.shape], leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines,
+                    select(own.starts_here, rays.start_part, nowhere), alone_);
+      const OctetMask is_met = own.inside.low < own.inside.high;
+      own.inside.low = select(is_met, own.inside.low, endless);
+      own.inside.high = select(is_met, own.inside.high, Octet(-kInfinity));
+      own.is_met = !none(is_met & (own.inside.high > Octet(0.0)));
+    }
+  }
+
+  /// The first hit of each ray before `limit`. Rays without a bit in `open` may get any answer.
+  [[nodiscard]] CsgCrossings first_hits(const Octet& limit, std::uint32_t open) {
+    best_.t = limit;
+    best_.leaf = best_.part = Octet(0.0);
+    best_.is_found = best_.from_inside = no_lane();
+    first_close_ = Octet(kInfinity);
+    const OctetMask is_open = mask_of(open);
+    for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
+      if (!leaves_[i].is_met) continue;
+      const OctetIntervals& inside = leaves_[i].inside;
+      cross(i, inside.low, inside.low_part, tree_.leaves[i].is_inverse, is_open);
+      cross(i, inside.high, inside.high_part, !tree_.leaves[i].is_inverse, is_open);
+    }
+    best_.alone = alone_ | ((first_close_ <= best_.t) & (first_close_ < Octet(kInfinity)));
+    return best_;
+  }
+
+ private:
+  struct Leaf {
+    OctetIntervals inside;  ///< from ∞ to −∞ where a ray misses the leaf
+    OctetMask starts_here;
+    bool is_met;  ///< by some ray, ahead of its start
+  };
+
+  /// Takes the crossings of a leaf at t.
+  void cross(std::uint32_t index, const Octet& t, const Octet& part, bool from_inside, const OctetMask& is_open) {
+    const OctetMask ahead = is_open & (t > Octet(0.0)) & (t < best_.t);
+    if (none(ahead)) return;
+    const Leaf& own = leaves_[index];
+    const Octet near = rays_.nearness(instance_.spread, t);
+    alone_ = alone_ | (and_not(own.starts_here, ahead & rays_.has_start) & (t <= near));
+    // csg_search.h compares with twice the rounding at the later of two crossings, which is less than this.
+    const Octet close = Octet(4.0) * near;
+    OctetMask is_close = (own.inside.high - own.inside.low) <= close;
+    const OctetMask shows = shows_at(index, t, close, is_close);
+    first_close_ = min(first_close_, select(ahead & is_close, t, Octet(kInfinity)));
+    if (!tree_.leaves[index].is_seen) return;
+    const OctetMask found = ahead & shows;
+    best_.t = select(found, t, best_.t);
+    best_.leaf = select(found, Octet(index), best_.leaf);
+    best_.part = select(found, part, best_.part);
+    best_.is_found = best_.is_found | found;
+    best_.from_inside = from_inside ? best_.from_inside | found : and_not(found, best_.from_inside);
+  }
+
+  /// As CsgState::shows(): the states of all leaves but one, at t, decide. Lanes where another leaf is crossed within
+  /// `close` of t are added to `is_close`.
+  [[nodiscard]] OctetMask shows_at(std::uint32_t index, const Octet& t, const Octet& close, OctetMask& is_close) {
+    const Octet zero(0.0);
+    const std::size_t nodes = tree_.nodes.size();
+    bool is_above[kMostOctetNodes] = {};
+    for (std::uint32_t node = tree_.leaves[index].parent; node != scene::kNone; node = tree_.nodes[node].parent) {
+      is_above[node] = true;
+    }
+    // Whether all children of an `all` hold, and whether any child of another node does; of nodes above the leaf, of
+    // their other children.
+    OctetMask holds[kMostOctetNodes];
+    for (std::size_t node = 0; node < nodes; ++node) {
+      holds[node] = tree_.nodes[node].kind == CsgNode::Kind::all ? all_lanes() : no_lane();
+    }
+    for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
+      if (i == index) continue;
+      const CsgLeaf& leaf = tree_.leaves[i];
+      OctetMask is_inside = no_lane();
+      if (leaves_[i].is_met) {
+        const Octet to_low = leaves_[i].inside.low - t, to_high = leaves_[i].inside.high - t;
+        is_inside = (to_low < zero) & (to_high > zero);
+        is_close = is_close | (min(abs(to_low), abs(to_high)) <= close);
+      }
+      add(leaf.is_inverse ? and_not(is_inside, all_lanes()) : is_inside, leaf.parent, holds);
+    }
+    // Children come after their parents.
+    for (std::size_t node = nodes; node-- > 1;) {
+      if (!is_above[node]) add(holds[node], tree_.nodes[node].parent, holds);
+    }
+    OctetMask shows = all_lanes();
+    for (std::uint32_t node = tree_.leaves[index].parent; node != scene::kNone; node = tree_.nodes[node].parent) {
+      if (tree_.nodes[node].kind == CsgNode::Kind::all) shows = shows & holds[node];
+      if (tree_.nodes[node].kind == CsgNode::Kind::merge) shows = and_not(holds[node], shows);
+    }
+    return shows;
+  }
+
+  HWY_INLINE void add(const OctetMask& child, std::uint32_t node, OctetMask* holds) const {
+    holds[node] = tree_.nodes[node].kind == CsgNode::Kind::all ? holds[node] & child : holds[node] | child;
+  }
+
+  const Instance& instance_;
+  const CsgTree& tree_;
+  const OctetRays& rays_;
+  Leaf leaves_[kMostOctetLeaves];
+  OctetMask alone_;
+  Octet first_close_;  ///< the nearest crossing that is close to another
+  CsgCrossings best_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
