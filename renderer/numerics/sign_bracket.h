@@ -13,8 +13,8 @@ struct FunctionAt {
 
 /// Precondition: f has the sign `sign` at `first` or, within rounding, is zero; it has the opposite sign at `last`.
 /// Regula falsi that halves the weight of an end that stays (Illinois; Dowell and Jarratt 1971), and halves the bracket
-/// whenever three steps have not halved it. It needs at most four times as many evaluations as bisection, usually six in
-/// all.
+/// whenever three steps have not halved it. It needs at most four times as many evaluations as bisection, usually six
+/// in all.
 template <class Function>
 [[nodiscard]] double root_in_bracket(const Function& f, const FunctionAt& first, const FunctionAt& last, int sign) {
   double low = first.t, high = last.t, f_low = sign * first.value, f_high = sign * last.value;

@@ -66,15 +66,27 @@ struct FirstCrossings {
   return result;
 }
 
+[[nodiscard]] inline FirstCrossings first_of_quadric(const PreparedPolynomial& quadric, const OctetLines& lines,
+                                                     const Octet& start_part) {
+  const Octet zero(0.0);
+  FirstCrossings result;
+  const QuadricCrossings found = crossings_of_quadric(quadric, lines, start_part, result.alone);
+  const Octet first = select(found.near > zero, found.near, found.far);
+  result.t = select(and_not(found.is_missed, first > zero), first, Octet(kInfinity));
+  return result;
+}
+
 /// The first crossings of lines in the solid's space. `start_part` is the surface of the solid that a line starts on,
 /// or below 0. Precondition: has_first_crossings(solid).
-[[nodiscard]] HWY_INLINE FirstCrossings first_crossings(const scene::Solid& solid, const OctetLines& lines,
-                                                        const Octet& start_part) {
+[[nodiscard]] HWY_INLINE FirstCrossings first_crossings(const scene::Solid& solid, const SolidDetails& details,
+                                                        const OctetLines& lines, const Octet& start_part) {
   if (solid.kind == scene::SolidKind::plane) return first_of_plane(solid, lines, start_part);
   if (solid.kind == scene::SolidKind::disc) return first_of_disc(solid, lines, start_part);
+  if (solid.kind == scene::SolidKind::quadric)
+    return first_of_quadric(details.polynomials[solid.detail], lines, start_part);
   OctetMask alone = no_lane();
   FirstCrossings result = is_open_tube(solid) ? first_of_open(tube_of(solid, lines, start_part, alone))
-                                              : first_end(inside_of(solid, lines, start_part, alone));
+                                              : first_end(inside_of(solid, details, lines, start_part, alone));
   result.alone = alone;
   return result;
 }

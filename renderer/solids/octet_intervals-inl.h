@@ -1,6 +1,6 @@
-// The part of each of eight lines inside a convex solid. The formulas are those of the files of the solids, operation
-// by operation, so that a ray gets the same bits alone and among eight. Cases that few rays are in, such as a ray along
-// a cylinder's axis, are left to crossings().
+// The part of each of eight lines inside a convex solid, or a quadric where that is one stretch. The formulas are those
+// of the files of the solids, operation by operation, so that a ray gets the same bits alone and among eight. Cases
+// that few rays are in, such as a ray along a cylinder's axis, are left to crossings().
 #if defined(ISL_RENDERER_SOLIDS_OCTET_INTERVALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLIDS_OCTET_INTERVALS_INL_H_
 #undef ISL_RENDERER_SOLIDS_OCTET_INTERVALS_INL_H_
@@ -10,6 +10,7 @@
 
 #include "renderer/solids/line_interval.h"
 #include "renderer/solids/octet_vector-inl.h"
+#include "renderer/solids/quadric_line.h"
 
 #include <limits>
 
@@ -192,12 +193,80 @@ struct OctetTube {
   return intersection(holding_origin(tube.side, on_cap & (tube.side.low < tube.side.high)), tube.slab);
 }
 
+/// The crossings of lines with a quadric: none where `is_missed`. A known start counts as one of them.
+struct QuadricCrossings {
+  Octet near, far;
+  OctetMask is_missed, is_hollow;  ///< a line far away is inside a hollow one
+};
+
+/// As find_plain_crossings().
+[[nodiscard]] inline QuadricCrossings crossings_of_quadric(const PreparedPolynomial& quadric, const OctetLines& lines,
+                                                           const Octet& start_part, OctetMask& alone) {
+  if (quadric.order != 2) {
+    alone = all_lanes();
+    return {Octet(0.0), Octet(0.0), all_lanes(), no_lane()};
+  }
+  const QuadricSizes size(quadric);
+  const double* const c = quadric.coefficients.data();
+  const auto& [origin, direction] = lines;
+  const auto second = [&](const OctetVector& v) HWY_ATTR {
+    return Octet(c[0]) * v.x * v.x + Octet(c[4]) * v.y * v.y + Octet(c[7]) * v.z * v.z + Octet(c[1]) * v.x * v.y +
+           Octet(c[2]) * v.x * v.z + Octet(c[5]) * v.y * v.z;
+  };
+  const auto gradient = [&](const OctetVector& p) HWY_ATTR {
+    return OctetVector(Octet(2 * c[0]) * p.x + Octet(c[1]) * p.y + Octet(c[2]) * p.z + Octet(c[3]),
+                       Octet(c[1]) * p.x + Octet(2 * c[4]) * p.y + Octet(c[5]) * p.z + Octet(c[6]),
+                       Octet(c[2]) * p.x + Octet(c[5]) * p.y + Octet(2 * c[7]) * p.z + Octet(c[8]));
+  };
+  const auto largest = [](const OctetVector& v) HWY_ATTR { return max(max(abs(v.x), abs(v.y)), abs(v.z)); };
+  const Octet zero(0.0), half(0.5), rounding(kTermRounding), clear(kClear);
+  const OctetMask on_surface = equal(start_part, Octet(kSide));
+  const Octet step = largest(direction), start = largest(origin);
+  const Octet a = second(direction), a_off = Octet(kTermRounding * size.second) * step * step;
+  const Octet b_start = half * direction.dot(gradient(origin));
+  const Octet b_start_off = clear * rounding * (Octet(2 * size.second) * start + Octet(size.first)) * step;
+  const Octet foot_t = zero - origin.dot(direction) / direction.dot(direction);
+  const OctetVector foot = origin + direction * foot_t;
+  const Octet r = largest(foot), slope = Octet(2 * size.second) * r + Octet(size.first);
+  const Octet b = half * direction.dot(gradient(foot)), b_off = rounding * (slope + Octet(size.second) * start) * step;
+  const Octet value = second(foot) + Octet(c[3]) * foot.x + Octet(c[6]) * foot.y + Octet(c[8]) * foot.z + Octet(c[9]);
+  const Octet value_off =
+      rounding * ((Octet(size.second) * r + Octet(size.first)) * r + Octet(size.constant) + slope * start);
+  const Octet square = b * b, product = a * value, discriminant = square - product;
+  const Octet off = Octet(2.0) * abs(b) * b_off + abs(a) * value_off + abs(value) * a_off +
+                    rounding * (square + abs(product)) + b_off * b_off + a_off * value_off;
+  const Octet q = zero - (b + copysign(sqrt(discriminant), b));
+  const Octet s1 = q / a, s2 = value / q, near = min(s1, s2), far = max(s1, s2);
+  const Octet doubt = clear * rounding * (abs(foot_t) + max(abs(near), abs(far)));
+  const Octet t_near = foot_t + near, t_far = foot_t + far;
+  const OctetMask is_missed = and_not(on_surface, discriminant < zero - off);
+  const OctetMask is_plain = (discriminant > clear * off) & (abs(t_near) > doubt) & (abs(t_far) > doubt);
+  const OctetMask is_clear = (abs(a) > clear * a_off) &
+                             ((on_surface & (abs(b_start) > b_start_off)) | is_missed | and_not(on_surface, is_plain));
+  alone = alone | and_not(is_clear, all_lanes());
+  const Octet other = Octet(-2.0) * b_start / a;
+  return {select(on_surface, min(other, zero), t_near), select(on_surface, max(other, zero), t_far), is_missed,
+          a < zero};
+}
+
+/// Lines that leave the inside and come back go to `alone`, too.
+[[nodiscard]] inline OctetIntervals inside_of_quadric(const PreparedPolynomial& quadric, const OctetLines& lines,
+                                                      const Octet& start_part, OctetMask& alone) {
+  const QuadricCrossings found = crossings_of_quadric(quadric, lines, start_part, alone);
+  alone = alone | and_not(found.is_missed, found.is_hollow);
+  const Octet before(-kInfinity), after(kInfinity), side(kSide);
+  return {select(found.is_missed, select(found.is_hollow, before, after), found.near),
+          select(found.is_missed, select(found.is_hollow, after, before), found.far), side, side};
+}
+
 /// The part of lines in the solid's space that is inside it. `start_part` is the surface of the solid that a line
 /// starts on, or below 0; `alone` gets the lines that are left to crossings(). Precondition:
-/// is_convex_for_octets(solid).
-[[nodiscard]] inline OctetIntervals inside_of(const scene::Solid& solid, const OctetLines& lines,
-                                              const Octet& start_part, OctetMask& alone) {
+/// meets_octets(solid).
+[[nodiscard]] inline OctetIntervals inside_of(const scene::Solid& solid, const SolidDetails& details,
+                                              const OctetLines& lines, const Octet& start_part, OctetMask& alone) {
   switch (solid.kind) {
+    case scene::SolidKind::quadric:
+      return inside_of_quadric(details.polynomials[solid.detail], lines, start_part, alone);
     case scene::SolidKind::plane: return inside_of_plane(solid, lines, start_part, alone);
     case scene::SolidKind::sphere: return inside_of_sphere(solid, lines, start_part, alone);
     case scene::SolidKind::box: return inside_of_box(solid, lines, start_part, alone);

@@ -10,10 +10,12 @@ namespace isl::render {
   return (solid.kind == scene::SolidKind::cylinder || solid.kind == scene::SolidKind::cone) && solid.open;
 }
 
-/// True if a line is inside the solid on one stretch, which inside_of() finds for eight lines.
-[[nodiscard]] inline bool is_convex_for_octets(const scene::Solid& solid) {
+/// True if a line is inside the solid on one stretch, which inside_of() finds for eight lines. Quadrics count: lines
+/// that are inside them on two stretches are rare enough to be left to crossings().
+[[nodiscard]] inline bool meets_octets(const scene::Solid& solid) {
   switch (solid.kind) {
     case scene::SolidKind::plane:
+    case scene::SolidKind::quadric:
     case scene::SolidKind::sphere: return true;
     case scene::SolidKind::box: return !is_open_surface(solid);
     case scene::SolidKind::cylinder:
@@ -24,8 +26,7 @@ namespace isl::render {
 
 /// True if first_crossings() takes the solid.
 [[nodiscard]] inline bool has_first_crossings(const scene::Solid& solid) {
-  return solid.kind == scene::SolidKind::disc || (is_open_tube(solid) && solid.a != solid.b) ||
-         is_convex_for_octets(solid);
+  return solid.kind == scene::SolidKind::disc || (is_open_tube(solid) && solid.a != solid.b) || meets_octets(solid);
 }
 
 }  // namespace isl::render

@@ -19,11 +19,6 @@
 namespace isl::render {
 namespace {
 
-constexpr double kTermRounding = 0x1p-47;
-/// What a value must be at least, in units of its rounding, for its sign to be relied on where roots depend on it. With
-/// less the roots would have fewer digits than the general method finds.
-constexpr double kClear = 0x1p16;
-
 double largest_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 class Quadric {
@@ -44,13 +39,6 @@ class Quadric {
     return second(p) + c_[3] * p.x + c_[6] * p.y + c_[8] * p.z + c_[9];
   }
 
-  /// The sums of the sizes of the coefficients of each order.
-  [[nodiscard]] double sum_of_second() const {
-    return std::abs(c_[0]) + std::abs(c_[1]) + std::abs(c_[2]) + std::abs(c_[4]) + std::abs(c_[5]) + std::abs(c_[7]);
-  }
-  [[nodiscard]] double sum_of_first() const { return std::abs(c_[3]) + std::abs(c_[6]) + std::abs(c_[8]); }
-  [[nodiscard]] double constant() const { return std::abs(c_[9]); }
-
  private:
   const double* c_;
 };
@@ -60,7 +48,7 @@ class Quadric {
 bool find_plain_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
                           bool starts_on_surface, Crossings& found) noexcept {
   const Quadric quadric(polynomial);
-  const double second = quadric.sum_of_second(), first = quadric.sum_of_first();
+  const auto [second, first, constant] = QuadricSizes(polynomial);
   const double step = largest_of(direction), start = largest_of(origin);
   const double a = quadric.second(direction), a_off = kTermRounding * second * step * step;
   // Every comparison is false for numbers that overflowed.
@@ -77,7 +65,7 @@ bool find_plain_crossings(const PreparedPolynomial& polynomial, const Vec3& orig
   const double r = largest_of(foot), slope = 2 * second * r + first;
   const double b = 0.5 * direction.dot(quadric.gradient(foot)), b_off = kTermRounding * (slope + second * start) * step;
   const double c = quadric.value(foot);
-  const double c_off = kTermRounding * ((second * r + first) * r + quadric.constant() + slope * start);
+  const double c_off = kTermRounding * ((second * r + first) * r + constant + slope * start);
   const double discriminant = b * b - a * c;
   const double off = 2 * std::abs(b) * b_off + std::abs(a) * c_off + std::abs(c) * a_off +
                      kTermRounding * (b * b + std::abs(a * c)) + b_off * b_off + a_off * c_off;

@@ -3,7 +3,27 @@
 
 #include "renderer/solids/solid.h"
 
+#include <cmath>
+
 namespace isl::render {
+
+/// A, B and C of quadric_line.cpp are off by less than this times the sizes of their terms.
+inline constexpr double kTermRounding = 0x1p-47;
+/// What a value must be at least, in units of its rounding, for its sign to be relied on where roots depend on it. With
+/// less the roots would have fewer digits than the general method finds.
+inline constexpr double kClear = 0x1p16;
+
+/// The sums of the sizes of a quadric's coefficients of each order.
+struct QuadricSizes {
+  double second, first, constant;
+
+  explicit QuadricSizes(const PreparedPolynomial& quadric) {
+    const double* const c = quadric.coefficients.data();
+    second = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + std::abs(c[4]) + std::abs(c[5]) + std::abs(c[7]);
+    first = std::abs(c[3]) + std::abs(c[6]) + std::abs(c[8]);
+    constant = std::abs(c[9]);
+  }
+};
 
 /// Finds what polynomial_crossings() finds for a polynomial of order 2. False, and nothing found, where rounding may
 /// decide: near tangents, near the surface, or along directions in which the quadric has no curvature.

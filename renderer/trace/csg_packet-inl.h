@@ -45,9 +45,9 @@ class CsgPacket {
       const CsgLeaf& leaf = tree_.leaves[i];
       Leaf& own = leaves_[i];
       own.starts_here = equal(start_leaf, Octet(i));
-      own.inside =
-          inside_of(scene.solids[leaf.shape], leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines,
-                    select(own.starts_here, rays.start_part, nowhere), alone_);
+      own.inside = inside_of(scene.solids[leaf.shape], scene.details,
+                             leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines,
+                             select(own.starts_here, rays.start_part, nowhere), alone_);
       const OctetMask is_met = own.inside.low < own.inside.high;
       own.inside.low = select(is_met, own.inside.low, endless);
       own.inside.high = select(is_met, own.inside.high, Octet(-kInfinity));

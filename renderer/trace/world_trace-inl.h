@@ -173,7 +173,7 @@ class WorldTrace {
     const OctetRays& rays = octets();
     const OctetMask starts_here = equal(rays.start_instance, Octet(index));
     const FirstCrossings found =
-        first_crossings(scene_.solids[instance.shape],
+        first_crossings(scene_.solids[instance.shape], scene_.details,
                         instance.is_placed ? mapped(rays.lines, instance.world_from_object.inverse) : rays.lines,
                         select(starts_here, rays.start_part, Octet(-1)));
     const Octet near = rays.nearness(instance.spread, found.t);

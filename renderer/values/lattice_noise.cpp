@@ -128,11 +128,11 @@ double lattice_sum(const NoiseTables& tables, const Vec3& p) {
   return sum;
 }
 
-Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p) {
+/// Three sums and a zero, or as many at a time as there are lanes.
+constexpr std::size_t kParts = 4 / kLanes;
+
+HWY_INLINE void add_vector_sums(const NoiseTables& tables, const Vec3& p, TermsVector (&sums)[kParts]) {
   const Cell cell = cell_around(p, tables);
-  constexpr std::size_t kParts = 4 / kLanes;
-  TermsVector sums[kParts];
-  for (TermsVector& sum : sums) sum = hn::Zero(kTerms);
   for (int dz = 0; dz < 2; ++dz) {
     for (int dy = 0; dy < 2; ++dy) {
       for (int dx = 0; dx < 2; ++dx) {
@@ -148,8 +148,22 @@ Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p) {
       }
     }
   }
+}
+
+Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p, const Octaves& octaves) {
+  TermsVector all[kParts];
+  double scale = 1, weight = 1;
+  for (int i = 0; i < octaves.count; ++i) {
+    TermsVector sums[kParts];
+    for (TermsVector& sum : sums) sum = hn::Zero(kTerms);
+    add_vector_sums(tables, i == 0 ? p : p * scale, sums);
+    for (std::size_t part = 0; part < kParts; ++part)
+      all[part] = i == 0 ? sums[part] : all[part] + sums[part] * hn::Set(kTerms, weight);
+    scale *= octaves.lambda;
+    weight *= octaves.omega;
+  }
   HWY_ALIGN double result[4];
-  for (std::size_t part = 0; part < kParts; ++part) hn::Store(sums[part], kTerms, result + part * kLanes);
+  for (std::size_t part = 0; part < kParts; ++part) hn::Store(all[part], kTerms, result + part * kLanes);
   return {result[0], result[1], result[2]};
 }
 
@@ -187,7 +201,9 @@ const Lattice& lattice() {
 
 double lattice_sum(const scene::Vec3& p) noexcept { return lattice().sums.sum(lattice().tables, p); }
 
-scene::Vec3 lattice_vector_sum(const scene::Vec3& p) noexcept { return lattice().sums.vector_sum(lattice().tables, p); }
+scene::Vec3 lattice_vector_sum(const scene::Vec3& p, const Octaves& octaves) noexcept {
+  return lattice().sums.vector_sum(lattice().tables, p, octaves);
+}
 
 }  // namespace isl::values
 #endif

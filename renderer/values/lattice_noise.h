@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/scene/transform.h"
+#include "renderer/values/noise.h"
 
 namespace isl::values {
 
@@ -9,13 +10,13 @@ struct NoiseTables;
 
 /// Σ over the corners of the cell around p: weight · (half of the value + slope · (p − corner)).
 [[nodiscard]] double lattice_sum(const scene::Vec3& p) noexcept;
-/// Three such sums.
-[[nodiscard]] scene::Vec3 lattice_vector_sum(const scene::Vec3& p) noexcept;
+/// Three such sums at λⁱp, times ωⁱ, added up over i from 0 to octaves.count − 1.
+[[nodiscard]] scene::Vec3 lattice_vector_sum(const scene::Vec3& p, const Octaves& octaves) noexcept;
 
 /// The two for one vector width.
 struct LatticeSums {
   double (*sum)(const NoiseTables&, const scene::Vec3&);
-  scene::Vec3 (*vector_sum)(const NoiseTables&, const scene::Vec3&);
+  scene::Vec3 (*vector_sum)(const NoiseTables&, const scene::Vec3&, const Octaves&);
 };
 
 }  // namespace isl::values

@@ -50,19 +50,6 @@ double noise_of(double sum, NoiseGenerator generator) {
   return std::clamp(value, 0.0, 1.0);
 }
 
-/// Σ omegaⁱ · f(lambdaⁱ · p).
-template <class Result, class Function>
-Result sum_octaves(const Vec3& p, const Octaves& octaves, Function function) {
-  Result sum = function(p);
-  double scale = 1, weight = 1;
-  for (int i = 1; i < octaves.count; ++i) {
-    scale *= octaves.lambda;
-    weight *= octaves.omega;
-    sum += function(p * scale) * weight;
-  }
-  return sum;
-}
-
 }  // namespace
 
 NoiseGenerator noise_generator_of(double number) noexcept {
@@ -75,11 +62,9 @@ double noise(const Vec3& p, NoiseGenerator generator) noexcept {
   return noise_of(lattice_sum(p), generator);
 }
 
-Vec3 vector_noise(const Vec3& p) noexcept { return lattice_vector_sum(p); }
+Vec3 vector_noise(const Vec3& p) noexcept { return lattice_vector_sum(p, {.count = 1}); }
 
-Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) noexcept {
-  return sum_octaves<Vec3>(p, octaves, [](const Vec3& q) { return vector_noise(q); });
-}
+Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) noexcept { return lattice_vector_sum(p, octaves); }
 
 double turbulence(const Vec3& p, const Octaves& octaves, NoiseGenerator generator) noexcept {
   double sum = 0, weight = 1;

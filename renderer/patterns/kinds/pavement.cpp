@@ -168,7 +168,7 @@ double triangles(const Pavement& o, const Vec3& p) noexcept {
   };
   const Corner& corner = *std::ranges::min_element(corners, {}, distance);
   std::array<bool, 6> edges = edges_around({o.sides, o.tiles, o.pattern}, i + corner.column, j + corner.row);
-  std::ranges::rotate(edges, edges.begin() + static_cast<std::ptrdiff_t>(corner.sector));
+  std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(corner.sector), edges.end());
   static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
                           kSin[] = {0, kTriangleHeight, kTriangleHeight, 0, -kTriangleHeight, -kTriangleHeight};
   const double dz = (z - corner.row) * kTriangleHeight, dx = x - corner.column + (z - corner.row) / 2;

@@ -3,7 +3,6 @@
 #include "renderer/fields/component_table.h"
 #include "renderer/reference/reference_tracer.h"
 
-#include <cmath>
 #include <vector>
 
 namespace isl::render {
@@ -30,14 +29,6 @@ reference::RayRoots roots_on(const LaidOutFields& fields, double t0, double t1, 
   return reference::roots_along(field_of(fields), ray_from(fields, t0), options);
 }
 
-/// How far rounding moves a point of the ray, up to t1, along the ray: a coordinate o + td is rounded by half a unit in
-/// the last place of its product and of its sum.
-long double rounding_of_places(const LaidOutFields& fields, double t1) {
-  const reference::Vector<long double> o = reference::exactly(fields.origin), d = reference::exactly(fields.direction);
-  const long double length = std::sqrt(squared_length(d));
-  return 0x1p-52L * (std::sqrt(squared_length(o)) / length + std::abs(static_cast<long double>(t1)));
-}
-
 }  // namespace
 
 std::optional<bool> is_inside(const LaidOutFields& fields, double t) {
@@ -58,7 +49,7 @@ ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& s
   const bool is_inside = stretch.side < 0;
   const reference::RayRoots roots = roots_on(
       fields, stretch.t0, stretch.t1, {.starts_on_root = stretch.starts_on_root, .coming_from = is_inside ? 1 : -1});
-  const long double thin = rounding_of_places(fields, stretch.t1);
+  const long double thin = rounding_of_places(fields.origin, fields.direction, stretch.t1);
   const long double end = static_cast<long double>(stretch.t1) - static_cast<long double>(stretch.t0);
   for (const reference::Touch& touch : roots.touches) {
     // Beyond a touch at either end the sign is not known.

@@ -6,6 +6,7 @@
 
 #include "renderer/fields/laid_out_fields.h"
 
+#include <cmath>
 #include <optional>
 
 namespace isl::render {
@@ -16,6 +17,12 @@ struct OpenStretch {
   double side;          ///< +1 if the ray comes from outside (F < T), −1 if from inside
   bool starts_on_root;  ///< the ray starts on the surface at t0, and that root is not searched for
 };
+
+/// How far rounding moves a point of the ray, along the ray: a coordinate o + td is rounded by half a unit in the last
+/// place of its product and of its sum.
+[[nodiscard]] inline double rounding_of_places(const scene::Vec3& origin, const scene::Vec3& direction, double t) {
+  return 0x1p-52 * (origin.length() / direction.length() + std::abs(t));
+}
 
 struct ExtendedAnswer {
   bool is_certain = false;         ///< if not, F stays within the rounding of extended precision on some stretch

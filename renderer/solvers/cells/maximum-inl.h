@@ -16,11 +16,13 @@
 #include "renderer/fields/ray/ray_lanes-inl.h"
 #include "renderer/grid/grid.h"
 #include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/cells/extended_search.h"
 #include "renderer/solvers/cells/node-inl.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -172,9 +174,13 @@ class MaximumSolver {
       Node last = solver.node(query_.t1);
       const std::optional<double> next = solver.first_root(from, last, is_start, false);
       if (!next) return std::nullopt;
-      // A sum that leaves counts no more at this t: its rounding there may be greater than all that the others are
-      // worth. Two sums that leave in the same rounding of t would hand the ray to each other for ever.
-      if (*next > t) left_.clear();
+      // A sum that leaves counts no more here: its rounding may be greater than all that the others are worth. Two sums
+      // that leave within the rounding of the ray's places would hand the ray to each other by one unit in the last
+      // place of t at a time.
+      if (!(*next <= left_until_)) {
+        left_.clear();
+        left_until_ = *next + rounding_of_places(query_.origin, query_.direction, *next);
+      }
       left_.push_back(*followed);
       t = *next;
       followed = inside_at(t);
@@ -195,7 +201,8 @@ class MaximumSolver {
   typename Solver::Fields& fields_;
   TraceCounters& counters_;
   Greatest greatest_at_start_;
-  std::vector<std::uint32_t> left_;  ///< the sums that fell below the threshold at the t that the ray has come to
+  std::vector<std::uint32_t> left_;  ///< the sums that fell below the threshold where the ray has come to
+  double left_until_ = -std::numeric_limits<double>::infinity();  ///< and the t up to which that counts as one place
 };
 
 }  // namespace HWY_NAMESPACE

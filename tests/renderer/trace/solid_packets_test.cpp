@@ -17,7 +17,25 @@ using scene::Solid;
 using scene::SolidKind;
 using test::Random;
 
-Solid any_solid(Random& random, SolidKind kind) {
+/// An ellipsoid, cylinder, cone, paraboloid, hyperboloid or any other quadric, which is appended to the database.
+Solid any_quadric(scene::Database& database, Random& random) {
+  scene::Polynomial quadric{2, std::vector<double>(10, 0)};
+  const double form = random.uniform(0, 6);
+  for (const std::size_t square : {0, 4, 7}) quadric.coefficients[square] = random.uniform(0.5, 3);
+  quadric.coefficients[9] = random.uniform(-1.5, -0.2);
+  if (form < 1) quadric.coefficients[4] = 0;
+  if (form >= 1 && form < 3) quadric.coefficients[4] *= -1;
+  if (form >= 2 && form < 3) quadric.coefficients[9] = 0;
+  if (form >= 3 && form < 4) quadric.coefficients[4] = 0, quadric.coefficients[6] = 1;
+  if (form >= 4 && form < 5) {
+    for (double& c : quadric.coefficients) c += random.uniform(-1, 1);
+  }
+  database.polynomials.push_back(quadric);
+  return {.kind = SolidKind::quadric, .detail = static_cast<std::uint32_t>(database.polynomials.size() - 1)};
+}
+
+Solid any_solid(scene::Database& database, Random& random, SolidKind kind) {
+  if (kind == SolidKind::quadric) return any_quadric(database, random);
   if (kind == SolidKind::box) {
     Solid box{.kind = kind, .a = random.in_cube(1)};
     box.b = box.a + Vec3(random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1));
@@ -49,12 +67,12 @@ scene::Transform random_place(Random& random) {
 
 /// `count` solids; some of them touch each other's faces.
 scene::Database random_scene(Random& random, int count) {
-  constexpr SolidKind kKinds[] = {SolidKind::plane,    SolidKind::sphere, SolidKind::box,
-                                  SolidKind::cylinder, SolidKind::disc,   SolidKind::cone};
+  constexpr SolidKind kKinds[] = {SolidKind::plane, SolidKind::sphere, SolidKind::box,    SolidKind::cylinder,
+                                  SolidKind::disc,  SolidKind::cone,   SolidKind::quadric};
   scene::Database database;
   for (int i = 0; i < count; ++i) {
-    const auto kind = kKinds[static_cast<int>(random.uniform(0, 6))];
-    Solid solid = any_solid(random, kind);
+    const auto kind = kKinds[static_cast<int>(random.uniform(0, 7))];
+    Solid solid = any_solid(database, random, kind);
     scene::Object object{.shape = static_cast<std::uint32_t>(database.solids.size())};
     object.inverse = random.uniform(0, 4) < 1;
     if (random.uniform(0, 2) < 1) object.parent_from_object = random_place(random);
@@ -117,10 +135,10 @@ std::vector<Hit> expect_same(const scene::Database& database, const std::vector<
 }
 
 scene::Object leaf_of_combination(scene::Database& database, Random& random) {
-  constexpr SolidKind kKinds[] = {SolidKind::plane, SolidKind::sphere, SolidKind::box, SolidKind::cylinder,
-                                  SolidKind::cone};
-  const auto kind = kKinds[static_cast<int>(random.uniform(0, 5))];
-  Solid solid = test::random_solid(random, kind);
+  constexpr SolidKind kKinds[] = {SolidKind::plane,    SolidKind::sphere, SolidKind::box,
+                                  SolidKind::cylinder, SolidKind::cone,   SolidKind::quadric};
+  const auto kind = kKinds[static_cast<int>(random.uniform(0, 6))];
+  Solid solid = kind == SolidKind::quadric ? any_quadric(database, random) : test::random_solid(random, kind);
   if (kind == SolidKind::box) {
     // Corners on a grid, so that many faces coincide.
     const auto on_grid = [&] { return std::round(random.uniform(-2, 2)) / 2; };
