@@ -182,6 +182,7 @@ void soak_walk(std::uint64_t seed, WalkCounts& totals) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::cout << std::unitbuf;  // what was found so far is seen while it goes on
   std::vector<std::string_view> words(argv + 1, argv + argc);
   std::string_view what = "blobs";
   if (!words.empty() && words.front().find_first_not_of("0123456789") != std::string_view::npos) {
