@@ -6,7 +6,7 @@
 
 namespace isl::render {
 
-/// Where a function was evaluated.
+/// The value of a function at t.
 struct FunctionAt {
   double t, value;
 };

@@ -9,8 +9,8 @@ namespace isl::render {
 
 /// A, B and C of quadric_line.cpp are off by less than this times the sizes of their terms.
 inline constexpr double kTermRounding = 0x1p-47;
-/// What a value must be at least, in units of its rounding, for its sign to be relied on where roots depend on it. With
-/// less the roots would have fewer digits than the general method finds.
+/// The sign of a value decides about roots only if the value is larger than its rounding by this factor. Roots that
+/// follow from a smaller value would have fewer digits than those that the general method finds.
 inline constexpr double kClear = 0x1p16;
 
 /// The sums of the sizes of a quadric's coefficients of each order.

@@ -33,7 +33,7 @@ struct CsgCrossings {
 
 class CsgPacket {
  public:
-  /// `spread` is that of the tree's instance, `index` its number; `lines` are the rays in the tree's space.
+  /// `index` is the number of the instance as which the tree is met.
   CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetRays& rays)
       : instance_(scene.instances[index]), tree_(scene.trees[instance_.shape]), rays_(rays) {
     const OctetLines lines = instance_.is_placed ? mapped(rays.lines, instance_.world_from_object.inverse) : rays.lines;
@@ -109,8 +109,8 @@ class CsgPacket {
     for (std::uint32_t node = tree_.leaves[index].parent; node != scene::kNone; node = tree_.nodes[node].parent) {
       is_above[node] = true;
     }
-    // Whether all children of an `all` hold, and whether any child of another node does; of nodes above the leaf, of
-    // their other children.
+    // For an `all`, holds[node] tells that all its children hold; for any other node, that some child does. At nodes
+    // above the leaf only the other children count.
     OctetMask holds[kMostOctetNodes];
     for (std::size_t node = 0; node < nodes; ++node) {
       holds[node] = tree_.nodes[node].kind == CsgNode::Kind::all ? all_lanes() : no_lane();

@@ -420,7 +420,7 @@ class WorldTrace {
   std::array<double, kPacket> all_undecided_from_{};  ///< the same for the rays of a packet
   std::uint8_t kind_;                                 ///< the bits of a RayKind, kOnlyOpaque and kOnlyClear
   RayFaces faces_;
-  // Of the present packet:
+  // These members belong to the present packet.
   std::span<const Ray> rays_;
   OctetRays octets_;  ///< the rays, if are_octets_loaded_
   bool are_octets_loaded_ = false;
