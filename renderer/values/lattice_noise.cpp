@@ -152,13 +152,14 @@ HWY_INLINE void add_vector_sums(const NoiseTables& tables, const Vec3& p, TermsV
 
 Vec3 lattice_vector_sum(const NoiseTables& tables, const Vec3& p, const Octaves& octaves) {
   TermsVector all[kParts];
-  double scale = 1, weight = 1;
-  for (int i = 0; i < octaves.count; ++i) {
+  for (TermsVector& sum : all) sum = hn::Zero(kTerms);
+  add_vector_sums(tables, p, all);  // the first octave is there always, with weight 1
+  double scale = octaves.lambda, weight = octaves.omega;
+  for (int i = 1; i < octaves.count; ++i) {
     TermsVector sums[kParts];
     for (TermsVector& sum : sums) sum = hn::Zero(kTerms);
-    add_vector_sums(tables, i == 0 ? p : p * scale, sums);
-    for (std::size_t part = 0; part < kParts; ++part)
-      all[part] = i == 0 ? sums[part] : all[part] + sums[part] * hn::Set(kTerms, weight);
+    add_vector_sums(tables, p * scale, sums);
+    for (std::size_t part = 0; part < kParts; ++part) all[part] += sums[part] * hn::Set(kTerms, weight);
     scale *= octaves.lambda;
     weight *= octaves.omega;
   }
