@@ -199,7 +199,7 @@ TEST_F(BoxTrees, tell_eight_rays_the_same) {
         values[3 + axis][k] = rays[k].direction[axis];
       }
     }
-    const auto loaded = [&](int i) { return lanes::load(values[i]); };
+    const auto loaded = [&](int axis) { return lanes::load(values[axis]); };
     const lanes::BoxRays box_rays({loaded(0), loaded(1), loaded(2)}, {loaded(3), loaded(4), loaded(5)}, open);
     lanes::walk_boxes(made, box_rays, limits, open, [&](std::uint32_t item, std::uint32_t present) {
       EXPECT_EQ(present & ~open, 0U);
