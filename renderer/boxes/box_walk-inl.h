@@ -133,10 +133,10 @@ struct BoxRays {
 };
 
 /// The same for the rays whose bits in `open` are set, with the limits of all rays in `limits` (64-byte aligned), which
-/// `visit` may lower. visit(item, rays) returns the bits of the rays that go on.
+/// `visit` may lower. visit(item, rays) returns the bits of the rays that go on. Returns those that go on in the end.
 template <class Visit>
-HWY_INLINE void walk_boxes(const BoxTree& tree, const BoxRays& rays, const double* limits, std::uint32_t open,
-                           const Visit& visit) {
+HWY_INLINE std::uint32_t walk_boxes(const BoxTree& tree, const BoxRays& rays, const double* limits, std::uint32_t open,
+                                    const Visit& visit) {
   struct Entry {
     double enter;  ///< of one of the rays
     std::uint32_t child, rays;
@@ -149,7 +149,7 @@ HWY_INLINE void walk_boxes(const BoxTree& tree, const BoxRays& rays, const doubl
     if (present == 0) continue;
     if ((top.child & BoxNode::kItem) != 0) {
       open &= ~present | visit(top.child & ~BoxNode::kItem, present);
-      if (open == 0) return;
+      if (open == 0) return open;
       continue;
     }
     const BoxNode& node = tree.nodes[top.child];
@@ -165,6 +165,7 @@ HWY_INLINE void walk_boxes(const BoxTree& tree, const BoxRays& rays, const doubl
       stack.push({begins[std::countr_zero(met)], node.children[i], met});
     }
   }
+  return open;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -114,9 +114,9 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
     const int y = window.y0 + static_cast<int>(row);
     for (int x = window.x0; x < window.x1; ++x) {
       const std::size_t pixel = rect_.index(x, y);
-      const double count = std::max(counts_[pixel], 1u);
       double* const mean = &means[4 * window.index(x, y)];
-      for (std::size_t i = 0; i < 4; ++i) mean[i] = sums[4 * pixel + i] / count;
+      const std::uint32_t count = counts_[pixel];
+      for (std::size_t i = 0; i < 4; ++i) mean[i] = count <= 1 ? sums[4 * pixel + i] : sums[4 * pixel + i] / count;
       convert(mean);
     }
   });

@@ -19,7 +19,7 @@
 #include "renderer/solvers/baselines/segment-inl.h"
 #include "renderer/solvers/baselines/sphere-inl.h"
 #include "renderer/solvers/cells/cell_search-inl.h"
-#include "renderer/trace/world_trace-inl.h"
+#include "renderer/trace/single_trace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -49,14 +49,14 @@ struct RivalSearch {
 
 void rival_first_hits(const CompiledScene& scene, const SolverSettings& settings, RayKind kind,
                       std::span<const Ray> rays, std::span<Hit> hits, TraceMemory& memory, TraceCounters& counters) {
-  WorldTrace<RivalSearch> world(scene, settings, kind, memory, counters);
+  SingleTrace<RivalSearch> world(scene, settings, kind, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
 }
 
 void rival_occlusions(const CompiledScene& scene, const SolverSettings& settings, RayKind kind,
                       std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceMemory& memory,
                       TraceCounters& counters) {
-  WorldTrace<RivalSearch> world(scene, settings, kind, memory, counters);
+  SingleTrace<RivalSearch> world(scene, settings, kind, memory, counters);
   for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = occlusion_of(world.trace(rays[i], true));
 }
 

@@ -16,6 +16,7 @@
 
 #include "renderer/compiled/compiled_scene.h"
 #include "renderer/solids/octet_intervals-inl.h"
+#include "renderer/trace/octet_hits-inl.h"
 #include "renderer/trace/octet_rays-inl.h"
 
 #include <algorithm>
@@ -24,22 +25,16 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-struct CsgCrossings {
-  Octet t;  ///< `limit` where there is none before it
-  Octet leaf, part;
-  OctetMask is_found, from_inside;
-  OctetMask alone;  ///< rays that are left to csg_search.h
-};
-
 class CsgPacket {
  public:
   /// `index` is the number of the instance as which the tree is met.
-  CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetRays& rays)
-      : instance_(scene.instances[index]), tree_(scene.trees[instance_.shape]), rays_(rays) {
-    const OctetLines lines = instance_.is_placed ? mapped(rays.lines, instance_.world_from_object.inverse) : rays.lines;
-    const OctetMask starts_here = equal(rays.start_instance, Octet(index));
+  CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetLines& world_lines, const OctetStarts& starts)
+      : instance_(scene.instances[index]), tree_(scene.trees[instance_.shape]), starts_(starts) {
+    const OctetLines lines =
+        instance_.is_placed ? mapped(world_lines, instance_.world_from_object.inverse) : world_lines;
+    const OctetMask starts_here = equal(starts.instance, Octet(index));
     const Octet nowhere(-1), endless(kInfinity);
-    const Octet start_leaf = select(starts_here, rays.start_leaf, nowhere);
+    const Octet start_leaf = select(starts_here, starts.leaf, nowhere);
     alone_ = no_lane();
     for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
       const CsgLeaf& leaf = tree_.leaves[i];
@@ -47,7 +42,7 @@ class CsgPacket {
       own.starts_here = equal(start_leaf, Octet(i));
       own.inside = inside_of(scene.solids[leaf.shape], scene.details,
                              leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines,
-                             select(own.starts_here, rays.start_part, nowhere), alone_);
+                             select(own.starts_here, starts.part, nowhere), alone_);
       const OctetMask is_met = own.inside.low < own.inside.high;
       own.inside.low = select(is_met, own.inside.low, endless);
       own.inside.high = select(is_met, own.inside.high, Octet(-kInfinity));
@@ -55,11 +50,12 @@ class CsgPacket {
     }
   }
 
-  /// The first hit of each ray before `limit`. Rays without a bit in `open` may get any answer.
-  [[nodiscard]] CsgCrossings first_hits(const Octet& limit, std::uint32_t open) {
+  /// The first hit of each ray before `limit`; t is `limit` where there is none. Rays without a bit in `open` may get
+  /// any answer.
+  [[nodiscard]] OctetCrossings first_hits(const Octet& limit, std::uint32_t open) {
     best_.t = limit;
     best_.leaf = best_.part = Octet(0.0);
-    best_.is_found = best_.from_inside = no_lane();
+    best_.is_there = best_.from_inside = no_lane();
     first_close_ = Octet(kInfinity);
     const OctetMask is_open = mask_of(open);
     for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
@@ -84,8 +80,8 @@ class CsgPacket {
     const OctetMask ahead = is_open & (t > Octet(0.0)) & (t < best_.t);
     if (none(ahead)) return;
     const Leaf& own = leaves_[index];
-    const Octet near = rays_.nearness(instance_.spread, t);
-    alone_ = alone_ | (and_not(own.starts_here, ahead & rays_.has_start) & (t <= near));
+    const Octet near = starts_.nearness(instance_.spread, t);
+    alone_ = alone_ | (and_not(own.starts_here, ahead & starts_.is_known) & (t <= near));
     // csg_search.h compares with twice the rounding at the later of two crossings, which is less than this.
     const Octet close = Octet(4.0) * near;
     OctetMask is_close = (own.inside.high - own.inside.low) <= close;
@@ -96,7 +92,7 @@ class CsgPacket {
     best_.t = select(found, t, best_.t);
     best_.leaf = select(found, Octet(index), best_.leaf);
     best_.part = select(found, part, best_.part);
-    best_.is_found = best_.is_found | found;
+    best_.is_there = best_.is_there | found;
     best_.from_inside = from_inside ? best_.from_inside | found : and_not(found, best_.from_inside);
   }
 
@@ -144,11 +140,11 @@ class CsgPacket {
 
   const Instance& instance_;
   const CsgTree& tree_;
-  const OctetRays& rays_;
+  const OctetStarts& starts_;
   Leaf leaves_[kMostOctetLeaves];
   OctetMask alone_;
   Octet first_close_;  ///< the nearest crossing that is close to another
-  CsgCrossings best_;
+  OctetCrossings best_;
 };
 
 }  // namespace HWY_NAMESPACE

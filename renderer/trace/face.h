@@ -1,5 +1,5 @@
 // A face is a piece of surface near a ray: its normal, and how far rounding may have moved it. Two faces that lie no
-// farther apart than this coincide. Combinations (csg_search.h), the world (trace/world_trace-inl.h) and `trace`
+// farther apart than this coincide. Combinations (csg_search.h), the world (trace/single_trace-inl.h) and `trace`
 // (queries/) all use this rule.
 //
 // The position of a surface is a sum of products: the ray's origin through the maps into the shape's space, the ray's

@@ -26,6 +26,7 @@ class RayFaces {
  public:
   RayFaces(const CompiledScene& scene, const BlobGradient& gradient) : scene_(scene), gradient_(gradient) {}
 
+  [[nodiscard]] const Spread& spread_of(InstanceId instance) const { return scene_.instances[instance].spread; }
   /// An upper bound of the rounding, in t, of a hit of the instance at t. It costs little.
   [[nodiscard]] double nearness(InstanceId instance, const Ray& ray, double t) const {
     return kNear * scene_.instances[instance].spread.at(reach_before(ray) + std::abs(t));

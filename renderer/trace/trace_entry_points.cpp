@@ -16,7 +16,7 @@
 #include "renderer/solvers/certified/packet_search-inl.h"
 #include "renderer/solvers/published/paper-inl.h"
 #include "renderer/solvers/published/paper_point-inl.h"
-#include "renderer/trace/world_trace-inl.h"
+#include "renderer/trace/packet_trace-inl.h"
 
 #include <algorithm>
 #include <span>
@@ -41,35 +41,35 @@ struct ProductSearch {
   }
 };
 
-/// Calls use(hit of ray i, i) for all rays, in packets where that pays. `any`: any hit will do.
-template <class Use>
-HWY_INLINE void trace_all(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, bool any,
-                          std::span<const Ray> rays, TraceMemory& memory, TraceCounters& counters, const Use& use) {
-  WorldTrace<ProductSearch> world(scene, settings, kind, memory, counters);
-  if (!settings.packets || is_published(settings.name) || rays.size() < 2) {
-    for (std::size_t i = 0; i < rays.size(); ++i) use(world.trace(rays[i], any), i);
-    return;
-  }
-  Hit hits[kPacket];
-  for (std::size_t first = 0; first < rays.size(); first += kPacket) {
-    const std::size_t count = std::min(kPacket, rays.size() - first);
-    world.trace_packet(rays.subspan(first, count), any, hits);
-    for (std::size_t i = 0; i < count; ++i) use(hits[i], first + i);
-  }
+/// True if rays go in packets.
+[[nodiscard]] bool in_packets(const SolverSettings& settings, std::span<const Ray> rays) {
+  return settings.packets && !is_published(settings.name) && rays.size() > 1;
 }
 
 void first_hits(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, std::span<const Ray> rays,
                 std::span<Hit> hits, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(true);
-  trace_all(scene, settings, kind, false, rays, memory, counters,
-            [&](const Hit& hit, std::size_t i) { hits[i] = hit; });
+  if (!in_packets(settings, rays)) {
+    SingleTrace<ProductSearch> world(scene, settings, kind, memory, counters);
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world.trace(rays[i], false);
+    return;
+  }
+  PacketTrace<ProductSearch> world(scene, settings, kind, memory, counters);
+  for (std::size_t first = 0; first < rays.size(); first += kPacket)
+    world.first_hits(rays.subspan(first, std::min(kPacket, rays.size() - first)), &hits[first]);
 }
 
 void occlusions(const CompiledScene& scene, const SolverSettings& settings, RayKind kind, std::span<const Ray> rays,
                 std::span<std::uint8_t> occluded, TraceMemory& memory, TraceCounters& counters) {
   memory.paper.begin_batch(false);
-  trace_all(scene, settings, kind, true, rays, memory, counters,
-            [&](const Hit& hit, std::size_t i) { occluded[i] = occlusion_of(hit); });
+  if (!in_packets(settings, rays)) {
+    SingleTrace<ProductSearch> world(scene, settings, kind, memory, counters);
+    for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = occlusion_of(world.trace(rays[i], true));
+    return;
+  }
+  PacketTrace<ProductSearch> world(scene, settings, kind, memory, counters);
+  for (std::size_t first = 0; first < rays.size(); first += kPacket)
+    world.occlusions(rays.subspan(first, std::min(kPacket, rays.size() - first)), &occluded[first]);
 }
 
 const TraceEntryPoints* entry_points() {

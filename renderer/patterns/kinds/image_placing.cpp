@@ -19,6 +19,8 @@ double turn_of(double x, double z) {
 
 /// `value` modulo `size`, from 0 to size − 1; 0 for NaN and infinities.
 std::size_t wrapped(double value, int size) {
+  if (value >= 0 && value < size) [[likely]]
+    return static_cast<std::size_t>(value);
   const double rest = value - std::floor(value / size) * size;
   return rest >= 0 && rest < size ? static_cast<std::size_t>(rest) : 0;
 }
@@ -65,11 +67,13 @@ TexelPlace ImagePlacing::neighbour(const TexelPlace& place, double dx, double dy
   return {within(place.x + dx, width_), within(place.y + dy, height_)};
 }
 
-std::size_t ImagePlacing::texel_number(double column, double row) const noexcept {
-  const auto width = static_cast<std::size_t>(width_);
-  const auto highest = static_cast<std::size_t>(height_ - 1);
-  if (once_) return (highest - clamped(row, height_)) * width + clamped(column, width_);
-  return (highest - wrapped(row, height_)) * width + wrapped(column, width_);
+std::size_t ImagePlacing::column_number(double column) const noexcept {
+  return once_ ? clamped(column, width_) : wrapped(column, width_);
+}
+
+std::size_t ImagePlacing::row_start(double row) const noexcept {
+  const std::size_t from_below = once_ ? clamped(row, height_) : wrapped(row, height_);
+  return (static_cast<std::size_t>(height_ - 1) - from_below) * static_cast<std::size_t>(width_);
 }
 
 TexelTaps ImagePlacing::taps_of(const TexelPlace& place) const noexcept {
@@ -93,17 +97,20 @@ TexelTaps ImagePlacing::taps_of(const TexelPlace& place) const noexcept {
     return taps;
   }
   double sum = 0;
-  for (const double up : {0.0, 1.0}) {
-    for (const double across : {0.0, 1.0}) {
+  const std::size_t columns[2] = {column_number(left), column_number(left + 1)};
+  for (const int up : {0, 1}) {
+    const std::size_t row = row_start(low + up);
+    for (const int across : {0, 1}) {
+      const std::size_t texel = row + columns[across];
       const double dx = across - right_share, dy = up - high_share;
       const double near = interpolate_ == 2 ? (1 - std::abs(dx)) * (1 - std::abs(dy)) : dx * dx + dy * dy;
       if (interpolate_ == 4 && near == 0) {
-        taps = {};
-        taps.add(texel_number(left + across, low + up), 1);
+        taps.count = 0;
+        taps.add(texel, 1);
         return taps;
       }
       const double weight = interpolate_ == 2 ? near : 1 / near;
-      taps.add(texel_number(left + across, low + up), weight);
+      taps.add(texel, weight);
       sum += weight;
     }
   }

@@ -22,7 +22,7 @@ struct TexelTap {
   double weight;
 };
 struct TexelTaps {
-  std::array<TexelTap, 16> taps{};
+  std::array<TexelTap, 16> taps;  ///< the first `count` are set
   int count = 0;
   void add(std::size_t texel, double weight) noexcept { taps[static_cast<std::size_t>(count++)] = {texel, weight}; }
 };
@@ -47,8 +47,12 @@ class ImagePlacing {
   [[nodiscard]] TexelTaps taps_of(const TexelPlace& place) const noexcept;
 
  private:
-  /// The texel of a column and a row from below, which may be outside.
-  [[nodiscard]] std::size_t texel_number(double column, double row) const noexcept;
+  /// The number of a column, and that of the first texel of a row from below; either may be outside.
+  [[nodiscard]] std::size_t column_number(double column) const noexcept;
+  [[nodiscard]] std::size_t row_start(double row) const noexcept;
+  [[nodiscard]] std::size_t texel_number(double column, double row) const noexcept {
+    return row_start(row) + column_number(column);
+  }
 
   int map_type_, interpolate_;
   bool once_;
