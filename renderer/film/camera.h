@@ -18,8 +18,13 @@ class CameraRays {
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
   /// where the camera shows nothing.
   [[nodiscard]] Ray through(double x, double y) const {
-    const auto [u, v] = picture_point(x, y);
     Ray ray;
+    set_through(x, y, ray);
+    return ray;
+  }
+  /// The same for the origin and direction of a ray.
+  void set_through(double x, double y, Ray& ray) const {
+    const auto [u, v] = picture_point(x, y);
     if (camera_.kind == scene::CameraKind::perspective) {
       ray.origin = camera_.location;
       ray.direction = (camera_.direction + camera_.right * u + camera_.up * v).normalized();
@@ -28,7 +33,6 @@ class CameraRays {
       ray.origin = view.origin;
       ray.direction = view.direction;
     }
-    return ray;
   }
 
   /// The ray to the same point in focus from another point of the lens (film/lens.h). Precondition: the camera has

@@ -173,11 +173,20 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
       continue;
     }
     const Hit& hit = batch.hits[at];
-    const Ray to_light{point.position, lit.light.direction, lit.light.distance, batch.rays[at].path_length + hit.t,
-                       hit.start()};
+    const auto set_way = [&](Ray& ray) {
+      ray.origin = point.position;
+      ray.direction = lit.light.direction;
+      ray.t_max = lit.light.distance;
+      ray.path_length = batch.rays[at].path_length + hit.t;
+      ray.start = hit.start();
+    };
     if (!light.area) [[likely]] {
-      memory.shadows.push(path.sample, to_light, colour);
-    } else if (placed.scattered && !takes_adaptive_grid(placed, path, memory)) {
+      set_way(memory.shadows.add(path.sample, colour));
+      continue;
+    }
+    Ray to_light;
+    set_way(to_light);
+    if (placed.scattered && !takes_adaptive_grid(placed, path, memory)) {
       push_scattered(placed, to_light, path, colour, memory);
     } else if (is_even) {
       push_area(light, to_light, path.sample, colour, memory);

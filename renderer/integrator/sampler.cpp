@@ -3,6 +3,9 @@
 namespace isl::render {
 namespace {
 
+/// As many samples are added to the film in the time that memory takes.
+constexpr std::size_t kSamplesAhead = 16;
+
 /// Stores the surfaces that the centre samples of pixels see in the film's layers.
 class LayerKeeper final : public SurfaceObserver {
  public:
@@ -46,18 +49,20 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
                     SampleObserver* observer) const {
   PathMemory& paths = workspace.paths;
   std::vector<Ray>& rays = paths.camera_rays();
-  rays.clear();
   paths.pixel_samples.assign(places.begin(), places.end());
   if (lens_) {
+    rays.clear();
     push_blurred(samples, places, rays);
   } else {
-    for (const CameraSample& sample : samples) rays.push_back(camera_.through(sample.x, sample.y));
+    rays.resize(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, rays[i]);
   }
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
   LinearColours linear(working_space_);
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i + kSamplesAhead < samples.size()) film_.expect_sample(samples[i + kSamplesAhead].pixel);
     if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
       add(samples[i], Rgb(0), blank_alpha_, observer);
       continue;

@@ -20,11 +20,12 @@ class ShadowQueue {
   void clear() { size_ = 0; }
 
   /// Queues light `colour` for a sample. It counts if nothing lies on `ray`, which leads from a surface to the light.
-  void push(std::uint32_t sample, const Ray& ray, const Rgb& colour) {
+  void push(std::uint32_t sample, const Ray& ray, const Rgb& colour) { add(sample, colour) = ray; }
+  /// The same; all of the ray is for the caller to fill, which is quicker than to copy one that has just been made.
+  [[nodiscard]] Ray& add(std::uint32_t sample, const Rgb& colour) {
     if (size_ == rays_.size()) grow();
-    rays_[size_] = ray;
     lights_[size_] = {colour, sample};
-    ++size_;
+    return rays_[size_++];
   }
 
   /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do

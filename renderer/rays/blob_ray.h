@@ -19,6 +19,9 @@ struct BlobRay {
   bool any = false;                ///< only asks whether there is a crossing
   double path_length = 0;          ///< the length of the path before t = 0, in world units
   bool may_go_in = false;          ///< for a start on the surface: the ray may go inside, which matters in a CSG tree
+  /// A dip through the surface and back that only more digits than double precision show is a hit. A ray that goes on
+  /// from there may not find the way back, since its start is rounded: walks, which count crossings, take no such dip.
+  bool takes_faint_dips = false;
 };
 
 struct BlobHit {

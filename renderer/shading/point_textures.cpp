@@ -38,7 +38,7 @@ struct PointTextures::Making {
   values::SurfaceView surface{};  ///< for patterns that depend on it
 
   /// Maps whose entries have maps choose so many textures that their number is limited by memory alone.
-  void push(const LitTexture& texture) {
+  void push(const Material& material, const Rgb& pigment, const Rgb& colour, double weight, const Rgb& let_through) {
     if (lit.size() == lit.capacity()) [[unlikely]] {
       const std::size_t capacity = std::max<std::size_t>(2 * lit.capacity(), 64);
       const std::size_t size =
@@ -49,7 +49,7 @@ struct PointTextures::Making {
       }
       lit.reserve(capacity);
     }
-    lit.push_back(texture);
+    lit.emplace_back(&material, pigment, colour, weight, let_through);
   }
 };
 
@@ -172,7 +172,7 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
     if (passing) passing->push_back(Rgb(0));
     const bool is_lowest = layer.below == scene::kNoTexture;
     if (is_lowest && !material.is_patterned && !passing) {
-      making.push({&material, material.pigment, material.pigment, weight, let_through});
+      making.push(material, material.pigment, material.pigment, weight, let_through);
       return;
     }
     const scene::Colour colour =
@@ -180,10 +180,10 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
             ? patterns_.pigment_colour(layer.pigment, place_of(layer, point, making.environment), making.environment)
             : database_.colour(layer.pigment);
     if (is_lowest && !passing) {
-      making.push({&material, rgb(colour), rgb(colour), weight, let_through});
+      making.push(material, rgb(colour), rgb(colour), weight, let_through);
       return;
     }
-    making.push({&material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through});
+    making.push(material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through);
     let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
     if (making.lists.mirrors && material.finish->conserve_energy) {
       const Vec3& normal = making.lists.normals ? making.lists.normals->back() : making.lists.normal;

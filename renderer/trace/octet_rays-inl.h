@@ -24,7 +24,10 @@ struct OctetRays {
 
   HWY_INLINE OctetRays() = default;
   HWY_INLINE explicit OctetRays(std::span<const Ray> rays) {
-    alignas(64) double values[7][kOctet] = {};
+    alignas(64) double values[7][kOctet];
+    for (std::size_t i = rays.size(); i < kOctet; ++i) {
+      for (auto& lanes : values) lanes[i] = 0;
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Ray& ray = rays[i];
       for (int axis = 0; axis < 3; ++axis) {

@@ -103,8 +103,14 @@ class SingleTrace {
   [[nodiscard]] BlobRay in_blob(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
     const Instance& instance = scene_.instances[index];
     const Line line = in_object(instance, ray);
-    return {line.origin, line.direction, farthest(index, ray, any, best), ray.start.instance == index,
-            any,         ray.path_length};
+    const bool starts_here = ray.start.instance == index;
+    return {.origin = line.origin,
+            .direction = line.direction,
+            .t_max = farthest(index, ray, any, best),
+            .starts_on_surface = starts_here,
+            .any = any,
+            .path_length = ray.path_length,
+            .takes_faint_dips = !is_query() && !starts_here};
   }
 
   /// Takes the hit of a blob, which is no miss. True if it is the nearest. With `any`, its t is rough and within t_max.

@@ -52,17 +52,17 @@ struct Tracer::Impl {
     return ray.direction * (settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
   }
 
-  /// The normal of a solid or blob at a point in its own space, of any length. Appends the textures there to `surface`;
-  /// `other` is used where the shape has none of its own. `ray` is that of the world.
-  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureShare& other, const TextureFrame& own,
-                const Ray& ray, const Hit& hit, const Vec3& local, SurfacePoint& surface,
-                TraceCounters& counters) const {
+  /// The normal of a solid or blob at a point in its own space, of any length. `surface` has one texture, which stays
+  /// where the shape has none of its own. `ray` is that of the world.
+  Vec3 shape_at(scene::Object::Kind kind, std::uint32_t shape, const TextureFrame& own, const Ray& ray, const Hit& hit,
+                const Vec3& local, SurfacePoint& surface, TraceCounters& counters) const {
     std::vector<TextureShare>& textures = surface.textures;
     if (kind == scene::Object::Kind::solid) {
-      textures.push_back(other);
-      textures.back().surface = {kind, shape, 0, local};
+      textures.front().surface = {kind, shape, 0, local};
       return shading_normal_at(scene.solids[shape], hit.part, local, scene.details);
     }
+    const TextureShare other = textures.front();
+    textures.clear();
     BlobPoint& blob = thread_blob_point();
     const ShareRule rule{&scene.coordinate_textures, other.texture};
     if (is_published(settings.name)) {
@@ -106,33 +106,40 @@ const scene::Transform* placing(const Instance& instance) {
 }
 const scene::Transform* placing(const CsgLeaf& leaf) { return leaf.is_placed ? &leaf.group_from_leaf : nullptr; }
 
-/// A texture of an instance, as the only one of a surface.
-TextureShare share_of(const PlacedTexture& texture, const CompiledScene& scene, const Instance& instance,
-                      const Vec3& world, const Vec3& local) {
-  if (texture.space == kOwnSpace) return {texture.id, 1, local, {placing(instance), nullptr}};
-  if (texture.space == kOuterSpace) return {texture.id, 1, world};
-  const scene::Transform& world_from_space = scene.texture_spaces[texture.space];
-  return {texture.id, 1, world_from_space.inverse_point(world), {&world_from_space, nullptr}};
+// A share is filled where it stays: to copy one that has just been made takes longer than to make it.
+
+/// Gives a share the texture of an instance, at a point that is `local` in the instance's space. Its weight stays, and
+/// so does the place on a shape, which textures may ask for.
+void set_texture(TextureShare& share, const PlacedTexture& texture, const CompiledScene& scene,
+                 const Instance& instance, const Vec3& world, const Vec3& local) {
+  share.texture = texture.id;
+  share.frame = {};
+  if (texture.space == kOwnSpace) {
+    share.place = local;
+    share.frame.outer = placing(instance);
+  } else if (texture.space == kOuterSpace) {
+    share.place = world;
+  } else {
+    const scene::Transform& world_from_space = scene.texture_spaces[texture.space];
+    share.place = world_from_space.inverse_point(world);
+    share.frame.outer = &world_from_space;
+  }
 }
 
-/// A texture of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has it.
-TextureShare share_of(const PlacedTexture& texture, const Instance& instance, const CsgTree& tree, const CsgLeaf& leaf,
-                      const Vec3& point) {
-  const scene::Transform* const world_from_group = placing(instance);
-  if (texture.space == kOwnSpace)
-    return {texture.id, 1, leaf.group_from_leaf.inverse_point(point), {world_from_group, placing(leaf)}};
-  if (texture.space == kOuterSpace) return {texture.id, 1, point, {world_from_group, nullptr}};
-  const scene::Transform& group_from_space = tree.texture_spaces[texture.space];
-  return {texture.id, 1, group_from_space.inverse_point(point), {world_from_group, &group_from_space}};
-}
-
-/// Replaces the textures of a surface that is seen from inside. Their shares stay, because a texture may ask where on
-/// each component of a blob the point is.
-void replace_textures(SurfacePoint& surface, const TextureShare& by) {
-  for (TextureShare& share : surface.textures) {
-    share.texture = by.texture;
-    share.place = by.place;
-    share.frame = by.frame;
+/// The same of a leaf of a tree, at a point in the space of the tree's group. Precondition: the leaf has a texture.
+void set_texture(TextureShare& share, const PlacedTexture& texture, const Instance& instance, const CsgTree& tree,
+                 const CsgLeaf& leaf, const Vec3& point) {
+  share.texture = texture.id;
+  share.frame = {placing(instance), nullptr};
+  if (texture.space == kOwnSpace) {
+    share.place = leaf.group_from_leaf.inverse_point(point);
+    share.frame.inner = placing(leaf);
+  } else if (texture.space == kOuterSpace) {
+    share.place = point;
+  } else {
+    const scene::Transform& group_from_space = tree.texture_spaces[texture.space];
+    share.place = group_from_space.inverse_point(point);
+    share.frame.inner = &group_from_space;
   }
 }
 
@@ -200,29 +207,34 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   point.interior = instance.interior;
   point.is_sheet = instance.is_sheet;
   point.is_refuted = false;
-  point.textures.clear();
+  point.textures.resize(1);
+  TextureShare& texture = point.textures.front();
+  texture.weight = 1;
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
     const CsgTree& tree = impl_->scene.trees[instance.shape];
     if (leaf.interior != scene::kNoInterior) point.interior = leaf.interior;
-    TextureShare texture = share_of(instance.texture, impl_->scene, instance, point.position, local);
     if (leaf.texture.id != scene::kNoTexture) {
-      texture = share_of(leaf.texture, instance, tree, leaf, local);
-    } else if (texture.texture == scene::kNoTexture) {
-      if (const CsgLeaf* const cut = leaf_cut_away(impl_->scene, tree, leaf, local))
-        texture = share_of(cut->texture, instance, tree, *cut, local);
+      set_texture(texture, leaf.texture, instance, tree, leaf, local);
+    } else {
+      const CsgLeaf* const cut =
+          instance.texture.id == scene::kNoTexture ? leaf_cut_away(impl_->scene, tree, leaf, local) : nullptr;
+      if (cut)
+        set_texture(texture, cut->texture, instance, tree, *cut, local);
+      else
+        set_texture(texture, instance.texture, impl_->scene, instance, point.position, local);
     }
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     const TextureFrame own{placing(instance), placing(leaf)};
-    normal = impl_->shape_at(leaf.kind, leaf.shape, texture, own, ray, hit, in_leaf, point, counters);
+    normal = impl_->shape_at(leaf.kind, leaf.shape, own, ray, hit, in_leaf, point, counters);
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
-    const TextureShare texture = share_of(instance.texture, impl_->scene, instance, point.position, local);
+    set_texture(texture, instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
-    normal = impl_->shape_at(instance.kind, instance.shape, texture, own, ray, hit, local, point, counters);
+    normal = impl_->shape_at(instance.kind, instance.shape, own, ray, hit, local, point, counters);
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;
@@ -238,11 +250,14 @@ void Tracer::set_interior_texture(const Hit& hit, const Vec3& local, SurfacePoin
   if (instance.kind == scene::Object::Kind::group) {
     const CsgTree& tree = impl_->scene.trees[instance.shape];
     const CsgLeaf& leaf = tree.leaves[hit.leaf];
-    if (leaf.interior_texture.id != scene::kNoTexture)
-      return replace_textures(point, share_of(leaf.interior_texture, instance, tree, leaf, local));
+    if (leaf.interior_texture.id != scene::kNoTexture) {
+      for (TextureShare& share : point.textures) set_texture(share, leaf.interior_texture, instance, tree, leaf, local);
+      return;
+    }
   }
-  if (instance.interior_texture.id != scene::kNoTexture)
-    replace_textures(point, share_of(instance.interior_texture, impl_->scene, instance, point.position, local));
+  if (instance.interior_texture.id == scene::kNoTexture) return;
+  for (TextureShare& share : point.textures)
+    set_texture(share, instance.interior_texture, impl_->scene, instance, point.position, local);
 }
 
 Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const {

@@ -187,7 +187,7 @@ TEST(OnceWrong, MaximaWhoseSumsAreLostInTheRoundingOfDoublePrecision) {
 }
 
 TEST(OnceFlagged, SumsOfAMaximumThatLeaveTheSurfaceTogetherAndMiddlesOfHardCores) {
-  for (const std::uint64_t seed : {701770U, 702112U, 701282U, 808868U, 801972U, 807198U}) {
+  for (const std::uint64_t seed : {701770U, 702112U, 701282U, 808868U, 801972U, 807198U, 803600U, 803732U, 808572U}) {
     RandomSource random(seed);
     const LinesThroughBlob made = lines_through_blob(random, 100);
     const ReferenceScene scene(made.database);

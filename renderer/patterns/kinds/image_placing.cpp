@@ -17,18 +17,6 @@ double turn_of(double x, double z) {
   return (angle < 0 ? angle + kFullTurn : angle) / kFullTurn;
 }
 
-/// `value` modulo `size`, from 0 to size − 1; 0 for NaN and infinities.
-std::size_t wrapped(double value, int size) {
-  if (value >= 0 && value < size) [[likely]]
-    return static_cast<std::size_t>(value);
-  const double rest = value - std::floor(value / size) * size;
-  return rest >= 0 && rest < size ? static_cast<std::size_t>(rest) : 0;
-}
-
-std::size_t clamped(double value, int size) {
-  return value > 0 ? static_cast<std::size_t>(std::min(value, size - 1.0)) : 0;
-}
-
 /// The weights of four neighbours by Catmull and Rom, at a share `t` of the way from the second to the third.
 std::array<double, 4> cubic_weights(double t) {
   const double t2 = t * t, t3 = t2 * t;
@@ -67,19 +55,10 @@ TexelPlace ImagePlacing::neighbour(const TexelPlace& place, double dx, double dy
   return {within(place.x + dx, width_), within(place.y + dy, height_)};
 }
 
-std::size_t ImagePlacing::column_number(double column) const noexcept {
-  return once_ ? clamped(column, width_) : wrapped(column, width_);
-}
-
-std::size_t ImagePlacing::row_start(double row) const noexcept {
-  const std::size_t from_below = once_ ? clamped(row, height_) : wrapped(row, height_);
-  return (static_cast<std::size_t>(height_ - 1) - from_below) * static_cast<std::size_t>(width_);
-}
-
 TexelTaps ImagePlacing::taps_of(const TexelPlace& place) const noexcept {
   TexelTaps taps;
-  if (interpolate_ < 2) {
-    taps.add(texel_number(std::floor(place.x), std::floor(place.y)), 1);
+  if (!mixes_texels()) {
+    taps.add(texel_at(place), 1);
     return taps;
   }
   // Texels stand for their centres.

@@ -5,8 +5,11 @@
 #include "renderer/scene/image.h"
 #include "renderer/scene/transform.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace isl::render {
@@ -44,12 +47,36 @@ class ImagePlacing {
   [[nodiscard]] std::optional<TexelPlace> place_of(const scene::Vec3& p) const noexcept;
   /// The place some texels away. It is on the other side of the image if that is beyond a border.
   [[nodiscard]] TexelPlace neighbour(const TexelPlace& place, double dx, double dy) const noexcept;
+  /// True if values are means of several texels.
+  [[nodiscard]] bool mixes_texels() const noexcept { return interpolate_ >= 2; }
   [[nodiscard]] TexelTaps taps_of(const TexelPlace& place) const noexcept;
+  /// The texel that a place lies on: the only one of taps_of() if no texels are mixed.
+  [[nodiscard]] std::size_t texel_at(const TexelPlace& place) const noexcept { return texel_number(place.x, place.y); }
 
  private:
+  /// The number of the texel at a place along a side of so many texels, as often as they repeat; 0 for NaN and places
+  /// that have no whole number.
+  [[nodiscard]] static std::size_t wrapped(double place, int size) noexcept {
+    if (!(std::abs(place) < 0x1p62)) return 0;
+    auto texel = static_cast<std::int64_t>(place);
+    if (static_cast<double>(texel) > place) --texel;
+    if (texel >= 0 && texel < size) [[likely]]
+      return static_cast<std::size_t>(texel);
+    const std::int64_t rest = texel % size;
+    return static_cast<std::size_t>(rest < 0 ? rest + size : rest);
+  }
+  /// The same for an image that is mapped once.
+  [[nodiscard]] static std::size_t clamped(double place, int size) noexcept {
+    return place > 0 ? static_cast<std::size_t>(std::min(place, size - 1.0)) : 0;
+  }
   /// The number of a column, and that of the first texel of a row from below; either may be outside.
-  [[nodiscard]] std::size_t column_number(double column) const noexcept;
-  [[nodiscard]] std::size_t row_start(double row) const noexcept;
+  [[nodiscard]] std::size_t column_number(double column) const noexcept {
+    return once_ ? clamped(column, width_) : wrapped(column, width_);
+  }
+  [[nodiscard]] std::size_t row_start(double row) const noexcept {
+    const std::size_t from_below = once_ ? clamped(row, height_) : wrapped(row, height_);
+    return (static_cast<std::size_t>(height_ - 1) - from_below) * static_cast<std::size_t>(width_);
+  }
   [[nodiscard]] std::size_t texel_number(double column, double row) const noexcept {
     return row_start(row) + column_number(column);
   }

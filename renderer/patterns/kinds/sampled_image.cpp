@@ -104,6 +104,7 @@ SampledImage::Texel SampledImage::texel(std::size_t number) const noexcept {
 
 template <class ValueOf>
 double SampledImage::mean(const TexelPlace& place, const ValueOf& value_of) const noexcept {
+  if (!placing_.mixes_texels()) return value_of(placing_.texel_at(place));
   const TexelTaps taps = placing_.taps_of(place);
   double sum = 0;
   for (int i = 0; i < taps.count; ++i) {
@@ -114,6 +115,10 @@ double SampledImage::mean(const TexelPlace& place, const ValueOf& value_of) cons
 }
 
 Colour SampledImage::colour_at(const TexelPlace& place) const noexcept {
+  if (!placing_.mixes_texels()) {
+    const Texel colour = texel(placing_.texel_at(place));
+    return {colour.red, colour.green, colour.blue, colour.filter, colour.transmit};
+  }
   const TexelTaps taps = placing_.taps_of(place);
   Colour sum;
   for (int i = 0; i < taps.count; ++i) {

@@ -147,7 +147,7 @@ class CellSearch {
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
     // Certification may stop at a thousandth of the tolerance.
-    const Shortest shortest{1e-3 * settings_.at(ray_->path_length + base)};
+    const Shortest shortest{1e-3 * settings_.at(ray_->path_length + base), ray_->takes_faint_dips};
     lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 

@@ -20,9 +20,11 @@ struct Node {
   double doubt;               ///< the same for `value`, rounding of positions within components included
 };
 
-/// The length of intervals, in units of t, that the user's tolerance does not ask to tell apart.
+/// How small a thing a search looks for.
 struct Shortest {
-  double by_tolerance = 0;
+  double by_tolerance = 0;        ///< the length of intervals, in units of t, that the user's tolerance does not ask to
+                                  ///< tell apart
+  bool takes_faint_dips = false;  ///< of BlobRay
 };
 
 /// Halvings of an interval after which the ends of its parts are neighbouring doubles, save next to t = 0, where

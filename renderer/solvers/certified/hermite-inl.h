@@ -121,9 +121,8 @@ class HermiteSolver {
           }
           if (answer.is_certain) top = reached;
           const Node& end = ends[top];
-          if (answer.crossing && end.value > -end.doubt) return answer.crossing;
-          // A dip through the surface and back that only more digits show is no deeper than the rounding: its way back
-          // could not be found from where it begins. It counts as a touch.
+          if (answer.crossing && (end.value > -end.doubt || shortest_.takes_faint_dips)) return answer.crossing;
+          // Where they are not taken, a dip that only more digits show counts as a touch.
           if (!answer.is_certain || answer.crossing) {
             ++counters_.undecided_steps;
             if (shows_crossing_) return root_in_cubic(a, end, a_is_root);

@@ -238,11 +238,10 @@ TEST_F(RenderCommand, TellsHowManyPixelsStayNoisy) {
 
 TEST_F(RenderCommand, TellsHowManyPixelsAreUncertainAndFailsIfItIsStrict) {
   EXPECT_THAT(render({"--strict"}).err, Not(HasSubstr("could be off")));
-  // Seen from inside the large ball, its surface and the small cone in it are closer than the ball's rounding.
+  // One ray runs in the surface of the cylinder: all along it the field is the threshold itself, (1 - 1/4)^2.
   write("ball.isl",
-        "camera { location <0.001, 0.001, 0.001> look_at 0 angle 0.001 }\n"
-        "blob { threshold 1 kernel \"cubic\" hardness 3 sphere { <0, 0, 3e7>, 3e7 }\n"
-        "  cone { -1e-9, 1e-8, 1e-9, 2e-8 strength 3 } }\n");
+        "camera { orthographic location -10*z direction z up 2.25*y right 3*x }\n"
+        "blob { threshold 0.5625 cylinder { <1/32, 1/32, -1>, <1/32, 1/32, 1>, 2, 1 } }\n");
   const ProcessResult result = render({"--stats", "stats.json"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const json stats = json::parse(read("stats.json"));
