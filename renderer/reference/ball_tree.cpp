@@ -6,12 +6,12 @@
 #include <limits>
 #include <numeric>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 constexpr std::size_t kFan = 8;
 /// Far more than a few roundings in double precision.
-constexpr long double kBallMargin = 1 + 0x1p-49L;
+constexpr Real kBallMargin = 1 + 0x1p-49L;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The smallest ball of its kind around some: the middle of their common box, and the radius that it takes.
@@ -28,11 +28,11 @@ Ball around(const Ball* first, const Ball* last) {
   }
   const auto middle = [&](std::size_t i) { return low[i] / 2 + high[i] / 2; };
   Ball all{middle(0), middle(1), middle(2), 0};
-  long double radius = 0;
+  Real radius = 0;
   for (const Ball* ball = first; ball != last; ++ball) {
-    const Vector<long double> to{static_cast<long double>(ball->x) - all.x, static_cast<long double>(ball->y) - all.y,
-                                 static_cast<long double>(ball->z) - all.z};
-    radius = std::max(radius, std::sqrt(squared_length(to)) + ball->radius);
+    const Vector<Real> to{static_cast<Real>(ball->x) - all.x, static_cast<Real>(ball->y) - all.y,
+                          static_cast<Real>(ball->z) - all.z};
+    radius = std::max(radius, sqrt(squared_length(to)) + ball->radius);
   }
   all.radius = static_cast<double>(radius * kBallMargin);
   return all;
@@ -51,59 +51,59 @@ std::uint64_t morton_place(const std::array<double, 3>& share) {
 
 }  // namespace
 
-Ball rounded_ball(const Vector<long double>& centre, long double radius) {
+Ball rounded_ball(const Vector<Real>& centre, Real radius) {
   Ball ball{static_cast<double>(centre.x), static_cast<double>(centre.y), static_cast<double>(centre.z), kInfinite};
-  const Vector<long double> off{centre.x - ball.x, centre.y - ball.y, centre.z - ball.z};
+  const Vector<Real> off{centre.x - ball.x, centre.y - ball.y, centre.z - ball.z};
   // The centre itself was computed with a few roundings of 2⁻⁶⁴.
-  const long double far = std::sqrt(squared_length(centre));
-  const long double whole = (radius + std::sqrt(squared_length(off)) + far * 0x1p-60L) * kBallMargin;
+  const Real far = sqrt(squared_length(centre));
+  const Real whole = (radius + sqrt(squared_length(off)) + far * 0x1p-60L) * kBallMargin;
   // Beyond this a double's squares overflow. NaN fails the comparison, too.
   if (whole < 1e150L && far < 1e150L) ball.radius = static_cast<double>(whole);
   return ball;
 }
 
-Ball ball_before(const Vector<long double>& centre, long double radius, const scene::Matrix& m) {
+Ball ball_before(const Vector<Real>& centre, Real radius, const scene::Matrix& m) {
   // With rows, as the database has them, q = p·A + b. Let N be nearly the inverse of A, A·N = I + E, and p₀ any point,
   // ρ = centre − (p₀·A + b). A point p that lands at centre + r has (p − p₀)·A = r + ρ, so that
   //   |p − p₀|(1 − ‖E‖) ≤ |(p − p₀)·A·N| ≤ (|r| + |ρ|)‖N‖.
-  const auto entry = [&](int row, int column) { return static_cast<long double>(m[row][column]); };
-  const auto row = [&](int i) { return Vector<long double>{entry(i, 0), entry(i, 1), entry(i, 2)}; };
-  const Vector<long double> x = row(0), y = row(1), z = row(2), b = row(3);
-  const Vector<long double> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-  const long double determinant = dot(x, yz);
+  const auto entry = [&](int row, int column) { return static_cast<Real>(m[row][column]); };
+  const auto row = [&](int i) { return Vector<Real>{entry(i, 0), entry(i, 1), entry(i, 2)}; };
+  const Vector<Real> x = row(0), y = row(1), z = row(2), b = row(3);
+  const Vector<Real> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+  const Real determinant = dot(x, yz);
   const Ball everything{0, 0, 0, kInfinite};
-  if (!(std::abs(determinant) > 0)) return everything;
+  if (!(abs(determinant) > 0)) return everything;
   // The columns of N.
-  const std::array<Vector<long double>, 3> n{yz * (1 / determinant), zx * (1 / determinant), xy * (1 / determinant)};
-  const auto exact = [](const Vector<long double>& v) { return Vector<Interval>{v.x, v.y, v.z}; };
-  long double error_squared = 0, size_squared = 0;
+  const std::array<Vector<Real>, 3> n{yz * (1 / determinant), zx * (1 / determinant), xy * (1 / determinant)};
+  const auto exact = [](const Vector<Real>& v) { return Vector<Interval>{v.x, v.y, v.z}; };
+  Real error_squared = 0, size_squared = 0;
   for (int i = 0; i < 3; ++i) {
     size_squared += squared_length(n[i]);
     for (int j = 0; j < 3; ++j) {
-      const long double off = (dot(exact(row(i)), exact(n[j])) - Interval(i == j ? 1 : 0)).magnitude();
+      const Real off = (dot(exact(row(i)), exact(n[j])) - Interval(i == j ? 1 : 0)).magnitude();
       error_squared += off * off;
     }
   }
-  const long double error = std::sqrt(error_squared);
+  const Real error = sqrt(error_squared);
   if (!(error < 0.5L)) return everything;
-  const Vector<long double> from = centre - b;
-  const Vector<long double> p0{dot(from, n[0]), dot(from, n[1]), dot(from, n[2])};
+  const Vector<Real> from = centre - b;
+  const Vector<Real> p0{dot(from, n[0]), dot(from, n[1]), dot(from, n[2])};
   const auto image = [&](int column) {
     return Interval(p0.x) * Interval(entry(0, column)) + Interval(p0.y) * Interval(entry(1, column)) +
            Interval(p0.z) * Interval(entry(2, column)) + Interval(entry(3, column));
   };
   const Vector<Interval> rest = exact(centre) - Vector<Interval>{image(0), image(1), image(2)};
-  const long double off = std::sqrt(squared_length(rest).hi);
-  return rounded_ball(p0, (radius + off) * std::sqrt(size_squared) / (1 - error) * kBallMargin);
+  const Real off = sqrt(squared_length(rest).hi);
+  return rounded_ball(p0, (radius + off) * sqrt(size_squared) / (1 - error) * kBallMargin);
 }
 
 RoughLine::RoughLine(const FieldRay& ray) {
   const auto round = [](const Vector<Interval>& v, scene::Vec3& to) {
     const std::array<const Interval*, 3> parts{&v.x, &v.y, &v.z};
-    long double off = 0;
+    Real off = 0;
     for (int i = 0; i < 3; ++i) {
       to[i] = static_cast<double>(parts[static_cast<std::size_t>(i)]->middle());
-      off += (*parts[static_cast<std::size_t>(i)] - Interval(static_cast<long double>(to[i]))).magnitude();
+      off += (*parts[static_cast<std::size_t>(i)] - Interval(static_cast<Real>(to[i]))).magnitude();
     }
     return static_cast<double>(off * kBallMargin);
   };
@@ -188,4 +188,4 @@ void BallTree::along(const RoughLine& line, std::vector<std::uint32_t>& numbers)
   std::sort(numbers.begin() + first, numbers.end());
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -1,4 +1,4 @@
-// Finds the few of many balls that a line may meet, in double precision: long double and proofs are for what is left.
+// Finds the few of many balls that a line may meet, in double precision: more digits and proofs are for what is left.
 // A ball bounds the support of a component, or a placed blob. Used by reference_field and by the finder of first hits;
 // it knows neither.
 //
@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// The half-line origin + t·direction, t in units of the direction's length, in the blob's space.
 struct FieldRay {
@@ -32,12 +32,11 @@ struct Ball {
 };
 
 /// The ball about `centre`, rounded so that nothing gets lost.
-[[nodiscard]] Ball rounded_ball(const Vector<long double>& centre, long double radius);
+[[nodiscard]] Ball rounded_ball(const Vector<Real>& centre, Real radius);
 
 /// Holds the points that `destination_from_source` takes into a ball. The map is inverted here, in extended precision,
 /// and the inverse's error is part of the ball: an inverse that is stored elsewhere may have lost its digits.
-[[nodiscard]] Ball ball_before(const Vector<long double>& centre, long double radius,
-                               const scene::Matrix& destination_from_source);
+[[nodiscard]] Ball ball_before(const Vector<Real>& centre, Real radius, const scene::Matrix& destination_from_source);
 
 /// A line in double precision.
 struct RoughLine {
@@ -72,4 +71,4 @@ class BallTree {
   std::vector<std::vector<Ball>> levels_;  ///< the balls, then those around every eight of the level before
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -6,9 +6,8 @@
 #include "base/check.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class BoxForm final : public SkeletonForm {
@@ -21,7 +20,7 @@ class BoxForm final : public SkeletonForm {
   [[nodiscard]] SkeletonExtent extent() const override {
     const Vector<Interval> half = (interval_of(high_) - interval_of(low_)) * Interval(0.5L);
     const Vector<Interval> centre = interval_of(low_) + half;
-    return {{centre.x.middle(), centre.y.middle(), centre.z.middle()}, std::sqrt(squared_length(half).hi), radius_};
+    return {{centre.x.middle(), centre.y.middle(), centre.z.middle()}, sqrt(squared_length(half).hi), radius_};
   }
 
   [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const override {
@@ -33,18 +32,18 @@ class BoxForm final : public SkeletonForm {
 
  private:
   /// x − (x clamped to [low, high]). It rises with x, so its ends are those of x.
-  [[nodiscard]] static Interval beyond(const Interval& x, long double low, long double high) {
+  [[nodiscard]] static Interval beyond(const Interval& x, Real low, Real high) {
     const Interval above = x - Interval(high), below = x - Interval(low);
-    const auto end = [&](long double over, long double under) { return over > 0 ? over : std::min(under, 0.0L); };
+    const auto end = [&](Real over, Real under) { return over > 0 ? over : std::min(under, Real(0)); };
     return {end(above.lo, below.lo), end(above.hi, below.hi)};
   }
 
   scene::Vec3 low_, high_;
-  long double radius_;
+  Real radius_;
 };
 
 }  // namespace
 
 SkeletonFormHandle box_form(const scene::Component& component) { return std::make_shared<BoxForm>(component); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -19,7 +19,7 @@
 // left side is 3 ln(1 + h/3) < h at λ = 0, more than h at λ = h, and rises by 1 − 3c/(2 + h + c) > 0.
 #include "renderer/reference/kernel_forms.h"
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 /// Applies a rising function of the library to an interval.
@@ -29,7 +29,7 @@ Interval rising(const Function& f, const Interval& x) {
 }
 
 Interval log_of_one_plus(const Interval& x) {
-  return rising([](long double one) { return std::log1p(one); }, x);
+  return rising([](Real one) { return log1p(one); }, x);
 }
 
 /// The constants that one λ and φ′(1) = −h determine.
@@ -38,8 +38,7 @@ struct Constants {
   Interval e;
 
   Constants(const Interval& lambda, const Interval& h)
-      : c(rising([](long double x) { return std::exp(x); }, -lambda)),
-        rest(-rising([](long double x) { return std::expm1(x); }, -lambda)) {
+      : c(rising([](Real x) { return exp(x); }, -lambda)), rest(-rising([](Real x) { return expm1(x); }, -lambda)) {
     const Interval r = Interval(2) * rest / h;
     const Interval m = Interval(3) * r / (Interval(1) - r);
     e = Interval(2) * m / (Interval(3) + square_root(Interval(9) + Interval(4) * m));
@@ -55,9 +54,9 @@ Interval excess_in_the_middle(const Interval& lambda, const Interval& h) {
 
 /// Bisects to neighbouring numbers: the last place, seen from `from`, where a function certainly has this sign.
 template <class Function>
-long double last_certain(const Function& f, long double from, long double to, int sign) {
+Real last_certain(const Function& f, Real from, Real to, int sign) {
   while (true) {
-    const long double middle = from + (to - from) / 2;
+    const Real middle = from + (to - from) / 2;
     if (middle == from || middle == to) return from;
     (f(middle).sign() == sign ? from : to) = middle;
   }
@@ -65,12 +64,12 @@ long double last_certain(const Function& f, long double from, long double to, in
 
 /// The place between 0 and `most` where a rising function passes zero.
 template <class Function>
-Interval zero_of(const Function& f, long double most) {
+Interval zero_of(const Function& f, Real most) {
   return {last_certain(f, 0, most, -1), last_certain(f, most, 0, 1)};
 }
 
 Interval solved_lambda(const Interval& h) {
-  return zero_of([&](long double lambda) { return excess_in_the_middle(lambda, h); }, h.hi / 2);
+  return zero_of([&](Real lambda) { return excess_in_the_middle(lambda, h); }, h.hi / 2);
 }
 
 class CauchyForm final : public KernelForm {
@@ -78,11 +77,11 @@ class CauchyForm final : public KernelForm {
   explicit CauchyForm(const scene::Kernel& kernel) : k_(solved_lambda(kernel.hardness), kernel.hardness) {}
 
   [[nodiscard]] Interval support() const override { return Interval(1) + k_.e / k_.rest; }
-  [[nodiscard]] Interval value(long double q) const override {
+  [[nodiscard]] Interval value(Real q) const override {
     const Interval s = s_at(q);
     return square(to_border(q) / k_.e) * (border() + Interval(2) * s) / ((Interval(2) + border()) * square(s));
   }
-  [[nodiscard]] Interval slope(long double q) const override {
+  [[nodiscard]] Interval slope(Real q) const override {
     const Interval s = s_at(q);
     const Interval squares = square(border()) + border() * s + square(s);
     return -(Interval(2) * k_.rest * to_border(q) * squares /
@@ -90,10 +89,10 @@ class CauchyForm final : public KernelForm {
   }
 
  private:
-  [[nodiscard]] Interval s_at(long double q) const { return k_.c + k_.rest * Interval(q); }
+  [[nodiscard]] Interval s_at(Real q) const { return k_.c + k_.rest * Interval(q); }
   /// s at the border of the support, and the distance of s from it.
   [[nodiscard]] Interval border() const { return Interval(1) + k_.e; }
-  [[nodiscard]] Interval to_border(long double q) const { return Depth{k_.e, k_.rest}.at(q); }
+  [[nodiscard]] Interval to_border(Real q) const { return Depth{k_.e, k_.rest}.at(q); }
 
   Constants k_;
 };
@@ -102,14 +101,10 @@ class CauchySheetForm final : public KernelForm {
  public:
   explicit CauchySheetForm(const scene::Kernel& kernel) {
     const Interval h(kernel.hardness);
-    const auto c_of = [](const Interval& lambda) { return rising([](long double x) { return std::exp(x); }, -lambda); };
-    const auto rest_of = [](const Interval& lambda) {
-      return -rising([](long double x) { return std::expm1(x); }, -lambda);
-    };
+    const auto c_of = [](const Interval& lambda) { return rising([](Real x) { return exp(x); }, -lambda); };
+    const auto rest_of = [](const Interval& lambda) { return -rising([](Real x) { return expm1(x); }, -lambda); };
     const Interval lambda = zero_of(
-        [&](long double at) {
-          return Interval(at) + Interval(3) * log_of_one_plus((h - rest_of(at)) / Interval(3)) - h;
-        },
+        [&](Real at) { return Interval(at) + Interval(3) * log_of_one_plus((h - rest_of(at)) / Interval(3)) - h; },
         h.hi);
     c_ = c_of(lambda);
     rest_ = rest_of(lambda);
@@ -117,17 +112,17 @@ class CauchySheetForm final : public KernelForm {
   }
 
   [[nodiscard]] Interval support() const override { return Interval(1) + e_ / rest_; }
-  [[nodiscard]] Interval value(long double q) const override {
+  [[nodiscard]] Interval value(Real q) const override {
     const Interval depth = Depth{e_, rest_}.at(q) / e_;
     return square(depth) * depth / s_at(q);
   }
-  [[nodiscard]] Interval slope(long double q) const override {
+  [[nodiscard]] Interval slope(Real q) const override {
     const Interval depth = Depth{e_, rest_}.at(q) / e_, s = s_at(q);
     return -(rest_ * square(depth) * (Interval(1) + e_ + Interval(2) * s) / (e_ * square(s)));
   }
 
  private:
-  [[nodiscard]] Interval s_at(long double q) const { return c_ + rest_ * Interval(q); }
+  [[nodiscard]] Interval s_at(Real q) const { return c_ + rest_ * Interval(q); }
 
   Interval c_, rest_;  ///< c and 1 − c
   Interval e_;
@@ -138,4 +133,4 @@ class CauchySheetForm final : public KernelForm {
 KernelFormHandle cauchy_form(const scene::Kernel& kernel) { return std::make_shared<CauchyForm>(kernel); }
 KernelFormHandle cauchy_sheet_form(const scene::Kernel& kernel) { return std::make_shared<CauchySheetForm>(kernel); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

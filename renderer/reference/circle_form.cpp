@@ -8,9 +8,8 @@
 #include "renderer/reference/skeleton_forms.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class CircleForm final : public SkeletonForm {
@@ -46,12 +45,12 @@ class CircleForm final : public SkeletonForm {
     const Interval rho_slopes(rho0.slope.lo, std::max(rho0.slope.lo, rho1.slope.hi));
     const Interval along = hull(dot(start.w, d), dot(end.w, d));
     const Interval slope = Interval(2) * (along - Interval(ring_radius_) * rho_slopes) / radius_squared_;
-    const long double least_rho = convex_minimum(stretch.t0, stretch.t1, rho0, rho1);
-    const Interval rho(std::max(least_rho, 0.0L), std::max(start.rho.hi, end.rho.hi));
+    const Real least_rho = convex_minimum(stretch.t0, stretch.t1, rho0, rho1);
+    const Interval rho(std::max(least_rho, Real(0)), std::max(start.rho.hi, end.rho.hi));
     const Interval plain = relative(rho, hull(start.height, end.height));
     const Interval q =
         common(common(plain, stretch.first.q + slope * stretch.steps()), stretch.last.q - slope * stretch.steps());
-    return {{std::max(q.lo, 0.0L), q.hi}, slope};
+    return {{std::max(q.lo, Real(0)), q.hi}, slope};
   }
 
  private:
@@ -72,18 +71,18 @@ class CircleForm final : public SkeletonForm {
   /// ρ′; on the axis, all values that the speed allows.
   [[nodiscard]] static Interval rho_slope(const Cylindrical& c, const Vector<Interval>& d) {
     if (c.rho.lo > 0) return dot(c.across, d) / c.rho;
-    const long double speed = square_root(squared_length(d)).hi;
+    const Real speed = square_root(squared_length(d)).hi;
     return {-speed, speed};
   }
 
   Vector<Interval> centre_, axis_;
-  long double ring_radius_;
+  Real ring_radius_;
   Interval radius_squared_;
-  long double radius_;
+  Real radius_;
 };
 
 }  // namespace
 
 SkeletonFormHandle circle_form(const scene::Component& component) { return std::make_shared<CircleForm>(component); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class DiscForm final : public SkeletonForm {
@@ -34,22 +34,24 @@ class DiscForm final : public SkeletonForm {
   }
 
  private:
-  [[nodiscard]] static Interval positive(const Interval& x) { return {std::max(x.lo, 0.0L), std::max(x.hi, 0.0L)}; }
+  [[nodiscard]] static Interval positive(const Interval& x) {
+    return {std::max(x.lo, Real(0)), std::max(x.hi, Real(0))};
+  }
   [[nodiscard]] Interval share_beyond(const Interval& rho) const {
-    const auto at = [&](long double end) {
+    const auto at = [&](Real end) {
       return end > 0 ? positive(Interval(1) - Interval(disc_radius_) / Interval(end)) : Interval(0);
     };
     return {at(rho.lo).lo, at(rho.hi).hi};
   }
 
   Vector<Interval> centre_, axis_;
-  long double disc_radius_;
+  Real disc_radius_;
   Interval radius_squared_;
-  long double radius_;
+  Real radius_;
 };
 
 }  // namespace
 
 SkeletonFormHandle disc_form(const scene::Component& component) { return std::make_shared<DiscForm>(component); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -1,17 +1,17 @@
 // The nodes of Gauss's quadrature on [−1, 1].
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
+#include "renderer/reference/real.h"
 
-namespace isl::reference {
+#include <array>
+#include <cstddef>
+
+namespace isl::ISL_REFERENCE {
 
 /// The positive nodes of the rule with 2n nodes, and their weights; it is exact for polynomials of degree 4n − 1.
 template <std::size_t n>
 struct GaussLegendre {
-  std::array<long double, n> nodes{}, weights{};
+  std::array<Real, n> nodes{}, weights{};
 
   /// The nodes are the roots of the Legendre polynomial P of degree m = 2n. Newton's method starts from Tricomi's
   /// estimates, so near that every root is found, and squares its error in each step; the weights are
@@ -19,11 +19,11 @@ struct GaussLegendre {
   GaussLegendre() {
     constexpr std::size_t m = 2 * n;
     for (std::size_t i = 0; i < n; ++i) {
-      long double x = std::cos(std::numbers::pi_v<long double> * (4 * i + 3) / (4 * m + 2)), slope = 0;
+      Real x = cos(kPi * (4 * i + 3) / (4 * m + 2)), slope = 0;
       for (int step = 0; step < 8; ++step) {
-        long double before = 1, value = x;
+        Real before = 1, value = x;
         for (std::size_t k = 2; k <= m; ++k) {
-          const long double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+          const Real next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
           before = value;
           value = next;
         }
@@ -36,4 +36,4 @@ struct GaussLegendre {
   }
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

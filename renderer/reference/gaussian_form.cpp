@@ -3,16 +3,19 @@
 // where φ′(1) = −h requires a = h(1 − δ(1 + ln 1/δ))/(1 − δ).
 #include "renderer/reference/kernel_forms.h"
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
-constexpr long double kDelta = 1e-3L;
+constexpr Real kDelta = Real(1) / 1000;
+
+/// Later terms add nothing to the series of eˣ for x ≤ 1: 1/29! is 2⁻¹⁰², and 1/39! is 2⁻¹⁵³.
+constexpr int kTerms = kDigits > 64 ? 40 : 30;
 
 /// eˣ − 1 − x for x ≥ 0. Below 1 the difference cancels, so the series is used there.
-long double exponential_remainder(long double x) {
-  if (x > 1) return std::expm1(x) - x;
-  long double term = x * x / 2, sum = 0;
-  for (int k = 3; k < 30; ++k) {
+Real exponential_remainder(Real x) {
+  if (x > 1) return expm1(x) - x;
+  Real term = x * x / 2, sum = 0;
+  for (int k = 3; k < kTerms; ++k) {
     sum += term;
     term *= x / k;
   }
@@ -22,19 +25,19 @@ long double exponential_remainder(long double x) {
 class GaussianForm final : public KernelForm {
  public:
   explicit GaussianForm(const scene::Kernel& kernel) {
-    const Interval log_delta = widened(std::log(1 / kDelta), std::log(1 / kDelta), kLibraryError);
+    const Interval log_delta = widened(log(1 / kDelta), log(1 / kDelta), kLibraryError);
     const Interval rest = Interval(1) - Interval(kDelta) * (Interval(1) + log_delta);
     depth_ = {log_delta, Interval(kernel.hardness) * rest / (Interval(1) - Interval(kDelta))};
     amplitude_ = Interval(kDelta) / rest;
   }
   [[nodiscard]] Interval support() const override { return Interval(1) + depth_.at_one / depth_.rate; }
-  [[nodiscard]] Interval value(long double q) const override {
+  [[nodiscard]] Interval value(Real q) const override {
     const Interval x = depth_.at(q);
     return amplitude_ * widened(exponential_remainder(x.lo), exponential_remainder(x.hi), kLibraryError);
   }
-  [[nodiscard]] Interval slope(long double q) const override {
+  [[nodiscard]] Interval slope(Real q) const override {
     const Interval x = depth_.at(q);
-    return -(depth_.rate * amplitude_ * widened(std::expm1(x.lo), std::expm1(x.hi), kLibraryError));
+    return -(depth_.rate * amplitude_ * widened(expm1(x.lo), expm1(x.hi), kLibraryError));
   }
 
  private:
@@ -46,4 +49,4 @@ class GaussianForm final : public KernelForm {
 
 KernelFormHandle gaussian_form(const scene::Kernel& kernel) { return std::make_shared<GaussianForm>(kernel); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// φ within its support. Every result encloses the exact one, because the constants are intervals too.
 class KernelForm {
@@ -18,8 +18,8 @@ class KernelForm {
   /// Q, the end of the support.
   [[nodiscard]] virtual Interval support() const = 0;
   /// φ and dφ/dq at 0 ≤ q < support().hi.
-  [[nodiscard]] virtual Interval value(long double q) const = 0;
-  [[nodiscard]] virtual Interval slope(long double q) const = 0;
+  [[nodiscard]] virtual Interval value(Real q) const = 0;
+  [[nodiscard]] virtual Interval slope(Real q) const = 0;
 };
 
 using KernelFormHandle = std::shared_ptr<const KernelForm>;
@@ -37,14 +37,14 @@ using KernelFormHandle = std::shared_ptr<const KernelForm>;
 struct Depth {
   Interval at_one, rate;
 
-  [[nodiscard]] Interval at(long double q) const {
+  [[nodiscard]] Interval at(Real q) const {
     const Interval depth = at_one + rate * (Interval(1) - Interval(q));
-    return {std::max(depth.lo, 0.0L), std::max(depth.hi, 0.0L)};
+    return {std::max(depth.lo, Real(0)), std::max(depth.hi, Real(0))};
   }
 };
 
-/// glibc's exponentials and logarithms of long doubles are correct to a few units in the last place, 2⁻⁶³ each; this
-/// allows eight of them.
-inline constexpr long double kLibraryError = 0x1p-60L;
+/// glibc's exponentials and logarithms are correct to a few units in the last place, 2·kRoundoff each; this allows
+/// eight of them.
+inline constexpr Real kLibraryError = 16 * kRoundoff;
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

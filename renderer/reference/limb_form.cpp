@@ -9,9 +9,8 @@
 #include "renderer/reference/skeleton_forms.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class LimbForm final : public SkeletonForm {
@@ -29,8 +28,7 @@ class LimbForm final : public SkeletonForm {
 
   [[nodiscard]] SkeletonExtent extent() const override {
     const Vector<Interval> middle = start_ + axis_ * Interval(0.5L);
-    return {
-        {middle.x.middle(), middle.y.middle(), middle.z.middle()}, std::sqrt(axis_squared_.hi) / 2, largest_radius_};
+    return {{middle.x.middle(), middle.y.middle(), middle.z.middle()}, sqrt(axis_squared_.hi) / 2, largest_radius_};
   }
 
   [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const override {
@@ -54,18 +52,18 @@ class LimbForm final : public SkeletonForm {
     if (has_axis_) {
       const Interval foot0 = foot(w0), foot1 = foot(w1);
       const Vector<Interval> across = hull(w0 - axis_ * foot0, w1 - axis_ * foot1);
-      v = nearest(reference::hull(foot0, foot1), squared_length(across));
+      v = nearest(ISL_REFERENCE::hull(foot0, foot1), squared_length(across));
     } else {
       v = nearest(w0);
     }
     const Interval radius_squared = square(radius(v));
     if (radius_squared.lo <= 0) return {{0, kUnbounded}, {-kUnbounded, kUnbounded}};
-    const Interval along = reference::hull(dot(w0, d), dot(w1, d)) - v * dot(axis_, d);
+    const Interval along = ISL_REFERENCE::hull(dot(w0, d), dot(w1, d)) - v * dot(axis_, d);
     const Interval slope = Interval(2) * along / radius_squared;
     const Interval plain = squared_length(hull(w0, w1) - axis_ * v) / radius_squared;
     const Interval q =
         common(common(plain, stretch.first.q + slope * stretch.steps()), stretch.last.q - slope * stretch.steps());
-    return {{std::max(q.lo, 0.0L), q.hi}, slope};
+    return {{std::max(q.lo, Real(0)), q.hi}, slope};
   }
 
  private:
@@ -95,7 +93,7 @@ class LimbForm final : public SkeletonForm {
 
   Vector<Interval> start_, axis_;
   Interval axis_squared_, radius_start_, radius_step_;
-  long double largest_radius_;
+  Real largest_radius_;
   bool has_axis_;
 };
 
@@ -103,4 +101,4 @@ class LimbForm final : public SkeletonForm {
 
 SkeletonFormHandle limb_form(const scene::Component& component) { return std::make_shared<LimbForm>(component); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

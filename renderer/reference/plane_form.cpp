@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class PlaneForm final : public SkeletonForm {
@@ -23,7 +23,7 @@ class PlaneForm final : public SkeletonForm {
     return {square(x) / radius_squared, normal_ * (Interval(2) * x / radius_squared)};
   }
 
-  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const override {
+  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, Real root_q) const override {
     return change_between(height(line.origin), dot(normal_, line.direction), 0, radius_ * root_q);
   }
 
@@ -32,11 +32,11 @@ class PlaneForm final : public SkeletonForm {
   [[nodiscard]] Interval height(const Vector<Interval>& p) const { return dot(p - at_, normal_); }
 
   Vector<Interval> at_, normal_;
-  long double radius_;
+  Real radius_;
 };
 
 }  // namespace
 
 SkeletonFormHandle plane_form(const scene::Component& component) { return std::make_shared<PlaneForm>(component); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -3,7 +3,7 @@
 // solution.
 #include "renderer/reference/kernel_forms.h"
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 /// w = (1 − x)²:   surface: φ = (1 + (h/2)(1 − q))²,   Q = 1 + 2/h.
@@ -20,8 +20,8 @@ class QuarticForm final : public KernelForm {
     }
   }
   [[nodiscard]] Interval support() const override { return support_; }
-  [[nodiscard]] Interval value(long double q) const override { return square(depth_.at(q)); }
-  [[nodiscard]] Interval slope(long double q) const override { return -(Interval(2) * depth_.rate * depth_.at(q)); }
+  [[nodiscard]] Interval value(Real q) const override { return square(depth_.at(q)); }
+  [[nodiscard]] Interval slope(Real q) const override { return -(Interval(2) * depth_.rate * depth_.at(q)); }
 
  private:
   Interval support_;
@@ -35,10 +35,8 @@ class CubicForm final : public KernelForm {
       : support_(Interval(1) + Interval(3) / Interval(kernel.hardness)),
         depth_{1, Interval(kernel.hardness) / Interval(3)} {}
   [[nodiscard]] Interval support() const override { return support_; }
-  [[nodiscard]] Interval value(long double q) const override { return square(depth_.at(q)) * depth_.at(q); }
-  [[nodiscard]] Interval slope(long double q) const override {
-    return -(Interval(3) * depth_.rate * square(depth_.at(q)));
-  }
+  [[nodiscard]] Interval value(Real q) const override { return square(depth_.at(q)) * depth_.at(q); }
+  [[nodiscard]] Interval slope(Real q) const override { return -(Interval(3) * depth_.rate * square(depth_.at(q))); }
 
  private:
   Interval support_;
@@ -60,11 +58,11 @@ class SoftForm final : public KernelForm {
     amplitude_ = Interval(1) / (square(depth_.at_one) * (Interval(5) + Interval(4) * depth_.at_one));
   }
   [[nodiscard]] Interval support() const override { return support_; }
-  [[nodiscard]] Interval value(long double q) const override {
+  [[nodiscard]] Interval value(Real q) const override {
     const Interval y = depth_.at(q);
     return amplitude_ * square(y) * (Interval(5) + Interval(4) * y);
   }
-  [[nodiscard]] Interval slope(long double q) const override {
+  [[nodiscard]] Interval slope(Real q) const override {
     const Interval y = depth_.at(q);
     return -(Interval(2) * depth_.rate * amplitude_ * y * (Interval(5) + Interval(6) * y));
   }
@@ -95,35 +93,33 @@ class MetaballForm final : public KernelForm {
     }
   }
   [[nodiscard]] Interval support() const override { return support_; }
-  [[nodiscard]] Interval value(long double q) const override {
+  [[nodiscard]] Interval value(Real q) const override {
     return piecewise(q, &MetaballForm::core_value, &MetaballForm::shell_value);
   }
-  [[nodiscard]] Interval slope(long double q) const override {
+  [[nodiscard]] Interval slope(Real q) const override {
     return piecewise(q, &MetaballForm::core_slope, &MetaballForm::shell_slope);
   }
 
  private:
-  using Piece = Interval (MetaballForm::*)(long double q) const;
+  using Piece = Interval (MetaballForm::*)(Real q) const;
 
   /// The hull of both pieces if rounding leaves open which one applies.
-  [[nodiscard]] Interval piecewise(long double q, Piece core, Piece shell) const {
+  [[nodiscard]] Interval piecewise(Real q, Piece core, Piece shell) const {
     const Interval nine_x = Interval(9) * Interval(q) * square(rho_);
     if (nine_x.hi < 1) return (this->*core)(q);
     if (nine_x.lo > 1) return (this->*shell)(q);
     return hull((this->*core)(q), (this->*shell)(q));
   }
 
-  [[nodiscard]] Interval core_value(long double q) const {
+  [[nodiscard]] Interval core_value(Real q) const {
     return amplitude_ * (Interval(1) - Interval(3) * Interval(q) * square(rho_));
   }
-  [[nodiscard]] Interval core_slope(long double) const { return -(Interval(3) * amplitude_ * square(rho_)); }
+  [[nodiscard]] Interval core_slope(Real) const { return -(Interval(3) * amplitude_ * square(rho_)); }
 
   /// 1 − ρ: 1 − √q is (1 − q)/(1 + √q), and ρ is √q times its value at 1.
-  [[nodiscard]] Interval to_border(long double q) const {
-    return Depth{shell_, rho_ / (Interval(1) + square_root(q))}.at(q);
-  }
-  [[nodiscard]] Interval shell_value(long double q) const { return Interval(1.5L) * amplitude_ * square(to_border(q)); }
-  [[nodiscard]] Interval shell_slope(long double q) const {
+  [[nodiscard]] Interval to_border(Real q) const { return Depth{shell_, rho_ / (Interval(1) + square_root(q))}.at(q); }
+  [[nodiscard]] Interval shell_value(Real q) const { return Interval(1.5L) * amplitude_ * square(to_border(q)); }
+  [[nodiscard]] Interval shell_slope(Real q) const {
     return -(Interval(1.5L) * amplitude_ * to_border(q) * rho_ / square_root(q));
   }
 
@@ -139,4 +135,4 @@ KernelFormHandle quartic_form(const scene::Kernel& kernel) { return std::make_sh
 KernelFormHandle soft_form(const scene::Kernel& kernel) { return std::make_shared<SoftForm>(kernel); }
 KernelFormHandle metaball_form(const scene::Kernel& kernel) { return std::make_shared<MetaballForm>(kernel); }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -13,22 +13,21 @@
 
 #include <memory>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// A curve in units of the support.
 class Curve {
  public:
   virtual ~Curve() = default;
-  [[nodiscard]] virtual long double distance(const Vector<long double>& p) const = 0;
+  [[nodiscard]] virtual Real distance(const Vector<Real>& p) const = 0;
   struct Integrals {
-    long double value, fall;       ///< ∫g ds, ∫(−g′) ds
-    Vector<long double> gradient;  ///< of the first integral
+    Real value, fall;       ///< ∫g ds, ∫(−g′) ds
+    Vector<Real> gradient;  ///< of the first integral
   };
   /// The integrals at a point within the support.
-  [[nodiscard]] virtual Integrals integrals(const Vector<long double>& p, const ReferenceWindow& window) const = 0;
+  [[nodiscard]] virtual Integrals integrals(const Vector<Real>& p, const ReferenceWindow& window) const = 0;
   /// The view from a ball about p, from which nothing is nearer than √least, least < 1.
-  [[nodiscard]] virtual ReferenceWindow::View view(const Vector<long double>& p, long double ball,
-                                                   long double least) const = 0;
+  [[nodiscard]] virtual ReferenceWindow::View view(const Vector<Real>& p, Real ball, Real least) const = 0;
 };
 
 /// f and its derivative along a line.
@@ -44,27 +43,27 @@ class ReferenceConvolution {
   struct Sample {
     Interval value;
     Vector<Interval> gradient;
-    long double sensitivity = 0;  ///< largest effect of relative errors of the squared distances
+    Real sensitivity = 0;  ///< largest effect of relative errors of the squared distances
   };
   /// The field at a point, with the point's rounding.
   [[nodiscard]] Sample at(const Vector<Interval>& p) const;
-  [[nodiscard]] FieldRange at(const Line& line, long double t) const;
+  [[nodiscard]] FieldRange at(const Line& line, Real t) const;
   /// The field over a stretch of a line, from the fields at its ends.
-  [[nodiscard]] FieldRange over(const Line& line, long double t0, long double t1, const FieldRange& first,
+  [[nodiscard]] FieldRange over(const Line& line, Real t0, Real t1, const FieldRange& first,
                                 const FieldRange& last) const;
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
  private:
   struct Ball {
-    Vector<long double> centre;
-    long double radius;
+    Vector<Real> centre;
+    Real radius;
   };
   /// The ball in units of the support.
   [[nodiscard]] Ball ball_of(const Vector<Interval>& p) const;
 
   ReferenceWindow window_;
-  long double unit_;  ///< one over the support
+  Real unit_;  ///< one over the support
   std::shared_ptr<const Curve> curve_;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

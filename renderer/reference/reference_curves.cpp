@@ -9,42 +9,39 @@
 #include "renderer/reference/graded_quadrature.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
-using Vector3 = Vector<long double>;
-constexpr long double kPi = 3.14159265358979323846264338327950288L;
+using Vector3 = Vector<Real>;
 
-Vector3 scaled(const scene::Vec3& v, long double unit) {
-  return {static_cast<long double>(v.x) * unit, static_cast<long double>(v.y) * unit,
-          static_cast<long double>(v.z) * unit};
+Vector3 scaled(const scene::Vec3& v, Real unit) {
+  return {static_cast<Real>(v.x) * unit, static_cast<Real>(v.y) * unit, static_cast<Real>(v.z) * unit};
 }
 
 class SegmentCurve final : public Curve {
  public:
-  SegmentCurve(const scene::Component& c, long double unit) : a_(scaled(c.a, unit)), b_(scaled(c.b, unit)) {
+  SegmentCurve(const scene::Component& c, Real unit) : a_(scaled(c.a, unit)), b_(scaled(c.b, unit)) {
     const Vector3 along = scaled(c.b, unit) - a_;
-    length_ = std::sqrt(squared_length(along));
+    length_ = sqrt(squared_length(along));
     if (length_ > 0) axis_ = along * (1 / length_);
   }
 
-  [[nodiscard]] long double distance(const Vector3& p) const override {
+  [[nodiscard]] Real distance(const Vector3& p) const override {
     const Place at = place(p);
-    const long double beyond = std::max({0.0L, -at.from_a, at.from_a - length_});
-    return std::hypot(at.rho, beyond);
+    const Real beyond = std::max({Real(0), -at.from_a, at.from_a - length_});
+    return hypot(at.rho, beyond);
   }
 
   [[nodiscard]] Integrals integrals(const Vector3& p, const ReferenceWindow& window) const override {
     const Place at = place(p);
-    const long double end2 = 1 - at.rho * at.rho;
+    const Real end2 = 1 - at.rho * at.rho;
     if (!(end2 > 0)) return {};
-    const long double end = std::sqrt(end2);
-    const long double from = std::max(-at.from_a, -end), to = std::min(length_ - at.from_a, end);
-    long double value = 0, across = 0, along = 0;
+    const Real end = sqrt(end2);
+    const Real from = std::max(-at.from_a, -end), to = std::min(length_ - at.from_a, end);
+    Real value = 0, across = 0, along = 0;
     if (from < to) {
-      integrate_graded(from, to, window.scale(at.rho * at.rho), [&](long double v, long double weight) {
+      integrate_graded(from, to, window.scale(at.rho * at.rho), [&](Real v, Real weight) {
         const ReferenceWindow::Value g = window.at(at.rho * at.rho + v * v, (end - v) * (end + v));
         value += weight * g.value;
         across += weight * g.fall;
@@ -54,53 +51,53 @@ class SegmentCurve final : public Curve {
     return {value, across, at.across * (-2 * across) + axis_ * (2 * along)};
   }
 
-  [[nodiscard]] ReferenceWindow::View view(const Vector3&, long double, long double least) const override {
-    return {least, std::min(length_, 2 * std::sqrt(1 - least)), 1};
+  [[nodiscard]] ReferenceWindow::View view(const Vector3&, Real, Real least) const override {
+    return {least, std::min(length_, 2 * sqrt(1 - least)), 1};
   }
 
  private:
   struct Place {
-    long double from_a, rho;
+    Real from_a, rho;
     Vector3 across;
   };
   [[nodiscard]] Place place(const Vector3& p) const {
     const Vector3 from_a = p - a_, from_b = p - b_;
-    const long double x = dot(from_a, axis_), beyond = dot(from_b, axis_);
+    const Real x = dot(from_a, axis_), beyond = dot(from_b, axis_);
     // The nearer end is used, because the farther one's distance would cost digits.
-    const Vector3 across = std::abs(x) < std::abs(beyond) ? from_a - axis_ * x : from_b - axis_ * beyond;
-    return {x, std::sqrt(squared_length(across)), across};
+    const Vector3 across = abs(x) < abs(beyond) ? from_a - axis_ * x : from_b - axis_ * beyond;
+    return {x, sqrt(squared_length(across)), across};
   }
 
   Vector3 a_, b_, axis_{};
-  long double length_;
+  Real length_;
 };
 
 class CircleCurve final : public Curve {
  public:
-  CircleCurve(const scene::Component& c, long double unit)
+  CircleCurve(const scene::Component& c, Real unit)
       : centre_(scaled(c.a, unit)), axis_(scaled(c.b, 1)), radius_(c.radius_b * unit) {
-    axis_ = axis_ * (1 / std::sqrt(squared_length(axis_)));
+    axis_ = axis_ * (1 / sqrt(squared_length(axis_)));
   }
 
-  [[nodiscard]] long double distance(const Vector3& p) const override {
+  [[nodiscard]] Real distance(const Vector3& p) const override {
     const Place at = place(p);
-    return std::hypot(at.rho - radius_, at.z);
+    return hypot(at.rho - radius_, at.z);
   }
 
   [[nodiscard]] Integrals integrals(const Vector3& p, const ReferenceWindow& window) const override {
     const Place at = place(p);
-    const long double beside = at.rho - radius_, d2 = beside * beside + at.z * at.z;
+    const Real beside = at.rho - radius_, d2 = beside * beside + at.z * at.z;
     if (!(d2 < 1)) return {};
-    const long double k = 4 * radius_ * at.rho;
+    const Real k = 4 * radius_ * at.rho;
     const bool is_whole = k <= 1 - d2;
-    const long double end = is_whole ? kPi : 2 * std::asin(std::sqrt((1 - d2) / k));
+    const Real end = is_whole ? kPi : 2 * asin(sqrt((1 - d2) / k));
     // y is singular where k sin²(φ/2) = −scale².
-    const long double scale = k > 0 ? 2 * std::asinh(window.scale(d2) / std::sqrt(k)) : 2 * kPi;
-    long double value = 0, whole = 0, radial = 0;
-    integrate_graded(0, end, scale, [&](long double angle, long double weight) {
-      const long double half_sine = std::sin(angle / 2), y = d2 + k * half_sine * half_sine;
+    const Real scale = k > 0 ? 2 * asinh(window.scale(d2) / sqrt(k)) : 2 * kPi;
+    Real value = 0, whole = 0, radial = 0;
+    integrate_graded(0, end, scale, [&](Real angle, Real weight) {
+      const Real half_sine = sin(angle / 2), y = d2 + k * half_sine * half_sine;
       // sin²(μ/2) − sin²(φ/2) = sin((μ + φ)/2) sin((μ − φ)/2)
-      const long double to_border = is_whole ? 1 - y : k * std::sin((end + angle) / 2) * std::sin((end - angle) / 2);
+      const Real to_border = is_whole ? 1 - y : k * sin((end + angle) / 2) * sin((end - angle) / 2);
       const ReferenceWindow::Value g = window.at(y, to_border);
       value += weight * g.value;
       whole += weight * g.fall;
@@ -112,36 +109,36 @@ class CircleCurve final : public Curve {
             (at.from_centre * whole - outward * (radius_ * radial)) * (-4 * radius_)};
   }
 
-  [[nodiscard]] ReferenceWindow::View view(const Vector3& p, long double ball, long double least) const override {
-    const long double nearest_rho = place(p).rho - ball, whole = 2 * kPi * radius_;
+  [[nodiscard]] ReferenceWindow::View view(const Vector3& p, Real ball, Real least) const override {
+    const Real nearest_rho = place(p).rho - ball, whole = 2 * kPi * radius_;
     if (!(nearest_rho > 0)) return {least, whole, kUnbounded};
-    const long double spread = std::max(1.0L, kPi / 2 * std::sqrt(radius_ / nearest_rho));
-    return {least, std::min(whole, 2 * std::sqrt(1 - least) * spread), spread};
+    const Real spread = std::max(Real(1), kPi / 2 * sqrt(radius_ / nearest_rho));
+    return {least, std::min(whole, 2 * sqrt(1 - least) * spread), spread};
   }
 
  private:
   struct Place {
-    long double z, rho;
+    Real z, rho;
     Vector3 from_centre, across;
   };
   [[nodiscard]] Place place(const Vector3& p) const {
     const Vector3 from = p - centre_;
-    const long double z = dot(from, axis_);
+    const Real z = dot(from, axis_);
     const Vector3 across = from - axis_ * z;
-    return {z, std::sqrt(squared_length(across)), from, across};
+    return {z, sqrt(squared_length(across)), from, across};
   }
 
   Vector3 centre_, axis_;
-  long double radius_;
+  Real radius_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Curve> segment_curve(const scene::Component& component, long double unit) {
+std::shared_ptr<const Curve> segment_curve(const scene::Component& component, Real unit) {
   return std::make_shared<SegmentCurve>(component, unit);
 }
-std::shared_ptr<const Curve> circle_curve(const scene::Component& component, long double unit) {
+std::shared_ptr<const Curve> circle_curve(const scene::Component& component, Real unit) {
   return std::make_shared<CircleCurve>(component, unit);
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -5,11 +5,11 @@
 
 #include <memory>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// The segment from a to b, scaled by `unit`.
-[[nodiscard]] std::shared_ptr<const Curve> segment_curve(const scene::Component& component, long double unit);
+[[nodiscard]] std::shared_ptr<const Curve> segment_curve(const scene::Component& component, Real unit);
 /// The circle about a and the axis b, scaled by `unit`.
-[[nodiscard]] std::shared_ptr<const Curve> circle_curve(const scene::Component& component, long double unit);
+[[nodiscard]] std::shared_ptr<const Curve> circle_curve(const scene::Component& component, Real unit);
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

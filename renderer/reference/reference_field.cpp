@@ -3,10 +3,9 @@
 #include "base/check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 Interval row_times_column(const Vector<Interval>& v, const scene::Matrix& m, int column) {
@@ -58,12 +57,12 @@ ReferenceComponent::ReferenceComponent(const scene::Component& component, const 
 }
 
 Ball ReferenceComponent::support() const {
-  const long double reach = skeleton_.reach(kernel_.support().hi);
+  const Real reach = skeleton_.reach(kernel_.support().hi);
   return component_from_blob_ ? ball_before(skeleton_.bound_centre(), reach, *component_from_blob_)
                               : rounded_ball(skeleton_.bound_centre(), reach);
 }
 
-FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
+FieldSample ReferenceComponent::sample(const Vector<Real>& p) const {
   Vector<Interval> local{p.x, p.y, p.z};
   if (component_from_blob_) local = transformed_point(local, *component_from_blob_);
 
@@ -79,7 +78,7 @@ FieldSample ReferenceComponent::sample(const Vector<long double>& p) const {
     const Interval slope = strength_ * kernel_.slope(distance.q);
     if (slope.sign() != 0) gradient = distance.gradient * slope;
   }
-  sample.sum_of_values = std::abs(sample.value);
+  sample.sum_of_values = abs(sample.value);
   // A gradient is mapped back by the transpose of the map into the component's space.
   if (component_from_blob_) gradient = transformed_vector(gradient, component_from_blob_->transposed());
   sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
@@ -95,19 +94,19 @@ FieldRange ReferenceComponent::field_of(const DistanceOnLine& distance) const {
   return {kernel_.value(distance.q), kernel_.slope(distance.q) * distance.slope};
 }
 
-ReferenceComponent::AtPoint ReferenceComponent::point(const Line& line, long double t) const {
+ReferenceComponent::AtPoint ReferenceComponent::point(const Line& line, Real t) const {
   if (convolution_) return {{}, convolution_->at(line, t)};
   const DistanceOnLine distance = skeleton_.at(line, t);
   return {distance, field_of(distance)};
 }
 
-FieldRange ReferenceComponent::over(const Line& line, long double t0, long double t1, const AtPoint& first,
+FieldRange ReferenceComponent::over(const Line& line, Real t0, Real t1, const AtPoint& first,
                                     const AtPoint& last) const {
   return strengthened(convolution_ ? convolution_->over(line, t0, t1, first.field, last.field)
                                    : field_of(skeleton_.over({line, t0, t1, first.distance, last.distance})));
 }
 
-long double ReferenceComponent::sensitivity_at(const Line& line, long double t) const {
+Real ReferenceComponent::sensitivity_at(const Line& line, Real t) const {
   if (convolution_) return strength_.magnitude() * convolution_->at(line.at(t)).sensitivity;
   const Interval q = skeleton_.at(line, t).q;
   return (strength_ * kernel_.slope(q) * q).magnitude();
@@ -151,7 +150,7 @@ void ReferenceField::add(const scene::Database& database, const scene::Blob& blo
   branch_of_.assign(numbers.size(), 0);
 }
 
-FieldSample ReferenceField::sample(const Vector<long double>& p) const {
+FieldSample ReferenceField::sample(const Vector<Real>& p) const {
   std::vector<FieldSample> sums(branch_count_);
   const auto add = [](FieldSample& sum, const FieldSample& part) {
     sum.value += part.value;
@@ -174,4 +173,4 @@ FieldSample ReferenceField::sample(const Vector<long double>& p) const {
   return sums[0];
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -1,5 +1,5 @@
 // F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob, straight from its definition: every
-// component, in long double; an unblended blob is the greatest of its fields. It judges the product's fields, with
+// component; an unblended blob is the greatest of its fields. It judges the product's fields, with
 // which it shares only the records of the database.
 #pragma once
 
@@ -15,14 +15,14 @@
 #include <span>
 #include <vector>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// Value, gradient (in units of value per length) and the size of the summed terms, from which rounding errors are
 /// judged.
 struct FieldSample {
-  long double value = 0;
-  Vector<long double> gradient{};
-  long double sum_of_values = 0;  ///< Σ|fᵢ|
+  Real value = 0;
+  Vector<Real> gradient{};
+  Real sum_of_values = 0;  ///< Σ|fᵢ|
 };
 
 /// `p·M` and `v·M` for an affine M with row vectors (the database's convention), without rounding M.
@@ -46,24 +46,23 @@ class ReferenceComponent {
                      std::span<const scene::Vec3> corners);
 
   /// f and ∇f at p in the blob's space.
-  [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;
+  [[nodiscard]] FieldSample sample(const Vector<Real>& p) const;
   /// Encloses f over a box in the blob's space.
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
   // These are on a line in the component's own space.
-  [[nodiscard]] FieldRange at(const Line& line, long double t) const { return at(point(line, t)); }
+  [[nodiscard]] FieldRange at(const Line& line, Real t) const { return at(point(line, t)); }
   /// With strength 1.
   struct AtPoint {
     DistanceOnLine distance;  ///< unused by a convolution
     FieldRange field;
   };
-  [[nodiscard]] AtPoint point(const Line& line, long double t) const;
+  [[nodiscard]] AtPoint point(const Line& line, Real t) const;
   [[nodiscard]] FieldRange at(const AtPoint& point) const { return strengthened(point.field); }
   /// The field over a stretch, from its ends.
-  [[nodiscard]] FieldRange over(const Line& line, long double t0, long double t1, const AtPoint& first,
-                                const AtPoint& last) const;
+  [[nodiscard]] FieldRange over(const Line& line, Real t0, Real t1, const AtPoint& first, const AtPoint& last) const;
   /// The effect at t of a relative error of q, or of all squared distances to a curve's points.
-  [[nodiscard]] long double sensitivity_at(const Line& line, long double t) const;
+  [[nodiscard]] Real sensitivity_at(const Line& line, Real t) const;
 
   [[nodiscard]] const ReferenceSkeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] const ReferenceKernel& kernel() const { return kernel_; }
@@ -101,8 +100,8 @@ class ReferenceField {
   ReferenceField(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
 
   /// F and ∇F at p in the blob's space.
-  [[nodiscard]] FieldSample sample(const Vector<long double>& p) const;
-  [[nodiscard]] long double value(const Vector<long double>& p) const { return sample(p).value; }
+  [[nodiscard]] FieldSample sample(const Vector<Real>& p) const;
+  [[nodiscard]] Real value(const Vector<Real>& p) const { return sample(p).value; }
 
   [[nodiscard]] const std::vector<ReferenceComponent>& components() const { return components_; }
   /// Branch 0 is the blob's sum. It is the only one if the blob has no maxima.
@@ -119,7 +118,7 @@ class ReferenceField {
   void components_along(const RoughLine& line, std::vector<std::uint32_t>& numbers) const {
     supports_.along(line, numbers);
   }
-  [[nodiscard]] long double threshold() const { return threshold_; }
+  [[nodiscard]] Real threshold() const { return threshold_; }
 
  private:
   void add(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
@@ -129,8 +128,8 @@ class ReferenceField {
   std::vector<Maximum> maxima_;
   BallTree supports_;
   std::size_t branch_count_ = 1;
-  long double threshold_;
+  Real threshold_;
   bool is_unblended_;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

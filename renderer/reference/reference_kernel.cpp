@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 constexpr KernelFormHandle (*kForms[])(const scene::Kernel&) = {
@@ -29,13 +29,13 @@ ReferenceKernel::ReferenceKernel(const scene::Kernel& kernel) : form_(form_of(ke
 }
 
 Interval ReferenceKernel::value(const Interval& q) const {
-  const auto at = [this](long double one) { return one < support_.hi ? form_->value(one) : Interval(0); };
+  const auto at = [this](Real one) { return one < support_.hi ? form_->value(one) : Interval(0); };
   return {at(q.hi).lo, at(q.lo).hi};
 }
 
 Interval ReferenceKernel::slope(const Interval& q) const {
-  const auto at = [this](long double one) { return one < support_.hi ? form_->slope(one) : Interval(0); };
+  const auto at = [this](Real one) { return one < support_.hi ? form_->slope(one) : Interval(0); };
   return {at(q.lo).lo, at(q.hi).hi};
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -1,4 +1,4 @@
-// φ(q) of one kernel (if convolved: of a plane or an infinite line) in long double, straight from its definition (q =
+// φ(q) of one kernel (if convolved: of a plane or an infinite line), straight from its definition (q =
 // squared distance over squared radius), and enclosures of φ and φ′ over ranges of q. Used by reference_field and
 // reference_ray; knows nothing of skeletons or space, and leaves each shape's formulas and constants to its form
 // (kernel_forms.h).
@@ -12,7 +12,7 @@
 #include "renderer/reference/kernel_forms.h"
 #include "renderer/scene/database.h"
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 class ReferenceKernel {
  public:
@@ -27,12 +27,12 @@ class ReferenceKernel {
   /// dφ/dq over q ≥ 0.
   [[nodiscard]] Interval slope(const Interval& q) const;
 
-  [[nodiscard]] long double value(long double q) const { return value(Interval(q)).middle(); }
-  [[nodiscard]] long double slope(long double q) const { return slope(Interval(q)).middle(); }
+  [[nodiscard]] Real value(Real q) const { return value(Interval(q)).middle(); }
+  [[nodiscard]] Real slope(Real q) const { return slope(Interval(q)).middle(); }
 
  private:
   KernelFormHandle form_;
   Interval support_;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

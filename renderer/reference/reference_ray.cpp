@@ -1,14 +1,13 @@
 #include "renderer/reference/reference_ray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
-Vector<long double> middle(const Vector<Interval>& v) { return {v.x.middle(), v.y.middle(), v.z.middle()}; }
-long double widths(const Vector<Interval>& v) { return v.x.width() + v.y.width() + v.z.width(); }
+Vector<Real> middle(const Vector<Interval>& v) { return {v.x.middle(), v.y.middle(), v.z.middle()}; }
+Real widths(const Vector<Interval>& v) { return v.x.width() + v.y.width() + v.z.width(); }
 
 /// The greater of two functions; where either may be, its derivative is that of either.
 FieldRange greater(const FieldRange& a, const FieldRange& b) {
@@ -33,9 +32,9 @@ FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray)
     }
     const std::optional<Support> support = support_on(component, local);
     if (!support) continue;
-    const long double root_q = std::sqrt(component.kernel().support().hi);
+    const Real root_q = sqrt(component.kernel().support().hi);
     const std::optional<ChangeOnLine> change = component.skeleton().change_on(local, root_q);
-    const long double begin = change ? change->begin : support->begin, end = change ? change->end : support->end;
+    const Real begin = change ? change->begin : support->begin, end = change ? change->end : support->end;
     if (parts_.empty() || begin < begin_) begin_ = begin;
     if (parts_.empty() || end > end_) end_ = end;
     parts_.push_back({&component, field.branch_of(i), local, *support});
@@ -76,18 +75,18 @@ void FieldOnRay::find_maxima(const ReferenceField& field) {
 std::optional<FieldOnRay::Support> FieldOnRay::support_on(const ReferenceComponent& component, const Line& line) {
   const ReferenceSkeleton& skeleton = component.skeleton();
   if (skeleton.change_on(line, 1)) return Support{-kUnbounded, kUnbounded};
-  const long double reach = skeleton.reach(component.kernel().support().hi);
-  const Vector<long double> w = middle(line.origin) - skeleton.bound_centre();
-  const Vector<long double> d = middle(line.direction);
-  const long double length_squared = squared_length(d);
-  const long double nearest = -dot(w, d) / length_squared;
+  const Real reach = skeleton.reach(component.kernel().support().hi);
+  const Vector<Real> w = middle(line.origin) - skeleton.bound_centre();
+  const Vector<Real> d = middle(line.direction);
+  const Real length_squared = squared_length(d);
+  const Real nearest = -dot(w, d) / length_squared;
   // The true line is off by the widths of its intervals, where a large shift cancels, and 2^-50 of the lengths involved
   // covers the rounding of these lines with 13 bits to spare.
-  const long double far = std::sqrt(squared_length(w)), length = std::sqrt(length_squared);
-  const long double slack = (far + reach) * 0x1p-50L + widths(line.origin) + widths(line.direction) * (far / length);
-  const long double half_squared = (reach + slack) * (reach + slack) - squared_length(w + d * nearest);
+  const Real far = sqrt(squared_length(w)), length = sqrt(length_squared);
+  const Real slack = (far + reach) * 0x1p-50L + widths(line.origin) + widths(line.direction) * (far / length);
+  const Real half_squared = (reach + slack) * (reach + slack) - squared_length(w + d * nearest);
   if (half_squared < 0) return std::nullopt;
-  const long double half = (std::sqrt(half_squared) + slack) / length;
+  const Real half = (sqrt(half_squared) + slack) / length;
   return Support{nearest - half, nearest + half};
 }
 
@@ -97,7 +96,7 @@ FieldOnRay::Active FieldOnRay::all() const {
   return numbers;
 }
 
-FieldOnRay::Active FieldOnRay::active(const Active& from, long double t0, long double t1) const {
+FieldOnRay::Active FieldOnRay::active(const Active& from, Real t0, Real t1) const {
   Active kept;
   kept.reserve(from.size());
   for (const std::uint32_t i : from) {
@@ -130,13 +129,13 @@ FieldRange FieldOnRay::total(Sums& sums) const {
   return {sums[0].value - threshold_, sums[0].derivative};
 }
 
-FieldRange FieldOnRay::at(const Active& active, long double t) const {
+FieldRange FieldOnRay::at(const Active& active, Real t) const {
   sums_.assign(branch_count_, {});
   for (const std::uint32_t i : active) add(sums_, parts_[i], parts_[i].component->at(parts_[i].line, t));
   return total(sums_);
 }
 
-FieldRange FieldOnRay::at(const Active& active, long double t, Samples& samples) const {
+FieldRange FieldOnRay::at(const Active& active, Real t, Samples& samples) const {
   samples.clear();
   sums_.assign(branch_count_, {});
   for (const std::uint32_t i : active) {
@@ -146,7 +145,7 @@ FieldRange FieldOnRay::at(const Active& active, long double t, Samples& samples)
   return total(sums_);
 }
 
-FieldOnRay::Piece FieldOnRay::piece(const Active& from, long double t0, long double t1) const {
+FieldOnRay::Piece FieldOnRay::piece(const Active& from, Real t0, Real t1) const {
   Piece piece{t0, t1, active(from, t0, t1), {}, {}};
   for (const std::uint32_t i : piece.active) {
     piece.first.push_back(parts_[i].component->point(parts_[i].line, t0));
@@ -156,7 +155,7 @@ FieldOnRay::Piece FieldOnRay::piece(const Active& from, long double t0, long dou
 }
 
 FieldRange FieldOnRay::over(Piece& piece) const {
-  const long double t0 = piece.t0, t1 = piece.t1;
+  const Real t0 = piece.t0, t1 = piece.t1;
   sums_.assign(branch_count_, {});
   firsts_.assign(branch_count_, {});
   lasts_.assign(branch_count_, {});
@@ -186,32 +185,30 @@ FieldRange FieldOnRay::over(Piece& piece) const {
   return sum;
 }
 
-FieldRange FieldOnRay::over(const Active& active, long double t0, long double t1) const {
+FieldRange FieldOnRay::over(const Active& active, Real t0, Real t1) const {
   Piece whole = piece(active, t0, t1);
   return over(whole);
 }
 
-FieldOnRay::Magnitude FieldOnRay::magnitude_at(long double t) const {
-  const auto middle = [](const Vector<Interval>& v) {
-    return Vector<long double>{v.x.middle(), v.y.middle(), v.z.middle()};
-  };
-  const Vector<long double> direction = middle(ray_.direction), place = middle(ray_.origin) + direction * t;
-  const long double speed = std::sqrt(squared_length(direction));
+FieldOnRay::Magnitude FieldOnRay::magnitude_at(Real t) const {
+  const auto middle = [](const Vector<Interval>& v) { return Vector<Real>{v.x.middle(), v.y.middle(), v.z.middle()}; };
+  const Vector<Real> direction = middle(ray_.direction), place = middle(ray_.origin) + direction * t;
+  const Real speed = sqrt(squared_length(direction));
   Magnitude magnitude;
   for (const Part& part : parts_) {
     const FieldRange range = part.component->at(part.line, t);
     if (range.value.hi == 0 && range.value.lo == 0) continue;
     magnitude.values += range.value.magnitude();
-    magnitude.gradients += std::sqrt(squared_length(part.component->sample(place).gradient)) * speed;
+    magnitude.gradients += sqrt(squared_length(part.component->sample(place).gradient)) * speed;
     magnitude.sensitivities += part.component->sensitivity_at(part.line, t);
     ++magnitude.count;
   }
   return magnitude;
 }
 
-bool FieldOnRay::stays_within(const Interval& band, long double t0, long double t1) const {
+bool FieldOnRay::stays_within(const Interval& band, Real t0, Real t1) const {
   struct Range {
-    long double t0, t1;
+    Real t0, t1;
   };
   std::vector<Range> open{{t0, t1}};
   const Active everything = all();
@@ -222,7 +219,7 @@ bool FieldOnRay::stays_within(const Interval& band, long double t0, long double 
     const Active near = active(everything, range.t0, range.t1);
     const Interval values = over(near, range.t0, range.t1).value;
     if (values.lo >= band.lo && values.hi <= band.hi) continue;
-    const long double cut = range.t0 + (range.t1 - range.t0) / 2;
+    const Real cut = range.t0 + (range.t1 - range.t0) / 2;
     const Interval value = at(near, cut).value;
     const bool is_beyond = value.lo > band.hi || value.hi < band.lo;
     if (step > 10000 || is_beyond || !(range.t0 < cut && cut < range.t1)) return false;
@@ -232,4 +229,4 @@ bool FieldOnRay::stays_within(const Interval& band, long double t0, long double 
   return true;
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

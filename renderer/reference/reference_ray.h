@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 class FieldOnRay {
  public:
@@ -24,54 +24,54 @@ class FieldOnRay {
 
   /// Outside [begin, end] no component changes, and only half-spaces have a value; begin > end if the ray meets no
   /// support.
-  [[nodiscard]] long double begin() const { return begin_; }
-  [[nodiscard]] long double end() const { return end_; }
+  [[nodiscard]] Real begin() const { return begin_; }
+  [[nodiscard]] Real end() const { return end_; }
 
   /// True if it is certain that F is in `band` on all of [t0, t1].
-  [[nodiscard]] bool stays_within(const Interval& band, long double t0, long double t1) const;
+  [[nodiscard]] bool stays_within(const Interval& band, Real t0, Real t1) const;
 
-  [[nodiscard]] long double threshold() const { return threshold_.middle(); }
+  [[nodiscard]] Real threshold() const { return threshold_.middle(); }
   /// Searches the level set F = offset instead of F = 0.
-  void raise_threshold(long double offset) { threshold_ = threshold_ + Interval(offset); }
+  void raise_threshold(Real offset) { threshold_ = threshold_ + Interval(offset); }
 
   /// All components whose support the ray may meet.
   [[nodiscard]] Active all() const;
   /// The components of `from` whose support may meet [t0, t1].
-  [[nodiscard]] Active active(const Active& from, long double t0, long double t1) const;
+  [[nodiscard]] Active active(const Active& from, Real t0, Real t1) const;
 
   /// F and F′ at t, with their rounding errors.
-  [[nodiscard]] FieldRange at(const Active& active, long double t) const;
+  [[nodiscard]] FieldRange at(const Active& active, Real t) const;
   /// F and F′ over [t0, t1].
-  [[nodiscard]] FieldRange over(const Active& active, long double t0, long double t1) const;
+  [[nodiscard]] FieldRange over(const Active& active, Real t0, Real t1) const;
 
   /// All active components at one t, in their order.
   using Samples = std::vector<ReferenceComponent::AtPoint>;
   /// A stretch of the ray with the components that may matter on it, and these at its ends, so that dividing it
   /// evaluates every place once.
   struct Piece {
-    long double t0 = 0, t1 = 0;
+    Real t0 = 0, t1 = 0;
     Active active;
     Samples first, last;
   };
-  [[nodiscard]] Piece piece(const Active& from, long double t0, long double t1) const;
+  [[nodiscard]] Piece piece(const Active& from, Real t0, Real t1) const;
   /// F and F′ over the piece. Components that are zero on all of it are taken out of it.
   [[nodiscard]] FieldRange over(Piece& piece) const;
   /// F and F′ at t, and all active components there.
-  [[nodiscard]] FieldRange at(const Active& active, long double t, Samples& samples) const;
+  [[nodiscard]] FieldRange at(const Active& active, Real t, Samples& samples) const;
 
   /// The sizes at t from which a computation in double precision gets its rounding error.
   struct Magnitude {
-    long double values = 0;     ///< Σ|fᵢ|
-    long double gradients = 0;  ///< Σ|∇fᵢ||D|: the effect of a change of place, in any direction. A product with a
-                                ///< normal is rounded by the lengths in it, however small the result is.
-    long double sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: the effect of a relative error of q
-    std::size_t count = 0;          ///< number of components that are not zero
+    Real values = 0;         ///< Σ|fᵢ|
+    Real gradients = 0;      ///< Σ|∇fᵢ||D|: the effect of a change of place, in any direction. A product with a
+                             ///< normal is rounded by the lengths in it, however small the result is.
+    Real sensitivities = 0;  ///< Σ|q·dfᵢ/dq|: the effect of a relative error of q
+    std::size_t count = 0;   ///< number of components that are not zero
   };
-  [[nodiscard]] Magnitude magnitude_at(long double t) const;
+  [[nodiscard]] Magnitude magnitude_at(Real t) const;
 
  private:
   struct Support {
-    long double begin, end;
+    Real begin, end;
   };
   /// One component with the ray in the component's own space. Outside `support` its value is zero.
   struct Part {
@@ -100,7 +100,7 @@ class FieldOnRay {
   bool is_unblended_;
   Interval threshold_;
   mutable Sums sums_, firsts_, lasts_;  ///< kept, so that an evaluation allocates nothing
-  long double begin_ = 0, end_ = -1;
+  Real begin_ = 0, end_ = -1;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -3,9 +3,8 @@
 #include "base/check.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 SkeletonFormHandle form_of(const scene::Component& component, std::span<const scene::Vec3> corners) {
@@ -32,39 +31,39 @@ SkeletonFormHandle form_of(const scene::Component& component, std::span<const sc
 ReferenceSkeleton::ReferenceSkeleton(const scene::Component& component, std::span<const scene::Vec3> corners)
     : form_(form_of(component, corners)), extent_(form_->extent()) {}
 
-DistanceOnLine ReferenceSkeleton::at(const Line& line, long double t) const {
+DistanceOnLine ReferenceSkeleton::at(const Line& line, Real t) const {
   const RelativeDistance here = at(line.at(t));
   return {here.q, dot(here.gradient, line.direction)};
 }
 
-long double ReferenceSkeleton::reach(long double q) const {
-  return (extent_.half_size + extent_.largest_radius * std::sqrt(q)) * (1 + 0x1p-50L);
+Real ReferenceSkeleton::reach(Real q) const {
+  return (extent_.half_size + extent_.largest_radius * sqrt(q)) * (1 + 0x1p-50L);
 }
 
 DistanceOnLine SkeletonForm::over(const Stretch& stretch) const {
   const DistanceOnLine &first = stretch.first, &last = stretch.last;
-  const long double least = convex_minimum(stretch.t0, stretch.t1, first, last);
-  return {{std::max(least, 0.0L), std::max(first.q.hi, last.q.hi)},
+  const Real least = convex_minimum(stretch.t0, stretch.t1, first, last);
+  return {{std::max(least, Real(0)), std::max(first.q.hi, last.q.hi)},
           {first.slope.lo, std::max(first.slope.lo, last.slope.hi)}};
 }
 
-ChangeOnLine change_between(const Interval& x, const Interval& dx, long double low, long double high) {
+ChangeOnLine change_between(const Interval& x, const Interval& dx, Real low, Real high) {
   if (dx.middle() == 0) return {0, 0};
   // If rounding hides the line's slope, the middle's is taken: a stretch without end could not be searched.
   const Interval slope = dx.sign() != 0 ? dx : Interval(dx.middle());
-  const auto t_at = [&](long double height) {
+  const auto t_at = [&](Real height) {
     const Interval way = Interval(height) - x;
     return slope.sign() > 0 ? way / slope : -way / -slope;
   };
   return slope.sign() > 0 ? ChangeOnLine{t_at(low).lo, t_at(high).hi} : ChangeOnLine{t_at(high).lo, t_at(low).hi};
 }
 
-long double convex_minimum(long double t0, long double t1, const DistanceOnLine& first, const DistanceOnLine& last) {
+Real convex_minimum(Real t0, Real t1, const DistanceOnLine& first, const DistanceOnLine& last) {
   if (first.slope.lo >= 0) return first.q.lo;
   if (last.slope.hi <= 0) return last.q.lo;
-  const long double h = t1 - t0;
-  const long double s =
-      std::clamp((first.q.lo - last.q.lo + last.slope.hi * h) / (last.slope.hi - first.slope.lo), 0.0L, h);
+  const Real h = t1 - t0;
+  const Real s =
+      std::clamp((first.q.lo - last.q.lo + last.slope.hi * h) / (last.slope.hi - first.slope.lo), Real(0), h);
   // The function lies above the falling tangent to the left of t0 + s, and above the rising one to the right: any s
   // gives a bound.
   const Interval left = Interval(first.q.lo) + Interval(first.slope.lo) * Interval(s);
@@ -72,4 +71,4 @@ long double convex_minimum(long double t0, long double t1, const DistanceOnLine&
   return std::min(left.lo, right.lo);
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

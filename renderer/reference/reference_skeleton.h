@@ -12,9 +12,9 @@
 
 #include <span>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
-[[nodiscard]] inline Vector<long double> exactly(const scene::Vec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline Vector<Real> exactly(const scene::Vec3& v) { return {v.x, v.y, v.z}; }
 
 class ReferenceSkeleton {
  public:
@@ -23,22 +23,22 @@ class ReferenceSkeleton {
 
   /// q and ∇q at the points of a box. If q has no bound (the tip of a cone of radius zero), the range is everything.
   [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const { return form_->at(p); }
-  [[nodiscard]] DistanceOnLine at(const Line& line, long double t) const;
+  [[nodiscard]] DistanceOnLine at(const Line& line, Real t) const;
   /// q and dq/dt over a stretch of a line.
   [[nodiscard]] DistanceOnLine over(const Stretch& stretch) const { return form_->over(stretch); }
 
   /// For a skeleton without end: the stretch of a line on which q passes between 0 and root_q².
-  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, long double root_q) const {
+  [[nodiscard]] std::optional<ChangeOnLine> change_on(const Line& line, Real root_q) const {
     return form_->change_on(line, root_q);
   }
 
   /// A sphere about bound_centre() with radius reach(q) holds every point whose q is at most the given one.
-  [[nodiscard]] const Vector<long double>& bound_centre() const { return extent_.centre; }
-  [[nodiscard]] long double reach(long double q) const;
+  [[nodiscard]] const Vector<Real>& bound_centre() const { return extent_.centre; }
+  [[nodiscard]] Real reach(Real q) const;
 
  private:
   SkeletonFormHandle form_;
   SkeletonExtent extent_;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

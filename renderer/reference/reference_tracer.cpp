@@ -3,10 +3,9 @@
 #include "base/check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 /// Number of halvings after which a stretch is below the last bit of any t. It is reached only next to t = 0.
@@ -17,13 +16,13 @@ class RootSearch {
   RootSearch(const FieldOnRay& field, bool first_only) : field_(field), first_only_(first_only) {}
 
   /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
-  void isolate(const FieldOnRay::Active& from, long double t0, int sign0, long double t1, int sign1) {
+  void isolate(const FieldOnRay::Active& from, Real t0, int sign0, Real t1, int sign1) {
     if (t0 < t1) isolate(field_.piece(from, t0, t1), sign0, sign1, 0);
   }
 
   /// Searches a piece from front to back: what lies behind the first crossing is never looked at if only that counts.
   void isolate(FieldOnRay::Piece piece, int sign0, int sign1, int depth) {
-    const long double t0 = piece.t0, t1 = piece.t1;
+    const Real t0 = piece.t0, t1 = piece.t1;
     if (is_done() || !(t0 < t1)) return;
     const FieldRange range = field_.over(piece);
     if (range.value.sign() != 0) return constant(range.value.sign());
@@ -33,12 +32,12 @@ class RootSearch {
       // Where F was before the stretches in doubt that end here says as much as its sign here.
       if (sign1 == slope && (sign0 != 0 || sign_ == -slope)) return crossing(piece.active, t0, t1, sign0, slope);
     }
-    if (depth > kMaxDepth || t1 - t0 <= 0x1p-60L * std::max(std::abs(t0), std::abs(t1))) return doubt(t0, t1);
+    if (depth > kMaxDepth || t1 - t0 <= 16 * kRoundoff * std::max(abs(t0), abs(t1))) return doubt(t0, t1);
     // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
-    long double cut = t0;
+    Real cut = t0;
     Interval value;
     FieldOnRay::Samples samples;
-    for (const long double fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
+    for (const Real fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
       cut = t0 + (t1 - t0) * fraction;
       value = field_.at(piece.active, cut, samples).value;
       if (value.sign() != 0) break;
@@ -59,7 +58,7 @@ class RootSearch {
   }
 
   /// Records that the next stretch is undecided.
-  void doubt(long double t0, long double t1) {
+  void doubt(Real t0, Real t1) {
     if (doubt_) {
       doubt_->end = t1;
     } else {
@@ -76,7 +75,7 @@ class RootSearch {
  private:
   /// Records a crossing: F is monotone on [t0, t1], in the direction `slope`, and certainly has its sign at t1. It has
   /// the other one at t0 or, if its sign there is unknown, had it before.
-  void crossing(const FieldOnRay::Active& active, long double t0, long double t1, int sign0, int slope) {
+  void crossing(const FieldOnRay::Active& active, Real t0, Real t1, int sign0, int slope) {
     if (sign0 != 0) constant(sign0);
     if (is_done()) return;
     Crossing found = refined(active, t0, t1, -slope);
@@ -88,24 +87,24 @@ class RootSearch {
 
   /// Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's steps in that of t
   /// and a place just beyond the root has the other sign.
-  [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, long double t0, long double t1, int sign0) const {
-    long double t = t0 + (t1 - t0) / 2;
+  [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, Real t0, Real t1, int sign0) const {
+    Real t = t0 + (t1 - t0) / 2;
     for (int step = 0;; ++step) {
       const FieldRange here = field_.at(active, t);
-      const long double slope = here.derivative.middle(), last_bit = 0x1p-62L * std::max(std::abs(t0), std::abs(t1));
+      const Real slope = here.derivative.middle(), last_bit = kRounding * std::max(abs(t0), abs(t1));
       const bool stuck = t1 - t0 <= last_bit;
       if (here.value.sign() == 0 || stuck || step > 300) {
-        const long double slope_bound = field_.over(active, t0, t1).derivative.mignitude();
-        const long double slack = slope_bound > 0 ? here.value.magnitude() / slope_bound : t1 - t0;
+        const Real slope_bound = field_.over(active, t0, t1).derivative.mignitude();
+        const Real slack = slope_bound > 0 ? here.value.magnitude() / slope_bound : t1 - t0;
         return {t, std::min(slack, t1 - t0), sign0 < 0};
       }
       const bool is_before = here.value.sign() == sign0;
       (is_before ? t0 : t1) = t;
-      const long double newton = t - here.value.middle() / slope;
-      if (std::abs(newton - t) <= last_bit) {
+      const Real newton = t - here.value.middle() / slope;
+      if (abs(newton - t) <= last_bit) {
         // Beyond the root by a few of these lengths the sign is certain again, unless F is very flat there.
-        for (long double beyond = 4 * last_bit; beyond < 0x1p20L * last_bit; beyond *= 8) {
-          const long double other = is_before ? t + beyond : t - beyond;
+        for (Real beyond = 4 * last_bit; beyond < 0x1p20L * last_bit; beyond *= 8) {
+          const Real other = is_before ? t + beyond : t - beyond;
           if (other <= t0 || other >= t1 || field_.at(active, other).value.sign() == -here.value.sign())
             return {t, beyond, sign0 < 0};
         }
@@ -124,7 +123,7 @@ class RootSearch {
     if (sign_ == 0 || sign_ == next_sign) {
       roots_.touches.push_back(doubt);
     } else {
-      const long double half = (doubt.end - doubt.begin) / 2;
+      const Real half = (doubt.end - doubt.begin) / 2;
       roots_.crossings.push_back({doubt.begin + half, half, sign_ < 0});
     }
   }
@@ -138,7 +137,7 @@ class RootSearch {
 
 /// Leaves the root at t = 0. Returns the t up to which F keeps the sign it gets there, or where the sign can no longer
 /// be decided.
-long double leave_start(const FieldOnRay& field, RootSearch& search, long double end) {
+Real leave_start(const FieldOnRay& field, RootSearch& search, Real end) {
   const FieldOnRay::Active all = field.all();
   for (int halving = 0; halving < 100; ++halving, end /= 2) {
     const int sign = field.over(field.active(all, 0, end), 0, end).derivative.sign();
@@ -156,26 +155,26 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   FieldOnRay field(reference_field, ray);
   RootSearch search(field, options.first_only);
   const FieldOnRay::Active all = field.all();
-  const long double begin = std::max(field.begin(), 0.0L), end = std::min(field.end(), options.t_max);
+  const Real begin = std::max(field.begin(), Real(0)), end = std::min(field.end(), options.t_max);
   if (all.empty()) return search.finish();
   if (begin >= end) {  // nothing changes beyond the ray's start
     if (const int sign = field.at(all, 0).value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
     return search.finish();
   }
-  long double from = begin;
+  Real from = begin;
   const FieldRange start = field.at(all, 0);
   // A start may be off by the tolerance. In a wall that a carving component makes steeper than that, its level may lie
   // far below the surface's, and mean nothing; but it is outside. Where fields many times the threshold all but cancel,
   // rounding alone moves F as far.
-  const bool is_beyond_wall = start.value.hi < -std::abs(field.threshold()) - options.start_band;
+  const bool is_beyond_wall = start.value.hi < -abs(field.threshold()) - options.start_band;
   if (options.starts_on_root && !is_beyond_wall) {
     // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
     // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself
     // counts.
-    const long double offset = start.value.middle();
+    const Real offset = start.value.middle();
     field.raise_threshold(offset);
     from = leave_start(field, search, end);
-    const long double settled = std::min(end, std::max(from, 8 * std::abs(offset) / start.derivative.mignitude()));
+    const Real settled = std::min(end, std::max(from, 8 * abs(offset) / start.derivative.mignitude()));
     search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
     from = settled;
     field.raise_threshold(-offset);
@@ -187,22 +186,22 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
   return search.finish();
 }
 
-Interval largest_value(const FieldOnRay& field, long double t0, long double t1) {
+Interval largest_value(const FieldOnRay& field, Real t0, Real t1) {
   struct Piece {
-    long double bound, t0, t1;
+    Real bound, t0, t1;
     bool operator<(const Piece& other) const { return bound < other.bound; }
   };
   const FieldOnRay::Active all = field.all();
-  const auto piece = [&](long double begin, long double end) {
+  const auto piece = [&](Real begin, Real end) {
     return Piece{field.over(field.active(all, begin, end), begin, end).value.hi, begin, end};
   };
-  long double reached = std::max(field.at(all, t0).value.lo, field.at(all, t1).value.lo);
+  Real reached = std::max(field.at(all, t0).value.lo, field.at(all, t1).value.lo);
   std::priority_queue<Piece> pieces;
   pieces.push(piece(t0, t1));
-  const long double precision = std::abs(field.threshold()) * 1e-15L;
+  const Real precision = abs(field.threshold()) * 1e-15L;
   for (int step = 0; step < 4000 && pieces.top().bound - reached > precision; ++step) {
     const Piece top = pieces.top();
-    const long double cut = top.t0 + (top.t1 - top.t0) / 2;
+    const Real cut = top.t0 + (top.t1 - top.t0) / 2;
     if (!(top.t0 < cut && cut < top.t1)) break;
     pieces.pop();
     reached = std::max(reached, field.at(all, cut).value.lo);
@@ -246,4 +245,4 @@ std::optional<ReferenceScene::Hit> ReferenceScene::first_hit(const scene::Vec3& 
   return nearest;
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -8,22 +8,21 @@
 
 #include "renderer/reference/reference_ray.h"
 
-#include <limits>
 #include <optional>
 #include <vector>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// A place where F changes sign.
 struct Crossing {
-  long double t = 0;
-  long double slack = 0;  ///< the root lies within t ± slack
+  Real t = 0;
+  Real slack = 0;         ///< the root lies within t ± slack
   bool entering = false;  ///< from F < 0 to F > 0
 };
 
 /// A stretch on which the sign of F is lost in rounding, with the same sign on both sides (or the ray's start on one).
 struct Touch {
-  long double begin = 0, end = 0;
+  Real begin = 0, end = 0;
 };
 
 struct RayRoots {
@@ -33,10 +32,10 @@ struct RayRoots {
 };
 
 struct RootOptions {
-  long double t_max = std::numeric_limits<long double>::infinity();
+  Real t_max = kInfiniteReal;
   /// The origin is on the surface: the level set through it is searched, and its known root at t = 0 is left out.
   bool starts_on_root = false;
-  long double start_band = 0;  ///< how far rounding may have moved F at such an origin
+  Real start_band = 0;      ///< how far rounding may have moved F at such an origin
   int coming_from = 0;      ///< the sign of F before the origin, if it is known: it tells a crossing there from a touch
   bool first_only = false;  ///< stop after the first crossing
 };
@@ -44,7 +43,7 @@ struct RootOptions {
 [[nodiscard]] RayRoots roots_along(const ReferenceField& field, const FieldRay& ray, const RootOptions& options);
 
 /// Encloses the largest F on [t0, t1] to about 1e-15 of the threshold (only from one side if many maxima compete).
-[[nodiscard]] Interval largest_value(const FieldOnRay& field, long double t0, long double t1);
+[[nodiscard]] Interval largest_value(const FieldOnRay& field, Real t0, Real t1);
 
 /// The blobs of a database, placed. Objects other than blobs are left out.
 class ReferenceScene {
@@ -78,4 +77,4 @@ class ReferenceScene {
   std::vector<Placed> placed_;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

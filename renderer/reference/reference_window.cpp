@@ -12,20 +12,19 @@
 #include "renderer/reference/graded_quadrature.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
-constexpr long double kLeastEpsilon = 1e-40L;
+constexpr Real kLeastEpsilon = 1e-40L;
 
 /// Bisects to neighbouring numbers: the place where `is_below` ends.
 template <class IsBelow>
-long double border_of(long double low, long double high, const IsBelow& is_below) {
+Real border_of(Real low, Real high, const IsBelow& is_below) {
   for (int step = 0; step < 75; ++step) {
-    const long double middle = low + (high - low) / 2;
+    const Real middle = low + (high - low) / 2;
     if (middle == low || middle == high) break;
     (is_below(middle) ? low : high) = middle;
   }
@@ -46,25 +45,25 @@ ReferenceWindow::ReferenceWindow(const scene::Kernel& kernel)
 }
 
 /// For a line the integral is (16/15)(1 − y)^{5/2}: φ′/φ = −5/2/(Q − q).
-void ReferenceWindow::solve_quartic(long double hardness) {
+void ReferenceWindow::solve_quartic(Real hardness) {
   border_ = 1 + 2.5L / hardness;
   amplitude_ = 1 / line(1 / border_).value;
 }
 
-void ReferenceWindow::solve_cauchy(long double hardness) {
+void ReferenceWindow::solve_cauchy(Real hardness) {
   static std::mutex mutex;
-  static std::map<long double, ReferenceWindow> solved;  // cached, because solving takes a tenth of a second
+  static std::map<Real, ReferenceWindow> solved;  // cached, because solving takes a tenth of a second
   const std::lock_guard lock(mutex);
   if (const auto known = solved.find(hardness); known != solved.end()) {
     *this = known->second;
     return;
   }
-  const long double log_epsilon = border_of(std::log(kLeastEpsilon), std::log(1e6L), [&](long double at) {
-    epsilon_ = std::exp(at);
-    return std::log(line(0).value / line(surface(hardness)).value) > hardness;
+  const Real log_epsilon = border_of(log(kLeastEpsilon), log(1e6L), [&](Real at) {
+    epsilon_ = exp(at);
+    return log(line(0).value / line(surface(hardness)).value) > hardness;
   });
-  epsilon_ = std::exp(log_epsilon);
-  const long double y = surface(hardness);
+  epsilon_ = exp(log_epsilon);
+  const Real y = surface(hardness);
   border_ = 1 / y;
   amplitude_ = 1 / line(y).value;
   solved.emplace(hardness, *this);
@@ -72,44 +71,44 @@ void ReferenceWindow::solve_cauchy(long double hardness) {
 
 /// y of a line's surface, where −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)),
 /// because soft windows of small ε have it far within.
-long double ReferenceWindow::surface(long double hardness) const {
-  const auto place = [](long double u) { return 1 / (1 + std::exp(-u)); };
-  return place(border_of(-100, 40, [&](long double u) {
-    const long double y = place(u);
+Real ReferenceWindow::surface(Real hardness) const {
+  const auto place = [](Real u) { return 1 / (1 + exp(-u)); };
+  return place(border_of(-100, 40, [&](Real u) {
+    const Real y = place(u);
     const Value here = line(y);
     return y * here.fall < hardness * here.value;
   }));
 }
 
-ReferenceWindow::Value ReferenceWindow::at(long double y, long double to_border) const {
-  const long double d = to_border;
+ReferenceWindow::Value ReferenceWindow::at(Real y, Real to_border) const {
+  const Real d = to_border;
   if (is_quartic_) return {d * d, 2 * d};
-  const long double a = epsilon_ + y, b = epsilon_ + 1, b3 = b * b * b;
+  const Real a = epsilon_ + y, b = epsilon_ + 1, b3 = b * b * b;
   return {d * d * (b + 2 * a) / (a * a * b3), 2 * d * (b * b + a * b + a * a) / (a * a * a * b3)};
 }
 
-long double ReferenceWindow::scale(long double y) const { return is_quartic_ ? 2 : std::sqrt(epsilon_ + y); }
+Real ReferenceWindow::scale(Real y) const { return is_quartic_ ? 2 : sqrt(epsilon_ + y); }
 
-long double ReferenceWindow::most_bend(const View& view) const {
+Real ReferenceWindow::most_bend(const View& view) const {
   if (is_quartic_) return 8 * view.length * kWindowMargin;
-  const long double p = epsilon_ + view.least;
-  return 24 * std::min(view.length, 1.1781L * std::sqrt(p) * view.spread) / (p * p * p) * kWindowMargin;
+  const Real p = epsilon_ + view.least;
+  return 24 * std::min(view.length, 1.1781L * sqrt(p) * view.spread) / (p * p * p) * kWindowMargin;
 }
 
-long double ReferenceWindow::most_slope(const View& view) const {
+Real ReferenceWindow::most_slope(const View& view) const {
   if (is_quartic_) return 1.54L * view.length * kWindowMargin;
-  const long double p = epsilon_ + view.least;
-  return 4 * std::min(view.length, 1.3334L * std::sqrt(p) * view.spread) / (p * p * std::sqrt(p)) * kWindowMargin;
+  const Real p = epsilon_ + view.least;
+  return 4 * std::min(view.length, 1.3334L * sqrt(p) * view.spread) / (p * p * sqrt(p)) * kWindowMargin;
 }
 
-long double ReferenceWindow::most(const View& view) const {
+Real ReferenceWindow::most(const View& view) const {
   return view.length * at(view.least, 1 - view.least).value * kWindowMargin;
 }
 
-ReferenceWindow::Value ReferenceWindow::line(long double y) const {
+ReferenceWindow::Value ReferenceWindow::line(Real y) const {
   Value sum{0, 0};
-  const long double end2 = 1 - y, end = std::sqrt(end2);
-  integrate_graded(0, end, scale(y), [&](long double v, long double weight) {
+  const Real end2 = 1 - y, end = sqrt(end2);
+  integrate_graded(0, end, scale(y), [&](Real v, Real weight) {
     const Value here = at(y + v * v, (end - v) * (end + v));
     sum.value += 2 * weight * here.value;
     sum.fall += 2 * weight * here.fall;
@@ -117,4 +116,4 @@ ReferenceWindow::Value ReferenceWindow::line(long double y) const {
   return sum;
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

@@ -1,4 +1,4 @@
-// The window of a convolution, straight from its definition (docs/language.md), in long double: the function that is
+// The window of a convolution, straight from its definition (docs/language.md): the function that is
 // integrated along a curve. With y the squared distance to a point of the curve over the squared support,
 //   quartic   g = (1 − y)²,
 //   cauchy    g = 1/Y² minus its tangent at the border, Y = ε + y, B = ε + 1;
@@ -7,12 +7,13 @@
 // that are integrated numerically: nothing here uses a closed form.
 #pragma once
 
+#include "renderer/reference/real.h"
 #include "renderer/scene/database.h"
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// Bounds are widened by this factor, which allows for their own rounding.
-inline constexpr long double kWindowMargin = 1 + 0x1p-50L;
+inline constexpr Real kWindowMargin = 1 + 0x1p-50L;
 
 class ReferenceWindow {
  public:
@@ -20,41 +21,41 @@ class ReferenceWindow {
   explicit ReferenceWindow(const scene::Kernel& kernel);
 
   /// Q: the squared support over the squared radius.
-  [[nodiscard]] long double border() const { return border_; }
+  [[nodiscard]] Real border() const { return border_; }
   /// The factor that makes φ(1) = 1 of integrals whose lengths are in supports.
-  [[nodiscard]] long double amplitude() const { return amplitude_; }
+  [[nodiscard]] Real amplitude() const { return amplitude_; }
 
   struct Value {
-    long double value, fall;  ///< g and −dg/dy
+    Real value, fall;  ///< g and −dg/dy
   };
   /// The window, given y and 1 − y > 0, which a caller may know to more digits.
-  [[nodiscard]] Value at(long double y, long double to_border) const;
+  [[nodiscard]] Value at(Real y, Real to_border) const;
   /// The distance from a straight line within which g along it is analytic, where y is the squared distance of the
   /// nearest point.
-  [[nodiscard]] long double scale(long double y) const;
+  [[nodiscard]] Real scale(Real y) const;
 
   /// A part of a curve, seen from a place to which no point of it is nearer than √least.
   struct View {
-    long double least;   ///< < 1
-    long double length;  ///< length of the part within the support, or more
-    long double spread;  ///< the distance grows along the curve at least as along a straight line this much shorter
+    Real least;   ///< < 1
+    Real length;  ///< length of the part within the support, or more
+    Real spread;  ///< the distance grows along the curve at least as along a straight line this much shorter
   };
   /// Bounds of the second and the first derivative of ∫g, along a line that is followed with unit speed.
-  [[nodiscard]] long double most_bend(const View& view) const;
-  [[nodiscard]] long double most_slope(const View& view) const;
+  [[nodiscard]] Real most_bend(const View& view) const;
+  [[nodiscard]] Real most_slope(const View& view) const;
   /// Bound of ∫g.
-  [[nodiscard]] long double most(const View& view) const;
+  [[nodiscard]] Real most(const View& view) const;
 
   /// ∫g and ∫(−dg/dy) along an infinite line at the squared distance y < 1.
-  [[nodiscard]] Value line(long double y) const;
+  [[nodiscard]] Value line(Real y) const;
 
  private:
-  void solve_quartic(long double hardness);
-  void solve_cauchy(long double hardness);
-  [[nodiscard]] long double surface(long double hardness) const;
+  void solve_quartic(Real hardness);
+  void solve_cauchy(Real hardness);
+  [[nodiscard]] Real surface(Real hardness) const;
 
   bool is_quartic_;
-  long double epsilon_ = 0, border_ = 1, amplitude_ = 1;
+  Real epsilon_ = 0, border_ = 1, amplitude_ = 1;
 };
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

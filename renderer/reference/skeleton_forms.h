@@ -1,5 +1,5 @@
 // The skeletons, one form each: the squared distance q to the skeleton relative to the squared radius, and its
-// gradient, from the definition; in long double and over intervals. reference_skeleton uses the forms and has
+// gradient, from the definition, over intervals. reference_skeleton uses the forms and has
 // everything that they share; the forms must not know kernels or blobs.
 #pragma once
 
@@ -10,10 +10,10 @@
 #include <optional>
 #include <span>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 
 /// Stands for "any size at all" if a bound does not exist; far from overflow even after multiplications.
-inline constexpr long double kUnbounded = 1e4000L;
+inline constexpr Real kUnbounded = 1e4000L;
 
 [[nodiscard]] inline Vector<Interval> interval_of(const scene::Vec3& v) {
   return {Interval(v.x), Interval(v.y), Interval(v.z)};
@@ -24,8 +24,8 @@ inline constexpr long double kUnbounded = 1e4000L;
 
 /// A skeleton lies within `half_size` of `centre`, and its radius is nowhere above `largest_radius`.
 struct SkeletonExtent {
-  Vector<long double> centre;
-  long double half_size, largest_radius;
+  Vector<Real> centre;
+  Real half_size, largest_radius;
 };
 
 /// q and ∇q.
@@ -38,7 +38,7 @@ struct RelativeDistance {
 struct Line {
   Vector<Interval> origin, direction;
 
-  [[nodiscard]] Vector<Interval> at(long double t) const { return origin + direction * Interval(t); }
+  [[nodiscard]] Vector<Interval> at(Real t) const { return origin + direction * Interval(t); }
 };
 
 /// q and dq/dt on a line.
@@ -49,7 +49,7 @@ struct DistanceOnLine {
 /// A stretch of a line with q and dq/dt at its ends.
 struct Stretch {
   Line line;
-  long double t0, t1;
+  Real t0, t1;
   DistanceOnLine first, last;
 
   /// t − t0, and t1 − t.
@@ -58,11 +58,11 @@ struct Stretch {
 
 /// The stretch of a line on which an endless field changes; before and behind it is constant. Empty if begin = end.
 struct ChangeOnLine {
-  long double begin, end;
+  Real begin, end;
 };
 
 /// The stretch on which a height above a plane that changes linearly, x + t·dx, is between `low` and `high`.
-[[nodiscard]] ChangeOnLine change_between(const Interval& x, const Interval& dx, long double low, long double high);
+[[nodiscard]] ChangeOnLine change_between(const Interval& x, const Interval& dx, Real low, Real high);
 
 class SkeletonForm {
  public:
@@ -74,7 +74,7 @@ class SkeletonForm {
   /// not override it.
   [[nodiscard]] virtual DistanceOnLine over(const Stretch& stretch) const;
   /// For a skeleton without end: the stretch on which q passes between 0 and root_q². Empty for all others.
-  [[nodiscard]] virtual std::optional<ChangeOnLine> change_on(const Line&, long double) const { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<ChangeOnLine> change_on(const Line&, Real) const { return std::nullopt; }
 };
 
 using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
@@ -91,7 +91,6 @@ using SkeletonFormHandle = std::shared_ptr<const SkeletonForm>;
 
 /// A lower bound of a convex function on [t0, t1], from enclosures of its values and slopes at the ends: its value
 /// where the tangents meet, or at the lowest end.
-[[nodiscard]] long double convex_minimum(long double t0, long double t1, const DistanceOnLine& first,
-                                         const DistanceOnLine& last);
+[[nodiscard]] Real convex_minimum(Real t0, Real t1, const DistanceOnLine& first, const DistanceOnLine& last);
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

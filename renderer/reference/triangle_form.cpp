@@ -15,10 +15,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
-namespace isl::reference {
+namespace isl::ISL_REFERENCE {
 namespace {
 
 class TriangleForm final : public SkeletonForm {
@@ -34,12 +33,12 @@ class TriangleForm final : public SkeletonForm {
 
   [[nodiscard]] SkeletonExtent extent() const override {
     const Vector<Interval> sum = corners_[0] + corners_[1] + corners_[2];
-    const Vector<long double> centre{sum.x.middle() / 3, sum.y.middle() / 3, sum.z.middle() / 3};
-    long double half_squared = 0;
+    const Vector<Real> centre{sum.x.middle() / 3, sum.y.middle() / 3, sum.z.middle() / 3};
+    Real half_squared = 0;
     for (const Vector<Interval>& corner : corners_) {
       half_squared = std::max(half_squared, squared_length(corner - Vector<Interval>{centre.x, centre.y, centre.z}).hi);
     }
-    return {centre, std::sqrt(half_squared), radius_};
+    return {centre, sqrt(half_squared), radius_};
   }
 
   [[nodiscard]] RelativeDistance at(const Vector<Interval>& p) const override {
@@ -91,7 +90,7 @@ class TriangleForm final : public SkeletonForm {
 
   std::array<Vector<Interval>, 3> corners_, edges_, outward_;
   Vector<Interval> normal_;
-  long double radius_;
+  Real radius_;
   bool has_face_ = true;
 };
 
@@ -101,4 +100,4 @@ SkeletonFormHandle triangle_form(const scene::Component& component, const scene:
   return std::make_shared<TriangleForm>(component, third_corner);
 }
 
-}  // namespace isl::reference
+}  // namespace isl::ISL_REFERENCE

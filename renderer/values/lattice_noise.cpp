@@ -66,7 +66,7 @@ struct Slopes {
   TermsVector half_value, x, y, z;
 };
 
-HWY_INLINE Slopes slopes_of(const double* const (&corner)[4], std::size_t first) {
+HWY_INLINE Slopes slopes_of(const double* const (&corner)[4], [[maybe_unused]] std::size_t first) {
 #if HWY_TARGET == HWY_SCALAR
   const auto term = [&](std::size_t i) HWY_ATTR { return hn::Set(kTerms, corner[first][i]); };
   return {term(0), term(1), term(2), term(3)};

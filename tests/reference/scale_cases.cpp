@@ -138,6 +138,15 @@ ScaleCase scale_case(RandomSource& random, const Combination& combination, Extre
   return made;
 }
 
+SeededScaleCase seeded_scale_case(std::uint64_t seed, int lines) {
+  static const std::vector<Combination> kAll = every_combination();
+  RandomSource random(seed);
+  const Combination& combination = kAll[static_cast<std::size_t>(random.below(static_cast<int>(kAll.size())))];
+  const auto extreme = static_cast<Extreme>(random.below(3));
+  const int exponent = 6 + random.below(10);
+  return {combination, extreme, exponent, scale_case(random, combination, extreme, exponent, lines)};
+}
+
 ScaleCase opposed_case(RandomSource& random, const Combination& combination, int lines) {
   ScaleCase made{one_blob(combination.kernel, {}), {}, 1e-3};
   scene::Database& database = made.database;

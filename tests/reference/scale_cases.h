@@ -4,6 +4,7 @@
 
 #include "tests/reference/random_scenes.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,15 @@ struct ScaleCase {
 /// The detail over the extent is 10^−exponent.
 [[nodiscard]] ScaleCase scale_case(RandomSource& random, const Combination& combination, Extreme extreme, int exponent,
                                    int lines);
+
+/// A case with everything about it drawn from one seed, the exponent from 6 to 15.
+struct SeededScaleCase {
+  Combination combination;
+  Extreme extreme;
+  int exponent;
+  ScaleCase made;
+};
+[[nodiscard]] SeededScaleCase seeded_scale_case(std::uint64_t seed, int lines);
 
 /// A component, and a ball that takes away from it: their surface is where the two differ by the threshold, far within
 /// both, where their fields are worth 10 to 10⁶. A relative error of either field moves the surface, although the same

@@ -142,19 +142,15 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
 }
 
 void soak_scale(std::uint64_t seed, Totals& totals) {
-  RandomSource random(seed);
   constexpr int kLines = 100;
   if (seed % 2 == 0) {
+    RandomSource random(seed);
     const LinesThroughBlob made = lines_through_blob(random, kLines);
     judge_hits(made.database, made.lines, 1e-3, seed, 0, fmt::format("one scale, hardness {:.3g}", made.hardest),
                totals);
     return;
   }
-  static const std::vector<Combination> kAll = every_combination();
-  const Combination& combination = kAll[static_cast<std::size_t>(random.below(static_cast<int>(kAll.size())))];
-  const auto extreme = static_cast<Extreme>(random.below(3));
-  const int exponent = 6 + random.below(10);
-  const ScaleCase made = scale_case(random, combination, extreme, exponent, kLines);
+  const auto [combination, extreme, exponent, made] = seeded_scale_case(seed, kLines);
   judge_hits(made.database, made.lines, made.pixel_angle, seed, exponent,
              fmt::format("{} 1e-{}, {}", kExtremeNames[static_cast<int>(extreme)], exponent, combination.name()),
              totals);

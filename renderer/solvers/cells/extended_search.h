@@ -1,7 +1,7 @@
-// The last resort of the certified solver: a stretch of a ray that double precision cannot decide is searched again in
-// long double, by interval arithmetic (renderer/reference), on the same list of components. Where even that does not
-// tell the sign, but on no longer a stretch than rounding moves the ray's own points, there is no surface: such is the
-// very middle of a hard component.
+// The last resort of the certified solver: a stretch of a ray that double precision cannot decide is searched again by
+// interval arithmetic (renderer/reference), on the same list of components: in long double and, if that does not decide
+// it either, with 113 bits. Where even that does not tell the sign, but on no longer a stretch than rounding moves the
+// ray's own points, there is no surface: such is the very middle of a hard component.
 #pragma once
 
 #include "renderer/fields/laid_out_fields.h"
@@ -25,7 +25,7 @@ struct OpenStretch {
 }
 
 struct ExtendedAnswer {
-  bool is_certain = false;         ///< if not, F stays within the rounding of extended precision on some stretch
+  bool is_certain = false;         ///< if not, F stays within the rounding of all digits at hand on some stretch
   std::optional<double> crossing;  ///< the first t in [t0, t1] at which the ray changes sides, if it is certain
 };
 

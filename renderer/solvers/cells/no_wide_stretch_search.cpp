@@ -1,0 +1,9 @@
+// For machines without numbers of 113 bits beside a shorter long double: nothing can be said with more digits.
+#include "renderer/solvers/cells/stretch_search.h"
+
+namespace isl::wide_reference {
+
+render::ExtendedAnswer search_stretch(const render::LaidOutFields&, const render::OpenStretch&) { return {}; }
+std::optional<bool> is_inside_at(const render::LaidOutFields&, double) { return std::nullopt; }
+
+}  // namespace isl::wide_reference
