@@ -14,13 +14,13 @@ using testing::HasSubstr;
 class CheckCommand : public ProgramTest {};
 
 TEST_F(CheckCommand, TraceTellsWhetherItsAnswerIsCertain) {
-  // The ray passes through a saddle of the second blob, where the field equals the threshold.
+  // The second ray runs in the surface of a cylinder, where the field equals the threshold, (1 - 1/4)^2.
   write("certain.isl",
         "#declare C = 7; #declare N = <0, 0, 0>;\n"
         "#declare P = trace(sphere { 0, 1 }, -5*z, z, N, C);\n"
         "#debug concat(str(C, 0, 0), \" \")\n"
-        "#declare B = blob { threshold 1.125 sphere { -x/2, 1, 1 } sphere { x/2, 1, 1 } };\n"
-        "#declare P = trace(B, -5*z, z, N, C);\n"
+        "#declare B = blob { threshold 0.5625 cylinder { -z, z, 2, 1 } };\n"
+        "#declare P = trace(B, x - 5*z, z, N, C);\n"
         "#debug concat(str(C, 0, 0), \"\\n\")\n");
   const ProcessResult result = run({"check", "certain.isl"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
