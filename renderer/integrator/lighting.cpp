@@ -117,7 +117,8 @@ Vec3 Integrator::offset_of(const PlacedLight& placed, const LightSample& centre,
   const AreaEdges edges = edges_of(area, centre.direction);
   if (!placed.scattered) {
     const auto rows = static_cast<std::uint32_t>(area.count_b);
-    return area_offset(area, edges, number / rows, number % rows);
+    const std::uint32_t column = number / rows;
+    return area_offset(area, edges, column, number % rows);
   }
   const PixelSample& sample = memory.pixel_sample(path.sample);
   const std::uint32_t share = sample.share_of(placed.scattered->count());

@@ -49,7 +49,12 @@ struct PointTextures::Making {
       }
       lit.reserve(capacity);
     }
-    lit.emplace_back(&material, pigment, colour, weight, let_through);
+    LitTexture& texture = lit.emplace_back();
+    texture.material = &material;
+    texture.pigment = pigment;
+    texture.colour = colour;
+    texture.weight = weight;
+    texture.let_through = let_through;
   }
 };
 

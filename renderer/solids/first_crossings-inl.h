@@ -46,7 +46,7 @@ struct FirstCrossings {
 
 /// As open_crossings().
 [[nodiscard]] HWY_INLINE FirstCrossings first_of_open(const OctetTube& tube) {
-  const auto& [side, slab] = tube;
+  const OctetIntervals &side = tube.side, &slab = tube.slab;
   const Octet zero(0.0), none(kInfinity);
   const OctetMask is_met = (side.low < side.high) & (slab.low < slab.high);
   const auto seen = [&](const Octet& t) HWY_ATTR { return is_met & (t > zero) & (slab.low <= t) & (t <= slab.high); };
