@@ -48,7 +48,7 @@ struct OctetRays {
   }
 };
 
-/// Where eight rays start.
+/// The surfaces that eight rays start on, and how far rounding may have moved the starts.
 struct OctetStarts {
   Octet reach;                 ///< RayFaces::reach_before
   Octet instance, part, leaf;  ///< of RayStart; below 0 in lanes whose ray starts on no surface

@@ -52,7 +52,7 @@ class PacketTrace {
     for (std::size_t i = 0; i < rays.size(); ++i) SingleTrace<Search>::judge(hits[i], undecided_from_[i]);
   }
 
-  /// Whether up to kPacket rays meet anything: an Occlusion for each.
+  /// Sets occluded[i] to an Occlusion, which tells whether rays[i] meets anything. There are at most kPacket rays.
   void occlusions(std::span<const Ray> rays, std::uint8_t* occluded) {
     const std::uint32_t open = trace(rays, true);
     for (std::size_t i = 0; i < rays.size(); ++i) {

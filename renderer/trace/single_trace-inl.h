@@ -65,7 +65,7 @@ class SingleTrace {
     return best;
   }
 
-  // What follows serves packets of rays (packet_trace-inl.h), too.
+  // PacketTrace (packet_trace-inl.h) uses the following functions for rays that it traces alone.
 
   [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
 

@@ -122,7 +122,7 @@ class HermiteSolver {
           if (answer.is_certain) top = reached;
           const Node& end = ends[top];
           if (answer.crossing && (end.value > -end.doubt || shortest_.takes_faint_dips)) return answer.crossing;
-          // Where they are not taken, a dip that only more digits show counts as a touch.
+          // A ray that does not take faint dips passes one as if it touched the surface, and is undecided.
           if (!answer.is_certain || answer.crossing) {
             ++counters_.undecided_steps;
             if (shows_crossing_) return root_in_cubic(a, end, a_is_root);
