@@ -3,6 +3,8 @@
 #include "renderer/reference/kernel_forms.h"
 #include "renderer/reference/reference_window.h"
 
+#include <algorithm>
+
 namespace isl::ISL_REFERENCE {
 namespace {
 
@@ -10,8 +12,10 @@ class LineForm final : public KernelForm {
  public:
   explicit LineForm(const scene::Kernel& kernel) : window_(kernel) {}
 
-  /// Its conditions are solved to a few units in the last place; this allows a hundred or so.
-  [[nodiscard]] Interval support() const override { return widened(window_.border(), window_.border(), 0x1p-52L); }
+  /// Its conditions are solved to a few units in the last place of a logarithm of up to 100.
+  [[nodiscard]] Interval support() const override {
+    return widened(window_.border(), window_.border(), 4096 * kRoundoff);
+  }
   [[nodiscard]] Interval value(Real q) const override { return at(q).value; }
   [[nodiscard]] Interval slope(Real q) const override { return -(at(q).fall / Interval(window_.border())); }
 
@@ -24,8 +28,12 @@ class LineForm final : public KernelForm {
     if (!(y < 1)) return {0, 0};
     const ReferenceWindow::Value line = window_.line(y);
     const Real value = line.value * window_.amplitude(), fall = line.fall * window_.amplitude();
-    // 1 − y is known to a unit in the last place of 1, so the value is uncertain by that share of its fall.
-    return {{value - fall * 0x1p-60L, value + fall * 0x1p-60L}, widened(fall, fall, 0x1p-50L)};
+    const Real error = fall * kPlaceRounding + value * kIntegralRounding;
+    // The fall is uncertain by the same share of ∫g″: near the border that is at most 13√(1 − y), for g″ ≤ 6/Y⁴ there;
+    // elsewhere it is a small multiple of the fall.
+    const Interval steepest = widened(fall, fall, 16384 * kRoundoff);
+    const Real change = 13 * sqrt(1 - y) * window_.amplitude() * kPlaceRounding;
+    return {{value - error, value + error}, {std::max(steepest.lo - change, Real(0)), steepest.hi + change}};
   }
 
   ReferenceWindow window_;

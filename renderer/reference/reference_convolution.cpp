@@ -38,9 +38,8 @@ ReferenceConvolution::Sample ReferenceConvolution::at(const Vector<Interval>& p)
   const Real slope = window_.most_slope(view), bend = window_.most_bend(view), amplitude = window_.amplitude();
   Curve::Integrals sum{};
   if (distance < 1) sum = curve_->integrals(ball.centre, window_);
-  // Quadrature adds positive terms, so its error is relative. 1 − y is known to a unit in the last place of 1.
-  const Real value_error = slope * ball.radius + sum.fall * 0x1p-60L + sum.value * 0x1p-57L;
-  const Real gradient_error = bend * ball.radius + slope * 0x1p-57L;
+  const Real value_error = slope * ball.radius + sum.fall * kPlaceRounding + sum.value * kIntegralRounding;
+  const Real gradient_error = bend * ball.radius + slope * kIntegralRounding;
   const auto component = [&](Real g) { return Interval(amplitude * unit_) * around(g, gradient_error); };
   Interval value = Interval(amplitude) * around(sum.value, value_error);
   value.lo = std::max(value.lo, Real(0));

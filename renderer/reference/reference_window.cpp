@@ -18,17 +18,32 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-constexpr Real kLeastEpsilon = 1e-40L;
+constexpr Real kLeastEpsilon = 1 / (Real(1e20L) * Real(1e20L));
 
-/// Bisects to neighbouring numbers: the place where `is_below` ends.
-template <class IsBelow>
-Real border_of(Real low, Real high, const IsBelow& is_below) {
-  for (int step = 0; step < 75; ++step) {
-    const Real middle = low + (high - low) / 2;
-    if (middle == low || middle == high) break;
-    (is_below(middle) ? low : high) = middle;
+/// The place where the falling f is 0, by Ridders' method (W. H. Press et al., Numerical Recipes, 9.2.1), each of whose
+/// steps at least halves the bracket and, near the root, doubles the digits. The end that is nearer if there is none.
+/// The arguments are logarithms, of which digits beyond those of 1 mean nothing.
+template <class Function>
+Real root_of(Real low, Real high, const Function& f) {
+  Real above = f(low), below = f(high);
+  if (!(above > 0)) return low;
+  if (!(below < 0)) return high;
+  Real root = low;
+  while (true) {
+    const Real middle = low + (high - low) / 2, there = f(middle);
+    if (middle == low || middle == high || there == 0) return middle;
+    const Real half = (high - low) / 2, last = root;
+    root = std::clamp(middle + half * there / sqrt(there * there - above * below), low, high);
+    const Real value = f(root);
+    if (value == 0 || abs(root - last) <= kRounding * std::max(Real(1), abs(root))) return root;
+    // The bracket's new ends are the neighbours of the root among low, middle, root and high.
+    const auto narrow = [&](Real x, Real y) {
+      (y > 0 ? low : high) = x;
+      (y > 0 ? above : below) = y;
+    };
+    narrow(middle, there);
+    if (root > low && root < high) narrow(root, value);
   }
-  return low;
 }
 
 }  // namespace
@@ -58,9 +73,9 @@ void ReferenceWindow::solve_cauchy(Real hardness) {
     *this = known->second;
     return;
   }
-  const Real log_epsilon = border_of(log(kLeastEpsilon), log(1e6L), [&](Real at) {
+  const Real log_epsilon = root_of(log(kLeastEpsilon), log(Real(1e6L)), [&](Real at) {
     epsilon_ = exp(at);
-    return log(line(0).value / line(surface(hardness)).value) > hardness;
+    return log(line(0).value / line(surface(hardness)).value) - Real(hardness);
   });
   epsilon_ = exp(log_epsilon);
   const Real y = surface(hardness);
@@ -70,13 +85,13 @@ void ReferenceWindow::solve_cauchy(Real hardness) {
 }
 
 /// y of a line's surface, where −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)),
-/// because soft windows of small ε have it far within.
+/// because soft windows of small ε have it far within, and by logarithms, which are nearly straight there.
 Real ReferenceWindow::surface(Real hardness) const {
   const auto place = [](Real u) { return 1 / (1 + exp(-u)); };
-  return place(border_of(-100, 40, [&](Real u) {
+  return place(root_of(-100, 40, [&](Real u) {
     const Real y = place(u);
     const Value here = line(y);
-    return y * here.fall < hardness * here.value;
+    return log(hardness * here.value / (y * here.fall));
   }));
 }
 

@@ -15,6 +15,11 @@ namespace isl::ISL_REFERENCE {
 /// Bounds are widened by this factor, which allows for their own rounding.
 inline constexpr Real kWindowMargin = 1 + 0x1p-50L;
 
+/// The relative error of an integral of the window: of its terms, which have one sign, and of their number.
+inline constexpr Real kIntegralRounding = 128 * kRoundoff;
+/// 1 − y is known to a few units in the last place of 1, so an integral is uncertain by this share of that of −dg/dy.
+inline constexpr Real kPlaceRounding = 16 * kRoundoff;
+
 class ReferenceWindow {
  public:
   /// Precondition: mode convolution, shape quartic or cauchy.

@@ -1,6 +1,7 @@
 #include "tests/reference/wide_reference.h"
 
 #include "renderer/reference/reference_tracer.h"
+#include "renderer/reference/reference_window.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,6 +28,23 @@ double wide_kernel_error(const scene::Kernel& kernel) {
   const Interval slope = profile.slope(one) / Interval(kernel.hardness) + one;
   if (!value.contains(0) || !slope.contains(0)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(std::max(value.magnitude(), slope.magnitude()));
+}
+
+double wide_line_error(const scene::Kernel& kernel, double y) {
+  using wide_reference::Real;
+  const wide_reference::ReferenceWindow window(kernel);
+  const Real end2 = 1 - Real(y), end = sqrtf128(end2);
+  Real known = 0;
+  if (kernel.shape == scene::KernelShape::quartic) {
+    known = Real(16) / 15 * end2 * end2 * end;
+  } else {
+    // At the border Y = B = ε + 1, where −g′ is 6(1 − y)/B⁴ to first order. The integral is that of 1/Y², with
+    // Y = P + v², and of its tangent.
+    const Real b = 1 / sqrtf128(sqrtf128(window.at(1, 1).fall / 6)), p = b - 1 + Real(y);
+    known = end / (p * b) + atanf128(end / sqrtf128(p)) / (p * sqrtf128(p)) - 2 * end / (b * b) +
+            4 / (b * b * b) * ((p - b) * end + end2 * end / 3);
+  }
+  return static_cast<double>(fabsf128(window.line(y).value / known - 1));
 }
 
 }  // namespace isl::reference

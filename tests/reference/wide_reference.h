@@ -28,4 +28,8 @@ struct WideRoots {
 /// are zero. Precondition: the radius means the surface.
 [[nodiscard]] double wide_kernel_error(const scene::Kernel& kernel);
 
+/// The relative error of a convolved infinite line, at the share y of the squared support, against its closed form.
+/// Precondition: mode convolution, 0 < y < 1.
+[[nodiscard]] double wide_line_error(const scene::Kernel& kernel, double y);
+
 }  // namespace isl::reference

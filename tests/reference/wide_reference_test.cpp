@@ -29,6 +29,7 @@ TEST(WideReference, AgreesWithLongDoubleOnRandomBlobs) {
     options.components = 1 + random.below(12);
     options.maxima = seed % 4 == 0;
     options.half_space = seed % 3 == 0;
+    options.convolutions = seed % 5 == 0;
     options.hardest = seed % 2 == 0 ? 8 : 60;
     const scene::Database database = random_blob(random, options);
     for (const LineOfSight& line : random_lines(random, 4, 3, 0.7)) {
@@ -62,10 +63,25 @@ TEST(WideReference, KernelsAreRightTo28Digits) {
   }
 }
 
-/// Blobs 10¹⁵ times as large as the detail in them, with one ray each whose crossing long double cannot find.
+/// Lines that are integrated numerically; those near the border are a difference of nearly equal terms.
+TEST(WideReference, ConvolvedLinesAreRightTo27Digits) {
+  for (const double hardness : {0.4, 4.0, 60.0}) {
+    for (const double y : {0.01, 0.3, 0.9}) {
+      EXPECT_LT(wide_line_error(convolved(quartic(hardness)), y), 1e-31) << hardness << ", " << y;
+    }
+  }
+  for (const double hardness : {0.4, 4.0}) {
+    for (const double y : {0.01, 0.3, 0.9}) {
+      EXPECT_LT(wide_line_error(convolved(cauchy(hardness)), y), 1e-27) << hardness << ", " << y;
+    }
+  }
+}
+
+/// Blobs 10¹⁵ times as large as the detail in them, with one ray each whose crossing long double cannot find; the last
+/// two are of convolved circles.
 TEST(WideReference, DecidesEveryRayOfBlobsWithFifteenDigitsBetweenTheirScales) {
   int open = 0;
-  for (const std::uint64_t seed : {802103, 810431, 810455, 810535}) {
+  for (const std::uint64_t seed : {802103, 810431, 810455, 810535, 820897, 825915}) {
     const SeededScaleCase seeded = seeded_scale_case(seed, 100);
     const scene::Database& database = seeded.made.database;
     render::TracerOptions options;
