@@ -1,9 +1,13 @@
 // Bumps: normals bent by patterns, as in POV-Ray. The normal is taken into the pattern's own space by the transforms
 // among its warps (other warps move points only), made a unit vector, bent, and taken back. Because of its unit length,
 // scaled bumps are as steep as before, unless `no_bump_scale` leaves its length as it is.
+#include "renderer/patterns/kinds/waveform.h"
 #include "renderer/patterns/map_interval.h"
 #include "renderer/patterns/own_space.h"
 #include "renderer/patterns/patterns.h"
+
+#include <array>
+#include <cstddef>
 
 namespace isl::render {
 namespace {
@@ -13,7 +17,7 @@ using values::Environment;
 
 Vec3 unit(const Vec3& v, const Vec3& otherwise) noexcept {
   const double length = v.length();
-  return length > 0 ? v / length : otherwise;
+  return length > 0 ? v * (1 / length) : otherwise;
 }
 
 /// Height where the pattern has this value: a cubic between two entries.
@@ -72,19 +76,24 @@ Vec3 Patterns::bent_by_heights(const Normal& bumps, const Vec3& p, const Vec3& n
                                Environment& environment) const noexcept {
   // The corners of a tetrahedron around the point. Their heights' sum, each along its corner, is about 4/3 of the
   // gradient times their distance; POV-Ray's factor makes 2/15 of the gradient of it where `accuracy` is 0.02.
-  static constexpr double kCorners[4][3] = {{0.942809041, -0.333333333, 0},
-                                            {-0.471404521, -0.333333333, 0.816496581},
-                                            {-0.471404521, -0.333333333, -0.816496581},
-                                            {0, 1, 0}};
+  static constexpr double kCorners[][3] = {{0.942809041, -0.333333333, 0},
+                                           {-0.471404521, -0.333333333, 0.816496581},
+                                           {-0.471404521, -0.333333333, -0.816496581},
+                                           {0, 1, 0}};
+  constexpr std::size_t kCornerCount = std::size(kCorners);
+  const auto corner = [](std::size_t i) { return Vec3(kCorners[i][0], kCorners[i][1], kCorners[i][2]); };
   constexpr double kStandardAccuracy = 0.02, kSteepness = 5;
   const double factor = kSteepness * bumps.bump_size * (kStandardAccuracy / bumps.accuracy);
+  std::array<Vec3, kCornerCount> points;
+  for (std::size_t i = 0; i < kCornerCount; ++i) points[i] = p + corner(i) * bumps.accuracy;
+  std::array<double, kCornerCount> heights{};
+  values_near(bumps.pattern, p, points, heights, environment);
   Vec3 n = normal;
-  for (const auto& [x, y, z] : kCorners) {
-    const Vec3 corner(x, y, z);
-    double height = value_at_own_point(bumps.pattern, p + corner * bumps.accuracy, environment);
+  for (std::size_t i = 0; i < kCornerCount; ++i) {
+    double height = in_wave(heights[i], bumps.pattern);
     if (bumps.slope_map != scene::kNoSlopeMap)
       height = height_at(world_.database.slope_maps[index(bumps.slope_map)], height);
-    n -= corner * (factor * height);
+    n -= corner(i) * (factor * height);
   }
   return n;
 }

@@ -39,6 +39,14 @@ double Patterns::raw_value(const Pattern& pattern, const Vec3& p, Environment& e
   return value ? value({pattern, p, environment, world_}) : 0;
 }
 
+void Patterns::values_near(const Pattern& pattern, const Vec3& p, std::span<const Vec3> points,
+                           std::span<double> values, Environment& environment) const noexcept {
+  const PatternInfo& info = info_of(pattern.kind);
+  if (info.values_near) return info.values_near({pattern, p, environment, world_}, points, values);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    values[i] = info.value ? info.value({pattern, points[i], environment, world_}) : 0;
+}
+
 Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Environment& environment) const noexcept {
   if (pigment.is_plain()) return in_single(pigment.colour);
   const scene::PatternedPigment& record = world_.database.pigments[index(pigment.pattern)];

@@ -8,6 +8,8 @@
 #include "renderer/values/function_machine.h"
 #include "renderer/values/pattern_source.h"
 
+#include <span>
+
 namespace isl::render {
 
 /// A pattern's value at a point, and that point in the pattern's own space, where the chosen entry is evaluated.
@@ -52,6 +54,9 @@ class Patterns final : public values::PatternSource {
   /// The value at a point of the pattern's own space, before frequency and waveform.
   [[nodiscard]] double raw_value(const scene::Pattern& pattern, const scene::Vec3& p,
                                  values::Environment& environment) const noexcept;
+  /// The same at several points near p.
+  void values_near(const scene::Pattern& pattern, const scene::Vec3& p, std::span<const scene::Vec3> points,
+                   std::span<double> values, values::Environment& environment) const noexcept;
   /// The weighted mean of all entries.
   [[nodiscard]] scene::Colour average(const scene::PigmentMap& map, const scene::Vec3& p,
                                       values::Environment& environment) const noexcept;

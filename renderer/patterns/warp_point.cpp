@@ -51,7 +51,7 @@ Vec3 centre_near(const scene::BlackHoleWarp& warp, const Vec3& p) {
     centre[i] = std::max(centre[i], warp.radius) + size * block[i];
   }
   if (!warp.is_turbulent) return centre;
-  const double* const random = random_numbers(cube_of(block));
+  const double* const random = random_cubes().of(cube_of(block));
   return centre + Vec3(random[0] * warp.turbulence.x, random[1] * warp.turbulence.y, random[2] * warp.turbulence.z);
 }
 

@@ -25,6 +25,7 @@ struct TextureFrame {
   const scene::Transform* outer = nullptr;  ///< world_from_outer; null: the world itself
   const scene::Transform* inner = nullptr;  ///< outer_from_inner; null: the outer space itself
 
+  [[nodiscard]] bool is_world() const { return outer == nullptr && inner == nullptr; }
   /// A vector, from the world to the texture's space.
   [[nodiscard]] Vec3 enter_vector(Vec3 vector) const {
     if (outer) vector = outer->inverse_vector(vector);

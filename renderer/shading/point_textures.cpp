@@ -156,6 +156,10 @@ void PointTextures::add_normal(const scene::Texture& layer, const Vec3& point, M
   if (layer.normal != scene::kNoNormal) {
     const Vec3& place = place_of(layer, point, making.environment);
     normal = patterns_.bent(database_.normals[scene::index(layer.normal)], place, normal, making.environment);
+    if (making.within.empty() && making.frame.is_world()) {  // of unit length already
+      making.lists.normals->push_back(normal);
+      return;
+    }
   }
   for (auto pattern = making.within.rbegin(); pattern != making.within.rend(); ++pattern)
     normal = out_of_own_space(database_, **pattern, normal);

@@ -15,16 +15,16 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 template <Wanted wanted>
 Crossings algebraic_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                              std::uint8_t start_part, const SolidDetails& details) noexcept {
+                              std::uint32_t start_part, const SolidDetails& details) noexcept {
   return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, wanted);
 }
 
 Crossings algebraic_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part, const SolidDetails& details, const Stretch& stretch) noexcept {
+                             std::uint32_t start_part, const SolidDetails& details, const Stretch& stretch) noexcept {
   return polynomial_crossings(details.polynomials[solid.detail], origin, direction, start_part, Wanted::all, stretch);
 }
 
-Vec3 algebraic_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point,
+Vec3 algebraic_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point,
                       const SolidDetails& details) noexcept {
   return polynomial_normal(details.polynomials[solid.detail], point);
 }

@@ -11,13 +11,13 @@
 namespace isl::render {
 namespace {
 
-std::uint8_t face(int axis, int end) { return static_cast<std::uint8_t>(2 * axis + end); }
+std::uint32_t face(int axis, int end) { return static_cast<std::uint32_t>(2 * axis + end); }
 
 /// The interval between two faces. Each plane's root is computed relative to its own face, so that a far face costs a
 /// near one no digits; from a start on one face, the other is the thickness away. A start on a face of another axis is
 /// certainly within this slab.
 LineInterval face_slab(const scene::Solid& solid, int axis, const Vec3& origin, const Vec3& direction,
-                       std::uint8_t start_part) {
+                       std::uint32_t start_part) {
   const double rise = direction[axis];
   double to_a = solid.a[axis] - origin[axis], to_b = solid.b[axis] - origin[axis];
   const bool starts_on_a = start_part == face(axis, 0), starts_on_b = start_part == face(axis, 1);
@@ -44,7 +44,7 @@ int flat_axis(const scene::Solid& solid) {
 }
 
 Crossings rectangle_crossings(const scene::Solid& solid, int axis, const Vec3& origin, const Vec3& direction,
-                              std::uint8_t start_part) {
+                              std::uint32_t start_part) {
   Crossings result;
   if (start_part != kNoPart || direction[axis] == 0) return result;
   const double t = (solid.a[axis] - origin[axis]) / direction[axis];
@@ -71,7 +71,7 @@ bool passes_by(const scene::Solid& solid, const Vec3& origin, const Vec3& direct
   return from > to;
 }
 
-Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                         const SolidDetails&) noexcept {
   if (const int axis = flat_axis(solid); axis >= 0) {
     return rectangle_crossings(solid, axis, origin, direction, start_part);
@@ -85,7 +85,7 @@ Crossings box_crossings(const scene::Solid& solid, const Vec3& origin, const Vec
 
 bool is_flat_box(const scene::Solid& solid) noexcept { return flat_axis(solid) >= 0; }
 
-Vec3 box_normal(const scene::Solid&, std::uint8_t part, const Vec3&, const SolidDetails&) noexcept {
+Vec3 box_normal(const scene::Solid&, std::uint32_t part, const Vec3&, const SolidDetails&) noexcept {
   Vec3 normal(0);
   normal[part / 2] = part % 2 == 0 ? -1 : 1;
   return normal;

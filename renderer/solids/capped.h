@@ -7,19 +7,19 @@
 namespace isl::render {
 
 /// The flat ends, at Solid::a and at Solid::b; the side is kSide.
-inline constexpr std::uint8_t kCapA = 1;
-inline constexpr std::uint8_t kCapB = 2;
+inline constexpr std::uint32_t kCapA = 1;
+inline constexpr std::uint32_t kCapB = 2;
 
 /// The crossings of the closed solid; those with the missing caps of an open one have the part kUnseen.
 [[nodiscard]] inline Crossings capped_boundary(SolidType::CrossingsAlong crossings, const scene::Solid& solid,
-                                               const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+                                               const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                                                const SolidDetails& details) noexcept {
   if (!solid.open) return crossings(solid, origin, direction, start_part, details);
   scene::Solid closed = solid;
   closed.open = false;
   Crossings result = crossings(closed, origin, direction, start_part, details);
   for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
-    if (result.part[i] != kSide) result.part[i] = kUnseen;
+    if (result.part[i] == kCapA || result.part[i] == kCapB) result.part[i] = kUnseen;
   }
   return result;
 }

@@ -85,7 +85,7 @@ void shift(LineInterval& interval, double t) {
   interval.high.t += t;
 }
 
-Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                          const SolidDetails&) noexcept {
   const Axis axis(solid);
   const double dd = direction.dot(direction);
@@ -107,7 +107,7 @@ Crossings cone_crossings(const scene::Solid& solid, const Vec3& origin, const Ve
   return closed_crossings(intersection(side, slab));
 }
 
-Vec3 cone_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 cone_normal(const scene::Solid& solid, std::uint32_t part, const Vec3& point, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (part == kCapA) return -axis.along;
   if (part == kCapB) return axis.along;
@@ -117,7 +117,7 @@ Vec3 cone_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point
   return (across.normalized() - axis.along * slope).normalized();
 }
 
-Crossings cone_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings cone_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                         const SolidDetails& details) noexcept {
   return capped_boundary(cone_crossings, solid, origin, direction, start_part, details);
 }

@@ -10,7 +10,7 @@ namespace isl::render {
 namespace {
 
 Crossings cylinder_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part, const SolidDetails&) noexcept {
+                             std::uint32_t start_part, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (!axis.valid) return {};
   LineInterval side = within_radius(axis.across(origin - solid.a), axis.across(direction), std::abs(solid.radius_a),
@@ -22,7 +22,7 @@ Crossings cylinder_crossings(const scene::Solid& solid, const Vec3& origin, cons
   return closed_crossings(intersection(side, slab));
 }
 
-Vec3 cylinder_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 cylinder_normal(const scene::Solid& solid, std::uint32_t part, const Vec3& point, const SolidDetails&) noexcept {
   const Axis axis(solid);
   if (part == kCapA) return -axis.along;
   if (part == kCapB) return axis.along;
@@ -30,7 +30,7 @@ Vec3 cylinder_normal(const scene::Solid& solid, std::uint8_t part, const Vec3& p
 }
 
 Crossings cylinder_boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                            std::uint8_t start_part, const SolidDetails& details) noexcept {
+                            std::uint32_t start_part, const SolidDetails& details) noexcept {
   return capped_boundary(cylinder_crossings, solid, origin, direction, start_part, details);
 }
 

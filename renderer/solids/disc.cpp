@@ -7,7 +7,7 @@ namespace {
 
 /// `with_unseen`: crossings of the plane beyond the rim are included, with the part kUnseen.
 template <bool with_unseen>
-Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                          const SolidDetails&) noexcept {
   Crossings result;
   const double rise = direction.dot(solid.b);
@@ -21,7 +21,9 @@ Crossings disc_crossings(const scene::Solid& solid, const Vec3& origin, const Ve
   return result;
 }
 
-Vec3 disc_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails&) noexcept { return solid.b; }
+Vec3 disc_normal(const scene::Solid& solid, std::uint32_t, const Vec3&, const SolidDetails&) noexcept {
+  return solid.b;
+}
 
 /// A disc of radius r with the unit normal u extends r·√(1 − uᵢ²) along coordinate i.
 Box disc_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {

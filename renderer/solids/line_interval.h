@@ -15,7 +15,7 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// One end of an interval. `known`: the end is the root at t = 0, on the surface where the ray starts.
 struct LineEnd {
   double t = 0;
-  std::uint8_t part = kNoPart;
+  std::uint32_t part = kNoPart;
   bool known = false;
 };
 
@@ -86,7 +86,7 @@ struct Axis {
 /// b), so that a far end costs a near one no digits. A line within an end's plane is outside; one parallel to the
 /// planes and between them is inside everywhere.
 [[nodiscard]] inline LineInterval slab_interval(const scene::Solid& solid, const Axis& axis, const Vec3& origin,
-                                                const Vec3& direction, std::uint8_t start_part) {
+                                                const Vec3& direction, std::uint32_t start_part) {
   const double rise = direction.dot(axis.along);
   double below_a = (solid.a - origin).dot(axis.along);
   double below_b = (solid.b - origin).dot(axis.along);

@@ -53,7 +53,7 @@ template <class Crossed>
 void follow_curve(SignFollower& follower, const LinearForm& form, Curve curve, Crossed&& crossed) {
   double band = 0;
   const OnCurve values = on_curve(form, curve, band);
-  const auto at = [&](double w) { crossed(OutlineCrossing{point_at(curve, w), -follower.sign()}); };
+  const auto at = [&](double w) { crossed(OutlineCrossing{.point = point_at(curve, w), .turn = -follower.sign()}); };
   // Most crossings are of this kind.
   const int last = sign_of(values[values.degree], band);
   if (values.degree <= 2 && last != 0 && follower.sign() == -last && sign_of(values[0], band) == -last) {
@@ -114,7 +114,7 @@ void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curv
   OnCurve below = over_distance(values, zero.w);
   const OnCurve above = split(below, zero.w);
   for (int i = 0; i < n; ++i) below[i] = -below[i];
-  const auto at = [&](double w, int turn) { crossed(OutlineCrossing{point_at(curve, w), turn}); };
+  const auto at = [&](double w, int turn) { crossed(OutlineCrossing{.point = point_at(curve, w), .turn = turn}); };
   follower.follow(below, band, [&](double u) { at(u * zero.w, -follower.sign()); });
   const int before = follower.sign();
   SignFollower rest(0);
@@ -124,7 +124,7 @@ void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curv
   if (rest.sign() == 0) return;
   // Each crossing beyond the zero changes the sign once.
   int sign = count % 2 == 0 ? rest.sign() : -rest.sign();
-  if (before != 0 && before != sign) crossed(OutlineCrossing{zero.point, sign, true});
+  if (before != 0 && before != sign) crossed(OutlineCrossing{.point = zero.point, .turn = sign, .is_start = true});
   for (std::size_t i = 0; i < count; ++i) at(beyond[i], sign = -sign);
   follower = rest;
 }
@@ -174,10 +174,14 @@ void find_crossings(const PreparedOutline& outline, const LinearForm& form, std:
         }
         if (node.order > 0) {
           const Curve curve = curve_of(outline.outline, node);
+          const auto crossed_here = [&](OutlineCrossing crossing) {
+            crossing.node = i;
+            crossed(crossing);
+          };
           if (start && start->node == i) {
-            follow_from_zero(follower, form, curve, *start, crossed);
+            follow_from_zero(follower, form, curve, *start, crossed_here);
           } else {
-            follow_curve(follower, form, curve, crossed);
+            follow_curve(follower, form, curve, crossed_here);
           }
         }
         ++i;

@@ -54,9 +54,10 @@ struct OutlinePlace {
 /// A place where a form changes its sign.
 struct OutlineCrossing {
   PlanePoint point;
-  int turn = 0;           ///< +1 if the contour passes from negative to positive values of the form
-  bool is_start = false;  ///< the known zero
-  double t = 0;           ///< for the caller
+  std::uint32_t node = scene::kNone;  ///< that of the curve, if the outline is a prepared one
+  int turn = 0;                       ///< +1 if the contour passes from negative to positive values of the form
+  bool is_start = false;              ///< the known zero
+  double t = 0;                       ///< for the caller
 };
 
 /// A rectangle of the outline's plane; at first the whole.
@@ -90,8 +91,8 @@ class OutlineFill {
 /// The control points of the curve of a node.
 [[nodiscard]] std::span<const PlanePoint> curve_of(const scene::Outline& outline, const OutlineNode& node);
 
-/// The place on the outline nearest to a point; fast for points on the outline.
-[[nodiscard]] OutlinePlace nearest(const PreparedOutline& outline, const PlanePoint& point);
+/// The place on a node's curve nearest to a point; fast for points on the curve.
+[[nodiscard]] OutlinePlace nearest_on(const PreparedOutline& outline, std::uint32_t node, const PlanePoint& point);
 
 /// The greatest direction · p over the outline, up to rounding.
 [[nodiscard]] double reach_of(const scene::Outline& outline, const PlanePoint& direction);

@@ -1,4 +1,4 @@
-// The tree of an outline's curves, and what is found by it without a line: the nearest place, and the reach.
+// The tree of an outline's curves, and what is found without a line: the nearest place on a curve, and the reach.
 #include "renderer/solids/outline.h"
 #include "renderer/solids/plane_curve.h"
 
@@ -13,12 +13,6 @@ std::span<const PlanePoint> curve_of(const Outline& outline, const OutlineNode& 
 }
 
 namespace {
-
-double square_of_distance(const PlanePoint& p, const OutlineNode& node) {
-  const double u = std::max({node.low.u - p.u, p.u - node.high.u, 0.0});
-  const double v = std::max({node.low.v - p.v, p.v - node.high.v, 0.0});
-  return u * u + v * v;
-}
 
 /// Appends the nodes of the curves from `begin` to `end`. `points` holds the first control point of each.
 std::uint32_t add_nodes(PreparedOutline& result, std::span<const std::uint32_t> points, std::size_t begin,
@@ -73,39 +67,23 @@ PreparedOutline prepare(const Outline& outline) {
   return result;
 }
 
-namespace {
-
-/// The nearest place whose squared distance is below `best`; without a node if there is none.
-OutlinePlace nearest_within(const PreparedOutline& outline, const PlanePoint& point, double best) {
+OutlinePlace nearest_on(const PreparedOutline& outline, std::uint32_t node, const PlanePoint& point) {
+  const Curve curve = curve_of(outline.outline, outline.nodes[node]);
   OutlinePlace result;
-  for (std::uint32_t i = 0; i < outline.nodes.size();) {
-    const OutlineNode& node = outline.nodes[i];
-    if (!(square_of_distance(point, node) < best)) {
-      i = node.next;
-      continue;
-    }
-    if (node.order > 0) {
-      const Curve curve = curve_of(outline.outline, node);
-      for_each_foot(curve, point, [&](double w) {
-        const PlanePoint foot = point_at(curve, w), offset = foot - point;
-        if (const double square = dot(offset, offset); square < best) {
-          best = square;
-          result = {i, w, foot, tangent_at(curve, w)};
-        }
-      });
-    }
-    ++i;
+  double best = std::numeric_limits<double>::infinity();
+  const auto keep = [&](double w) {
+    const PlanePoint foot = point_at(curve, w), offset = foot - point;
+    const double square = dot(offset, offset);
+    if (result.node != scene::kNone && !(square < best)) return;
+    best = square;
+    result = {node, w, foot, tangent_at(curve, w)};
+  };
+  if (const auto w = foot_on_curve(curve, point)) {
+    keep(*w);
+  } else {
+    for_each_foot(curve, point, keep);
   }
   return result;
-}
-
-}  // namespace
-
-OutlinePlace nearest(const PreparedOutline& outline, const PlanePoint& point) {
-  // Most points are on the outline, so that the curves near them are enough.
-  const double near = 0x1p-20 * (std::abs(point.u) + std::abs(point.v));
-  const OutlinePlace place = nearest_within(outline, point, near * near);
-  return place.node != scene::kNone ? place : nearest_within(outline, point, HUGE_VAL);
 }
 
 double reach_of(const Outline& outline, const PlanePoint& direction) {

@@ -112,7 +112,7 @@ struct OvusStretch {
 
 template <Wanted wanted>
 Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, const Vec3& given_direction,
-                         std::uint8_t start_part, const SolidDetails&) noexcept {
+                         std::uint32_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   CrossingsTaker taker(result, wanted);
   const double unit = unit_of(std::max(solid.radius_a, solid.radius_b));
@@ -152,7 +152,7 @@ Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, co
   return result;
 }
 
-Vec3 ovus_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 ovus_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails&) noexcept {
   const Arc arc = Egg(solid).at(point.y);
   const double rho = std::sqrt(point.x * point.x + point.z * point.z);
   const double along = rho > 0 ? 1 + arc.inset / rho : 1;

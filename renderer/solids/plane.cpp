@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
-                          const SolidDetails&) noexcept {
+Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                          std::uint32_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   const double rise = direction.dot(solid.a);
   result.ends_inside = rise < 0 || (rise == 0 && start_part != kSide && origin.dot(solid.a) < solid.radius_a);
@@ -17,7 +17,7 @@ Crossings plane_crossings(const scene::Solid& solid, const Vec3& origin, const V
   return result;
 }
 
-Vec3 plane_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails&) noexcept {
+Vec3 plane_normal(const scene::Solid& solid, std::uint32_t, const Vec3&, const SolidDetails&) noexcept {
   return solid.a;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace isl::render {
@@ -71,6 +72,32 @@ void for_each_foot(Curve curve, const PlanePoint& p, At&& at) {
   SignFollower follower(0);
   follower.follow(slope, rounding_of_order(slope.degree) * size, at);
   at(1.0);
+}
+
+/// The w in [0, 1] that is nearest to p on a line, or on a curve that passes through p up to rounding; none for other
+/// points, and where Gauss's and Newton's steps along the tangent do not end in a few.
+[[nodiscard]] inline std::optional<double> foot_on_curve(Curve curve, const PlanePoint& p) {
+  const PlanePoint chord = curve.back() - curve.front();
+  const double square = dot(chord, chord);
+  if (!(square > 0)) return std::nullopt;
+  double w = std::clamp(dot(p - curve.front(), chord) / square, 0.0, 1.0);
+  if (curve.size() == 2) return w;
+  constexpr int kMostSteps = 6;
+  constexpr double kLastStep = 0x1p-50;  // below which w has no digits left
+  // Far more than rounding, and far less than another part of the curve is away.
+  const double near = 0x1p-44 * (std::abs(p.u) + std::abs(p.v));
+  for (int i = 0; i < kMostSteps; ++i) {
+    const auto [a, b] = last_two(curve, w);
+    const PlanePoint tangent = (b - a) * static_cast<double>(curve.size() - 1), from = a * (1 - w) + b * w - p;
+    const double step = dot(from, tangent) / dot(tangent, tangent);
+    w -= step;
+    if (!(w >= 0 && w <= 1)) return std::nullopt;
+    if (std::abs(step) <= kLastStep) {
+      if (dot(from, from) <= near * near) return w;
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
 }
 
 /// Calls at(w) where direction · P may be greatest: at both ends, and where its slope changes its sign.

@@ -55,7 +55,7 @@ PreparedPolygon prepare(const scene::Polygon& polygon) {
 namespace {
 
 Crossings polygon_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                            std::uint8_t start_part, const SolidDetails& details) noexcept {
+                            std::uint32_t start_part, const SolidDetails& details) noexcept {
   const PreparedPolygon& polygon = details.polygons[solid.detail];
   Crossings result;
   const double rise = polygon.normal.dot(direction);
@@ -77,7 +77,7 @@ Crossings polygon_crossings(const scene::Solid& solid, const Vec3& origin, const
   return result;
 }
 
-Vec3 polygon_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails& details) noexcept {
+Vec3 polygon_normal(const scene::Solid& solid, std::uint32_t, const Vec3&, const SolidDetails& details) noexcept {
   return details.polygons[solid.detail].normal;
 }
 

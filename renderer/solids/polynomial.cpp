@@ -231,7 +231,7 @@ PreparedPolynomial prepare(const scene::Polynomial& polynomial) {
 }
 
 Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin, const Vec3& direction,
-                               std::uint8_t start_part, Wanted wanted, const Stretch& stretch) noexcept {
+                               std::uint32_t start_part, Wanted wanted, const Stretch& stretch) noexcept {
   Crossings result;
   if (polynomial.order == 0) {
     result.ends_inside = polynomial.coefficients[0] <= 0;

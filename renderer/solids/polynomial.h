@@ -8,7 +8,7 @@ namespace isl::render {
 /// The contract is that of boundary() or, if only the first is wanted, crossings_to_first() in solid.h; the surface has
 /// one part, kSide.
 [[nodiscard]] Crossings polynomial_crossings(const PreparedPolynomial& polynomial, const Vec3& origin,
-                                             const Vec3& direction, std::uint8_t start_part, Wanted wanted,
+                                             const Vec3& direction, std::uint32_t start_part, Wanted wanted,
                                              const Stretch& stretch = {}) noexcept;
 
 /// Zero at a singular point, which has no normal.

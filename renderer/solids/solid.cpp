@@ -18,17 +18,17 @@ const SolidType& type_of(const scene::Solid& solid) { return *kTypes[static_cast
 
 }  // namespace
 
-Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                     const SolidDetails& details) noexcept {
   return type_of(solid).crossings(solid, origin, direction, start_part, details);
 }
 
 Crossings crossings_to_first(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part, const SolidDetails& details) noexcept {
+                             std::uint32_t start_part, const SolidDetails& details) noexcept {
   return type_of(solid).crossings_to_first(solid, origin, direction, start_part, details);
 }
 
-Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
+Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint32_t start_part,
                    const SolidDetails& details, const Stretch& stretch) noexcept {
   const SolidType& type = type_of(solid);
   if (type.boundary_in_stretch) {
@@ -43,11 +43,11 @@ bool is_open_surface(const scene::Solid& solid) noexcept { return type_of(solid)
 
 bool is_part_of_plane(const scene::Solid& solid) noexcept { return type_of(solid).is_part_of_plane; }
 
-Vec3 normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point, const SolidDetails& details) noexcept {
+Vec3 normal_at(const scene::Solid& solid, std::uint32_t part, const Vec3& point, const SolidDetails& details) noexcept {
   return type_of(solid).normal(solid, part, point, details);
 }
 
-Vec3 shading_normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+Vec3 shading_normal_at(const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                        const SolidDetails& details) noexcept {
   return type_of(solid).shading_normal(solid, part, point, details);
 }

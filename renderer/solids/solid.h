@@ -21,10 +21,10 @@ using scene::Vec3;
 using Box = Imath::Box3d;
 
 /// The part of a start that is on no surface.
-inline constexpr std::uint8_t kNoPart = 0xFF;
+inline constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
 /// The part of a crossing between inside and outside without a surface: at the missing caps of an open tube, or in the
 /// plane of a disc beyond its rim. Only boundary() reports such crossings.
-inline constexpr std::uint8_t kUnseen = 0xFE;
+inline constexpr std::uint32_t kUnseen = 0xFFFFFFFE;
 
 /// A list whose first elements need no memory of their own, and are not touched before they are set: most solids have
 /// two crossings, but text has any number.
@@ -62,9 +62,9 @@ struct Crossings {
   int count = 0;
   bool ends_inside = false;  ///< the line is inside beyond the last crossing; false for bounded solids
   CrossingList<double> t;    ///< the first `count` are set
-  CrossingList<std::uint8_t> part;
+  CrossingList<std::uint32_t> part;
 
-  void add(double at, std::uint8_t surface) {
+  void add(double at, std::uint32_t surface) {
     t.set(static_cast<std::size_t>(count), at);
     part.set(static_cast<std::size_t>(count), surface);
     ++count;
@@ -77,11 +77,11 @@ struct Crossings {
 /// on (kNoPart: none): its root at t = 0 is then known, left out, and deflated rather than solved for. `details` are
 /// those of the scene that the solid is part of.
 [[nodiscard]] Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                  std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
+                                  std::uint32_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
 /// As crossings(), but those behind the first one with t > 0 may be left out; `ends_inside` is then meaningless.
 [[nodiscard]] Crossings crossings_to_first(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                           std::uint8_t start_part, const SolidDetails& details = kNoDetails) noexcept;
+                                           std::uint32_t start_part, const SolidDetails& details = kNoDetails) noexcept;
 
 /// The part of a line from t = `from` to `to`, 0 ≤ from.
 struct Stretch {
@@ -92,7 +92,7 @@ struct Stretch {
 /// (is_open_surface), which has no inside, the result is that of crossings(). Crossings outside of the stretch may be
 /// left out; `ends_inside` is then the state behind the last one that is not.
 [[nodiscard]] Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                 std::uint8_t start_part, const SolidDetails& details = kNoDetails,
+                                 std::uint32_t start_part, const SolidDetails& details = kNoDetails,
                                  const Stretch& stretch = {}) noexcept;
 
 /// True if a stretch saves boundary() time.
@@ -107,11 +107,11 @@ struct Stretch {
 
 /// Outward normal of one of the solid's surfaces at a point on it; unit length. At the apex of a cone it is the axis;
 /// at a singular point of a polynomial it is zero. For open surfaces it points to the side of POV-Ray's `trace`.
-[[nodiscard]] Vec3 normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+[[nodiscard]] Vec3 normal_at(const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                              const SolidDetails& details = kNoDetails) noexcept;
 
 /// The normal for shading: interpolated between the corners of a smooth_triangle, and normal_at() for all other solids.
-[[nodiscard]] Vec3 shading_normal_at(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+[[nodiscard]] Vec3 shading_normal_at(const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                                      const SolidDetails& details = kNoDetails) noexcept;
 
 /// (u, v) at a point on the surface, in the solid's space and in the world. POV-Ray defines coordinates for a few

@@ -12,14 +12,14 @@
 namespace isl::render {
 
 /// The surface of a solid that has only one, and the side of a cylinder or cone.
-inline constexpr std::uint8_t kSide = 0;
+inline constexpr std::uint32_t kSide = 0;
 
 /// Members without a default are required. The parameters are those of the functions in solid.h; `details` and
 /// `database` are those of the scene with the solid, for the column that Solid::detail indexes.
 struct SolidType {
   using CrossingsAlong = Crossings (*)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
-                                       std::uint8_t start_part, const SolidDetails& details) noexcept;
-  using NormalAt = Vec3 (*)(const scene::Solid&, std::uint8_t part, const Vec3& point,
+                                       std::uint32_t start_part, const SolidDetails& details) noexcept;
+  using NormalAt = Vec3 (*)(const scene::Solid&, std::uint32_t part, const Vec3& point,
                             const SolidDetails& details) noexcept;
 
   CrossingsAlong crossings = nullptr;
@@ -28,7 +28,7 @@ struct SolidType {
   CrossingsAlong boundary = crossings;
   /// For solids with many crossings that take long to find; all others ignore the stretch.
   Crossings (*boundary_in_stretch)(const scene::Solid&, const Vec3& origin, const Vec3& direction,
-                                   std::uint8_t start_part, const SolidDetails& details,
+                                   std::uint32_t start_part, const SolidDetails& details,
                                    const Stretch& stretch) noexcept = nullptr;
   bool (*is_open_surface)(const scene::Solid&) noexcept = [](const scene::Solid&) noexcept { return false; };
   NormalAt normal = nullptr;

@@ -6,11 +6,11 @@ namespace isl::render {
 namespace {
 
 Crossings sphere_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                           std::uint8_t start_part, const SolidDetails&) noexcept {
+                           std::uint32_t start_part, const SolidDetails&) noexcept {
   return closed_crossings(within_radius(origin - solid.a, direction, std::abs(solid.radius_a), start_part == kSide));
 }
 
-Vec3 sphere_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 sphere_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails&) noexcept {
   return (point - solid.a).normalized();
 }
 

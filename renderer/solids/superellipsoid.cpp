@@ -104,7 +104,7 @@ class OctantLine {
 
 template <Wanted wanted>
 Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                                   std::uint8_t start_part, const SolidDetails&) noexcept {
+                                   std::uint32_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   CrossingsTaker taker(result, wanted);
   double enter = -kInfinity, leave = kInfinity;
@@ -149,7 +149,7 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
 }
 
 /// The direction of ∇F; if a component is infinite, the direction of that component alone.
-Vec3 superellipsoid_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 superellipsoid_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails&) noexcept {
   const double p = 2 / solid.radius_a, q = 2 / solid.radius_b;
   const Vec3 size(std::abs(point.x), std::abs(point.y), std::abs(point.z));
   const double r = ring(std::max(size.x, size.y), std::min(size.x, size.y), p).r;

@@ -25,9 +25,20 @@ void find_side_crossings(const PreparedOutline& outline, const SeenLine& line, c
   std::ranges::sort(found, {}, &OutlineCrossing::t);
 }
 
+// The parts of a sweep beside its caps name the curve that a side stands on and the side of the curve, seen along it,
+// on which the inside lies: what starts or has a normal there need not look for them.
+constexpr std::uint32_t kFirstSide = kCapB + 1;
+
+std::uint32_t side_part(std::uint32_t node, bool is_inside_on_right) {
+  return kFirstSide + 2 * node + (is_inside_on_right ? 1 : 0);
+}
+bool is_side(std::uint32_t part) { return part >= kFirstSide && part < kUnseen; }
+std::uint32_t node_of(std::uint32_t side) { return (side - kFirstSide) / 2; }
+bool is_inside_on_right(std::uint32_t side) { return (side - kFirstSide) % 2 == 1; }
+
 /// The t between the two heights.
 LineInterval between_heights(const Solid& solid, const SweptVector& origin, const SweptVector& direction,
-                             std::uint8_t start_part) {
+                             std::uint32_t start_part) {
   double below_a = solid.radius_a - origin.height, below_b = solid.radius_b - origin.height;
   const double height = solid.radius_b - solid.radius_a;
   if (start_part == kCapA) below_a = 0, below_b = height;
@@ -37,10 +48,10 @@ LineInterval between_heights(const Solid& solid, const SweptVector& origin, cons
   if (rise != 0) {
     slab = LineInterval::between({below_a / rise, kCapA, start_part == kCapA},
                                  {below_b / rise, kCapB, start_part == kCapB});
-  } else if (!(below_a < 0 && below_b > 0) && start_part != kSide) {
+  } else if (!(below_a < 0 && below_b > 0) && !is_side(start_part)) {
     slab = LineInterval::none();
   }
-  if (start_part == kSide) slab.hold_origin();
+  if (is_side(start_part)) slab.hold_origin();
   return slab;
 }
 
@@ -48,7 +59,14 @@ LineInterval between_heights(const Solid& solid, const SweptVector& origin, cons
 struct SideEnd {
   double t;
   bool is_known = false;
+  std::uint32_t part = kNoPart;  ///< for a finite t
 };
+
+/// The contour passes from the right of the line to its left where `turn` is positive; then what is ahead on the line
+/// is on the right of the contour.
+SideEnd side_end(const OutlineCrossing& crossing, bool enters) {
+  return {crossing.t, crossing.is_start, side_part(crossing.node, (crossing.turn > 0) == enters)};
+}
 
 /// Collects the intervals of a line inside the endless sweep, ascending, and adds their ends as far as they lie between
 /// the heights. Intervals without length, and gaps without one, are none.
@@ -81,7 +99,7 @@ class InsideIntervals {
  private:
   void add_end(const SideEnd& side, bool is_at_side, const LineEnd& cap) {
     if (is_at_side) {
-      if (!side.is_known) result_.add(side.t, kSide);
+      if (!side.is_known) result_.add(side.t, side.part);
     } else if (!cap.known && !is_open_ && cap.part != kNoPart) {
       result_.add(cap.t, cap.part);
     }
@@ -94,12 +112,6 @@ class InsideIntervals {
   SideEnd enter_{}, leave_{};
 };
 
-/// A point with its rounding.
-PlaneWindow around(const PlanePoint& p) {
-  const double room = 0x1p-40 * (std::abs(p.u) + std::abs(p.v));
-  return {{p.u - room, p.v - room}, {p.u + room, p.v + room}};
-}
-
 /// For each line anew, so that only the longest list takes memory.
 std::vector<OutlineCrossing>& scratch() {
   thread_local std::vector<OutlineCrossing> crossings;
@@ -109,7 +121,7 @@ std::vector<OutlineCrossing>& scratch() {
 }  // namespace
 
 Crossings swept_crossings(SweptAxes axes, const Solid& solid, const Vec3& origin, const Vec3& direction,
-                          std::uint8_t start_part, const SolidDetails& details) noexcept {
+                          std::uint32_t start_part, const SolidDetails& details) noexcept {
   Crossings result;
   const PreparedOutline& outline = details.outlines[solid.detail];
   const SweptVector from(axes, origin), along(axes, direction);
@@ -119,14 +131,14 @@ Crossings swept_crossings(SweptAxes axes, const Solid& solid, const Vec3& origin
   const LinearForm form = line.form();
   InsideIntervals inside(slab, solid.open, result);
   if (PlanePoint point; line.is_seen_as_point(form, point)) {
-    if (start_part != kSide && contains(outline, point)) inside.add({-kInfinity}, {kInfinity});
+    if (!is_side(start_part) && contains(outline, point)) inside.add({-kInfinity}, {kInfinity});
     inside.finish();
     return result;
   }
   std::vector<OutlineCrossing>& found = scratch();
-  const bool starts_on_side = start_part == kSide;
+  const bool starts_on_side = is_side(start_part);
   OutlinePlace start;
-  if (starts_on_side) start = nearest(outline, from.seen(outline.outline));
+  if (starts_on_side) start = nearest_on(outline, node_of(start_part), from.seen(outline.outline));
   // What lies behind the start is not asked for.
   const PlaneWindow window = line.window(std::max(slab.low.t, 0.0), slab.high.t);
   find_side_crossings(outline, line, form, window, starts_on_side ? &start : nullptr, found);
@@ -142,36 +154,25 @@ Crossings swept_crossings(SweptAxes axes, const Solid& solid, const Vec3& origin
   for (const OutlineCrossing& crossing : found) {
     const bool was_inside = fill.is_inside();
     fill.pass(crossing);
-    const SideEnd here{crossing.t, crossing.is_start};
-    if (!was_inside && fill.is_inside()) enter = here;
-    if (was_inside && !fill.is_inside()) inside.add(enter, here);
+    if (!was_inside && fill.is_inside()) enter = side_end(crossing, true);
+    if (was_inside && !fill.is_inside()) inside.add(enter, side_end(crossing, false));
   }
   if (fill.is_inside()) inside.add(enter, {kInfinity});
   inside.finish();
   return result;
 }
 
-Vec3 swept_normal(SweptAxes axes, const Solid& solid, std::uint8_t part, const Vec3& point,
+Vec3 swept_normal(SweptAxes axes, const Solid& solid, std::uint32_t part, const Vec3& point,
                   const SolidDetails& details) noexcept {
-  if (part != kSide) return in_space(axes, {}, part == kCapA ? -1 : 1);
+  if (!is_side(part)) return in_space(axes, {}, part == kCapA ? -1 : 1);
   const PreparedOutline& outline = details.outlines[solid.detail];
   const SweptVector place(axes, point);
   const bool is_conic = outline.outline.is_conic;
-  const OutlinePlace foot = nearest(outline, place.seen(outline.outline));
+  const OutlinePlace foot = nearest_on(outline, node_of(part), place.seen(outline.outline));
+  // To the right of the curve. Beyond the apex a conic sweep is turned round. Its sides hold the lines to the apex,
+  // through (foot, 1), so that the normal is perpendicular to these too.
   const PlanePoint across{foot.tangent.v, -foot.tangent.u};
-
-  // A line across the curve tells the side of the inside: what is beyond its crossing at the foot.
-  std::vector<OutlineCrossing>& found = scratch();
-  const SeenLine line(false, SweptVector({0, 1, 2}, {foot.point.u, foot.point.v, 0}),
-                      SweptVector({0, 1, 2}, {across.u, across.v, 0}));
-  find_side_crossings(outline, line, line.form(), around(foot.point), &foot, found);
-  OutlineFill fill(outline.outline);
-  for (const OutlineCrossing& crossing : found) {
-    if (crossing.t <= 0) fill.pass(crossing);
-  }
-  // Beyond the apex a conic sweep is turned round. Its sides hold the lines to the apex, through (foot, 1), so that the
-  // normal is perpendicular to these too.
-  const double outward = fill.is_inside() != (is_conic && place.height < 0) ? -1 : 1;
+  const double outward = is_inside_on_right(part) != (is_conic && place.height < 0) ? -1 : 1;
   const double rise = is_conic ? -(across.u * foot.point.u + across.v * foot.point.v) : 0;
   const Vec3 normal = in_space(axes, {across.u, across.v}, rise) * outward;
   const double length = normal.length();

@@ -18,9 +18,9 @@ struct SweptAxes {
 };
 
 [[nodiscard]] Crossings swept_crossings(SweptAxes axes, const scene::Solid& solid, const Vec3& origin,
-                                        const Vec3& direction, std::uint8_t start_part,
+                                        const Vec3& direction, std::uint32_t start_part,
                                         const SolidDetails& details) noexcept;
-[[nodiscard]] Vec3 swept_normal(SweptAxes axes, const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+[[nodiscard]] Vec3 swept_normal(SweptAxes axes, const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                                 const SolidDetails& details) noexcept;
 [[nodiscard]] Box swept_bounds(SweptAxes axes, const scene::Solid& solid, const SolidDetails& details) noexcept;
 [[nodiscard]] double swept_support(SweptAxes axes, const scene::Database& database, const scene::Solid& solid,
@@ -33,18 +33,18 @@ struct SweptAxes {
 template <SweptAxes axes>
 struct Swept {
   static Crossings crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part, const SolidDetails& details) noexcept {
+                             std::uint32_t start_part, const SolidDetails& details) noexcept {
     return swept_crossings(axes, solid, origin, direction, start_part, details);
   }
   static Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                            std::uint8_t start_part, const SolidDetails& details) noexcept {
+                            std::uint32_t start_part, const SolidDetails& details) noexcept {
     return capped_boundary(crossings, solid, origin, direction, start_part, details);
   }
   static constexpr SolidType type() {
     return {
         .crossings = crossings,
         .boundary = boundary,
-        .normal = [](const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+        .normal = [](const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                      const SolidDetails& details) noexcept { return swept_normal(axes, solid, part, point, details); },
         .bounds = [](const scene::Solid& solid,
                      const SolidDetails& details) noexcept { return swept_bounds(axes, solid, details); },

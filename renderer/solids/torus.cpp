@@ -129,8 +129,8 @@ SplitNode spindle_node(const scene::Solid& solid, const Vec3& origin, const Vec3
 }
 
 template <Wanted wanted>
-Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, std::uint8_t start_part,
-                          const SolidDetails&) noexcept {
+Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
+                          std::uint32_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   CrossingsTaker taker(result, wanted);
   const bool starts_on_surface = start_part == kSide;
@@ -163,7 +163,7 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
   return result;
 }
 
-Vec3 torus_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails&) noexcept {
+Vec3 torus_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails&) noexcept {
   const double rho = from_axis(point);
   // Only a spindle's surface meets the axis. Its normals there form a cone, and the axis is taken instead.
   if (rho == 0) return {0, point.y < 0 ? -1.0 : 1.0, 0};

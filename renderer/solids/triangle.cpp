@@ -18,7 +18,7 @@ Vec3 across(const scene::Triangle& triangle) {
 }
 
 Crossings triangle_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
-                             std::uint8_t start_part, const SolidDetails& details) noexcept {
+                             std::uint32_t start_part, const SolidDetails& details) noexcept {
   const scene::Triangle& triangle = details.triangles[solid.detail];
   Crossings result;
   if (start_part == kSide) return result;
@@ -36,12 +36,12 @@ Crossings triangle_crossings(const scene::Solid& solid, const Vec3& origin, cons
   return result;
 }
 
-Vec3 triangle_normal(const scene::Solid& solid, std::uint8_t, const Vec3&, const SolidDetails& details) noexcept {
+Vec3 triangle_normal(const scene::Solid& solid, std::uint32_t, const Vec3&, const SolidDetails& details) noexcept {
   return across(details.triangles[solid.detail]).normalized();
 }
 
 /// The corners' normals, weighted by the areas between the point and the opposite edges.
-Vec3 smooth_normal(const scene::Solid& solid, std::uint8_t, const Vec3& point, const SolidDetails& details) noexcept {
+Vec3 smooth_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails& details) noexcept {
   const scene::Triangle& triangle = details.triangles[solid.detail];
   const Vec3 normal = across(triangle);
   const Vec3 a = triangle.corners[0] - point, b = triangle.corners[1] - point, c = triangle.corners[2] - point;

@@ -18,7 +18,7 @@ struct CsgRay {
   Vec3 origin, direction;
   double t_max = std::numeric_limits<double>::infinity();
   std::uint32_t start_leaf = scene::kNone;  ///< the leaf whose surface the ray starts on, if it is in this tree
-  std::uint8_t start_part = 0;              ///< which surface of that leaf
+  std::uint32_t start_part = 0;             ///< which surface of that leaf
   double path_length = 0;                   ///< the path's length before t = 0, in world units
   InstanceId instance = scene::kNone;       ///< the instance as which the tree is met
   const Ray* world = nullptr;               ///< the ray in the world
@@ -28,7 +28,7 @@ struct CsgHit {
   double t = std::numeric_limits<double>::infinity();
   std::uint32_t leaf = scene::kNone;
   std::uint32_t cell = scene::kNone;  ///< for a blob
-  std::uint8_t part = 0;              ///< for a solid
+  std::uint32_t part = 0;             ///< for a solid
   bool from_inside = false;           ///< the ray comes out of the whole; for an open surface, out of its back
 
   [[nodiscard]] bool is_miss() const { return leaf == scene::kNone; }
@@ -45,7 +45,7 @@ struct CsgEvent {
   double t;
   std::uint32_t leaf;
   std::uint32_t cell;
-  std::uint8_t part;
+  std::uint32_t part;
 };
 
 /// A leaf whose box a ray meets from t = `enter` on.

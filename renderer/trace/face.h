@@ -46,7 +46,7 @@ struct BlobGradient {
 
 /// A piece of a shape's surface.
 struct SurfacePiece {
-  std::uint8_t part = 0;              ///< for a solid
+  std::uint32_t part = 0;             ///< for a solid
   std::uint32_t cell = scene::kNone;  ///< for a blob
 };
 

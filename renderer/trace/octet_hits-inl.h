@@ -66,7 +66,7 @@ class OctetHits {
     return {t_[i],
             static_cast<InstanceId>(instance_[i]),
             static_cast<std::uint32_t>(cell_[i]),
-            static_cast<std::uint8_t>(part_[i]),
+            static_cast<std::uint32_t>(part_[i]),
             (from_inside_ >> i & 1) != 0,
             static_cast<std::uint32_t>(leaf_[i])};
   }

@@ -87,7 +87,7 @@ class SingleTrace {
                       best);
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
-    const std::uint8_t start_part = starts_here ? ray.start.part : kNoPart;
+    const std::uint32_t start_part = starts_here ? ray.start.part : kNoPart;
     const Crossings found = crossings_to_first(solid, origin, direction, start_part, scene_.details);
     const std::size_t first = first_ahead(found);
     if (first == static_cast<std::size_t>(found.count)) return false;
@@ -201,7 +201,7 @@ class SingleTrace {
   }
 
   /// Takes a crossing of a solid. True if it is the nearest.
-  bool take_solid(std::uint32_t index, const Ray& ray, double t, std::uint8_t part, bool any, Hit& best) {
+  bool take_solid(std::uint32_t index, const Ray& ray, double t, std::uint32_t part, bool any, Hit& best) {
     if (!(t < best.t) && !(t < farthest(index, ray, any, best))) return false;
     const Instance& instance = scene_.instances[index];
     bool from_inside = false;
@@ -259,7 +259,7 @@ class SingleTrace {
             }};
   }
 
-  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint8_t part, const Vec3& point,
+  [[nodiscard]] bool is_leaving(const scene::Solid& solid, std::uint32_t part, const Vec3& point,
                                 const Vec3& direction) const {
     return normal_at(solid, part, point, scene_.details).dot(direction) > 0;
   }

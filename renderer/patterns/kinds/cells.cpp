@@ -18,8 +18,8 @@ namespace {
 constexpr double kBelowCube = 1e-10;
 
 /// The cube's feature point.
-Vec3 point_in(const Cube& cube) noexcept {
-  const double* const random = random_numbers(cube);
+Vec3 point_in(const RandomCubes& cubes, const Cube& cube) noexcept {
+  const double* const random = cubes.of(cube);
   return {cube.x + random[0], cube.y + random[1], cube.z + random[2]};
 }
 
@@ -53,12 +53,14 @@ struct Nearest {
   double distances[3] = {kFar, kFar, kFar};  ///< as the metric compares them
   Vec3 point{0};                             ///< the first of them
 
-  void add(double distance, const Vec3& p) noexcept {
-    if (distance >= distances[2]) return;
+  /// False if it is none of the nearest three.
+  bool add(double distance, const Vec3& p) noexcept {
+    if (distance >= distances[2]) return false;
     if (distance < distances[0]) point = p;
     distances[2] = distance;
     if (distances[2] < distances[1]) std::swap(distances[1], distances[2]);
     if (distances[1] < distances[0]) std::swap(distances[0], distances[1]);
+    return true;
   }
 };
 
@@ -67,6 +69,8 @@ struct Nearest {
 constexpr int kCubes = 5;
 constexpr int kStepsAway[kCubes] = {0, 1, 1, 2, 2};
 constexpr int kFarthest = 4;  ///< sum of the steps along the axes
+/// Any other cube is farther away: two steps along one axis, two along another and one along the third are √2.
+constexpr double kLeastBeyond = 1.414;
 /// How far each is away at least, in halves, wherever the point lies in its own cube.
 constexpr int kLeastHalves[kCubes] = {0, 0, 1, 2, 3};
 
@@ -102,7 +106,11 @@ constexpr auto kNearby = [] {
   return cubes;
 }();
 
-Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
+/// Calls visit(point) for feature points around p, the nearest cubes first: for all within `reach(nearest)`, as the
+/// metric compares distances, and maybe others. Returns the nearest three.
+template <class Reach, class Visit>
+Nearest search(const Vec3& p, const Metric& metric, const Reach& reach, const Visit& visit) noexcept {
+  const RandomCubes& cubes = random_cubes();
   const Cube home = cube_of(p);
   const int home_of[3] = {home.x, home.y, home.z};
   int steps[3][kCubes];
@@ -117,17 +125,24 @@ Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
     }
   }
   Nearest nearest;
+  double far = reach(nearest);
   for (const NearbyCube& cube : kNearby) {
-    if (metric.is_euclidean() && cube.least_square > nearest.distances[2]) break;
+    if (metric.is_euclidean() && cube.least_square > far) break;
     const auto [i, j, k] = cube.place;
-    if (gaps[0][i] + gaps[1][j] + gaps[2][k] > nearest.distances[2]) continue;
-    const Vec3 point = point_in(neighbour(home, steps[0][i], steps[1][j], steps[2][k]));
-    nearest.add(metric.comparable(p - point), point);
+    if (gaps[0][i] + gaps[1][j] + gaps[2][k] > far) continue;
+    const Vec3 point = point_in(cubes, neighbour(home, steps[0][i], steps[1][j], steps[2][k]));
+    if (nearest.add(metric.comparable(p - point), point)) far = reach(nearest);
+    visit(point);
   }
   return nearest;
 }
 
-double cells_at(const PatternPoint& at) noexcept { return *random_numbers(cube_of(at.point + Vec3(kBelowCube))); }
+Nearest find_nearest(const Vec3& p, const Metric& metric) noexcept {
+  return search(
+      p, metric, [](const Nearest& nearest) { return nearest.distances[2]; }, [](const Vec3& /*point*/) {});
+}
+
+double cells_at(const PatternPoint& at) noexcept { return *random_cubes().of(cube_of(at.point + Vec3(kBelowCube))); }
 
 struct Crackle {
   Vec3 form{-1, 1, 0};  ///< weights of the distances to the nearest three points
@@ -140,17 +155,60 @@ constexpr scene::OperandField kCrackle[] = {
     scene::modifier<&Crackle::offset>("offset"),
     scene::modifier<&Crackle::is_solid>("solid").dumped_with<&Crackle::is_solid>()};
 
-/// One random feature point in every unit cube; form · (distances to the nearest three), which `offset` keeps apart,
-/// cut to [0, 1]; or the noise at the nearest.
-double crackle_at(const PatternPoint& at) noexcept {
+/// The value where these points are the nearest: form · (their distances), cut to [0, 1]; or the noise at the first.
+double crackle_of(const PatternPoint& at, const Metric& metric, const Nearest& nearest) noexcept {
   const Crackle& operands = at.operands<Crackle>();
-  const Metric metric(operands.metric, operands.offset);
-  const Nearest nearest = find_nearest(at.point, metric);
   if (operands.is_solid) return values::noise(nearest.point, at.noise_generator());
   const double sum = operands.form.x * metric.distance(nearest.distances[0]) +
                      operands.form.y * metric.distance(nearest.distances[1]) +
                      operands.form.z * metric.distance(nearest.distances[2]);
   return std::clamp(sum, 0.0, 1.0);
+}
+
+Metric metric_of(const PatternPoint& at) noexcept {
+  const Crackle& operands = at.operands<Crackle>();
+  return {operands.metric, operands.offset};
+}
+
+/// One random feature point in every unit cube, and the nearest three of them.
+double crackle_at(const PatternPoint& at) noexcept {
+  const Metric metric = metric_of(at);
+  return crackle_of(at, metric, find_nearest(at.point, metric));
+}
+
+/// Points within r of p have their nearest three no farther from p than its own third is, and 2r. One search finds all
+/// of those, if they lie nearer than √2 and another r: cubes beyond the block of any of the points are farther away.
+void crackle_near(const PatternPoint& at, std::span<const Vec3> points, std::span<double> values) noexcept {
+  const Metric metric = metric_of(at);
+  double square = 0;
+  for (const Vec3& point : points) square = std::max(square, (point - at.point).length2());
+  const double r = std::sqrt(square), offset = metric.comparable(Vec3(0));
+  // The distances are those of three dimensions, since the fourth is the same for all.
+  const auto far_of = [&](const Nearest& nearest) {
+    return std::sqrt(std::max(nearest.distances[2] - offset, 0.0)) + 2 * r;
+  };
+  constexpr double kMargin = 1 + 0x1p-40;  // far more than the rounding of coordinates that distances are found from
+  const auto reach = [&](const Nearest& nearest) {
+    const double far = far_of(nearest);
+    return far * far * kMargin + offset;
+  };
+  std::array<Vec3, kNearbyCubes> found;
+  std::size_t count = 0;
+  if (metric.is_euclidean() && r < kLeastBeyond) {
+    const Nearest nearest = search(at.point, metric, reach, [&](const Vec3& point) { found[count++] = point; });
+    const double most = reach(nearest);
+    if (far_of(nearest) + r < kLeastBeyond) {
+      const auto end = std::remove_if(found.begin(), found.begin() + count,
+                                      [&](const Vec3& point) { return metric.comparable(at.point - point) > most; });
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        Nearest own;
+        std::for_each(found.begin(), end, [&](const Vec3& f) { own.add(metric.comparable(points[i] - f), f); });
+        values[i] = crackle_of(at, metric, own);
+      }
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) values[i] = crackle_of(at, metric, find_nearest(points[i], metric));
 }
 
 /// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
@@ -184,7 +242,8 @@ Vec3 bend_by_facets(const PatternPoint& at, const Vec3& normal, double /*size*/)
 }  // namespace
 
 constinit const PatternInfo pattern_kinds::cells{.value = cells_at};
-constinit const PatternInfo pattern_kinds::crackle{.operands = operands_of<Crackle, kCrackle>, .value = crackle_at};
+constinit const PatternInfo pattern_kinds::crackle{
+    .operands = operands_of<Crackle, kCrackle>, .value = crackle_at, .values_near = crackle_near};
 constinit const PatternInfo pattern_kinds::facets{
     .hosts = kNormalsOnly, .operands = operands_of<Facets, kFacets>, .bend = bend_by_facets};
 

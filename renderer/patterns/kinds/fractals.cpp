@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <span>
 
 namespace isl::render {
 namespace {
@@ -24,62 +27,84 @@ struct Fractal {
   double interior_factor = 1;
 };
 
+/// Two numbers at once. Orbits are chains of operations that wait for one another, so that two of them side by side
+/// take little longer than one, and each step gives the bits that it gives alone.
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+using PairMask = decltype(Pair{} < Pair{});
+
+template <class Real>
+constexpr std::size_t kOrbits = sizeof(Real) / sizeof(double);
+double lane(double x, std::size_t /*i*/) { return x; }
+double lane(Pair x, std::size_t i) { return x[i]; }
+/// Those of comparisons.
+bool lane(bool x, std::size_t /*i*/) { return x; }
+bool lane(PairMask x, std::size_t i) { return x[i] != 0; }
+
+bool either(bool a, bool b) { return a || b; }
+PairMask either(PairMask a, PairMask b) { return a | b; }
+
 /// A complex number, with its products written out: std::complex looks for infinities in each of them.
+template <class Real>
 struct Complex {
-  double re = 0, im = 0;
+  Real re{}, im{};
   friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-  friend Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
+  friend Complex operator+(Complex a, double b) { return {a.re + b, a.im}; }
+  friend Complex operator-(Complex a, double b) { return {a.re - b, a.im}; }
   friend Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+  friend Complex operator*(double a, Complex b) { return {a * b.re, a * b.im}; }
   friend Complex operator/(Complex a, Complex b) {
-    const double d = b.re * b.re + b.im * b.im;
+    const Real d = b.re * b.re + b.im * b.im;
     return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
   }
-  [[nodiscard]] double norm() const { return re * re + im * im; }
+  [[nodiscard]] Real norm() const { return re * re + im * im; }
+  [[nodiscard]] Complex<double> orbit(std::size_t i) const { return {lane(re, i), lane(im, i)}; }
 };
 
 constexpr double kBailout = 4, kMagnetBailout = 10000, kMagnetGoal = 1 / 10000.0;  ///< of squared distances
 
-Complex power(Complex z, int exponent) {
-  Complex result = z;
+template <class Real>
+Complex<Real> power(Complex<Real> z, int exponent) {
+  Complex<Real> result = z;
   for (int i = 1; i < exponent; ++i) result = result * z;
   return result;
 }
 
 /// One step from z, and whether the orbit has then escaped.
+template <class Real>
 struct PowerStep {
-  Complex c;
+  Complex<Real> c;
   int exponent;
-  [[nodiscard]] Complex next(Complex z) const { return power(z, exponent) + c; }
-  [[nodiscard]] static bool has_ended(Complex z) { return z.norm() > kBailout; }
+  [[nodiscard]] Complex<Real> next(Complex<Real> z) const { return power(z, exponent) + c; }
+  [[nodiscard]] static auto has_ended(Complex<Real> z) { return z.norm() > kBailout; }
 };
 
 /// z ↦ ((z² + c − 1) / (2z + c − 2))²; orbits end at infinity or at 1.
+template <class Real>
 struct Magnet1Step {
-  Complex c;
-  [[nodiscard]] Complex next(Complex z) const {
-    const Complex quotient = (z * z + c - Complex{1, 0}) / (z + z + c - Complex{2, 0});
+  Complex<Real> c;
+  [[nodiscard]] Complex<Real> next(Complex<Real> z) const {
+    const Complex<Real> quotient = (z * z + c - 1.0) / (z + z + c - 2.0);
     return quotient * quotient;
   }
-  [[nodiscard]] static bool has_ended(Complex z) {
-    return z.norm() > kMagnetBailout || (z - Complex{1, 0}).norm() < kMagnetGoal;
+  [[nodiscard]] static auto has_ended(Complex<Real> z) {
+    return either(z.norm() > kMagnetBailout, (z - 1.0).norm() < kMagnetGoal);
   }
 };
 
 /// z ↦ ((z³ + 3(c − 1)z + (c − 1)(c − 2)) / (3z² + 3(c − 2)z + (c − 1)(c − 2) + 1))².
+template <class Real>
 struct Magnet2Step {
-  Complex c1, c2, c12;  ///< c − 1, c − 2, and their product
-  explicit Magnet2Step(Complex c) : c1(c - Complex{1, 0}), c2(c - Complex{2, 0}), c12(c1 * c2) {}
-  [[nodiscard]] Complex next(Complex z) const {
-    const Complex three{3, 0};
-    const Complex quotient =
-        (z * z * z + three * c1 * z + c12) / (three * z * z + three * c2 * z + c12 + Complex{1, 0});
+  Complex<Real> c1, c2, c12;  ///< c − 1, c − 2, and their product
+  explicit Magnet2Step(Complex<Real> c) : c1(c - 1.0), c2(c - 2.0), c12(c1 * c2) {}
+  [[nodiscard]] Complex<Real> next(Complex<Real> z) const {
+    const Complex<Real> quotient = (z * z * z + 3.0 * c1 * z + c12) / (3.0 * z * z + 3.0 * c2 * z + c12 + 1.0);
     return quotient * quotient;
   }
-  [[nodiscard]] static bool has_ended(Complex z) { return Magnet1Step::has_ended(z); }
+  [[nodiscard]] static auto has_ended(Complex<Real> z) { return Magnet1Step<Real>::has_ended(z); }
 };
 
 /// The value of a point outside the set, whose orbit ended at z after `iterations` steps.
-double exterior(const Fractal& o, double iterations, Complex z) {
+double exterior(const Fractal& o, double iterations, Complex<double> z) {
   const double factor = o.exterior_factor;
   switch (o.exterior_type) {
     case 0: return factor;
@@ -92,7 +117,7 @@ double exterior(const Fractal& o, double iterations, Complex z) {
   }
 }
 
-double interior(const Fractal& o, Complex z, double least_norm) {
+double interior(const Fractal& o, Complex<double> z, double least_norm) {
   const double factor = o.interior_factor;
   switch (o.interior_type) {
     case 0: return factor;
@@ -109,31 +134,64 @@ double interior(const Fractal& o, Complex z, double least_norm) {
 /// (base/stop_flag.h).
 constexpr double kTurnsCounted = 256;
 
-template <class Step>
-double orbit(const Fractal& o, Complex z, double least_norm, const Step& step, StepCounter& steps) {
+template <class Real, class Step>
+void follow_orbits(const Fractal& o, Complex<Real> z, Real least_norm, const Step& step, StepCounter& steps,
+                   double* values) {
+  bool is_open[kOrbits<Real>];
+  std::size_t open = std::size(is_open);
+  std::fill_n(is_open, open, true);
   for (double i = 0; i < o.iterations;) {
     const double end = std::min(i + kTurnsCounted, o.iterations);
     for (; i < end; ++i) {
       z = step.next(z);
-      least_norm = std::min(least_norm, z.norm());
-      if (step.has_ended(z)) return exterior(o, i, z);
+      const Real norm = z.norm();
+      least_norm = norm < least_norm ? norm : least_norm;
+      const auto has_ended = step.has_ended(z);
+      for (std::size_t k = 0; k < std::size(is_open); ++k) {
+        const bool ends = is_open[k] && lane(has_ended, k);
+        if (!ends) continue;
+        values[k] = exterior(o, i, z.orbit(k));
+        is_open[k] = false;
+        if (--open == 0) return;
+      }
     }
-    if (!steps.take(static_cast<std::uint64_t>(kTurnsCounted))) return 0;
+    if (steps.take(static_cast<std::uint64_t>(kTurnsCounted) * open)) continue;
+    std::fill_n(values, std::size(is_open), 0.0);
+    return;
   }
-  return interior(o, z, least_norm);
+  for (std::size_t k = 0; k < std::size(is_open); ++k) {
+    if (is_open[k]) values[k] = interior(o, z.orbit(k), lane(least_norm, k));
+  }
+}
+
+/// The values at as many points as Real has numbers.
+template <class Real>
+void fractals_at(const Fractal& o, const Complex<Real>& point, StepCounter& steps, double* values) {
+  const Real zero{};
+  const Complex<Real> c = o.is_julia ? Complex<Real>{zero + o.real, zero + o.imaginary} : point;
+  if (o.magnet == 0) return follow_orbits(o, point, point.norm(), PowerStep<Real>{c, o.exponent}, steps, values);
+  // The start of a magnet's Mandelbrot set is 0 and does not count as near to it.
+  const Complex<Real> start = o.is_julia ? point : Complex<Real>{};
+  const Real least_norm = o.is_julia ? point.norm() : zero + kMagnetBailout;
+  if (o.magnet == 1) return follow_orbits(o, start, least_norm, Magnet1Step<Real>{c}, steps, values);
+  follow_orbits(o, start, least_norm, Magnet2Step<Real>(c), steps, values);
 }
 
 double fractal_at(const PatternPoint& at) noexcept {
+  double value = 0;
+  fractals_at(at.operands<Fractal>(), Complex<double>{at.point.x, at.point.y}, at.environment.steps(), &value);
+  return value;
+}
+
+void fractal_near(const PatternPoint& at, std::span<const Vec3> points, std::span<double> values) noexcept {
   const Fractal& o = at.operands<Fractal>();
-  const Complex point{at.point.x, at.point.y};
-  const Complex c = o.is_julia ? Complex{o.real, o.imaginary} : point;
   StepCounter& steps = at.environment.steps();
-  if (o.magnet == 0) return orbit(o, point, point.norm(), PowerStep{c, o.exponent}, steps);
-  // The start of a magnet's Mandelbrot set is 0 and does not count as near to it.
-  const Complex start = o.is_julia ? point : Complex{0, 0};
-  const double least_norm = o.is_julia ? point.norm() : kMagnetBailout;
-  return o.magnet == 1 ? orbit(o, start, least_norm, Magnet1Step{c}, steps)
-                       : orbit(o, start, least_norm, Magnet2Step(c), steps);
+  std::size_t i = 0;
+  for (; i + 1 < points.size(); i += 2) {
+    const Vec3 &a = points[i], &b = points[i + 1];
+    fractals_at(o, Complex<Pair>{Pair{a.x, b.x}, Pair{a.y, b.y}}, steps, &values[i]);
+  }
+  for (; i < points.size(); ++i) fractals_at(o, Complex<double>{points[i].x, points[i].y}, steps, &values[i]);
 }
 
 // ---- Operands -------------------------------------------------------------------------------------------------------
@@ -211,6 +269,7 @@ constinit const PatternInfo pattern_kinds::fractal{.words = kWords,
                                                    .has_colours = is_mandel,
                                                    .operands = operands_of<Fractal, kFractal>,
                                                    .read = read_operands<Fractal, read_fractal>,
-                                                   .value = fractal_at};
+                                                   .value = fractal_at,
+                                                   .values_near = fractal_near};
 
 }  // namespace isl::render

@@ -51,6 +51,7 @@ std::optional<TexelPlace> ImagePlacing::place_of(const Vec3& p) const noexcept {
 }
 
 TexelPlace ImagePlacing::neighbour(const TexelPlace& place, double dx, double dy) const noexcept {
+  if (!once_) return {place.x + dx, place.y + dy};  // texels repeat
   const auto within = [](double value, int size) { return value - std::floor(value / size) * size; };
   return {within(place.x + dx, width_), within(place.y + dy, height_)};
 }

@@ -57,12 +57,17 @@ class ImagePlacing {
   /// The number of the texel at a place along a side of so many texels, as often as they repeat; 0 for NaN and places
   /// that have no whole number.
   [[nodiscard]] static std::size_t wrapped(double place, int size) noexcept {
-    if (!(std::abs(place) < 0x1p62)) return 0;
-    auto texel = static_cast<std::int64_t>(place);
+    // Most places are near the origin, and a division of short numbers takes half as long.
+    if (std::abs(place) < 0x1p30) [[likely]]
+      return whole_of<std::int32_t>(place, size);
+    return std::abs(place) < 0x1p62 ? whole_of<std::int64_t>(place, size) : 0;
+  }
+  template <class Integer>
+  [[nodiscard]] static std::size_t whole_of(double place, Integer size) noexcept {
+    auto texel = static_cast<Integer>(place);
     if (static_cast<double>(texel) > place) --texel;
-    if (texel >= 0 && texel < size) [[likely]]
-      return static_cast<std::size_t>(texel);
-    const std::int64_t rest = texel % size;
+    if (texel >= 0 && texel < size) return static_cast<std::size_t>(texel);
+    const Integer rest = texel % size;
     return static_cast<std::size_t>(rest < 0 ? rest + size : rest);
   }
   /// The same for an image that is mapped once.

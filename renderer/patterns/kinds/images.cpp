@@ -45,9 +45,10 @@ Vec3 bent_by_image(const PatternPoint& at, const Vec3& normal, double size) noex
   const double left = size * image->height_at(image->placing().neighbour(*place, -1, -1));
   const double right = size * image->height_at(image->placing().neighbour(*place, 1, -1));
   // (q3 − q2) × (q1 − q2) with q1 = (0, middle, 0), q2 = (−1, left, 1), q3 = (1, right, 1).
-  const Vec3 slope = Vec3(2, right - left, 0).cross(Vec3(1, middle - left, -1)).normalized();
-  Vec3 across = normal.cross(Vec3(0, 1, 0));
-  across = across.length() > 0 ? across.normalized() : Vec3(1, 0, 0);
+  const Vec3 slope = Vec3(2, right - left, 0).cross(Vec3(1, middle - left, -1));
+  Vec3 across(-normal.z, 0, normal.x);  // normal × y
+  const double length = across.length();
+  across = length > 0 ? across * (1 / length) : Vec3(1, 0, 0);
   const Vec3 along = across.cross(normal).normalized();
   return across * slope.x + normal * slope.y - along * slope.z;
 }

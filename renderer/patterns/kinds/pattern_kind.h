@@ -106,6 +106,9 @@ struct PatternInfo {
   PatternLack lack = PatternLack::nothing;
   /// The value, from 0 to about 1, or the item's index. Null for kinds without a value, which give 0.
   double (*value)(const PatternPoint& at) noexcept = nullptr;
+  /// The values at points near at.point, for kinds that find them faster together. Null: one at a time.
+  void (*values_near)(const PatternPoint& at, std::span<const Vec3> points,
+                      std::span<double> values) noexcept = nullptr;
   /// The colour, for kinds with colours of their own.
   scene::Colour (*colour)(const PatternPoint& at) noexcept = nullptr;
   /// A unit normal as bumps of this size bend it, of any length. Null for kinds whose bumps are their values' heights.

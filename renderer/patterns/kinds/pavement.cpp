@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace isl::render {
 namespace {
@@ -78,8 +79,7 @@ std::size_t turning_corner(const Square& square) noexcept {
 /// The length of an offset in the plane: by the circle, or as the sum of both terms, which makes a chamfer.
 double length_of(double x, double z, bool is_round) { return is_round ? std::hypot(x, z) : x + z; }
 
-double squares(const Pavement& o, const Vec3& p) noexcept {
-  const PolyformBorders borders(o.sides, o.tiles, o.pattern);
+double squares(const Pavement& o, const PolyformBorders& borders, const Vec3& p) noexcept {
   const double i = std::floor(p.x), j = std::floor(p.z), x = p.x - i, z = p.z - j;
   const Square square(borders, i, j);
   const double distances[] = {1 - x, 1 - z, x, z};
@@ -151,7 +151,7 @@ double end_of_triangle(int exterior, const CornerPoint& p) noexcept {
   return sharp;
 }
 
-double triangles(const Pavement& o, const Vec3& p) noexcept {
+double triangles(const Pavement& o, const PolyformBorders& borders, const Vec3& p) noexcept {
   // Rhombs of two triangles: columns along x, rows 60 degrees from there.
   const double v = p.z / kTriangleHeight, u = p.x - v / 2, i = std::floor(u), j = std::floor(v), x = u - i, z = v - j;
   // The nearest corner, and the sector around it in which the triangle lies.
@@ -167,7 +167,7 @@ double triangles(const Pavement& o, const Vec3& p) noexcept {
     return du * du + du * dv + dv * dv;
   };
   const Corner& corner = *std::ranges::min_element(corners, {}, distance);
-  std::array<bool, 6> edges = edges_around({o.sides, o.tiles, o.pattern}, i + corner.column, j + corner.row);
+  std::array<bool, 6> edges = edges_around(borders, i + corner.column, j + corner.row);
   std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(corner.sector), edges.end());
   static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
                           kSin[] = {0, kTriangleHeight, kTriangleHeight, 0, -kTriangleHeight, -kTriangleHeight};
@@ -195,12 +195,40 @@ constexpr double kNeighbours[6][2] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1},
 
 struct Hexagon {
   double column, row;
+};
 
-  /// Edge k is that to neighbour k.
-  [[nodiscard]] bool is_border(const PolyformBorders& borders, int k) const noexcept {
-    if (k < 3) return borders(column, row, k);
-    return borders(column + kNeighbours[k][0], row + kNeighbours[k][1], k - 3);
+/// The edges of one hexagon, each looked up when it is first asked for: points near one another ask for the same.
+class HexagonEdges {
+ public:
+  HexagonEdges(const PolyformBorders& borders, const Hexagon& hexagon) noexcept
+      : borders_(borders), hexagon_(hexagon), middle_(middle_of(hexagon.column, hexagon.row)) {}
+
+  [[nodiscard]] const Vec3& middle() const { return middle_; }
+  /// True if no other hexagon is nearer: p is within the circle inscribed in this one.
+  [[nodiscard]] bool surely_holds(const Vec3& p) const {
+    const double x = p.x - middle_.x, z = p.z - middle_.z;
+    return x * x + z * z < kTriangleHeight * kTriangleHeight;
   }
+  /// Edge k is that to neighbour k.
+  [[nodiscard]] bool is_border(int k) noexcept {
+    const unsigned bit = 1U << k;
+    if ((known_ & bit) == 0) {
+      known_ |= bit;
+      if (look_up(k)) border_ |= bit;
+    }
+    return (border_ & bit) != 0;
+  }
+
+ private:
+  [[nodiscard]] bool look_up(int k) const noexcept {
+    if (k < 3) return borders_(hexagon_.column, hexagon_.row, k);
+    return borders_(hexagon_.column + kNeighbours[k][0], hexagon_.row + kNeighbours[k][1], k - 3);
+  }
+
+  const PolyformBorders& borders_;
+  Hexagon hexagon_;
+  Vec3 middle_;
+  unsigned known_ = 0, border_ = 0;
 };
 
 Hexagon hexagon_at(const Vec3& p) noexcept {
@@ -223,24 +251,20 @@ Hexagon hexagon_at(const Vec3& p) noexcept {
   return nearest;
 }
 
-double hexagons(const Pavement& o, const Vec3& p) noexcept {
-  const Hexagon hexagon = hexagon_at(p);
-  const Vec3 middle = middle_of(hexagon.column, hexagon.row);
+double in_hexagon(const Pavement& o, HexagonEdges& edges, const Vec3& p) noexcept {
   // The corner that is nearest: corner k lies at 60 k degrees, between the edges k − 1 and k. Seen from it towards the
   // middle, edge k − 1 is on the left. `ahead` and `left` are the point's offset from the corner.
   static constexpr double kCos[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
                           kSin[] = {0, kTriangleHeight, kTriangleHeight, 0, -kTriangleHeight, -kTriangleHeight};
-  int k = 0;
-  double most = -1;
-  for (int i = 0; i < 6; ++i) {
-    const double outward = (p.x - middle.x) * kCos[i] + (p.z - middle.z) * kSin[i];
-    if (outward <= most) continue;
-    most = outward;
-    k = i;
-  }
-  const double ahead = 1 - most, left = (p.x - middle.x) * kSin[k] - (p.z - middle.z) * kCos[k];
-  const PolyformBorders borders(o.sides, o.tiles, o.pattern);
-  const bool is_left = hexagon.is_border(borders, (k + 5) % 6), is_right = hexagon.is_border(borders, k);
+  const double x = p.x - edges.middle().x, z = p.z - edges.middle().z;
+  // Along the ways to the corners 0 to 2; those to the other three are opposite.
+  const double outward[] = {x, 0.5 * x + kTriangleHeight * z, -0.5 * x + kTriangleHeight * z};
+  int way = std::abs(outward[1]) > std::abs(outward[0]) ? 1 : 0;
+  if (std::abs(outward[2]) > std::abs(outward[way])) way = 2;
+  const double most = std::abs(outward[way]);
+  const int k = outward[way] < 0 ? way + 3 : way;
+  const double ahead = 1 - most, left = x * kSin[k] - z * kCos[k];
+  const bool is_left = edges.is_border((k + 5) % 6), is_right = edges.is_border(k);
   if (!is_left && !is_right) return 0;
   const CornerPoint from_left{0.5 * ahead + kTriangleHeight * left, kTriangleHeight * ahead - 0.5 * left};
   const CornerPoint from_right{0.5 * ahead - kTriangleHeight * left, kTriangleHeight * ahead + 0.5 * left};
@@ -254,8 +278,30 @@ double hexagons(const Pavement& o, const Vec3& p) noexcept {
 
 double pavement_at(const PatternPoint& at) noexcept {
   const Pavement& o = at.operands<Pavement>();
-  if (o.sides == 4) return squares(o, at.point);
-  return o.sides == 3 ? triangles(o, at.point) : hexagons(o, at.point);
+  const PolyformBorders borders(o.sides, o.tiles, o.pattern);
+  if (o.sides == 4) return squares(o, borders, at.point);
+  if (o.sides == 3) return triangles(o, borders, at.point);
+  HexagonEdges edges(borders, hexagon_at(at.point));
+  return in_hexagon(o, edges, at.point);
+}
+
+void pavement_near(const PatternPoint& at, std::span<const Vec3> points, std::span<double> values) noexcept {
+  const Pavement& o = at.operands<Pavement>();
+  const PolyformBorders borders(o.sides, o.tiles, o.pattern);
+  HexagonEdges edges(borders, hexagon_at(at.point));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i];
+    if (o.sides == 4) {
+      values[i] = squares(o, borders, p);
+    } else if (o.sides == 3) {
+      values[i] = triangles(o, borders, p);
+    } else if (edges.surely_holds(p)) {
+      values[i] = in_hexagon(o, edges, p);
+    } else {
+      HexagonEdges other(borders, hexagon_at(p));
+      values[i] = in_hexagon(o, other, p);
+    }
+  }
 }
 
 // ---- Operands -------------------------------------------------------------------------------------------------------
@@ -290,6 +336,7 @@ void check_polyform(scene::OperandReader& reader, const Pavement& o) noexcept {
 
 constinit const PatternInfo pattern_kinds::pavement{.operands = operands_of<Pavement, kPavement>,
                                                     .check = check_operands<Pavement, check_polyform>,
-                                                    .value = pavement_at};
+                                                    .value = pavement_at,
+                                                    .values_near = pavement_near};
 
 }  // namespace isl::render

@@ -60,8 +60,9 @@ double slope_value(const PatternPoint& at) noexcept {
   const double length = way.length();
   const double angle = length > 0 ? share_of_angle(surface->normal.dot(way) / length) : 0.5;
   const double value = in_range(angle, slope.low_slope, slope.high_slope);
+  if (!slope.has_altitude) return below_1(value);
   const double altitude = slope.altitude.length();
-  if (!slope.has_altitude || !(altitude > 0)) return below_1(value);
+  if (!(altitude > 0)) return below_1(value);
   const double height = in_range(at.point.dot(slope.altitude) / altitude, slope.low_altitude, slope.high_altitude);
   return below_1((length * value + altitude * height) / (length + altitude));
 }

@@ -4,6 +4,7 @@
 #include "renderer/values/single_precision.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace isl::render {
@@ -11,8 +12,24 @@ namespace {
 
 constexpr double kModulus = 1.00001;
 
-/// The usual case needs no division.
-double remainder(double value) { return std::abs(value) < kModulus ? value : std::fmod(value, kModulus); }
+/// fmod(value, kModulus), to the last bit. The modulus has a part of 30 bits and a rest of 23, whose multiples by a
+/// quotient of up to 2²³ are exact, and so are both differences: the first by Sterbenz's lemma, the second because any
+/// remainder is a double.
+double remainder(double value) {
+  constexpr auto kHigh = static_cast<double>(static_cast<std::int64_t>(kModulus * 0x1p29)) * 0x1p-29;
+  constexpr double kLow = kModulus - kHigh, kMostSize = 0x1p22;
+  static_assert(kHigh + kLow == kModulus && kLow * 0x1p52 < 0x1p23);
+  const double size = std::abs(value);
+  if (size < kModulus) return value;
+  if (!(size < kMostSize)) return std::fmod(value, kModulus);
+  const auto rest_of = [size](double quotient) { return (size - quotient * kHigh) - quotient * kLow; };
+  const auto quotient = static_cast<double>(static_cast<std::int32_t>(size * (1 / kModulus)));
+  double rest = rest_of(quotient);
+  // The product may round up to the next whole number, or down from it.
+  if (rest < 0) rest = rest_of(quotient - 1);
+  if (rest >= kModulus) rest = rest_of(quotient + 1);
+  return std::copysign(rest, value);
+}
 
 }  // namespace
 
@@ -26,7 +43,7 @@ double triangle_wave(double value) noexcept {
   return offset >= 0.5 ? 2 * (1 - offset) : 2 * offset;
 }
 
-double in_wave(double value, const scene::Pattern& pattern) noexcept {
+double in_any_wave(double value, const scene::Pattern& pattern) noexcept {
   const double frequency = values::to_single(pattern.frequency);
   if (frequency != 0) value = remainder(value * frequency + values::to_single(pattern.phase));
   if (value < 0) value -= std::floor(value);

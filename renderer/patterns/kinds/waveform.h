@@ -10,8 +10,14 @@ namespace isl::render {
 /// 0 at whole numbers, 1 half-way between.
 [[nodiscard]] double triangle_wave(double value) noexcept;
 
+/// in_wave() for any pattern.
+[[nodiscard]] double in_any_wave(double value, const scene::Pattern& pattern) noexcept;
+
 /// wave(fmod(value · frequency + phase, 1.00001)), with the modulus made positive. POV-Ray's modulus is above 1, so
 /// that 1 itself stays 1. A frequency of 0 leaves the value unchanged.
-[[nodiscard]] double in_wave(double value, const scene::Pattern& pattern) noexcept;
+[[nodiscard]] inline double in_wave(double value, const scene::Pattern& pattern) noexcept {
+  const bool is_plain = pattern.wave == scene::Wave::ramp && pattern.frequency == 1 && pattern.phase == 0;
+  return is_plain && value >= 0 && value <= 1 ? value : in_any_wave(value, pattern);
+}
 
 }  // namespace isl::render

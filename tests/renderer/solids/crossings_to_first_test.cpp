@@ -26,7 +26,7 @@ TEST_P(CrossingsToFirst, FindTheSameFirstOne) {
     const test::WholeSolid whole = test::random_whole(random, GetParam());
     const Vec3 origin = random.in_cube(2), direction = random.direction() * random.uniform(0.1, 3);
     Vec3 from = origin;
-    std::uint8_t part = kNoPart;
+    std::uint32_t part = kNoPart;
     for (int start = 0; start < 2; ++start) {
       const Crossings all = crossings(whole.solid, from, direction, part, whole.details);
       const Crossings some = crossings_to_first(whole.solid, from, direction, part, whole.details);

@@ -12,7 +12,7 @@ using scene::SolidKind;
 
 struct Start {
   Vec3 point;
-  std::uint8_t part;
+  std::uint32_t part;
 };
 
 /// Finds the point where a random line first meets the solid.

@@ -1,5 +1,6 @@
 // prism and text: their crossings against outlines that are cut into short lines in long double, without any solving,
 // and against POV-Ray's depths.
+#include "renderer/solids/capped.h"
 #include "renderer/solids/outline.h"
 #include "tests/renderer/solids/random_outline.h"
 
@@ -27,7 +28,7 @@ struct SweptSolid {
     details.outlines.push_back(prepare(outline));
   }
   [[nodiscard]] const Outline& outline() const { return database.outlines[0]; }
-  [[nodiscard]] Crossings meet(const Vec3& origin, const Vec3& direction, std::uint8_t part = kNoPart) const {
+  [[nodiscard]] Crossings meet(const Vec3& origin, const Vec3& direction, std::uint32_t part = kNoPart) const {
     return crossings(solid, origin, direction, part, details);
   }
 };
@@ -194,7 +195,7 @@ TEST(Swept, is_entered_and_left_in_turn_with_the_normal_outward) {
         const double towards = normal.dot(direction);
         const bool enters = k % 2 == 0;
         ASSERT_TRUE(enters ? towards < 1e-12 : towards > -1e-12) << i << " " << line << " crossing " << k;
-        on_sides += std::abs(towards) > 1e-12 && found.part[k] == 0 ? 1 : 0;
+        on_sides += std::abs(towards) > 1e-12 && found.part[k] > kCapB ? 1 : 0;
       }
     }
   }
@@ -251,7 +252,7 @@ TEST(Swept, has_any_number_of_crossings) {
 
 struct SurfaceStart {
   Vec3 point, normal;
-  std::uint8_t part;
+  std::uint32_t part;
 };
 
 std::optional<SurfaceStart> random_start(const SweptSolid& swept, Random& random) {
@@ -344,7 +345,7 @@ TEST(Swept, a_double_cone_is_met_on_both_sides_of_its_apex) {
   ASSERT_EQ(beside.count, 4);
   EXPECT_EQ(beside.t[1], 4.5);
   EXPECT_EQ(beside.t[2], 5.5);
-  const Vec3 normal = normal_at(swept.solid, 0, {0.5, -0.5, 0}, swept.details);
+  const Vec3 normal = normal_at(swept.solid, beside.part[2], {0.5, -0.5, 0}, swept.details);
   EXPECT_NEAR(normal.x, std::numbers::sqrt2 / 2, 1e-15);
   EXPECT_NEAR(normal.y, std::numbers::sqrt2 / 2, 1e-15);
 }
