@@ -2,19 +2,44 @@
 // warps alone, as in POV-Ray.
 #pragma once
 
+#include "renderer/patterns/warp_point.h"
 #include "renderer/scene/database.h"
 #include "renderer/values/function_machine.h"
 
+#include <variant>
+
 namespace isl::render {
 
+/// own_point() for any pattern.
+[[nodiscard]] scene::Vec3 own_point_of_any(const scene::Database& database, const scene::Pattern& pattern,
+                                           const scene::Vec3& point, const values::Environment& environment) noexcept;
+
 /// The point in the pattern's own space.
-[[nodiscard]] scene::Vec3 own_point(const scene::Database& database, const scene::Pattern& pattern,
-                                    const scene::Vec3& point, const values::Environment& environment) noexcept;
+[[nodiscard]] inline scene::Vec3 own_point(const scene::Database& database, const scene::Pattern& pattern,
+                                           const scene::Vec3& point, const values::Environment& environment) noexcept {
+  // Most patterns are moved by one transform alone.
+  const bool is_plain = !pattern.uv_mapping && pattern.warps.size() == 1 && pattern.turbulence.amount == scene::Vec3(0);
+  const auto* const id = is_plain ? std::get_if<scene::TransformId>(&pattern.warps.front()) : nullptr;
+  return id ? within_limit(database.transforms[index(*id)].inverse_point(point))
+            : own_point_of_any(database, pattern, point, environment);
+}
 
 /// Normals keep what the transforms do to their lengths.
-[[nodiscard]] scene::Vec3 into_own_space(const scene::Database& database, const scene::Pattern& pattern,
-                                         scene::Vec3 normal) noexcept;
-[[nodiscard]] scene::Vec3 out_of_own_space(const scene::Database& database, const scene::Pattern& pattern,
-                                           scene::Vec3 normal) noexcept;
+[[nodiscard]] inline scene::Vec3 into_own_space(const scene::Database& database, const scene::Pattern& pattern,
+                                                scene::Vec3 normal) noexcept {
+  for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp) {
+    if (const auto* const id = std::get_if<scene::TransformId>(&*warp))
+      normal = database.transforms[index(*id)].inverse_normal(normal);
+  }
+  return normal;
+}
+[[nodiscard]] inline scene::Vec3 out_of_own_space(const scene::Database& database, const scene::Pattern& pattern,
+                                                  scene::Vec3 normal) noexcept {
+  for (const scene::Warp& warp : pattern.warps) {
+    if (const auto* const id = std::get_if<scene::TransformId>(&warp))
+      normal = database.transforms[index(*id)].normal(normal);
+  }
+  return normal;
+}
 
 }  // namespace isl::render

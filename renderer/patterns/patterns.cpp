@@ -53,8 +53,7 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   if (record.pattern.kind == PatternKind::plain) return in_single(record.colour);
   if (!environment.take_step()) return {};
   const Vec3 p = own_point(world_.database, record.pattern, point, environment);
-  if (const auto colour = info_of(record.pattern.kind).colour)
-    return in_single(colour({record.pattern, p, environment, world_}));
+  if (const auto colour = info_of(record.pattern.kind).colour) return colour({record.pattern, p, environment, world_});
   const scene::PigmentMap& map = world_.database.pigment_maps[index(record.map)];
   if (!environment.steps().take(map.size() / kEntriesOfStep)) return {};
   if (info_of(record.pattern.kind).choice == PatternChoice::mean_of_map) return average(map, p, environment);

@@ -3,7 +3,15 @@
 
 #include "renderer/scene/database.h"
 
+#include <algorithm>
+
 namespace isl::render {
+
+/// POV-Ray clips the coordinates of points that patterns are evaluated at.
+[[nodiscard]] inline scene::Vec3 within_limit(const scene::Vec3& p) noexcept {
+  constexpr double kLimit = 1e17;
+  return {std::clamp(p.x, -kLimit, kLimit), std::clamp(p.y, -kLimit, kLimit), std::clamp(p.z, -kLimit, kLimit)};
+}
 
 /// `yes` if the pattern's `turbulence` moves the point too; some patterns use it in their formula instead.
 enum class PointTurbulence { yes, no };

@@ -76,9 +76,39 @@ PointTextures::PointTextures(const scene::Database& database, const RunLimits& r
                          colour.transmit == 0;
     return LitTexture{is_same ? &material : nullptr, material.pigment, material.pigment, 1};
   };
+  const auto add_texture = [&](scene::TextureId id) {
+    const scene::Texture& texture = database.texture(id);
+    same_everywhere_.push_back(lit_of(id));
+    is_one_layer_.push_back(texture.pattern == scene::kNoTexturePattern && texture.below == scene::kNoTexture &&
+                            texture.uv_mapping == 0 && !coordinate_textures_.has(id));
+  };
   same_everywhere_.reserve(database.textures.size() + 1);
-  for (std::uint32_t i = 0; i < database.textures.size(); ++i) same_everywhere_.push_back(lit_of(scene::TextureId{i}));
-  same_everywhere_.push_back(lit_of(scene::kNoTexture));
+  is_one_layer_.reserve(database.textures.size() + 1);
+  for (std::uint32_t i = 0; i < database.textures.size(); ++i) add_texture(scene::TextureId{i});
+  add_texture(scene::kNoTexture);
+}
+
+bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTexture>& lit,
+                                 const LayerLists& lists) const {
+  const TextureShare& share = point.textures.front();
+  const scene::Texture& layer = database_.texture(share.texture);
+  const Material& material = materials_[share.texture];
+  values::Environment environment(noise_generator_, run_, &patterns_);
+  values::SurfaceView surface{point.position, lists.normal, lists.view};
+  environment.set_surface(&surface);
+  if (lists.normals) {
+    Vec3 normal = share.frame.enter(lists.normal);
+    if (layer.normal != scene::kNoNormal)
+      normal = patterns_.bent(database_.normals[scene::index(layer.normal)], share.place, normal, environment);
+    if (layer.normal == scene::kNoNormal || !share.frame.is_world()) normal = share.frame.leave(normal).normalized();
+    surface.normal = normal;
+  }
+  Rgb colour = material.pigment;
+  if (material.is_patterned) colour = rgb(patterns_.pigment_colour(layer.pigment, share.place, environment));
+  if (environment.is_spent()) return false;
+  if (lists.normals) lists.normals->push_back(surface.normal);
+  lit.push_back({&material, colour, colour, share.weight});
+  return true;
 }
 
 bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,

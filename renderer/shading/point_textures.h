@@ -55,6 +55,7 @@ class PointTextures {
         if (lists.passing) lists.passing->push_back(Rgb(0));
         return true;
       }
+      if (is_one_layer_[texture_number(share.texture)] && !lists.passing) return append_layer(point, lit, lists);
     }
     return append_each(point, lit, charge, lists);
   }
@@ -70,7 +71,10 @@ class PointTextures {
   [[nodiscard]] std::size_t texture_number(scene::TextureId id) const {
     return id == scene::kNoTexture ? same_everywhere_.size() - 1 : index(id);
   }
-  /// append() for textures that depend on the point.
+  /// append() for a single layer that is all the point's texture, where nobody asks what it lets through.
+  [[nodiscard]] bool append_layer(const SurfacePoint& point, std::vector<LitTexture>& lit,
+                                  const LayerLists& lists) const;
+  /// append() for all others that depend on the point.
   [[nodiscard]] bool append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
                                  const LayerLists& lists) const;
   /// The textures of one point in the making.
@@ -95,6 +99,7 @@ class PointTextures {
   /// Textures that are one opaque layer of one colour without bumps, by number, the scene's default last; all others
   /// have no material here.
   std::vector<LitTexture> same_everywhere_;
+  std::vector<bool> is_one_layer_;  ///< of textures, in the same order: no others, no coordinates of the surface
   scene::CoordinateTextures coordinate_textures_;
   PatternInsides insides_;
   Patterns patterns_;

@@ -101,6 +101,15 @@ OnCurve over_distance(const OnCurve& p, double w) {
 template <class Crossed>
 void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curve, const OutlinePlace& zero,
                       Crossed&& crossed) {
+  if (curve.size() == 2) {  // the quotient is the line's slope
+    const PlanePoint along = curve[1] - curve[0];
+    const int sign = sign_of(form.along(along), rounding_of_order(1) * form.size_along(along));
+    if (sign != 0 && follower.sign() != sign) {
+      crossed(OutlineCrossing{.point = zero.point, .turn = sign, .is_start = true});
+      follower = SignFollower(sign);
+      return;
+    }
+  }
   // Values relative to the zero keep their digits near it.
   OnCurve values;
   const int n = values.degree = static_cast<int>(curve.size()) - 1;

@@ -79,6 +79,7 @@ OutlinePlace nearest_on(const PreparedOutline& outline, std::uint32_t node, cons
     result = {node, w, foot, tangent_at(curve, w)};
   };
   if (const auto w = foot_on_curve(curve, point)) {
+    if (curve.size() == 2) return {node, *w, point_at(curve, *w), curve[1] - curve[0]};
     keep(*w);
   } else {
     for_each_foot(curve, point, keep);

@@ -94,6 +94,7 @@ TexelTaps ImagePlacing::taps_of(const TexelPlace& place) const noexcept {
       sum += weight;
     }
   }
+  if (interpolate_ == 2) return taps;  // these add up to 1
   for (int i = 0; i < taps.count; ++i) taps.taps[static_cast<std::size_t>(i)].weight /= sum;
   return taps;
 }

@@ -109,7 +109,7 @@ struct PatternInfo {
   /// The values at points near at.point, for kinds that find them faster together. Null: one at a time.
   void (*values_near)(const PatternPoint& at, std::span<const Vec3> points,
                       std::span<double> values) noexcept = nullptr;
-  /// The colour, for kinds with colours of their own.
+  /// The colour in single precision, for kinds with colours of their own.
   scene::Colour (*colour)(const PatternPoint& at) noexcept = nullptr;
   /// A unit normal as bumps of this size bend it, of any length. Null for kinds whose bumps are their values' heights.
   Vec3 (*bend)(const PatternPoint& at, const Vec3& normal, double size) noexcept = nullptr;

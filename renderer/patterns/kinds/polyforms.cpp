@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace isl::render {
 namespace {
@@ -35,6 +36,13 @@ Range range_of(int sides, int tiles) noexcept {
   return kRanges[static_cast<std::size_t>(sides)][static_cast<std::size_t>(tiles)];
 }
 
+/// From 0 to below the divisor.
+template <class Integer>
+Integer remainder_of(Integer value, Integer divisor) noexcept {
+  const Integer rest = value % divisor;
+  return rest < 0 ? rest + divisor : rest;
+}
+
 const Polyform& polyform_of(int sides, int tiles, int number) noexcept {
   const Range range = range_of(sides, tiles);
   ISL_DCHECK(number >= 1 && number <= range.count, "polyform {} of {} sides and {} tiles", number, sides, tiles);
@@ -49,11 +57,15 @@ PolyformBorders::PolyformBorders(int sides, int tiles, int number) noexcept
     : polyform_(polyform_of(sides, tiles, number)) {}
 
 bool PolyformBorders::operator()(double column, double row, int bit) const noexcept {
-  const double blocks = std::floor(row / polyform_.rows), along = column - blocks * polyform_.shift;
-  const double i = along - std::floor(along / polyform_.columns) * polyform_.columns;
-  const double place = (row - blocks * polyform_.rows) * polyform_.columns + i;
-  if (!(place >= 0 && place < static_cast<double>(polyform_.borders.size()))) return false;
-  return ((polyform_.borders[static_cast<std::size_t>(place)] - '0') >> bit & 1) != 0;
+  constexpr double kMost = 0x1p30;
+  if (!(std::abs(column) < kMost && std::abs(row) < kMost)) return false;
+  const auto i = static_cast<std::int64_t>(column);
+  const auto j = static_cast<std::int32_t>(row);
+  const std::int32_t row_in_block = remainder_of(j, polyform_.rows);
+  const std::int64_t blocks = (j - row_in_block) / polyform_.rows;
+  const auto along = remainder_of(i - blocks * polyform_.shift, std::int64_t{polyform_.columns});
+  const auto place = static_cast<std::size_t>(row_in_block * polyform_.columns + along);
+  return ((polyform_.borders[place] - '0') >> bit & 1) != 0;
 }
 
 }  // namespace isl::render

@@ -26,8 +26,8 @@ class PolyformBorders {
   /// `number` is from 1 to polyform_count(sides, tiles); that count must not be 0.
   PolyformBorders(int sides, int tiles, int number) noexcept;
 
-  /// True if the cell's edge with that bit is a border. Cells that are NaN or outside the integers' range have no
-  /// borders.
+  /// True if the cell's edge with that bit is a border. Column and row are whole numbers; where they are NaN or beyond
+  /// 2³⁰, there are no borders.
   [[nodiscard]] bool operator()(double column, double row, int bit) const noexcept;
 
  private:

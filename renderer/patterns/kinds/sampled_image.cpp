@@ -1,5 +1,7 @@
 #include "renderer/patterns/kinds/sampled_image.h"
 
+#include "renderer/patterns/kinds/pigment_colour.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -130,7 +132,7 @@ Colour SampledImage::colour_at(const TexelPlace& place) const noexcept {
     sum.filter += tap.weight * colour.filter;
     sum.transmit += tap.weight * colour.transmit;
   }
-  return sum;
+  return in_single(sum);
 }
 
 bool SampledImage::uses_index() const noexcept {

@@ -23,6 +23,7 @@ class SampledImage {
   SampledImage(const scene::Image& image, std::shared_ptr<const Texels> texels, const WorkingGamma& working);
 
   [[nodiscard]] const ImagePlacing& placing() const noexcept { return placing_; }
+  /// In single precision.
   [[nodiscard]] scene::Colour colour_at(const TexelPlace& place) const noexcept;
   /// The value of an image_pattern, from 0 to 1.
   [[nodiscard]] double value_at(const TexelPlace& place) const noexcept;
