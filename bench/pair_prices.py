@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What each effect costs in isl and in POV-Ray 3.7: the processor time of a scene of pairs/ less that of the same scene without
-its effect (`Without` defined).
+its effect (`Without` defined; in all of them `Priced` is).
 
     bench/pair_prices.py [NAME…] [-n RUNS] [-s WxH] [--isl PROGRAM] [--povray PROGRAM]
 
@@ -23,7 +23,7 @@ from pairs import HERE, scenes
 
 SIZES = (400, 300), (800, 600), (1600, 1200)
 ENOUGH = .5  # seconds that POV-Ray's effect adds
-WITHOUT = ['Without=1']
+PRICED, WITHOUT = ['Priced=1'], ['Priced=1', 'Without=1']
 
 
 class Failed(Exception):
@@ -49,7 +49,7 @@ def seconds(options, program, scene, size, defines, folder):
 def added(options, program, scene, size, folder):
     """The price of one round, and the time without the effect."""
     without = seconds(options, program, scene, size, WITHOUT, folder)
-    return seconds(options, program, scene, size, [], folder) - without, without
+    return seconds(options, program, scene, size, PRICED, folder) - without, without
 
 
 def size_for(options, scene, folder):
@@ -65,7 +65,7 @@ def quartiles(values):
 
 def price(options, scene, folder):
     """A row of the table, and whether ours costs at most what theirs does."""
-    seconds(options, 'isl', scene, (8, 6), [], folder)  # a scene that is refused is not timed
+    seconds(options, 'isl', scene, (8, 6), PRICED, folder)  # a scene that is refused is not timed
     size = options.size or size_for(options, scene, folder)
     ours, theirs, plain = [], [], []
     for _ in range(options.runs):

@@ -11,15 +11,30 @@ namespace {
 
 bool has_cone(const scene::Light& light) { return light.kind == scene::LightKind::spotlight && !light.parallel; }
 
-double strength_in_cone(const scene::Light& light, double cosine) {
-  const double full = std::cos(light.radius), none = std::cos(light.falloff);
-  // A `radius` above `falloff` is that of a cone with a sharp edge.
-  if (!(cosine > std::min(full, none)) || !(cosine > 0)) return 0;
-  const double strength = light.tightness == 0 ? 1 : power(cosine, light.tightness);
-  if (cosine >= full) return strength;
-  const double x = (cosine - none) / (full - none);
-  return strength * x * x * (3 - 2 * x);
-}
+class Cone {
+ public:
+  explicit Cone(const scene::Light& light)
+      : axis_(axis_of(light)),
+        tightness_(light.tightness),
+        full_(std::cos(light.radius)),
+        none_(std::cos(light.falloff)) {}
+
+  /// The share of the light that goes this way from it.
+  [[nodiscard]] double strength_towards(const Vec3& direction) const {
+    const double cosine = direction.dot(axis_);
+    // A `radius` above `falloff` is that of a cone with a sharp edge.
+    if (!(cosine > std::min(full_, none_)) || !(cosine > 0)) return 0;
+    const double strength = tightness_ == 0 ? 1 : power(cosine, tightness_);
+    if (cosine >= full_) return strength;
+    const double x = (cosine - none_) / (full_ - none_);
+    return strength * x * x * (3 - 2 * x);
+  }
+
+ private:
+  Vec3 axis_;
+  double tightness_;
+  double full_, none_;  ///< cosines of the angles at which the light begins to fall, and ends
+};
 
 class SpotStage final : public Stage<ReachWork> {
  public:
@@ -27,9 +42,8 @@ class SpotStage final : public Stage<ReachWork> {
 
   void run(ReachWork& work) const override {
     if (!has_cone(work.light)) return;
-    const Vec3 axis = axis_of(work.light);
-    for (LightSample& sample : work.samples)
-      sample.strength *= strength_in_cone(work.light, -sample.direction.dot(axis));
+    const Cone cone(work.light);
+    for (LightSample& sample : work.samples) sample.strength *= cone.strength_towards(-sample.direction);
   }
 };
 

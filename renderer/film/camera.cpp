@@ -12,9 +12,10 @@ double pixel_angle(const scene::Camera& camera, int width, int height) {
     default: break;
   }
   // Measured between the middle and its neighbours; a chord is as long as its small angle.
-  const Vec3 middle = view_ray(camera, {0, 0}).direction;
-  const double right = (view_ray(camera, {1.0 / width, 0}).direction - middle).length();
-  const double up = (view_ray(camera, {0, 1.0 / height}).direction - middle).length();
+  const Projection projection(camera);
+  const Vec3 middle = projection.ray({0, 0}).direction;
+  const double right = (projection.ray({1.0 / width, 0}).direction - middle).length();
+  const double up = (projection.ray({0, 1.0 / height}).direction - middle).length();
   // A cylinder from whose axis parallel rays start has an angle on one side only.
   return std::min(right, up) > 0 ? std::min(right, up) : std::max(right, up);
 }

@@ -13,7 +13,7 @@ namespace isl::render {
 class CameraRays {
  public:
   CameraRays(const scene::Camera& camera, int width, int height)
-      : camera_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
+      : projection_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
 
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
   /// where the camera shows nothing.
@@ -25,11 +25,11 @@ class CameraRays {
   /// The same for the origin and direction of a ray.
   void set_through(double x, double y, Ray& ray) const {
     const auto [u, v] = picture_point(x, y);
-    if (camera_.kind == scene::CameraKind::perspective) {
-      ray.origin = camera_.location;
-      ray.direction = (camera_.direction + camera_.right * u + camera_.up * v).normalized();
+    if (camera().kind == scene::CameraKind::perspective) {
+      ray.origin = camera().location;
+      ray.direction = (camera().direction + camera().right * u + camera().up * v).normalized();
     } else {
-      const ViewRay view = view_ray(camera_, {u, v});
+      const ViewRay view = projection_.ray({u, v});
       ray.origin = view.origin;
       ray.direction = view.direction;
     }
@@ -41,10 +41,10 @@ class CameraRays {
     const auto [u, v] = picture_point(x, y);
     Ray ray = through(x, y);
     if (ray.direction == Vec3(0)) return ray;
-    const double distance = camera_.blur->focal_distance;
+    const double distance = camera().blur->focal_distance;
     const Vec3 to_focus =
-        camera_.kind == scene::CameraKind::perspective
-            ? (camera_.direction + camera_.right * u + camera_.up * v) * (distance / camera_.direction.length())
+        camera().kind == scene::CameraKind::perspective
+            ? (camera().direction + camera().right * u + camera().up * v) * (distance / camera().direction.length())
             : ray.direction * distance;
     ray.origin += on_lens;
     ray.direction = (to_focus - on_lens).normalized();
@@ -52,14 +52,15 @@ class CameraRays {
   }
 
   /// The place at which the camera's `normal` bends that ray.
-  [[nodiscard]] PicturePoint bent_at(double x, double y) const { return render::bent_at(camera_, picture_point(x, y)); }
+  [[nodiscard]] PicturePoint bent_at(double x, double y) const { return projection_.bent_at(picture_point(x, y)); }
 
  private:
+  [[nodiscard]] const scene::Camera& camera() const { return projection_.camera(); }
   [[nodiscard]] PicturePoint picture_point(double x, double y) const {
     return {x * per_column_ - 0.5, 0.5 - y * per_row_};
   }
 
-  scene::Camera camera_;
+  Projection projection_;
   double per_column_, per_row_;
 };
 

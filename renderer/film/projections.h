@@ -16,11 +16,34 @@ struct ViewRay {
   Vec3 origin, direction;
 };
 
-/// The ray of a camera through a point of its picture. The direction has unit length. Formulas as in POV-Ray.
-[[nodiscard]] ViewRay view_ray(const scene::Camera& camera, const PicturePoint& at);
+/// The projection of one camera. Formulas as in POV-Ray.
+class Projection {
+ public:
+  explicit Projection(const scene::Camera& camera);
 
-/// The place at which the camera's `normal` bends this ray, in the units in which POV-Ray measures it: shares of the
-/// picture, angles in radians, or lengths, as the kind of camera has them.
-[[nodiscard]] PicturePoint bent_at(const scene::Camera& camera, const PicturePoint& at);
+  [[nodiscard]] const scene::Camera& camera() const { return camera_; }
+  /// The ray through a point of the picture. The direction has unit length.
+  [[nodiscard]] ViewRay ray(const PicturePoint& at) const;
+  /// The place at which the camera's `normal` bends this ray, in the units in which POV-Ray measures it: shares of the
+  /// picture, angles in radians, or lengths, as the kind of camera has them.
+  [[nodiscard]] PicturePoint bent_at(const PicturePoint& at) const;
+
+ private:
+  [[nodiscard]] ViewRay unnormalized(const PicturePoint& at) const;
+
+  [[nodiscard]] Vec3 turned_aside(double angle, double a, double b, double length) const;
+  [[nodiscard]] PicturePoint in_disc(const PicturePoint& at) const;
+  [[nodiscard]] PicturePoint on_dome(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 fisheye(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 ultra_wide_angle(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 omnimax(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 panoramic(const PicturePoint& at) const;
+  [[nodiscard]] ViewRay cylinder(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 spherical(const PicturePoint& at) const;
+
+  scene::Camera camera_;
+  Vec3 right_, up_, ahead_;  ///< the camera's vectors as axes
+  double width_, height_;    ///< lengths of its right and up
+};
 
 }  // namespace isl::render

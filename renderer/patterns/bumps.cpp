@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 
 namespace isl::render {
 namespace {
@@ -17,7 +19,7 @@ using values::Environment;
 
 Vec3 unit(const Vec3& v, const Vec3& otherwise) noexcept {
   const double length = v.length();
-  return length > 0 ? v * (1 / length) : otherwise;
+  return length >= std::numeric_limits<double>::min() ? v * (1 / length) : otherwise;
 }
 
 /// Height where the pattern has this value: a cubic between two entries.

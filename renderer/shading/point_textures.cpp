@@ -103,12 +103,26 @@ bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTextu
     if (layer.normal == scene::kNoNormal || !share.frame.is_world()) normal = share.frame.leave(normal).normalized();
     surface.normal = normal;
   }
-  Rgb colour = material.pigment;
-  if (material.is_patterned) colour = rgb(patterns_.pigment_colour(layer.pigment, share.place, environment));
-  if (environment.is_spent()) return false;
+  if (!lists.passing && !material.is_patterned) {
+    if (environment.is_spent()) return false;
+    lit.push_back({&material, material.pigment, material.pigment, share.weight});
+  } else {
+    const scene::Colour colour = material.is_patterned
+                                     ? patterns_.pigment_colour(layer.pigment, share.place, environment)
+                                     : database_.colour(layer.pigment);
+    if (environment.is_spent()) return false;
+    lit.push_back({&material, lists.passing ? rgb(colour) * opacity(colour) : rgb(colour), rgb(colour), share.weight});
+    if (lists.passing) lists.passing->push_back(passing_share(material, colour, surface.normal, lists));
+  }
   if (lists.normals) lists.normals->push_back(surface.normal);
-  lit.push_back({&material, colour, colour, share.weight});
   return true;
+}
+
+Rgb PointTextures::passing_share(const Material& material, const scene::Colour& colour, const Vec3& normal,
+                                 const LayerLists& lists) const {
+  const Rgb share = rgb(colour) * colour.filter + Rgb(colour.transmit);
+  if (!lists.mirrors || !material.finish->conserve_energy) return share;
+  return share * (Rgb(1) - reflectivity_at(*material.finish, -normal.dot(lists.view), lists.ior_ratio, rgb(colour)));
 }
 
 bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
@@ -223,12 +237,8 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
       return;
     }
     making.push(material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through);
-    let_through *= rgb(colour) * colour.filter + Rgb(colour.transmit);
-    if (making.lists.mirrors && material.finish->conserve_energy) {
-      const Vec3& normal = making.lists.normals ? making.lists.normals->back() : making.lists.normal;
-      const double cosine = -normal.dot(making.lists.view);
-      let_through *= Rgb(1) - reflectivity_at(*material.finish, cosine, making.lists.ior_ratio, rgb(colour));
-    }
+    let_through *= passing_share(
+        material, colour, making.lists.normals ? making.lists.normals->back() : making.lists.normal, making.lists);
     if (let_through == Rgb(0)) return;
     if (is_lowest) {
       (*passing)[first] = let_through;

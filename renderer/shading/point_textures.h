@@ -55,7 +55,7 @@ class PointTextures {
         if (lists.passing) lists.passing->push_back(Rgb(0));
         return true;
       }
-      if (is_one_layer_[texture_number(share.texture)] && !lists.passing) return append_layer(point, lit, lists);
+      if (is_one_layer_[texture_number(share.texture)]) return append_layer(point, lit, lists);
     }
     return append_each(point, lit, charge, lists);
   }
@@ -71,7 +71,7 @@ class PointTextures {
   [[nodiscard]] std::size_t texture_number(scene::TextureId id) const {
     return id == scene::kNoTexture ? same_everywhere_.size() - 1 : index(id);
   }
-  /// append() for a single layer that is all the point's texture, where nobody asks what it lets through.
+  /// append() for a single layer that is all the point's texture.
   [[nodiscard]] bool append_layer(const SurfacePoint& point, std::vector<LitTexture>& lit,
                                   const LayerLists& lists) const;
   /// append() for all others that depend on the point.
@@ -88,6 +88,9 @@ class PointTextures {
     const double filter = is_old_ ? colour.filter * largest(rgb(colour)) : colour.filter;
     return 1 - filter - colour.transmit;
   }
+  /// The share of light that a layer lets through.
+  [[nodiscard]] Rgb passing_share(const Material& material, const scene::Colour& colour, const Vec3& normal,
+                                  const LayerLists& lists) const;
   /// Adds a layer's normal to the list.
   void add_normal(const scene::Texture& layer, const Vec3& point, Making& making) const;
   /// Adds the texture and the layers below it.

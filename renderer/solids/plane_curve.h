@@ -84,7 +84,7 @@ void for_each_foot(Curve curve, const PlanePoint& p, At&& at) {
   if (curve.size() == 2) return w;
   constexpr int kMostSteps = 6;
   constexpr double kLastStep = 0x1p-50;  // below which w has no digits left
-  // Far more than rounding, and far less than another part of the curve is away.
+  // Points that are computed as lying on the curve are off by some units of 2⁻⁵², with transforms by some more.
   const double near = 0x1p-44 * (std::abs(p.u) + std::abs(p.v));
   for (int i = 0; i < kMostSteps; ++i) {
     const auto [a, b] = last_two(curve, w);

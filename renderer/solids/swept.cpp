@@ -25,8 +25,8 @@ void find_side_crossings(const PreparedOutline& outline, const SeenLine& line, c
   std::ranges::sort(found, {}, &OutlineCrossing::t);
 }
 
-// The parts of a sweep beside its caps name the curve that a side stands on and the side of the curve, seen along it,
-// on which the inside lies: what starts or has a normal there need not look for them.
+// The part of a side names the curve that it stands on and tells whether the inside lies on the right of it, seen along
+// the curve. So neither a normal nor a ray that starts there has to look for the two.
 constexpr std::uint32_t kFirstSide = kCapB + 1;
 
 std::uint32_t side_part(std::uint32_t node, bool is_inside_on_right) {

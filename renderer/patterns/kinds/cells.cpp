@@ -69,7 +69,8 @@ struct Nearest {
 constexpr int kCubes = 5;
 constexpr int kStepsAway[kCubes] = {0, 1, 1, 2, 2};
 constexpr int kFarthest = 4;  ///< sum of the steps along the axes
-/// Any other cube is farther away: two steps along one axis, two along another and one along the third are √2.
+/// Any other cube is farther away than this: one that lies two steps away along two axes and one step along the third
+/// is at least √2 away.
 constexpr double kLeastBeyond = 1.414;
 /// How far each is away at least, in halves, wherever the point lies in its own cube.
 constexpr int kLeastHalves[kCubes] = {0, 0, 1, 2, 3};
@@ -176,8 +177,9 @@ double crackle_at(const PatternPoint& at) noexcept {
   return crackle_of(at, metric, find_nearest(at.point, metric));
 }
 
-/// Points within r of p have their nearest three no farther from p than its own third is, and 2r. One search finds all
-/// of those, if they lie nearer than √2 and another r: cubes beyond the block of any of the points are farther away.
+/// Points within r of p have their nearest three no farther from p than p's own third is, plus 2r: from p to the point
+/// and back. One search finds all that are so near, as long as none of them can lie in a cube that the search of one of
+/// the points would leave out: such cubes are kLeastBeyond away from that point, and from p at most r less.
 void crackle_near(const PatternPoint& at, std::span<const Vec3> points, std::span<double> values) noexcept {
   const Metric metric = metric_of(at);
   double square = 0;
