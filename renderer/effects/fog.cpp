@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace isl::render {
 namespace {
@@ -82,7 +81,7 @@ class Fogs {
   [[nodiscard]] Air along(const Ray& ray, double length) const {
     Air air;
     for (const Fog& fog : fogs_) {
-      const double share = std::max(power(std::numbers::e, -optical_depth(fog, ray, length)), fog.colour.transmit);
+      const double share = std::max(exponential(-optical_depth(fog, ray, length)), fog.colour.transmit);
       air.through *= (Rgb(1 - fog.colour.filter) + rgb(fog.colour) * fog.colour.filter) * share;
       air.added += rgb(fog.colour) * (1 - share);
     }
@@ -96,7 +95,7 @@ class Fogs {
     if (fog.turbulence.amount != Vec3(0)) {
       const Vec3 middle = (ray.origin + ray.direction * (length / 2)) * fog.turbulence.amount;
       const double gaps = turbulence_at(middle, fog.turbulence, noise_);
-      depth *= 1 - power(std::numbers::e, -depth) * std::min(1.0, gaps * fog.turbulence_depth);
+      depth *= 1 - exponential(-depth) * std::min(1.0, gaps * fog.turbulence_depth);
     }
     if (fog.type == 1) return depth;
     // A negative altitude turns the fog upside down.

@@ -104,7 +104,7 @@ class RainbowStage final : public Stage<AlongWork> {
     const double below = transparency(rainbow, view);
     if (below < 0) return false;
     const scene::Colour colour = colour_at(rainbow, place);
-    const double reach = power(std::numbers::e, -length / rainbow.distance);
+    const double reach = exponential(-length / rainbow.distance);
     const double least = below * (1 - colour.transmit) + colour.transmit;
     const double share = std::max(reach, least), filter = colour.filter * (1 - share);
     sum.through += (Rgb(1 - filter) + rgb(colour) * filter) * share;

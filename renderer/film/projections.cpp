@@ -39,7 +39,8 @@ Projection::Projection(const Camera& camera)
       up_(camera.up.normalized()),
       ahead_(camera.direction.normalized()),
       width_(camera.right.length()),
-      height_(camera.up.length()) {}
+      height_(camera.up.length()),
+      angle_along_(camera.angle * height_ / width_) {}
 
 /// The direction at an angle from `ahead`, towards (a, b) of the picture. `length` is that of (a, b).
 Vec3 Projection::turned_aside(double angle, double a, double b, double length) const {
@@ -54,13 +55,13 @@ PicturePoint Projection::in_disc(const PicturePoint& at) const { return {2 * at.
 /// The angle grows with the distance from the picture's middle: half of the camera's angle at its edge.
 Vec3 Projection::fisheye(const PicturePoint& at) const {
   const auto [a, b] = in_disc(at);
-  const double length = std::hypot(a, b);
+  const double length = std::sqrt(a * a + b * b);
   if (length > 1) return Vec3(0);
   return turned_aside(length * camera_.angle / 2, a, b, length);
 }
 
 Vec3 Projection::ultra_wide_angle(const PicturePoint& at) const {
-  const double across = at.u * camera_.angle, along = at.v * camera_.angle * height_ / width_;
+  const double across = at.u * camera_.angle, along = at.v * angle_along_;
   return right_ * std::sin(across) + up_ * std::sin(along) + ahead_ * (std::cos(across) * std::cos(along));
 }
 
@@ -76,7 +77,7 @@ PicturePoint Projection::on_dome(const PicturePoint& at) const {
 /// A fisheye of 180° for such a dome, whose screen ends 45° below the horizon.
 Vec3 Projection::omnimax(const PicturePoint& at) const {
   const auto [a, b] = on_dome(at);
-  const double length = std::hypot(a, b);
+  const double length = std::sqrt(a * a + b * b);
   if (length > 1) return Vec3(0);
   const double angle = dome_angle(length);
   const double rise = length > 0 ? std::sin(angle) * b / length : 0;
@@ -135,7 +136,7 @@ PicturePoint Projection::bent_at(const PicturePoint& at) const {
       const PicturePoint place = in_disc(at);
       return {bearing(place), std::hypot(place.u, place.v) * camera_.angle / 2};
     }
-    case CameraKind::ultra_wide_angle: return {at.u * camera_.angle, at.v * camera_.angle * height_ / width_};
+    case CameraKind::ultra_wide_angle: return {at.u * camera_.angle, at.v * angle_along_};
     case CameraKind::omnimax: {
       const PicturePoint place = on_dome(at);
       return {bearing(place), dome_angle(std::hypot(place.u, place.v))};

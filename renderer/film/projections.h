@@ -44,6 +44,7 @@ class Projection {
   scene::Camera camera_;
   Vec3 right_, up_, ahead_;  ///< the camera's vectors as axes
   double width_, height_;    ///< lengths of its right and up
+  double angle_along_;       ///< the camera's angle, from side to side of the picture, for its height
 };
 
 }  // namespace isl::render

@@ -107,7 +107,7 @@ double log2_of(double x) noexcept {
 }
 
 double exp2_of(double t) noexcept {
-  if (t < -1100) return 0;
+  if (!(t >= -1100)) return std::isnan(t) ? t : 0;
   if (t > 1100) return std::numeric_limits<double>::infinity();
   constexpr double kSteps = 1 << kExpBits;
   const double nearest = t * kSteps + kToInteger;
@@ -133,6 +133,11 @@ double power(double x, double y) noexcept {
   if (x == 1) return 1;
   if (std::isinf(x)) return y > 0 ? x : 0;
   return exp2_of(y * log2_of(x));
+}
+
+double exponential(double x) noexcept {
+  constexpr auto kLog2OfE = static_cast<double>(1 / kLn2);
+  return exp2_of(x * kLog2OfE);
 }
 
 }  // namespace isl::render

@@ -1,4 +1,4 @@
-// power(), compared with the C library in long double.
+// power() and exponential(), compared with the C library in long double.
 #include "renderer/numerics/power.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +19,19 @@ TEST(Power, agrees_with_the_c_library) {
       ASSERT_LE(std::abs(power(x, y) / expected - 1), bound) << x << "^" << y;
     }
   }
+}
+
+TEST(Exponential, agrees_with_the_c_library) {
+  for (int i = -30000; i <= 30000; ++i) {
+    const double x = i / 43.0;
+    const long double bound = 1e-14L * (1 + std::abs(x) / 27);
+    ASSERT_LE(std::abs(exponential(x) / std::exp(static_cast<long double>(x)) - 1), bound) << x;
+  }
+  EXPECT_EQ(exponential(0), 1);
+  EXPECT_EQ(exponential(-1e10), 0);
+  EXPECT_EQ(exponential(-std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(exponential(1e10), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(exponential(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST(Power, has_the_limits_of_pow) {
