@@ -18,7 +18,7 @@ using InstanceId = std::uint32_t;
 /// The surface a secondary ray starts on, so that its root at t = 0 is known and not searched for.
 struct RayStart {
   InstanceId instance = scene::kNone;
-  std::uint32_t part = 0;              ///< for a solid: which of its surfaces (Hit::part)
+  std::uint32_t part = 0;             ///< for a solid: which of its surfaces (Hit::part)
   std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves (Hit::leaf)
 };
 
@@ -71,7 +71,7 @@ struct Hit {
   std::uint32_t cell = scene::kNone;  ///< for a blob: the cell whose list holds every component that matters at the
                                       ///< hit; for `paper` and `iso` with reuse, a number known to the thread that
                                       ///< found it
-  std::uint32_t part = 0;              ///< for a solid: which of its surfaces
+  std::uint32_t part = 0;             ///< for a solid: which of its surfaces
   bool from_inside = false;           ///< the ray came out of the object rather than into it; false for a solid that is
                                       ///< no part of a group, unless the ray is a query
   std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves

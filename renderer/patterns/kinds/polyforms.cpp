@@ -64,7 +64,7 @@ bool PolyformBorders::operator()(double column, double row, int bit) const noexc
   const std::int32_t row_in_block = remainder_of(j, polyform_.rows);
   const std::int64_t blocks = (j - row_in_block) / polyform_.rows;
   const auto along = remainder_of(i - blocks * polyform_.shift, std::int64_t{polyform_.columns});
-  const auto place = static_cast<std::size_t>(row_in_block * polyform_.columns + along);
+  const auto place = static_cast<std::size_t>(std::int64_t{row_in_block} * polyform_.columns + along);
   return ((polyform_.borders[place] - '0') >> bit & 1) != 0;
 }
 
