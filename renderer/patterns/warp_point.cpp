@@ -77,11 +77,8 @@ struct Warper {
 
 Vec3 warped(const scene::Database& database, const scene::Pattern& pattern, Vec3 point,
             PointTurbulence turbulence) noexcept {
-  for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp) {
-    // Most warps are transforms, which take less time than std::visit.
-    const auto* const id = std::get_if<scene::TransformId>(&*warp);
-    point = id ? database.transforms[index(*id)].inverse_point(point) : std::visit(Warper{database, point}, *warp);
-  }
+  for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp)
+    point = std::visit(Warper{database, point}, *warp);
   if (turbulence == PointTurbulence::yes && pattern.turbulence.amount != Vec3(0))
     point = apply(pattern.turbulence, point);
   return within_limit(point);

@@ -34,9 +34,9 @@ using PairMask = decltype(Pair{} < Pair{});
 
 template <class Real>
 constexpr std::size_t kOrbits = sizeof(Real) / sizeof(double);
+/// The number, or the result of a comparison, of orbit i.
 double lane(double x, std::size_t /*i*/) { return x; }
 double lane(Pair x, std::size_t i) { return x[i]; }
-/// Those of comparisons.
 bool lane(bool x, std::size_t /*i*/) { return x; }
 bool lane(PairMask x, std::size_t i) { return x[i] != 0; }
 
