@@ -15,10 +15,11 @@ constexpr double kShareOfSolver = 0.02;
 
 std::vector<Ray> rays_of(const scene::Camera& camera, const Image& image) {
   const CameraRays view(camera, image.full_width, image.full_height);
+  RecurringAngles angles;
   std::vector<Ray> rays;
   rays.reserve(image.window.area());
   for (int y = image.window.y0; y < image.window.y1; ++y) {
-    for (int x = image.window.x0; x < image.window.x1; ++x) rays.push_back(view.through(x + 0.5, y + 0.5));
+    for (int x = image.window.x0; x < image.window.x1; ++x) rays.push_back(view.through(x + 0.5, y + 0.5, angles));
   }
   return rays;
 }

@@ -36,10 +36,11 @@ RayMeasure measure(const Tracer& tracer, const Ray& ray) {
 std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height) {
   ISL_CHECK(width >= 1 && height >= 1, "picture of {}x{}", width, height);
   const CameraRays view(camera, width, height);
+  RecurringAngles angles;
   std::vector<Ray> rays;
   rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) rays.push_back(view.through(x + 0.5, y + 0.5));
+    for (int x = 0; x < width; ++x) rays.push_back(view.through(x + 0.5, y + 0.5, angles));
   }
   return rays;
 }

@@ -13,9 +13,10 @@ double pixel_angle(const scene::Camera& camera, int width, int height) {
   }
   // Measured between the middle and its neighbours; a chord is as long as its small angle.
   const Projection projection(camera);
-  const Vec3 middle = projection.ray({0, 0}).direction;
-  const double right = (projection.ray({1.0 / width, 0}).direction - middle).length();
-  const double up = (projection.ray({0, 1.0 / height}).direction - middle).length();
+  RecurringAngles angles;
+  const Vec3 middle = projection.ray({0, 0}, angles).direction;
+  const double right = (projection.ray({1.0 / width, 0}, angles).direction - middle).length();
+  const double up = (projection.ray({0, 1.0 / height}, angles).direction - middle).length();
   // A cylinder from whose axis parallel rays start has an angle on one side only.
   return std::min(right, up) > 0 ? std::min(right, up) : std::max(right, up);
 }

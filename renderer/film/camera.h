@@ -16,20 +16,20 @@ class CameraRays {
       : projection_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
 
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
-  /// where the camera shows nothing.
-  [[nodiscard]] Ray through(double x, double y) const {
+  /// where the camera shows nothing. `angles` serve all rays of a batch.
+  [[nodiscard]] Ray through(double x, double y, RecurringAngles& angles) const {
     Ray ray;
-    set_through(x, y, ray);
+    set_through(x, y, angles, ray);
     return ray;
   }
   /// The same for the origin and direction of a ray.
-  void set_through(double x, double y, Ray& ray) const {
+  void set_through(double x, double y, RecurringAngles& angles, Ray& ray) const {
     const auto [u, v] = picture_point(x, y);
     if (camera().kind == scene::CameraKind::perspective) {
       ray.origin = camera().location;
       ray.direction = (camera().direction + camera().right * u + camera().up * v).normalized();
     } else {
-      const ViewRay view = projection_.ray({u, v});
+      const ViewRay view = projection_.ray({u, v}, angles);
       ray.origin = view.origin;
       ray.direction = view.direction;
     }
@@ -37,9 +37,9 @@ class CameraRays {
 
   /// The ray to the same point in focus from another point of the lens (film/lens.h). Precondition: the camera has
   /// focal blur. Perspective cameras are in focus at a plane, others at a distance.
-  [[nodiscard]] Ray through(double x, double y, const Vec3& on_lens) const {
+  [[nodiscard]] Ray through(double x, double y, const Vec3& on_lens, RecurringAngles& angles) const {
     const auto [u, v] = picture_point(x, y);
-    Ray ray = through(x, y);
+    Ray ray = through(x, y, angles);
     if (ray.direction == Vec3(0)) return ray;
     const double distance = camera().blur->focal_distance;
     const Vec3 to_focus =

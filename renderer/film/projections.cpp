@@ -18,9 +18,8 @@ double dome_angle(double length) {
 }
 
 /// Turns a vector that is perpendicular to the unit axis.
-Vec3 turned(const Vec3& vector, const Vec3& axis, double angle) {
-  return vector * std::cos(angle) + axis.cross(vector) * std::sin(angle) +
-         axis * (axis.dot(vector) * (1 - std::cos(angle)));
+Vec3 turned(const Vec3& vector, const Vec3& axis, const SineCosine& angle) {
+  return vector * angle.cosine + axis.cross(vector) * angle.sine + axis * (axis.dot(vector) * (1 - angle.cosine));
 }
 
 /// The angle of a place of a disc to the horizontal, from -90° on over 90° on the right to 270°.
@@ -60,9 +59,9 @@ Vec3 Projection::fisheye(const PicturePoint& at) const {
   return turned_aside(length * camera_.angle / 2, a, b, length);
 }
 
-Vec3 Projection::ultra_wide_angle(const PicturePoint& at) const {
-  const double across = at.u * camera_.angle, along = at.v * angle_along_;
-  return right_ * std::sin(across) + up_ * std::sin(along) + ahead_ * (std::cos(across) * std::cos(along));
+Vec3 Projection::ultra_wide_angle(const PicturePoint& at, RecurringAngles& angles) const {
+  const SineCosine across = angles(at.u * camera_.angle), along = angles(at.v * angle_along_);
+  return right_ * across.sine + up_ * along.sine + ahead_ * (across.cosine * along.cosine);
 }
 
 /// The place on the dome of an Omnimax theatre, seen from above. The constants are POV-Ray's.
@@ -86,44 +85,49 @@ Vec3 Projection::omnimax(const PicturePoint& at) const {
 }
 
 /// A cylinder about `up`, on whose wall heights are tangents. The vectors carry their lengths.
-Vec3 Projection::panoramic(const PicturePoint& at) const {
-  const double across = (0.5 - at.u) * kPi;
-  return camera_.right * std::cos(across) + camera_.up * std::tan(at.v * kPi) + camera_.direction * std::sin(across);
+Vec3 Projection::panoramic(const PicturePoint& at, RecurringAngles& angles) const {
+  const SineCosine across = angles((0.5 - at.u) * kPi), along = angles(at.v * kPi);
+  return camera_.right * across.cosine + camera_.up * (along.sine / along.cosine) + camera_.direction * across.sine;
 }
 
 /// A cylinder about `up` (types 1 and 3) or `right` (2 and 4). Rays start at its axis' middle, or all along it.
-ViewRay Projection::cylinder(const PicturePoint& at) const {
-  const bool is_upright = camera_.cylinder_type % 2 == 1;
-  const double angle = (is_upright ? at.u : at.v) * camera_.angle;
-  const Vec3 around = (is_upright ? right_ : up_) * std::sin(angle) + ahead_ * std::cos(angle);
-  const Vec3 along = is_upright ? up_ * (at.v * height_) : right_ * (at.u * width_);
-  if (camera_.cylinder_type <= 2) return {camera_.location, around + along};
-  return {camera_.location + along, around};
+ViewRay Projection::cylinder(const PicturePoint& at, RecurringAngles& angles) const {
+  if (camera_.cylinder_type % 2 == 1) return from_axis(up_ * (at.v * height_), right_, angles(at.u * camera_.angle));
+  return from_axis(right_ * (at.u * width_), up_, angles(at.v * camera_.angle));
+}
+
+/// The ray of a cylinder at a height along its axis, turned from `ahead` towards `aside`.
+ViewRay Projection::from_axis(const Vec3& height, const Vec3& aside, const SineCosine& angle) const {
+  const Vec3 around = aside * angle.sine + ahead_ * angle.cosine;
+  if (camera_.cylinder_type <= 2) return {camera_.location, around + height};
+  return {camera_.location + height, around};
 }
 
 /// Longitudes and latitudes.
-Vec3 Projection::spherical(const PicturePoint& at) const {
-  const Vec3 raised = turned(ahead_, right_, -at.v * camera_.vertical_angle);
-  return turned(raised, up_, at.u * camera_.angle);
+Vec3 Projection::spherical(const PicturePoint& at, RecurringAngles& angles) const {
+  const Vec3 raised = turned(ahead_, right_, angles(-at.v * camera_.vertical_angle));
+  return turned(raised, up_, angles(at.u * camera_.angle));
 }
 
-ViewRay Projection::unnormalized(const PicturePoint& at) const {
+ViewRay Projection::unnormalized(const PicturePoint& at, RecurringAngles& angles) const {
   const Vec3 across = camera_.right * at.u + camera_.up * at.v;
   switch (camera_.kind) {
     case CameraKind::perspective: return {camera_.location, camera_.direction + across};
     case CameraKind::orthographic: return {camera_.location + across, camera_.direction};
     case CameraKind::fisheye: return {camera_.location, fisheye(at)};
-    case CameraKind::ultra_wide_angle: return {camera_.location, ultra_wide_angle(at)};
+    case CameraKind::ultra_wide_angle: return {camera_.location, ultra_wide_angle(at, angles)};
     case CameraKind::omnimax: return {camera_.location, omnimax(at)};
-    case CameraKind::panoramic: return {camera_.location, panoramic(at)};
-    case CameraKind::cylinder: return cylinder(at);
-    case CameraKind::spherical: return {camera_.location, spherical(at)};
+    case CameraKind::panoramic: return {camera_.location, panoramic(at, angles)};
+    case CameraKind::cylinder: return cylinder(at, angles);
+    case CameraKind::spherical: return {camera_.location, spherical(at, angles)};
   }
   return {};
 }
 
-ViewRay Projection::ray(const PicturePoint& at) const {
-  ViewRay ray = unnormalized(at);
+/// Everything is inlined, so that vectors stay in registers. A vector that is returned in memory is read in other
+/// pieces than it was written in, and the processor waits for that as long as for its length.
+[[gnu::flatten]] ViewRay Projection::ray(const PicturePoint& at, RecurringAngles& angles) const {
+  ViewRay ray = unnormalized(at, angles);
   ray.direction.normalize();
   return ray;
 }

@@ -1,6 +1,7 @@
 // The projections of cameras: the ray through a point of the picture.
 #pragma once
 
+#include "renderer/film/recurring_angles.h"
 #include "renderer/rays/ray.h"
 #include "renderer/scene/camera.h"
 
@@ -23,23 +24,24 @@ class Projection {
 
   [[nodiscard]] const scene::Camera& camera() const { return camera_; }
   /// The ray through a point of the picture. The direction has unit length.
-  [[nodiscard]] ViewRay ray(const PicturePoint& at) const;
+  [[nodiscard]] ViewRay ray(const PicturePoint& at, RecurringAngles& angles) const;
   /// The place at which the camera's `normal` bends this ray, in the units in which POV-Ray measures it: shares of the
   /// picture, angles in radians, or lengths, as the kind of camera has them.
   [[nodiscard]] PicturePoint bent_at(const PicturePoint& at) const;
 
  private:
-  [[nodiscard]] ViewRay unnormalized(const PicturePoint& at) const;
+  [[nodiscard]] ViewRay unnormalized(const PicturePoint& at, RecurringAngles& angles) const;
 
   [[nodiscard]] Vec3 turned_aside(double angle, double a, double b, double length) const;
   [[nodiscard]] PicturePoint in_disc(const PicturePoint& at) const;
   [[nodiscard]] PicturePoint on_dome(const PicturePoint& at) const;
   [[nodiscard]] Vec3 fisheye(const PicturePoint& at) const;
-  [[nodiscard]] Vec3 ultra_wide_angle(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 ultra_wide_angle(const PicturePoint& at, RecurringAngles& angles) const;
   [[nodiscard]] Vec3 omnimax(const PicturePoint& at) const;
-  [[nodiscard]] Vec3 panoramic(const PicturePoint& at) const;
-  [[nodiscard]] ViewRay cylinder(const PicturePoint& at) const;
-  [[nodiscard]] Vec3 spherical(const PicturePoint& at) const;
+  [[nodiscard]] Vec3 panoramic(const PicturePoint& at, RecurringAngles& angles) const;
+  [[nodiscard]] ViewRay cylinder(const PicturePoint& at, RecurringAngles& angles) const;
+  [[nodiscard]] ViewRay from_axis(const Vec3& height, const Vec3& aside, const SineCosine& angle) const;
+  [[nodiscard]] Vec3 spherical(const PicturePoint& at, RecurringAngles& angles) const;
 
   scene::Camera camera_;
   Vec3 right_, up_, ahead_;  ///< the camera's vectors as axes

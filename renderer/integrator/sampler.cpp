@@ -37,11 +37,12 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
 
 void Sampler::push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
                            std::vector<Ray>& rays) const {
+  RecurringAngles angles;
   for (std::size_t i = 0; i < samples.size();) {
     const std::uint32_t pixel = places[i].seed;
     const CentredPoints points(derived_seed(pixel, static_cast<std::uint32_t>(SampleUse::lens)));
     for (; i < samples.size() && places[i].seed == pixel; ++i)
-      rays.push_back(camera_.through(samples[i].x, samples[i].y, lens_->offset(points[places[i].index])));
+      rays.push_back(camera_.through(samples[i].x, samples[i].y, lens_->offset(points[places[i].index]), angles));
   }
 }
 
@@ -55,7 +56,8 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
     push_blurred(samples, places, rays);
   } else {
     rays.resize(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, rays[i]);
+    RecurringAngles angles;
+    for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);
   }
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);

@@ -252,7 +252,9 @@ TEST(ShadowRays, LeadFromWhatIsSeenToTheLightsBeforeIt) {
   database.lights.push_back({.location = {0, 0, 9}});
   database.lights.push_back({.location = {0, 9, -9}, .shadowless = true});
   const Tracer tracer(database, options_of(SolverName::exact, database));
-  const std::vector<Ray> seen = {CameraRays(*database.camera, 40, 30).through(13, 15)};  // the middle of the left ball
+  RecurringAngles angles;
+  const std::vector<Ray> seen = {
+      CameraRays(*database.camera, 40, 30).through(13, 15, angles)};  // the middle of the left ball
   const std::vector<Ray> shadows = shadow_rays(database, tracer, seen);
   ASSERT_EQ(shadows.size(), 1u) << "one light is behind the surface, one throws none";
   EXPECT_FALSE(shadows[0].start.instance == scene::kNone);

@@ -102,12 +102,13 @@ TEST(Adaptive, judges_what_a_display_shows) {
 TEST(Camera, puts_pixel_centres_where_povray_does) {
   const scene::Camera camera{{0, 0, 0}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}};
   const CameraRays rays(camera, 4, 3);
+  RecurringAngles angles;
   // The ray through a pixel's centre meets z = 1 in whole and half units, as POV-Ray's pictures of a gradient there
   // show.
-  const Vec3 first = rays.through(0.5, 0.5).direction;
+  const Vec3 first = rays.through(0.5, 0.5, angles).direction;
   EXPECT_NEAR(first.x / first.z, -1.5, 1e-15);
   EXPECT_NEAR(first.y / first.z, 1.0, 1e-15);
-  const Vec3 last = rays.through(3.5, 2.5).direction;
+  const Vec3 last = rays.through(3.5, 2.5, angles).direction;
   EXPECT_NEAR(last.x / last.z, 1.5, 1e-15);
   EXPECT_NEAR(last.y / last.z, -1.0, 1e-15);
   EXPECT_NEAR(first.length(), 1, 1e-15);
@@ -118,7 +119,8 @@ Vec3 direction_of(scene::CameraKind kind, double angle_degrees, double width, in
   scene::Camera camera{.right = {width, 0, 0}, .kind = kind, .cylinder_type = cylinder_type};
   camera.angle = angle_degrees * std::numbers::pi / 180;
   camera.vertical_angle = camera.angle / 2;
-  return CameraRays(camera, 16, 12).through(12.5, 3.5).direction;
+  RecurringAngles angles;
+  return CameraRays(camera, 16, 12).through(12.5, 3.5, angles).direction;
 }
 
 void expect_direction(const Vec3& found, const Vec3& expected) {
@@ -139,13 +141,30 @@ TEST(Camera, has_povrays_projections) {
   expect_direction(direction_of(CameraKind::cylinder, 180, 1, 4), {0, .6088, .7934});
   expect_direction(direction_of(CameraKind::spherical, 360, 1), {.7781, .6088, -.1548});
   const scene::Camera parallel{.location = {1, 2, 3}, .right = {4, 0, 0}, .kind = CameraKind::orthographic};
-  const Ray ray = CameraRays(parallel, 16, 12).through(12.5, 3.5);
+  RecurringAngles angles;
+  const Ray ray = CameraRays(parallel, 16, 12).through(12.5, 3.5, angles);
   EXPECT_EQ(ray.origin, Vec3(1 + 4 * .28125, 2 + .5 - 3.5 / 12, 3));
   EXPECT_EQ(ray.direction, Vec3(0, 0, 1));
 }
 
 TEST(Camera, shows_nothing_beyond_a_fisheyes_circle) {
-  EXPECT_EQ(CameraRays({.kind = scene::CameraKind::fisheye, .angle = 3}, 10, 10).through(.5, .5).direction, Vec3(0));
+  const CameraRays rays({.kind = scene::CameraKind::fisheye, .angle = 3}, 10, 10);
+  RecurringAngles angles;
+  EXPECT_EQ(rays.through(.5, .5, angles).direction, Vec3(0));
+}
+
+TEST(Camera, does_not_depend_on_the_angles_that_are_remembered) {
+  using scene::CameraKind;
+  for (const CameraKind kind :
+       {CameraKind::ultra_wide_angle, CameraKind::panoramic, CameraKind::cylinder, CameraKind::spherical}) {
+    const CameraRays rays({.kind = kind, .cylinder_type = 1, .angle = 2, .vertical_angle = 1}, 2000, 1000);
+    RecurringAngles shared;  // more rows and columns than it can remember
+    for (int i = 0; i < 4000; ++i) {
+      const double x = i * 7 % 2000 + 0.5, y = i * 3 % 1000 + 0.5;
+      RecurringAngles fresh;
+      ASSERT_EQ(rays.through(x, y, shared).direction, rays.through(x, y, fresh).direction) << x << ", " << y;
+    }
+  }
 }
 
 TEST(Camera, knows_the_angle_of_a_pixel) {
