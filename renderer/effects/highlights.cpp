@@ -1,6 +1,7 @@
 // Highlights: phong and specular, in the light's colour.
 #include "renderer/effects/effect.h"
 #include "renderer/effects/light_requests.h"
+#include "renderer/shading/highlights.h"
 
 #include <algorithm>
 
@@ -14,29 +15,16 @@ class HighlightStage final : public Stage<LightWork> {
   void run(LightWork& work) const override {
     std::size_t count = 0;
     for (const LitPoint& lit : work.lit) count += work.block.points[lit.point].textures.size();
-    work.shine.resize(count);
-    if (!work.cosines.empty()) return run_each(work);
-    Rgb* shine = work.shine.data();
-    for (const LitPoint& lit : work.lit) {
-      const ShadingPoint& point = work.block.points[lit.point];
-      HighlightAngles angle;
-      if (std::ranges::any_of(point.textures,
-                              [](const LitTexture& texture) { return has_highlights(*texture.material); }))
-        angle = highlight_angles(point.normal, point.view, lit.light.direction);
-      for (const LitTexture& texture : point.textures) *shine++ = Rgb(highlight(*texture.material, angle));
-    }
-  }
-
- private:
-  /// The same where every texture has a normal of its own, or is lit from behind, which makes no highlights.
-  static void run_each(LightWork& work) {
+    work.shine.assign(count, Rgb(0));
+    Highlights highlights;
+    // A light from behind makes no highlights.
     for_each_lit_texture(work, [&](const LitPoint& lit, const LitTexture& texture, double cosine, std::size_t i) {
-      work.shine[i] = Rgb(0);
-      if (!(cosine > 0) || !has_highlights(*texture.material)) return;
+      if (!(cosine > 0)) return;
       const ShadingPoint& point = work.block.points[lit.point];
-      const Vec3& normal = work.block.normal_of(point, texture);
-      work.shine[i] = Rgb(highlight(*texture.material, highlight_angles(normal, point.view, lit.light.direction)));
+      highlights.add(*texture.material, work.block.normal_of(point, texture), point.view, lit.light.direction,
+                     work.shine[i]);
     });
+    highlights.finish();
   }
 };
 

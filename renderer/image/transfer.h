@@ -9,8 +9,7 @@
 
 #include "renderer/shading/material.h"
 
-#include <bit>
-#include <cstdint>
+#include <span>
 
 namespace isl::render {
 
@@ -22,47 +21,22 @@ class WorkingSpace {
   /// Negative values keep their sign.
   [[nodiscard]] Rgb to_linear(const Rgb& colour) const { return curve_ == Curve::linear ? colour : bent(colour); }
 
+  /// The same for each of the colours, in place, and faster than one by one.
+  void make_linear(std::span<Rgb> colours) const;
+
   /// True if the working space is linear light.
   [[nodiscard]] bool is_linear() const { return curve_ == Curve::linear; }
 
  private:
   enum class Curve { linear, power, srgb };
   [[nodiscard]] Rgb bent(const Rgb& colour) const;
+  /// A value's curve is a power of `base(value)`, as `from_power` takes it.
+  [[nodiscard]] double base(double value) const;
+  [[nodiscard]] double from_power(double power, double value) const;
   [[nodiscard]] double bent(double value) const;
 
   Curve curve_ = Curve::linear;
-  double gamma_ = 1;
-};
-
-/// Makes colours linear one after another, and remembers the last one: neighbours on a background or a flat surface
-/// have the same colour, and a conversion takes three powers.
-class LinearColours {
- public:
-  /// `space` must outlive it.
-  explicit LinearColours(const WorkingSpace& space) : space_(space), to_(space.to_linear(from_)) {}
-
-  /// The same as space.to_linear(colour).
-  [[nodiscard]] const Rgb& operator()(const Rgb& colour) {
-    if (space_.is_linear()) return colour;
-    if (!is_same(colour, from_)) {
-      from_ = colour;
-      to_ = space_.to_linear(colour);
-    }
-    return to_;
-  }
-
- private:
-  /// By their bits: the results of 0 and −0 differ, and NaN is not equal to itself.
-  static bool is_same(const Rgb& a, const Rgb& b) {
-    const auto differing = [](double u, double v) {
-      return std::bit_cast<std::uint64_t>(u) ^ std::bit_cast<std::uint64_t>(v);
-    };
-    return (differing(a.x, b.x) | differing(a.y, b.y) | differing(a.z, b.z)) == 0;
-  }
-
-  const WorkingSpace& space_;
-  Rgb from_{0};
-  Rgb to_;  ///< from_ made linear
+  double gamma_ = 1;  ///< the exponent of the curve
 };
 
 /// IEC 61966-2-1. Both functions continue beyond 1 by the same law, and below 0 by its straight piece.

@@ -62,15 +62,15 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
-  LinearColours linear(working_space_);
+  const std::span<Rgb> colours = std::span(paths.colours).first(samples.size());
+  if (film_.is_linear()) working_space_.make_linear(colours);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i + kSamplesAhead < samples.size()) film_.expect_sample(samples[i + kSamplesAhead].pixel);
     if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
       add(samples[i], Rgb(0), blank_alpha_, observer);
       continue;
     }
-    const Rgb& colour = paths.colours[i];
-    add(samples[i], film_.is_linear() ? linear(colour) : colour, paths.alphas[i], observer);
+    add(samples[i], colours[i], paths.alphas[i], observer);
     if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
   return true;

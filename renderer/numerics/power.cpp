@@ -11,11 +11,14 @@
 // case, and they are then nearly exact.
 #include "renderer/numerics/power.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace isl::render {
 namespace {
@@ -82,7 +85,7 @@ constexpr auto kPowers = [] {
 }();
 
 /// log₂ x for x > 0; a denormal x is scaled into the normal range first.
-double log2_of(double x) noexcept {
+[[gnu::always_inline]] inline double log2_of(double x) noexcept {
   constexpr double kLeastNormal = 0x1p-1022;
   double exponent = 0;
   if (x < kLeastNormal) {
@@ -106,7 +109,7 @@ double log2_of(double x) noexcept {
   return (exponent + near.log2_of_inverse) + kPerLn2 * (r + series);
 }
 
-double exp2_of(double t) noexcept {
+[[gnu::always_inline]] inline double exp2_of(double t) noexcept {
   if (!(t >= -1100)) return std::isnan(t) ? t : 0;
   if (t > 1100) return std::numeric_limits<double>::infinity();
   constexpr double kSteps = 1 << kExpBits;
@@ -123,16 +126,45 @@ double exp2_of(double t) noexcept {
   return (table + table * series) * power_of_two(half) * power_of_two(n - half);
 }
 
-}  // namespace
-
-double power(double x, double y) noexcept {
+/// x^y where it takes no logarithm.
+std::optional<double> simple_power(double x, double y) noexcept {
   if (y == 0) return 1;
   if (!(x >= 0)) return std::numeric_limits<double>::quiet_NaN();
   if (y > 0 && y <= kMaxWhole && y == (y + kToInteger) - kToInteger) return whole_power(x, static_cast<int>(y));
   if (x == 0) return y > 0 ? 0 : std::numeric_limits<double>::infinity();
   if (x == 1) return 1;
   if (std::isinf(x)) return y > 0 ? x : 0;
-  return exp2_of(y * log2_of(x));
+  return std::nullopt;
+}
+
+}  // namespace
+
+double power(double x, double y) noexcept {
+  const std::optional<double> simple = simple_power(x, y);
+  return simple ? *simple : exp2_of(y * log2_of(x));
+}
+
+void powers(std::span<const double> x, std::span<const double> y, std::span<double> result) noexcept {
+  constexpr std::size_t kMost = 64;
+  std::array<std::uint8_t, kMost> places;
+  for (std::size_t first = 0; first < x.size(); first += kMost) {
+    const std::size_t end = std::min(x.size() - first, kMost);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < end; ++i) {
+      const std::optional<double> simple = simple_power(x[first + i], y[first + i]);
+      if (simple) result[first + i] = *simple;
+      places[count] = static_cast<std::uint8_t>(i);
+      count += simple ? 0 : 1;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = first + places[k];
+      result[i] = y[i] * log2_of(x[i]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      double& value = result[first + places[k]];
+      value = exp2_of(value);
+    }
+  }
 }
 
 double exponential(double x) noexcept {

@@ -54,13 +54,20 @@ void AreaShadows::ask(const ShadowTracer& tracer, const Estimate& estimate, int 
     by = sample_point(derived_seed(*target.jitter_seed, static_cast<std::uint32_t>(u * light.area->count_b + v)), 0);
   const Vec3 source = light.location + area_offset(*light.area, estimate.edges, u + (by.u - 0.5), v + (by.v - 0.5));
   const LightSample way = sample_light_from(light, source, target.to_centre.origin);
-  Ray ray = target.to_centre;
+  // Filled where it stays: to copy a ray that has just been made takes longer than to make it.
+  Ray& ray = rays_.emplace_back();
+  ray.origin = target.to_centre.origin;
   ray.direction = way.direction;
   ray.t_max = way.distance;
+  ray.path_length = target.to_centre.path_length;
+  ray.start = target.to_centre.start;
   if (tracer.windows && LightWindows::has_window(light)) tracer.windows->trim(light, std::span(&ray, 1));
-  answer = ray.t_max < 0 ? kNoLight : static_cast<std::uint32_t>(answers_.size() + rays_.size());
-  if (answer == kNoLight) return;
-  rays_.push_back(ray);
+  if (ray.t_max < 0) {
+    answer = kNoLight;
+    rays_.pop_back();
+    return;
+  }
+  answer = static_cast<std::uint32_t>(answers_.size() + rays_.size() - 1);
   samples_.push_back(target.sample);
 }
 

@@ -121,37 +121,4 @@ inline constexpr double kNothingBetween = std::numeric_limits<double>::denorm_mi
   return (cosine > 0 ? material.diffuse : material.diffuse_back) * power(std::abs(cosine), material.finish->brilliance);
 }
 
-/// The cosines that highlights depend on. All textures of a point that have the same normal share them.
-struct HighlightAngles {
-  double mirror = 0;   ///< R·L
-  double halfway = 0;  ///< N·H
-};
-
-[[nodiscard]] inline HighlightAngles highlight_angles(const Vec3& normal, const Vec3& view, const Vec3& to_light) {
-  const Vec3 mirrored = view - normal * (2 * normal.dot(view));
-  const Vec3 halfway = to_light - view;
-  const double length = halfway.length();
-  return {mirrored.dot(to_light), length > 0 ? halfway.dot(normal) / length : 0};
-}
-
-/// cosine^exponent for a cosine above 0, or 0 where that is certainly below the least number of single precision: no
-/// picture holds it.
-[[nodiscard]] inline double lobe(double cosine, double exponent) {
-  // ln c ≤ c − 1, and 2⁻¹⁵⁰ = e^−103.97.
-  return exponent * (cosine - 1) < -104 ? 0 : power(cosine, exponent);
-}
-
-[[nodiscard]] inline bool has_highlights(const Material& material) {
-  return material.phong > 0 || material.specular > 0;
-}
-
-/// phong (R·L)^phong_size + specular (N·H)^(1/roughness), where a term counts only if its cosine is above 0.
-[[nodiscard]] inline double highlight(const Material& material, const HighlightAngles& angle) {
-  double sum = 0;
-  if (material.phong > 0 && angle.mirror > 0) sum += material.phong * lobe(angle.mirror, material.finish->phong_size);
-  if (material.specular > 0 && angle.halfway > 0)
-    sum += material.specular * lobe(angle.halfway, material.specular_exponent);
-  return sum;
-}
-
 }  // namespace isl::render

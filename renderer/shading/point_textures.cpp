@@ -96,12 +96,10 @@ bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTextu
   values::Environment environment(noise_generator_, run_, &patterns_);
   values::SurfaceView surface{point.position, lists.normal, lists.view};
   environment.set_surface(&surface);
-  if (lists.normals) {
-    Vec3 normal = share.frame.enter(lists.normal);
-    if (layer.normal != scene::kNoNormal)
-      normal = patterns_.bent(database_.normals[scene::index(layer.normal)], share.place, normal, environment);
-    if (layer.normal == scene::kNoNormal || !share.frame.is_world()) normal = share.frame.leave(normal).normalized();
-    surface.normal = normal;
+  if (layer.normal != scene::kNoNormal && lists.normals) {
+    const Vec3 normal = patterns_.bent(database_.normals[scene::index(layer.normal)], share.place,
+                                       share.frame.enter(lists.normal), environment);
+    surface.normal = share.frame.is_world() ? normal : share.frame.leave(normal).normalized();
   }
   if (!lists.passing && !material.is_patterned) {
     if (environment.is_spent()) return false;
@@ -196,15 +194,11 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
 }
 
 void PointTextures::add_normal(const scene::Texture& layer, const Vec3& point, Making& making) const {
-  Vec3 normal = making.normal;
-  if (layer.normal != scene::kNoNormal) {
-    const Vec3& place = place_of(layer, point, making.environment);
-    normal = patterns_.bent(database_.normals[scene::index(layer.normal)], place, normal, making.environment);
-    if (making.within.empty() && making.frame.is_world()) {  // of unit length already
-      making.lists.normals->push_back(normal);
-      return;
-    }
-  }
+  if (layer.normal == scene::kNoNormal) return making.lists.normals->push_back(making.lists.normal);
+  const Vec3& place = place_of(layer, point, making.environment);
+  Vec3 normal = patterns_.bent(database_.normals[scene::index(layer.normal)], place, making.normal, making.environment);
+  if (making.within.empty() && making.frame.is_world())  // of unit length already
+    return making.lists.normals->push_back(normal);
   for (auto pattern = making.within.rbegin(); pattern != making.within.rend(); ++pattern)
     normal = out_of_own_space(database_, **pattern, normal);
   making.lists.normals->push_back(making.frame.leave(normal).normalized());

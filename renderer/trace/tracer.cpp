@@ -212,6 +212,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   texture.weight = 1;
   const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
   Vec3 normal;
+  bool is_unit = !instance.is_placed;  // of solids whose normal no transform changes, it is that already
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
     const CsgTree& tree = impl_->scene.trees[instance.shape];
@@ -229,19 +230,21 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
     const Vec3 in_leaf = leaf.is_placed ? leaf.group_from_leaf.inverse_point(local) : local;
     const TextureFrame own{placing(instance), placing(leaf)};
     normal = impl_->shape_at(leaf.kind, leaf.shape, own, ray, hit, in_leaf, point, counters);
+    is_unit &= !leaf.is_placed && leaf.kind == scene::Object::Kind::solid;
     if (leaf.is_placed) normal = leaf.group_from_leaf.normal(normal);
     if (leaf.is_inverse) normal = -normal;
   } else {
     set_texture(texture, instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
     normal = impl_->shape_at(instance.kind, instance.shape, own, ray, hit, local, point, counters);
+    is_unit &= instance.kind == scene::Object::Kind::solid;
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
   if (instance.is_inverse) normal = -normal;
-  const double length = normal.length();
+  const double length = is_unit && normal != Vec3(0) ? 1 : normal.length();
   // A gradient of zero on the surface (a saddle exactly at the threshold) gives no normal; facing the ray is as good as
   // any.
-  point.normal = length > 0 ? normal / length : -ray.direction;
+  point.normal = length == 1 ? normal : length > 0 ? normal / length : -ray.direction;
   if (point.normal.dot(ray.direction) > 0) set_interior_texture(hit, local, point);
 }
 

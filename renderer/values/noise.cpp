@@ -62,6 +62,19 @@ double noise(const Vec3& p, NoiseGenerator generator) noexcept {
   return noise_of(lattice_sum(p), generator);
 }
 
+void noise_octaves(const Vec3& p, double scale, double lambda, NoiseGenerator generator,
+                   std::span<double> values) noexcept {
+  if (generator == NoiseGenerator::perlin || values.size() == 1) {
+    for (double& value : values) {
+      value = noise(p * scale, generator);
+      scale *= lambda;
+    }
+    return;
+  }
+  lattice_octaves(p, scale, lambda, values);
+  for (double& value : values) value = noise_of(value, generator);
+}
+
 Vec3 vector_noise(const Vec3& p) noexcept { return lattice_vector_sum(p, {.count = 1}); }
 
 Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) noexcept { return lattice_vector_sum(p, octaves); }

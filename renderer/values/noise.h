@@ -9,7 +9,11 @@
 
 #include "renderer/scene/transform.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace isl::values {
 
@@ -36,13 +40,23 @@ struct Octaves {
   int count = 6;  ///< at least 1
 };
 
+/// values[i] = noise(scale · lambdaⁱ · p), faster than one by one.
+void noise_octaves(const scene::Vec3& p, double scale, double lambda, NoiseGenerator generator,
+                   std::span<double> values) noexcept;
+
 /// Calls add(noise(lambdaⁱ · p)) with i from 0 to count − 1.
 template <class Add>
 void for_octaves(const scene::Vec3& p, const Octaves& octaves, NoiseGenerator generator, Add add) {
+  std::array<double, 8> values;
   double scale = 1;
-  for (int i = 0; i < octaves.count; ++i) {
-    add(noise(p * scale, generator));
-    scale *= octaves.lambda;
+  for (auto left = static_cast<std::size_t>(octaves.count); left > 0;) {
+    const std::span<double> some = std::span(values).first(std::min(left, values.size()));
+    noise_octaves(p, scale, octaves.lambda, generator, some);
+    for (const double value : some) {
+      add(value);
+      scale *= octaves.lambda;
+    }
+    left -= some.size();
   }
 }
 

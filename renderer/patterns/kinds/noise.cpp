@@ -5,6 +5,7 @@
 #include "renderer/patterns/kinds/waveform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isl::render {
@@ -25,25 +26,29 @@ double dents_at(const PatternPoint& at) noexcept {
 
 /// Σ |½ − noise(4 · 2ⁱ · p)| / 2ⁱ, six octaves; the noises 2 and 3 are stretched so that they look like the first.
 double granite_at(const PatternPoint& at) noexcept {
-  constexpr int kOctaves = 6;
   constexpr double kScale = 4;
   const NoiseGenerator generator = at.noise_generator();
   const bool is_stretched = generator != NoiseGenerator::original;
+  std::array<double, 6> octaves;
+  values::noise_octaves(at.point, kScale, 2, generator, octaves);
   double sum = 0, frequency = 1;
-  for (int i = 0; i < kOctaves; ++i, frequency *= 2) {
-    const double value = noise(at.point * (kScale * frequency), generator);
+  for (const double value : octaves) {
     sum += (is_stretched ? std::min(std::abs(1 - 2 * value), 0.5) : std::abs(0.5 - value)) / frequency;
+    frequency *= 2;
   }
   return sum;
 }
 
 /// ½ Σ noise(2ⁱ · p) / 2ⁱ, ten octaves.
 double wrinkles_at(const PatternPoint& at) noexcept {
-  constexpr int kOctaves = 10;
   const NoiseGenerator generator = at.noise_generator();
+  std::array<double, 10> octaves;
+  values::noise_octaves(at.point, 1, 2, generator, octaves);
   double sum = 0, frequency = 1;
-  for (int i = 0; i < kOctaves; ++i, frequency *= 2)
-    sum += stretched_noise(at.point * frequency, generator) / frequency;
+  for (const double value : octaves) {
+    sum += stretched(value, generator) / frequency;
+    frequency *= 2;
+  }
   return sum / 2;
 }
 

@@ -5,11 +5,9 @@
 namespace isl::render {
 
 using scene::Vec3;
-using values::noise;
 using values::NoiseGenerator;
 
-double stretched_noise(const Vec3& p, NoiseGenerator generator) noexcept {
-  const double value = noise(p, generator);
+double stretched(double value, NoiseGenerator generator) noexcept {
   return generator == NoiseGenerator::original ? value : std::clamp(2 * value - 0.5, 0.0, 1.0);
 }
 

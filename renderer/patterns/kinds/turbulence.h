@@ -8,8 +8,8 @@
 
 namespace isl::render {
 
-/// The noise; generators 2 and 3 are stretched to the contrast of the first.
-[[nodiscard]] double stretched_noise(const scene::Vec3& p, values::NoiseGenerator generator) noexcept;
+/// A value of noise; those of generators 2 and 3 are stretched to the contrast of the first.
+[[nodiscard]] double stretched(double value, values::NoiseGenerator generator) noexcept;
 
 /// Σ omegaⁱ · noise(lambdaⁱ · p) with the noises 2 and 3 stretched.
 [[nodiscard]] double turbulence_at(const scene::Vec3& p, const scene::Turbulence& turbulence,

@@ -38,18 +38,21 @@ TEST(Transfer, gives_povrays_codes) {
   expect_codes(settings(3.6, 2.2), 33021, 12208, 34);
 }
 
-TEST(Transfer, remembers_colours_by_their_bits) {
+TEST(Transfer, makes_many_colours_linear_as_single_ones) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Rgb> colours{
-      Rgb(0),           Rgb(-0.0),        {0.5, 0.2, 0.01}, {0.5, 0.2, 0.01}, {0.5, 0.2, 0.02},
-      {0.5, 0.3, 0.02}, {0.4, 0.3, 0.02}, {nan, 0.3, 0.02}, {nan, 0.3, 0.02}, Rgb(0)};
-  for (const scene::Settings& some : {settings(3.7, 1.0), settings(3.7, 2.2), settings(3.7, 0.0), settings(3.6, {})}) {
-    const WorkingSpace space(some);
-    LinearColours linear(space);
-    for (const Rgb& colour : colours) {
-      const Rgb expected = space.to_linear(colour), got = linear(colour);
-      for (int i = 0; i < 3; ++i)
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(got[i]), std::bit_cast<std::uint64_t>(expected[i]));
+  const std::vector<Rgb> some{Rgb(0),           Rgb(-0.0),        {0.5, 0.2, 0.01}, {0.5, 0.2, 0.01}, {0.5, 0.2, 0.02},
+                              {0.5, 0.3, 0.02}, {0.4, 0.3, -0.2}, {nan, 0.3, 0.02}, {nan, 0.3, 0.02}, Rgb(0)};
+  for (const scene::Settings& its : {settings(3.7, 1.0), settings(3.7, 2.2), settings(3.7, 0.0), settings(3.6, {})}) {
+    const WorkingSpace space(its);
+    for (const std::size_t count : {0, 1, 10, 63, 64, 65, 200}) {
+      std::vector<Rgb> colours;
+      while (colours.size() < count) colours.push_back(some[colours.size() % some.size()]);
+      space.make_linear(colours);
+      for (std::size_t k = 0; k < count; ++k) {
+        const Rgb expected = space.to_linear(some[k % some.size()]);
+        for (int i = 0; i < 3; ++i)
+          EXPECT_EQ(std::bit_cast<std::uint64_t>(colours[k][i]), std::bit_cast<std::uint64_t>(expected[i])) << k;
+      }
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace isl::render::test {
 namespace {
@@ -19,6 +20,23 @@ TEST(Power, agrees_with_the_c_library) {
       ASSERT_LE(std::abs(power(x, y) / expected - 1), bound) << x << "^" << y;
     }
   }
+}
+
+TEST(Powers, are_those_of_single_numbers) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> x, y;
+  for (const double base : {0.0, 1e-320, 0.3, 0.999, 1.0, 1.7, 1e300, infinity}) {
+    for (const double exponent : {-2.5, 0.0, 1.0, 40.0, 63.5, 64.0, 65.0, 1000.0, 5e6, infinity}) {
+      x.push_back(base);
+      y.push_back(exponent);
+    }
+  }
+  std::vector<double> found(x.size());
+  powers(x, y, found);
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(found[i], power(x[i], y[i])) << x[i] << "^" << y[i];
+  const std::vector<double> bad = {std::numeric_limits<double>::quiet_NaN(), -1};
+  powers(bad, std::vector<double>{2, 0.5}, found = {0, 0});
+  EXPECT_TRUE(std::isnan(found[0]) && std::isnan(found[1]));
 }
 
 TEST(Exponential, agrees_with_the_c_library) {

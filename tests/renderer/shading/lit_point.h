@@ -2,6 +2,7 @@
 // together as in pictures.
 #pragma once
 
+#include "renderer/shading/highlights.h"
 #include "renderer/shading/lighting.h"
 
 namespace isl::render::test {
@@ -12,9 +13,13 @@ namespace isl::render::test {
   if (!(incidence > 0)) return Rgb(0);
   Rgb colour = diffuse_colour(point, incidence);
   if (!light.shadowless) {
-    const HighlightAngles angle = highlight_angles(point.normal, point.view, sample.direction);
-    for (const LitTexture& lit : point.textures)
-      colour += lit.let_through * (highlight(*lit.material, angle) * lit.weight);
+    for (const LitTexture& lit : point.textures) {
+      Rgb shine(0);
+      Highlights highlights;
+      highlights.add(*lit.material, point.normal, point.view, sample.direction, shine);
+      highlights.finish();
+      colour += lit.let_through * (shine * lit.weight);
+    }
   }
   return colour * rgb(light.colour);
 }
