@@ -47,8 +47,8 @@ OTHER_HOOKS = {
     "shadows": [r"Tracer::occlusions", r"ShadowQueue::grow"],
     "transparency": [r"ShadowFilter::run", r"ShadowFilter::share_at"],
 }
-# The bumps of a camera are bent by the same functions.
-SHARED = {"normal": {"camera_normal"}}
+# The bumps of a camera are bent by the same functions, and rays for light from around wait in the same queue.
+SHARED = {"normal": {"camera_normal"}, "shadows": {"ambient_occlusion", "bounce_light", "sky_light"}}
 # Of bench/pairs/. With the scenes of soft light and the run below they call for every effect with hooks.
 CALLING = [
     "air_fog_dims_light", "air_fog_in_mirror", "air_rainbow", "air_sky_clouds", "camera_fisheye", "clear_shadow", "finish_crand",

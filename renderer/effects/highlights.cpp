@@ -1,7 +1,7 @@
 // Highlights: phong and specular, in the light's colour.
+#include "renderer/shading/highlights.h"
 #include "renderer/effects/effect.h"
 #include "renderer/effects/light_requests.h"
-#include "renderer/shading/highlights.h"
 
 #include <algorithm>
 

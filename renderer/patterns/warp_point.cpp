@@ -27,7 +27,7 @@ Vec3 apply(const scene::RepeatWarp& warp, Vec3 p) {
   const double width = to_single(warp.width);
   const double block = std::floor(p[warp.axis] / width);
   p[warp.axis] -= to_single(block * width);
-  if (std::fmod(block, 2) != 0) {
+  if (block * 0.5 != std::floor(block * 0.5)) {  // halves of whole numbers are exact
     for (int i = 0; i < 3; ++i) {
       if (warp.flip[i] != 0) p[i] = -p[i];
     }

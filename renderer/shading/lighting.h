@@ -105,11 +105,16 @@ inline constexpr double kNothingBetween = std::numeric_limits<double>::denorm_mi
   return colour;
 }
 
+/// cosine^brilliance; most finishes have a brilliance of 1.
+[[nodiscard]] inline double brightened(double cosine, double brilliance) {
+  return brilliance == 1 ? cosine : power(cosine, brilliance);
+}
+
 /// Σ share × diffuse (N·L)^brilliance × pigment, for N·L = incidence above 0.
 [[nodiscard]] inline Rgb diffuse_colour(const ShadingPoint& point, double incidence) {
   Rgb colour(0);
   for (const LitTexture& lit : point.textures) {
-    const double share = lit.material->diffuse * power(incidence, lit.material->finish->brilliance);
+    const double share = lit.material->diffuse * brightened(incidence, lit.material->finish->brilliance);
     colour += lit.pigment * lit.let_through * (share * lit.weight);
   }
   return colour;
@@ -118,7 +123,8 @@ inline constexpr double kNothingBetween = std::numeric_limits<double>::denorm_mi
 /// The share of light that a texture throws back if it falls in at this cosine: below 0, from behind.
 [[nodiscard]] inline double diffuse_share(const Material& material, double cosine) {
   if (cosine == 0) return 0;
-  return (cosine > 0 ? material.diffuse : material.diffuse_back) * power(std::abs(cosine), material.finish->brilliance);
+  return (cosine > 0 ? material.diffuse : material.diffuse_back) *
+         brightened(std::abs(cosine), material.finish->brilliance);
 }
 
 }  // namespace isl::render

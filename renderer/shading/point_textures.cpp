@@ -101,17 +101,16 @@ bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTextu
                                        share.frame.enter(lists.normal), environment);
     surface.normal = share.frame.is_world() ? normal : share.frame.leave(normal).normalized();
   }
-  if (!lists.passing && !material.is_patterned) {
-    if (environment.is_spent()) return false;
-    lit.push_back({&material, material.pigment, material.pigment, share.weight});
-  } else {
-    const scene::Colour colour = material.is_patterned
-                                     ? patterns_.pigment_colour(layer.pigment, share.place, environment)
-                                     : database_.colour(layer.pigment);
-    if (environment.is_spent()) return false;
-    lit.push_back({&material, lists.passing ? rgb(colour) * opacity(colour) : rgb(colour), rgb(colour), share.weight});
-    if (lists.passing) lists.passing->push_back(passing_share(material, colour, surface.normal, lists));
-  }
+  const scene::Colour colour = material.is_patterned ? patterns_.pigment_colour(layer.pigment, share.place, environment)
+                                                     : database_.colour(layer.pigment);
+  if (environment.is_spent()) return false;
+  // Filled where it stays: to copy a record that has just been made takes longer than to make it.
+  LitTexture& texture = lit.emplace_back();
+  texture.material = &material;
+  texture.colour = rgb(colour);
+  texture.pigment = lists.passing ? texture.colour * opacity(colour) : texture.colour;
+  texture.weight = share.weight;
+  if (lists.passing) lists.passing->push_back(passing_share(material, colour, surface.normal, lists));
   if (lists.normals) lists.normals->push_back(surface.normal);
   return true;
 }

@@ -51,7 +51,7 @@ class PointTextures {
       const TextureShare& share = point.textures.front();
       if (const LitTexture& same = same_everywhere_[texture_number(share.texture)]; same.material != nullptr) {
         lit.push_back(same);
-        if (lists.normals) lists.normals->push_back(share.frame.leave(share.frame.enter(lists.normal)).normalized());
+        if (lists.normals) lists.normals->push_back(lists.normal);
         if (lists.passing) lists.passing->push_back(Rgb(0));
         return true;
       }

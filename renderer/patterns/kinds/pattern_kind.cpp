@@ -16,6 +16,6 @@ const PatternInfo* const kPatternInfos[] = {
 #undef ISL_PATTERN
 };
 
-double below_1(double value) noexcept { return value > 1 ? std::fmod(value, 1.0) : value; }
+double below_1(double value) noexcept { return value > 1 ? value - std::floor(value) : value; }
 
 }  // namespace isl::render

@@ -12,8 +12,9 @@ Colour in_single(const Colour& c) noexcept {
 }
 
 Colour blend(const Colour& a, const Colour& b, double fraction) noexcept {
-  const auto mix = [fraction](double from, double to) {
-    return to_single(from + to_single(fraction * to_single(to - from)));
+  const auto mix = [fraction](double from, double to) -> double {
+    const auto first = static_cast<float>(from), second = static_cast<float>(to);
+    return first + static_cast<float>(fraction * (second - first));
   };
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.filter, b.filter),
           mix(a.transmit, b.transmit)};

@@ -7,6 +7,7 @@ namespace isl::render {
 
 /// Rounds every term to a float.
 [[nodiscard]] scene::Colour in_single(const scene::Colour& colour) noexcept;
+/// (1 − fraction) · first + fraction · second; the terms of both are rounded to floats first.
 [[nodiscard]] scene::Colour blend(const scene::Colour& first, const scene::Colour& second, double fraction) noexcept;
 /// A weighted mean whose sum is rounded to single precision at each step.
 class WeightedMean {

@@ -3,6 +3,8 @@
 
 #include "renderer/scene/pattern.h"
 
+#include <cmath>
+
 namespace isl::render {
 
 /// A sine with period 1: in [−1, 1], odd.
@@ -17,7 +19,8 @@ namespace isl::render {
 /// that 1 itself stays 1. A frequency of 0 leaves the value unchanged.
 [[nodiscard]] inline double in_wave(double value, const scene::Pattern& pattern) noexcept {
   const bool is_plain = pattern.wave == scene::Wave::ramp && pattern.frequency == 1 && pattern.phase == 0;
-  return is_plain && value >= 0 && value <= 1 ? value : in_any_wave(value, pattern);
+  if (!is_plain || !(std::abs(value) <= 1)) return in_any_wave(value, pattern);
+  return value < 0 ? value - std::floor(value) : value;
 }
 
 }  // namespace isl::render
