@@ -18,7 +18,7 @@ struct SineCosine {
 /// row or their column; what it answers does not depend on what it remembers.
 class RecurringAngles {
  public:
-  /// Of an angle in radians.
+  /// The sine and the cosine of an angle in radians.
   [[nodiscard]] SineCosine operator()(double angle) {
     const auto bits = std::bit_cast<std::uint64_t>(angle);
     Remembered& remembered = remembered_[slot(bits)];

@@ -3,6 +3,7 @@
 #include "renderer/patterns/kinds/random_cubes.h"
 #include "renderer/patterns/kinds/turbulence.h"
 #include "renderer/patterns/mapping_warps.h"
+#include "renderer/values/integer.h"
 #include "renderer/values/noise.h"
 #include "renderer/values/single_precision.h"
 
@@ -27,7 +28,7 @@ Vec3 apply(const scene::RepeatWarp& warp, Vec3 p) {
   const double width = to_single(warp.width);
   const double block = std::floor(p[warp.axis] / width);
   p[warp.axis] -= to_single(block * width);
-  if (block * 0.5 != std::floor(block * 0.5)) {  // halves of whole numbers are exact
+  if (values::is_odd(block)) {
     for (int i = 0; i < 3; ++i) {
       if (warp.flip[i] != 0) p[i] = -p[i];
     }

@@ -1,6 +1,8 @@
-// The conversion of numbers to integers in the language: towards zero, into 32 bits, as in POV-Ray.
+// Whole numbers: the conversion of numbers to integers in the language (towards zero, into 32 bits, as in POV-Ray), and
+// parity.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -12,5 +14,8 @@ namespace isl::values {
   if (value > -2147483649.0 && value < 2147483648.0) return static_cast<std::int32_t>(value);
   return std::numeric_limits<std::int32_t>::min();
 }
+
+/// For whole numbers of any size; their halves are exact.
+[[nodiscard]] inline bool is_odd(double whole) noexcept { return whole * 0.5 != std::floor(whole * 0.5); }
 
 }  // namespace isl::values

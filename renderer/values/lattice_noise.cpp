@@ -51,7 +51,7 @@ HWY_INLINE void find_corners(const NoiseTables& tables, std::int32_t x, std::int
   }
 }
 
-/// The lattice cell around a point.
+/// The lattice cell around a point. For one point this takes less time than Cells below.
 struct Cell {
   double from_side[3][2];  ///< by axis and by side, the near one first; in edges of the cell
   double weights[3][2];

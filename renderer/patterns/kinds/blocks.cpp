@@ -1,5 +1,6 @@
 // Patterns that choose from a list; their value is the item's index, from 0 on.
 #include "renderer/patterns/kinds/pattern_kind.h"
+#include "renderer/values/integer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@ namespace isl::render {
 namespace {
 
 using scene::OperandField;
+using values::is_odd;
 
 /// POV-Ray's offset of points, so that a plane through the lattice lies on one side.
 constexpr double kSmall = 1e-10;
@@ -19,8 +21,6 @@ double positive_remainder(double whole, double divisor) {
   const double remainder = std::fmod(whole, divisor);
   return remainder < 0 ? remainder + divisor : remainder + 0.0;  // and no negative zero
 }
-/// Halves of whole numbers are exact.
-bool is_odd(double whole) { return whole * 0.5 != std::floor(whole * 0.5); }
 
 /// Unit cubes with alternating values 0 and 1.
 double checker_at(const PatternPoint& at) noexcept {
