@@ -16,9 +16,8 @@
 #define ISL_RENDERER_GRID_PACKET_WALK_INL_H_
 #endif
 
-#include "renderer/fields/packet/ray_packet.h"
 #include "renderer/grid/grid.h"
-#include "renderer/simd/octet-inl.h"
+#include "renderer/solids/octet_vector-inl.h"
 
 #include <bit>
 #include <cstdint>
@@ -28,21 +27,54 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+/// Values of the directions of eight rays that boxes and cells are met with.
+struct PacketAxes {
+  Octet inverse[3];
+  /// Rays that do not move along the axis. A component so small that its inverse overflows moves the ray by less than a
+  /// rounding over any stretch, so it counts as zero.
+  OctetMask flat[3];
+
+  HWY_INLINE explicit PacketAxes(const OctetVector& direction) {
+    const Octet* const along[] = {&direction.x, &direction.y, &direction.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inverse[axis] = Octet(1.0) / *along[axis];
+      flat[axis] = abs(inverse[axis]) >= Octet(std::numeric_limits<double>::infinity());
+    }
+  }
+};
+
+/// The parts of eight lines between two t each; a line without one has enter > leave.
+struct OctetSpans {
+  Octet enter, leave;
+};
+
+/// As clip_to_box of one line (grid_walk-inl.h), from 0 to t_max.
+[[nodiscard]] HWY_INLINE OctetSpans clip_to_box(const Box& box, const OctetVector& origin, const PacketAxes& axes,
+                                                const Octet& t_max) {
+  const Octet* const from[] = {&origin.x, &origin.y, &origin.z};
+  Octet enter(0.0), leave = t_max;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<int>(axis);
+    const Octet to_min = Octet(box.min[i]) - *from[axis], to_max = Octet(box.max[i]) - *from[axis];
+    const Octet a = to_min * axes.inverse[axis], b = to_max * axes.inverse[axis];
+    const OctetMask is_beside = axes.flat[axis] & ((to_min > Octet(0.0)) | (to_max < Octet(0.0)));
+    enter = select(axes.flat[axis], enter, max(enter, min(a, b)));
+    leave = select(is_beside, Octet(-1.0), select(axes.flat[axis], leave, min(leave, max(a, b))));
+  }
+  return {enter, leave};
+}
+
 /// Visit: OctetMask visit(std::uint32_t index, const Cell&, const OctetMask& lanes, const Octet& enter, const Octet&
 /// leave). It returns the rays that are done.
 template <class Visit>
 class PacketWalk {
  public:
-  PacketWalk(const Grid& grid, const RayPacket& rays, const Visit& visit) : grid_(grid), visit_(visit) {
+  PacketWalk(const Grid& grid, const OctetVector& origin, const PacketAxes& axes, const Visit& visit)
+      : grid_(grid), visit_(visit), axes_(axes) {
+    const Octet* const from[] = {&origin.x, &origin.y, &origin.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Octet direction = load(rays.direction[axis]);
-      const Octet inverse = Octet(1.0) / direction, infinity(kInfinity);
-      // A component so small that its inverse overflows moves the ray by less than a rounding over any stretch, so it
-      // counts as zero.
-      flat_[axis] = abs(inverse) >= infinity;
-      inverse_[axis] = inverse;
-      backward_[axis] = bits(and_not(flat_[axis], direction < Octet(0.0)));
-      low_[axis] = Octet(grid.box.min[static_cast<int>(axis)]) - load(rays.origin[axis]);
+      backward_[axis] = bits(and_not(axes.flat[axis], axes.inverse[axis] < Octet(0.0)));
+      low_[axis] = Octet(grid.box.min[static_cast<int>(axis)]) - *from[axis];
     }
   }
 
@@ -77,7 +109,7 @@ class PacketWalk {
     for (int i = 1; i < kBrickSide; ++i) {
       const Octet at = low + Octet((is_backward_[axis] ? kBrickSide - i : i) * size);
       const Octet never = select(at <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
-      planes.t[i - 1] = select(flat_[axis], never, at * inverse_[axis]);
+      planes.t[i - 1] = select(axes_.flat[axis], never, at * axes_.inverse[axis]);
     }
     return planes;
   }
@@ -88,11 +120,9 @@ class PacketWalk {
   };
   /// The part of a stretch in slab i.
   HWY_INLINE Stretch within(const Stretch& s, const Planes& planes, int i) const {
-    Stretch r = s;
-    if (i > 0) r.enter = max(r.enter, planes.t[i - 1]);
-    if (i < kBrickSide - 1) r.leave = min(r.leave, planes.t[i]);
-    r.lanes = s.lanes & active_ & (r.enter < r.leave);
-    return r;
+    const Octet enter = i > 0 ? max(s.enter, planes.t[i - 1]) : s.enter;
+    const Octet leave = i < kBrickSide - 1 ? min(s.leave, planes.t[i]) : s.leave;
+    return {enter, leave, s.lanes & active_ & (enter < leave)};
   }
   [[nodiscard]] unsigned slab(std::size_t axis, int i) const {
     return static_cast<unsigned>(is_backward_[axis] ? kBrickSide - 1 - i : i);
@@ -135,8 +165,8 @@ class PacketWalk {
 
   const Grid& grid_;
   const Visit& visit_;
-  Octet inverse_[3], low_[3];
-  OctetMask flat_[3];            ///< rays that do not move along the axis
+  const PacketAxes& axes_;
+  Octet low_[3];
   std::uint32_t backward_[3]{};  ///< bits of the rays that move against the axis
   bool is_backward_[3]{};        ///< true if the rays that are walked together move against the axis
   OctetMask active_;             ///< rays that are not done

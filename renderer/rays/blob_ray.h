@@ -33,6 +33,13 @@ struct BlobHit {
   [[nodiscard]] bool is_miss() const { return cell == scene::kNone; }
 };
 
+/// A length along a ray that grows with the distance from the eye.
+struct LengthByDistance {
+  double at_eye, per_distance;
+
+  [[nodiscard]] double at(double distance) const { return at_eye + per_distance * distance; }
+};
+
 /// The settings of every solver, above all how exact it is.
 struct SolverSettings {
   SolverName name = SolverName::hermite;
@@ -44,17 +51,18 @@ struct SolverSettings {
   double relaxation = 1;
   bool packets = true;  ///< for the product's solver: traces eight rays at once where it can
 
-  /// The tolerance along the ray, in scene units, at a distance from the eye; 0 for `exact`.
-  [[nodiscard]] double at(double distance) const {
-    if (name == SolverName::exact) return 0;
-    return along_ray(tolerance, distance);
+  /// The tolerance along the ray, in scene units; 0 for `exact`.
+  [[nodiscard]] LengthByDistance tolerance_along_ray() const {
+    return name == SolverName::exact ? LengthByDistance{0, 0} : along_ray(tolerance);
   }
+  /// The same at a distance from the eye.
+  [[nodiscard]] double at(double distance) const { return tolerance_along_ray().at(distance); }
   /// The length of a step along the ray, likewise.
-  [[nodiscard]] double step_at(double distance) const { return along_ray(step, distance); }
+  [[nodiscard]] double step_at(double distance) const { return along_ray(step).at(distance); }
 
  private:
-  [[nodiscard]] double along_ray(const Tolerance& length, double distance) const {
-    return length.in_pixels ? length.value * pixel_angle * distance : length.value;
+  [[nodiscard]] LengthByDistance along_ray(const Tolerance& length) const {
+    return length.in_pixels ? LengthByDistance{0, length.value * pixel_angle} : LengthByDistance{length.value, 0};
   }
 };
 

@@ -17,12 +17,12 @@ namespace HWY_NAMESPACE {
 /// Crossings of one instance, a ray a lane.
 struct OctetCrossings {
   Octet t;
-  Octet part, leaf;  ///< Hit::part and Hit::leaf
+  Octet part, leaf, cell;  ///< those of Hit
   OctetMask from_inside;
   OctetMask is_there;
   OctetMask alone;  ///< rays whose crossing is for single rays to find
 
-  HWY_INLINE OctetCrossings() : leaf(scene::kNone), from_inside(no_lane()) {}
+  HWY_INLINE OctetCrossings() : leaf(scene::kNone), cell(scene::kNone), from_inside(no_lane()) {}
 };
 
 class OctetHits {
@@ -53,7 +53,7 @@ class OctetHits {
     put(rays, Octet(instance), instance_);
     put(rays, found.part, part_);
     put(rays, found.leaf, leaf_);
-    put(rays, Octet(scene::kNone), cell_);
+    put(rays, found.cell, cell_);
     put(rays, Octet(spread.factor), factor_);
     put(rays, Octet(spread.size), size_);
     const std::uint32_t taken = bits(rays);

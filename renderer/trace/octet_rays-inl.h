@@ -20,11 +20,12 @@ namespace HWY_NAMESPACE {
 /// Lanes without a ray hold zeros.
 struct OctetRays {
   OctetLines lines;
-  Octet t_max;
+  Octet t_max, path_length;
+  Octet start;  ///< RayStart::instance, scene::kNone included
 
   HWY_INLINE OctetRays() = default;
   HWY_INLINE explicit OctetRays(std::span<const Ray> rays) {
-    alignas(64) double values[7][kOctet];
+    alignas(64) double values[9][kOctet];
     for (std::size_t i = rays.size(); i < kOctet; ++i) {
       for (auto& lanes : values) lanes[i] = 0;
     }
@@ -35,9 +36,13 @@ struct OctetRays {
         values[3 + axis][i] = ray.direction[axis];
       }
       values[6][i] = ray.t_max;
+      values[7][i] = ray.path_length;
+      values[8][i] = ray.start.instance;
     }
     lines = {{load(values[0]), load(values[1]), load(values[2])}, {load(values[3]), load(values[4]), load(values[5])}};
     t_max = load(values[6]);
+    path_length = load(values[7]);
+    start = load(values[8]);
   }
 
   /// Rays whose numbers are finite and whose direction is not zero.

@@ -24,8 +24,8 @@ namespace HWY_NAMESPACE {
 
 /// `Search` has, besides what SingleTrace asks for,
 ///   bool takes_packets(const CompiledBlob&)
-///   void first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const BlobRay*,
-///                   std::uint32_t rays, BlobHit*).
+///   void first_hits(const CompiledBlob&, const SolverSettings&, TraceMemory&, TraceCounters&, const OctetBlobRays&,
+///                   std::uint32_t rays, OctetBlobHits&).
 template <class Search>
 class PacketTrace {
  public:
@@ -118,20 +118,40 @@ class PacketTrace {
   }
 
   std::uint32_t meet_blob(std::uint32_t index, std::uint32_t open) {
-    BlobRay blob_rays[kPacket];
-    BlobHit blob_hits[kPacket];
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      if ((open >> i & 1) != 0) blob_rays[i] = single_.in_blob(index, rays_[i], any_, hits_[i]);
+    const Instance& instance = scene_.instances[index];
+    const OctetMask starts_here = equal(octets_.start, Octet(index));
+    OctetBlobRays rays;
+    rays.lines = instance.is_placed ? mapped(octets_.lines, instance.world_from_object.inverse) : octets_.lines;
+    rays.t_max = farthest(index);
+    rays.path_length = octets_.path_length;
+    rays.start_on_surface = bits(starts_here);
+    rays.take_faint_dips = single_.is_query() ? 0 : ~rays.start_on_surface;
+    rays.any = any_;
+    OctetBlobHits hits;
+    Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, rays, open, hits);
+    // Single rays judge faces that may coincide with the start or with the nearest hit so far, and what is undecided.
+    const OctetMask is_elsewhere = and_not(starts_here, octets_.start < Octet(scene::kNone));
+    const std::uint32_t unlike = (bits(is_elsewhere) | (any_ ? 0 : bits(hits_.are_met()))) & hits.found;
+    const std::uint32_t alone = (unlike | hits.undecided) & open;
+    std::uint32_t met = hits.found & open & ~alone;
+    if (met != 0 && !any_) {
+      OctetCrossings found;
+      found.t = load(hits.t);
+      found.part = Octet(0.0);
+      found.cell = load(hits.cell);
+      found.from_inside = mask_of(hits.from_inside ^ (instance.is_inverse ? 0xff : 0));
+      const OctetMask nearer = (found.t < hits_.t()) & mask_of(met);
+      met = bits(nearer);
+      hits_.take(nearer, index, instance.spread, found,
+                 found.t + Octet(2.0) * starts().nearness(instance.spread, found.t));
     }
-    Search::first_hits(scene_.blobs[scene_.instances[index].shape], settings_, memory_, counters_, blob_rays, open,
-                       blob_hits);
-    std::uint32_t met = 0;
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      if ((open >> i & 1) == 0) continue;
-      single_.set_undecided_from(std::min(undecided_from_[i], blob_hits[i].undecided_from));
-      if (!blob_hits[i].is_miss()) {
+    for (std::uint32_t left = alone; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const BlobHit hit = hits[i];
+      single_.set_undecided_from(std::min(undecided_from_[i], hit.undecided_from));
+      if (!hit.is_miss()) {
         Hit best = hits_[i];
-        if (single_.take_blob(index, rays_[i], blob_rays[i], blob_hits[i], best)) {
+        if (single_.take_blob(index, rays_[i], rays[i], hit, best)) {
           met |= 1u << i;
           set(i, best);
         }
@@ -139,6 +159,16 @@ class PacketTrace {
       note_undecided(i);
     }
     return met;
+  }
+
+  /// SingleTrace::farthest of each ray.
+  [[nodiscard]] Octet farthest(std::uint32_t index) {
+    const Octet t = hits_.t();
+    if (any_) return t;
+    const OctetMask may_coincide = hits_.are_met() & (Octet(index) < hits_.instance());
+    if (none(may_coincide)) return t;
+    const Octet near = starts().nearness(hits_.factor(), hits_.size(), t);
+    return select(may_coincide, t + near + starts().nearness(scene_.instances[index].spread, t), t);
   }
 
   std::uint32_t meet_solid(std::uint32_t index, std::uint32_t open) {

@@ -35,9 +35,9 @@ struct ProductSearch {
 
   [[nodiscard]] static bool takes_packets(const CompiledBlob& blob) { return PacketSearch::takes(blob); }
   static void first_hits(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
-                         TraceCounters& counters, const BlobRay* rays, std::uint32_t rays_in_use, BlobHit* hits) {
-    PacketSearch(blob, settings, memory.lanes, memory.packet, memory.rays, counters)
-        .first_hits(rays, rays_in_use, hits);
+                         TraceCounters& counters, const OctetBlobRays& rays, std::uint32_t in_use,
+                         OctetBlobHits& hits) {
+    PacketSearch(blob, settings, rays, memory.lanes, memory.packet, memory.rays, counters).first_hits(in_use, hits);
   }
 };
 

@@ -51,13 +51,13 @@ class PacketSetup {
     const ComponentTable& table = fields.table;
     const Octet ox = load(rays_.origin[0]), oy = load(rays_.origin[1]), oz = load(rays_.origin[2]);
     const Octet dx = load(rays_.direction[0]), dy = load(rays_.direction[1]), dz = load(rays_.direction[2]);
-    const Octet dd = dx * dx + dy * dy + dz * dz, inverse_dd = Octet(1.0) / dd;
+    const Octet dd = load(rays_.length2), inverse_dd = load(rays_.per_length2);
     // A field that reaches the stretch of a ray is no farther from where the ray starts than the stretch's end and the
     // radius of its support together. The root of the sum of squares is a bound for all eight rays.
     const double farthest = std::sqrt(sum(keep(lanes_, max(t0_ * t0_, t1_ * t1_) * dd)));
     const KernelConstants& constants = fields.group.kernel;
     const double per_radius = 1 / std::sqrt(constants.scale), beyond = std::sqrt(constants.support);
-    double moved = 0;
+    double strength = 0, per_distance = 0;  // of the fields that are added: Σ|a| and Σ|a|√scale
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
       const Octet cx = Octet(table.x[item]) - ox, cy = Octet(table.y[item]) - oy, cz = Octet(table.z[item]) - oz;
@@ -69,14 +69,19 @@ class PacketSetup {
       if (!adds(kernel, along[0] + along[1] * near * near, table.amplitude[item])) continue;
       PacketRow& row = new_row(table.amplitude[item]);
       store_along(along, row);
-      const double size = std::sqrt(table.scale[item]) * farthest + beyond;
+      const double root = std::sqrt(table.scale[item]);
       if constexpr (NowhereSteep<Kernel>) {
-        moved += std::abs(table.amplitude[item]) * size;
+        strength += std::abs(table.amplitude[item]);
+        per_distance += std::abs(table.amplitude[item]) * root;
       } else {
-        row.shape[kPointSpread][0] = spread_of(size * per_radius);
+        row.shape[kPointSpread][0] = spread_of((root * farthest + beyond) * per_radius);
       }
     }
-    if constexpr (NowhereSteep<Kernel>) sums_.moved = sums_.moved + Octet(Kernel::kSteepest * moved);
+    if constexpr (NowhereSteep<Kernel>) {
+      // Without a field it may be 0·∞. The roots are not waited for until here.
+      if (strength > 0)
+        sums_.moved = sums_.moved + Octet(Kernel::kSteepest * (per_distance * farthest + strength * beyond));
+    }
   }
 
   template <class Shape, class Kernel>

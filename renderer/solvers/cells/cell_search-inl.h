@@ -56,15 +56,16 @@ class CellSearch {
     return hit();
   }
 
-  // The search step by step, for callers that walk the grid themselves (packet_search-inl.h). Precondition: nothing
-  // lies beyond the grid. Call begin, enter_grid with the stretch in the grid, then arrive for each cell in order and
-  // what it asks for, until a crossing is found.
-
   /// The stretch of a ray in the grid's box, empty if the ray misses the box.
   [[nodiscard]] static HWY_INLINE BoxSpan span_in_grid(const Grid& grid, const BlobRay& ray) {
     if (!(grid.cell_size > 0)) return {1, 0};
     return clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
   }
+
+  // The search step by step, for callers that walk the grid themselves (packet_search-inl.h). Precondition: nothing
+  // lies beyond the grid. Call begin, enter_grid with the t at which the ray meets the grid, then solve_from for cells
+  // in order, until a crossing is found.
+
   /// Takes up the ray, which must outlive the search.
   void begin(const BlobRay& ray) {
     ray_ = &ray;
@@ -72,63 +73,18 @@ class CellSearch {
     hit_ = {};
     undecided_from_ = std::numeric_limits<double>::infinity();
   }
-  /// Moves to the start of the stretch: from here on t counts from base(), and the ray begins at origin().
-  void enter_grid(const BoxSpan& span) {
-    take_up(span.enter);
+  /// Moves to the start of the stretch in the grid: from here on t counts from there.
+  void enter_grid(double base) {
+    take_up(base);
     if (blob_.grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
   }
-  [[nodiscard]] const Vec3& origin() const { return origin_; }
-  [[nodiscard]] double base() const { return base_; }
-  [[nodiscard]] const typename Solver::Lengths& lengths() const { return lengths_; }
-
-  /// The work to do in a cell that the ray has come to.
-  enum class Arrival {
-    crosses,         ///< none: the ray has changed sides on the way, and the search is over
-    passes,          ///< none: the ray stays on its side
-    candidate_leaf,  ///< find a root of a ray that comes from outside, in a leaf
-    starting_leaf,   ///< the same of a ray that starts there on the surface, unless it leaves inwards
-    other_candidate  ///< call solve_in, which covers all other cases
-  };
-  [[nodiscard]] Arrival arrive(const CellStretch& stretch) {
-    const auto& [index, cell, t0, t1] = stretch;
-    ++counters_.cells;
-    if (t0 > reached_ || !is_node_valid_) {
-      // Between leaf cells there are only cells that are certainly outside.
-      if (t0 > reached_) {
-        if (side_ == Side::inside) return crosses(reached_, last_solved_or(index));
-        side_ = Side::outside;
-      }
-      is_node_valid_ = false;
-    }
-    if (cell.kind() == CellKind::inside) {
-      if (side_ == Side::outside) return crosses(t0, last_solved_or(index));
-      side_ = Side::inside;
-      is_node_valid_ = false;
-      reached_ = t1;
-      return Arrival::passes;
-    }
-    last_cell_ = index;
-    reached_ = t1;
-    if (cell.kind() != CellKind::leaf) return Arrival::other_candidate;
-    if (starts_on_surface_ && t0 == 0) return Arrival::starting_leaf;
-    return side_ == Side::outside ? Arrival::candidate_leaf : Arrival::other_candidate;
+  /// True if the ray, which comes to the cell on this side, crosses in it.
+  [[nodiscard]] bool solve_from(Side side, const CellStretch& stretch) {
+    side_ = side;
+    if (stretch.enter != node_.t) is_node_valid_ = false;
+    return solve_in(stretch);
   }
-  /// True if the ray crosses in a cell that it has arrived at.
-  [[nodiscard]] bool solve_in(const CellStretch& stretch) {
-    const std::uint64_t undecided_before = counters_.undecided_steps;
-    const bool crosses = find_in(stretch);
-    if (counters_.undecided_steps != undecided_before)
-      undecided_from_ = std::min(undecided_from_, base_ + stretch.enter);
-    return crosses;
-  }
-  /// Records the result, found elsewhere, of a leaf that the ray has arrived at: the ray is outside from where it
-  /// enters or starts to the end of the cell, or crosses at t.
-  void set_passed() {
-    side_ = Side::outside;
-    is_node_valid_ = false;
-  }
-  void set_crossing(double t) { cross(t, last_cell_); }
-
+  [[nodiscard]] Side side() const { return side_; }
   [[nodiscard]] const BlobHit& hit() {
     if (hit_.is_miss()) hit_.from_inside = side_ == Side::inside;
     hit_.undecided_from = undecided_from_;
@@ -146,14 +102,13 @@ class CellSearch {
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
-    // Certification may stop at a thousandth of the tolerance.
-    const Shortest shortest{1e-3 * settings_.at(ray_->path_length + base), ray_->takes_faint_dips};
+    const Shortest shortest{kShortestOfTolerance * settings_.at(ray_->path_length + base), ray_->takes_faint_dips};
     lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 
   /// True if the ray crosses the surface in the grid's box.
   bool in_grid(const BoxSpan& span) {
-    enter_grid(span);
+    enter_grid(span.enter);
     walk(blob_.grid, origin_, direction_, 0, span.leave - base_,
          [&](std::uint32_t index, const Cell& cell, double t0, double t1) HWY_ATTR {
            return visit({index, cell, t0, t1});
@@ -208,17 +163,34 @@ class CellSearch {
     return last_cell_ == scene::kNone ? index : last_cell_;
   }
 
-  Arrival crosses(double t, std::uint32_t cell) {
-    cross(t, cell);
-    return Arrival::crosses;
+  /// Lets the ray come to a leaf or inside cell. True if it crosses in the cell or on the way.
+  bool visit(const CellStretch& stretch) {
+    const auto& [index, cell, t0, t1] = stretch;
+    ++counters_.cells;
+    if (t0 > reached_) {
+      // Between leaf cells there are only cells that are certainly outside.
+      if (side_ == Side::inside) return cross(reached_, last_solved_or(index));
+      side_ = Side::outside;
+      is_node_valid_ = false;
+    }
+    reached_ = t1;
+    if (cell.kind() == CellKind::inside) {
+      if (side_ == Side::outside) return cross(t0, last_solved_or(index));
+      side_ = Side::inside;
+      is_node_valid_ = false;
+      return false;
+    }
+    last_cell_ = index;
+    return solve_in(stretch);
   }
 
-  bool visit(const CellStretch& stretch) {
-    switch (arrive(stretch)) {
-      case Arrival::crosses: return true;
-      case Arrival::passes: return false;
-      default: return solve_in(stretch);
-    }
+  /// The same of a cell in which the search has something to find.
+  bool solve_in(const CellStretch& stretch) {
+    const std::uint64_t undecided_before = counters_.undecided_steps;
+    const bool crosses = find_in(stretch);
+    if (counters_.undecided_steps != undecided_before)
+      undecided_from_ = std::min(undecided_from_, base_ + stretch.enter);
+    return crosses;
   }
 
   /// True if the ray crosses in the cell.

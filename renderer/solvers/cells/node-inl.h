@@ -27,6 +27,9 @@ struct Shortest {
   bool takes_faint_dips = false;  ///< of BlobRay
 };
 
+/// Certification may stop at a thousandth of the tolerance.
+inline constexpr double kShortestOfTolerance = 1e-3;
+
 /// Halvings of an interval after which the ends of its parts are neighbouring doubles, save next to t = 0, where
 /// doubles have no end: there 2⁻¹²⁰ of the whole is less than any digit of the coordinates that a ray is computed from.
 inline constexpr int kMostHalvings = 128;

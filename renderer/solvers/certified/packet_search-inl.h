@@ -13,6 +13,7 @@
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cells/cell_search-inl.h"
 #include "renderer/solvers/certified/hermite-inl.h"
+#include "renderer/solvers/certified/octet_blob_rays-inl.h"
 #include "renderer/solvers/certified/packet_solver-inl.h"
 
 #include <bit>
@@ -27,30 +28,65 @@ class PacketSearch {
   /// True if rays can be searched together in this blob.
   [[nodiscard]] static bool takes(const CompiledBlob& blob) { return blob.grid.beyond == scene::kNone; }
 
-  /// `rays` is memory that the search may use.
-  PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& lanes, PacketMemory& packet,
-               RayPacket& rays, TraceCounters& counters)
-      : blob_(blob), settings_(settings), lanes_(lanes), counters_(counters), fields_(packet), packet_(rays) {}
+  /// `packet` is memory that the search may use.
+  PacketSearch(const CompiledBlob& blob, const SolverSettings& settings, const OctetBlobRays& rays, LaneMemory& lanes,
+               PacketMemory& fields, RayPacket& packet, TraceCounters& counters)
+      : blob_(blob),
+        settings_(settings),
+        rays_(rays),
+        lanes_(lanes),
+        counters_(counters),
+        fields_(fields),
+        packet_(packet) {}
 
-  /// hits[i] becomes the hit of rays[i] if bit i of `in_use` is set.
-  void first_hits(const BlobRay* rays, std::uint32_t in_use, BlobHit* hits) {
-    std::uint32_t meeting = 0;
-    for_each_lane(in_use, [&](std::size_t lane) {
-      if (begin(lane, rays[lane])) {
-        meeting |= 1u << lane;
-      } else {
-        hits[lane] = {};
-      }
-    });
-    if (meeting == 0) return;
-    const auto visit =
-        [&](std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter, const Octet& leave)
-            HWY_ATTR { return mask_of(this->visit(index, cell, bits(lanes), enter, leave)); };
-    PacketWalk(blob_.grid, packet_, visit).walk(meeting, Octet(0.0), load(reach_));
-    for_each_lane(meeting, [&](std::size_t lane) { hits[lane] = searches_[lane]->hit(); });
+  /// The first hits of the rays whose bits in `in_use` are set.
+  void first_hits(std::uint32_t in_use, OctetBlobHits& hits) {
+    hits.found = hits.from_inside = hits.undecided = 0;
+    hits_ = &hits;
+    if (!(blob_.grid.cell_size > 0)) return;
+    const auto& [origin, direction] = rays_.lines;
+    const PacketAxes axes(direction);
+    const OctetSpans span = clip_to_box(blob_.grid.box, origin, axes, rays_.t_max);
+    const OctetMask meeting = (span.enter < span.leave) & mask_of(in_use);
+    if (none(meeting)) return;
+    // The origins move to where the rays meet the grid, so that the fields see small numbers even if the grid is far
+    // away; t counts from there.
+    base_ = span.enter;
+    const OctetVector from = origin + direction * base_;
+    put(from, packet_.origin);
+    put(direction, packet_.direction);
+    const Octet length2 = direction.dot(direction);
+    store(length2, packet_.length2);
+    store(Octet(1.0) / length2, packet_.per_length2);
+    const LengthByDistance tolerance = settings_.tolerance_along_ray();
+    least_ = Octet(kShortestOfTolerance) *
+             (Octet(tolerance.at_eye) + Octet(tolerance.per_distance) * (rays_.path_length + base_));
+    starts_ = mask_of(rays_.start_on_surface) & (base_ <= Octet(0.0));
+    outside_ = base_ > Octet(0.0);
+    inside_ = no_lane();
+    reached_ = Octet(0.0);
+    store(Octet(scene::kNone), last_cell_);
+    const auto visit = [&](std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter,
+                           const Octet& leave) HWY_ATTR { return this->visit(index, cell, lanes, enter, leave); };
+    PacketWalk(blob_.grid, from, axes, visit).walk(bits(meeting), Octet(0.0), span.leave - base_);
+    hits.from_inside |= bits(inside_ & meeting) & ~hits.found;
   }
 
  private:
+  using Search = CellSearch<HermiteSolver>;
+  struct Alone {
+    BlobRay ray;
+    Search search;
+
+    /// The ray meets the grid at t = base.
+    Alone(const BlobRay& from, double base, const CompiledBlob& blob, const SolverSettings& settings, LaneMemory& lanes,
+          TraceCounters& counters)
+        : ray(from), search(blob, settings, lanes, counters) {
+      search.begin(ray);
+      search.enter_grid(base);
+    }
+  };
+
   /// Fewer rays than this are quicker one by one.
   static constexpr int kFewest = 2;
 
@@ -58,87 +94,130 @@ class PacketSearch {
   static HWY_INLINE void for_each_lane(std::uint32_t lanes, const Use& use) {
     for (; lanes != 0; lanes &= lanes - 1) use(static_cast<std::size_t>(std::countr_zero(lanes)));
   }
-
-  /// True if the ray meets the grid's box.
-  bool begin(std::size_t lane, const BlobRay& ray) {
-    const BoxSpan span = Search::span_in_grid(blob_.grid, ray);
-    if (!(span.enter < span.leave)) return false;
-    Search& search = searches_[lane].emplace(blob_, settings_, lanes_, counters_);
-    search.begin(ray);
-    search.enter_grid(span);
-    for (int axis = 0; axis < 3; ++axis) {
-      packet_.origin[axis][lane] = search.origin()[axis];
-      packet_.direction[axis][lane] = ray.direction[axis];
-    }
-    reach_[lane] = span.leave - search.base();
-    least_[lane] = search.lengths().by_tolerance;
-    any_ = ray.any;
-    return true;
+  static HWY_INLINE void put(const OctetVector& v, double (&to)[3][kPacket]) {
+    store(v.x, to[0]);
+    store(v.y, to[1]);
+    store(v.z, to[2]);
   }
 
-  /// Lets rays meet a cell. Returns the rays that are done.
-  std::uint32_t visit(std::uint32_t index, const Cell& cell, std::uint32_t lanes, const Octet& enter,
-                      const Octet& leave) {
+  /// Lets rays meet a cell, as CellSearch::visit does for one. Returns the rays that are done.
+  HWY_INLINE OctetMask visit(std::uint32_t index, const Cell& cell, const OctetMask& lanes, const Octet& enter,
+                             const Octet& leave) {
+    counters_.cells += static_cast<std::uint64_t>(std::popcount(bits(lanes)));
+    // Between leaf cells there are only cells that are certainly outside.
+    const OctetMask skipped = lanes & (enter > reached_);
+    OctetMask crossing = skipped & inside_;
+    if (!none(crossing)) [[unlikely]]
+      cross(crossing, reached_, index);
+    outside_ = outside_ | and_not(crossing, skipped);
+    if (cell.kind() == CellKind::inside) {
+      const OctetMask goes_in = and_not(crossing, lanes & outside_);
+      cross(goes_in, enter, index);
+      crossing = crossing | goes_in;
+      inside_ = inside_ | and_not(crossing, lanes);
+      reached_ = select(lanes, leave, reached_);
+      return crossing;
+    }
+    reached_ = select(lanes, leave, reached_);
+    store(select(lanes, Octet(index), load(last_cell_)), last_cell_);
+    const OctetMask present = and_not(crossing, lanes);
+    const OctetMask starting = present & starts_ & (enter <= Octet(0.0));
+    const std::uint32_t open = bits(present);
+    std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
+    if (std::popcount(together) < kFewest) together = 0;
+    std::uint32_t done = 0;
     store(enter, packet_.t0);
     store(leave, packet_.t1);
-    std::uint32_t together = 0, starting = 0, done = 0;
-    for_each_lane(lanes, [&](std::size_t lane) {
-      switch (searches_[lane]->arrive({index, cell, packet_.t0[lane], packet_.t1[lane]})) {
-        case Arrival::crosses: done |= 1u << lane; break;
-        case Arrival::passes: break;
-        case Arrival::starting_leaf: starting |= 1u << lane; [[fallthrough]];
-        case Arrival::candidate_leaf: together |= 1u << lane; break;
-        case Arrival::other_candidate:
-          if (solve_alone(index, cell, lane)) done |= 1u << lane;
-          break;
-      }
-    });
-    if (std::popcount(together) >= kFewest) return done | solve_together(index, cell, together, starting);
-    for_each_lane(together, [&](std::size_t lane) {
+    if (together != 0) done = solve_together(index, cell, mask_of(together), starting);
+    for_each_lane(open & ~together, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
-    return done;
-  }
-
-  bool solve_alone(std::uint32_t index, const Cell& cell, std::size_t lane) {
-    return searches_[lane]->solve_in({index, cell, packet_.t0[lane], packet_.t1[lane]});
+    return crossing | mask_of(done);
   }
 
   /// Searches a leaf for rays that come from outside or, those in `starting`, begin there on the surface. Returns those
   /// that cross there.
-  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, std::uint32_t together, std::uint32_t starting) {
-    const OctetMask lanes = mask_of(together), starts = mask_of(starting);
+  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, const OctetMask& lanes,
+                               const OctetMask& starting) {
+    const OctetMask starts = lanes & starting;
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
     // A bound that is no number knows nothing.
     const OctetMask open = and_not(and_not(starts, fields_.upper_bound() < Octet(0.0)), lanes);
-    roots_.found = roots_.undecided = 0;
-    if (!none(open)) {
-      PacketSolver(fields_, counters_)
-          .first_roots({open, starts, load(packet_.t0), load(packet_.t1), load(least_), any_}, roots_);
+    if (none(open)) {
+      outside_ = outside_ | lanes;
+      return 0;
     }
-    for_each_lane(together & ~roots_.undecided, [&](std::size_t lane) { searches_[lane]->set_passed(); });
+    PacketSolver(fields_, counters_)
+        .first_roots({open, starts, load(packet_.t0), load(packet_.t1), least_, rays_.any}, roots_);
+    const OctetMask undecided = mask_of(roots_.undecided);
+    outside_ = outside_ | and_not(undecided, lanes);
     std::uint32_t done = roots_.found;
-    for_each_lane(roots_.found, [&](std::size_t lane) { searches_[lane]->set_crossing(roots_.t[lane]); });
+    if (done != 0) record(mask_of(done), load(roots_.t), Octet(index));
     for_each_lane(roots_.undecided, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
     return done;
   }
 
-  using Search = CellSearch<HermiteSolver>;
-  using Arrival = Search::Arrival;
+  /// True if the ray crosses in the cell.
+  HWY_NOINLINE bool solve_alone(std::uint32_t index, const Cell& cell, std::size_t lane) {
+    Search& search = alone(lane);
+    const OctetMask here = mask_of(1u << lane);
+    const Side side = !none(here & inside_) ? Side::inside : !none(here & outside_) ? Side::outside : Side::unknown;
+    const bool crosses = search.solve_from(side, {index, cell, packet_.t0[lane], packet_.t1[lane]});
+    inside_ = search.side() == Side::inside ? inside_ | here : and_not(here, inside_);
+    outside_ = search.side() == Side::outside ? outside_ | here : and_not(here, outside_);
+    const BlobHit hit = search.hit();
+    if (hit.undecided_from < std::numeric_limits<double>::infinity()) {
+      hits_->undecided |= 1u << lane;
+      hits_->undecided_from[lane] = hit.undecided_from;
+    }
+    if (!crosses) return false;
+    hits_->found |= 1u << lane;
+    hits_->t[lane] = hit.t;
+    hits_->cell[lane] = hit.cell;
+    if (hit.from_inside) hits_->from_inside |= 1u << lane;
+    return true;
+  }
+  /// The search of a single ray, which goes on with it wherever lanes cannot.
+  [[nodiscard]] Search& alone(std::size_t lane) {
+    std::optional<Alone>& alone = alone_[lane];
+    if (!alone) {
+      alignas(64) double base[kPacket];
+      store(base_, base);
+      alone.emplace(rays_[lane], base[lane], blob_, settings_, lanes_, counters_);
+    }
+    return alone->search;
+  }
+
+  /// Records that rays cross between cells, at t before or on the border of cell `index`.
+  HWY_INLINE void cross(const OctetMask& rays, const Octet& t, std::uint32_t index) {
+    const Octet last = load(last_cell_);
+    record(rays, t, select(last < Octet(scene::kNone), last, Octet(index)));
+    hits_->from_inside |= bits(rays & inside_);
+  }
+  HWY_INLINE void record(const OctetMask& rays, const Octet& t, const Octet& cell) {
+    store(select(rays, base_ + t, load(hits_->t)), hits_->t);
+    store(select(rays, cell, load(hits_->cell)), hits_->cell);
+    hits_->found |= bits(rays);
+  }
 
   const CompiledBlob& blob_;
   const SolverSettings& settings_;
+  const OctetBlobRays& rays_;
   LaneMemory& lanes_;
   TraceCounters& counters_;
   PacketLanes fields_;
-
-  bool any_ = false;  ///< BlobRay::any, the same for all rays
-  std::optional<Search> searches_[kPacket];
   RayPacket& packet_;
-  alignas(64) double reach_[kPacket]{};  ///< where each ray leaves the grid's box
-  alignas(64) double least_[kPacket]{};  ///< the shortest interval to be judged, for each ray
+  OctetBlobHits* hits_ = nullptr;
+
+  Octet base_;                             ///< where each ray meets the grid
+  Octet least_;                            ///< the shortest interval to be judged
+  OctetMask starts_;                       ///< rays that start in the grid, on the surface
+  OctetMask outside_, inside_;             ///< the sides of the rays that are known
+  Octet reached_;                          ///< t up to which each ray has been followed
+  alignas(64) double last_cell_[kPacket];  ///< the last cell solved, as a number
+  std::optional<Alone> alone_[kPacket];
   PacketRoots roots_;
 };
 
