@@ -179,7 +179,7 @@ class Rendering {
 
   void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
     const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
-    const CentredPoints points(derived_seed(seed, static_cast<std::uint32_t>(SampleUse::pixel)));
+    const CentredPoints points = points_in_pixel(seed, sampler_.has_lens());
     for (std::size_t i = range.first; i < range.last; ++i) {
       workspace.places.push_back(among(seed, i));
       if (noise_) {

@@ -13,7 +13,10 @@ namespace isl::render {
 class CameraRays {
  public:
   CameraRays(const scene::Camera& camera, int width, int height)
-      : projection_(camera), per_column_(1.0 / width), per_row_(1.0 / height) {}
+      : projection_(camera),
+        per_column_(1.0 / width),
+        per_row_(1.0 / height),
+        focus_over_direction_(camera.blur ? camera.blur->focal_distance / camera.direction.length() : 0) {}
 
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
   /// where the camera shows nothing. `angles` serve all rays of a batch.
@@ -35,20 +38,21 @@ class CameraRays {
     }
   }
 
-  /// The ray to the same point in focus from another point of the lens (film/lens.h). Precondition: the camera has
-  /// focal blur. Perspective cameras are in focus at a plane, others at a distance.
-  [[nodiscard]] Ray through(double x, double y, const Vec3& on_lens, RecurringAngles& angles) const {
-    const auto [u, v] = picture_point(x, y);
-    Ray ray = through(x, y, angles);
-    if (ray.direction == Vec3(0)) return ray;
-    const double distance = camera().blur->focal_distance;
-    const Vec3 to_focus =
-        camera().kind == scene::CameraKind::perspective
-            ? (camera().direction + camera().right * u + camera().up * v) * (distance / camera().direction.length())
-            : ray.direction * distance;
+  /// The same for the ray to the same point in focus from another point of the lens (film/lens.h). Precondition: the
+  /// camera has focal blur. Perspective cameras are in focus at a plane, others at a distance.
+  void set_through(double x, double y, const Vec3& on_lens, RecurringAngles& angles, Ray& ray) const {
+    Vec3 to_focus;
+    if (camera().kind == scene::CameraKind::perspective) {
+      const auto [u, v] = picture_point(x, y);
+      ray.origin = camera().location;
+      to_focus = (camera().direction + camera().right * u + camera().up * v) * focus_over_direction_;
+    } else {
+      set_through(x, y, angles, ray);
+      if (ray.direction == Vec3(0)) return;
+      to_focus = ray.direction * camera().blur->focal_distance;
+    }
     ray.origin += on_lens;
     ray.direction = (to_focus - on_lens).normalized();
-    return ray;
   }
 
   /// The place at which the camera's `normal` bends that ray.
@@ -62,6 +66,7 @@ class CameraRays {
 
   Projection projection_;
   double per_column_, per_row_;
+  double focus_over_direction_;  ///< the distance in focus over the length of the camera's `direction`
 };
 
 /// The angle in radians that a pixel in the middle of the picture subtends, on the smaller of its two sides

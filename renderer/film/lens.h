@@ -9,6 +9,7 @@
 #include "renderer/scene/database.h"
 
 #include <optional>
+#include <span>
 
 namespace isl::render {
 
@@ -20,9 +21,11 @@ class Lens {
   /// Precondition: the database's camera has focal blur. `images` may be null if there are none of them.
   Lens(const scene::Database& database, const RunLimits& run, const ImageTable* images);
 
-  /// The way from the lens's middle to the point of it that belongs to a point of the unit square, whose middle belongs
-  /// to the lens's.
-  [[nodiscard]] Vec3 offset(const UnitPoint& at) const;
+  /// Moves points of the unit square to the lens, in units of its width from its middle. The middle of the square
+  /// belongs to that of the lens.
+  void set_on_lens(std::span<UnitPoint> points) const;
+  /// The way from the lens's middle to such a point.
+  [[nodiscard]] Vec3 offset(const UnitPoint& on_lens) const { return across_ * on_lens.u + upward_ * on_lens.v; }
 
  private:
   Vec3 across_, upward_;  ///< as long as the lens is wide

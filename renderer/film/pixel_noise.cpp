@@ -22,6 +22,23 @@ bool PixelNoise::has_news(const PixelRect& around) const {
   return false;
 }
 
+/// The deviation of a sample at (x, y), as the pixel and its neighbours tell. Deviations are averaged and not their
+/// squares, which those of a single pixel would rule. A detail no larger than the pixel is seen by it alone, so half of
+/// its own deviation counts at least.
+double PixelNoise::deviation(int x, int y, const PixelRect& around) const {
+  double sum = 0, weights = 0;
+  for (int row = around.y0; row < around.y1; ++row) {
+    for (int column = around.x0; column < around.x1; ++column) {
+      const std::size_t at = film_.rect().index(column, row);
+      if (film_.samples(at) == 0) continue;  // the picture was stopped
+      const double weight = (column == x ? 2 : 1) * (row == y ? 2 : 1);
+      sum += weight * pixels_[at].deviation;
+      weights += weight;
+    }
+  }
+  return std::max(sum / weights, pixels_[film_.rect().index(x, y)].deviation / 2);
+}
+
 /// The error that a pixel may have because of what its samples miss, in codes of a display.
 double PixelNoise::missed(std::size_t pixel, const PixelRect& around) const {
   // Of n evenly spread samples none falls into a part of the size a < 1/n with the probability 1 - n a. If all sizes
@@ -52,7 +69,8 @@ std::uint64_t PixelNoise::choose(double most, std::uint32_t most_samples) {
       const PixelRect neighbours = around(x, y);
       if (film_.samples(at) != 0 && has_news(neighbours)) {
         const double may_miss = missed(at, neighbours);
-        pixel.noise = static_cast<float>(std::sqrt(pixel.own * pixel.own + may_miss * may_miss));
+        const double own = deviation(x, y, neighbours);
+        pixel.noise = static_cast<float>(std::sqrt(own * own / film_.samples(at) + may_miss * may_miss));
         film_.set_noise(at, static_cast<double>(pixel.noise));
       }
       chosen_[at] = static_cast<double>(pixel.noise) > most && film_.samples(at) < most_samples ? 1 : 0;
@@ -89,7 +107,7 @@ void PixelNoise::finish(std::size_t pixel, const BlockNoise& samples) {
       slopes[i] = 0;
   }
   Pixel& noise = pixels_[pixel];
-  noise.own = std::sqrt(samples.variance(has_earlier ? &before : nullptr, slopes));
+  noise.deviation = std::sqrt(samples.variance(has_earlier ? &before : nullptr, slopes) * film_.samples(pixel));
   noise.slope = std::hypot(slopes[0], slopes[1], slopes[2]);
   noise.darkest = std::min(noise.darkest, static_cast<float>(samples.darkest()));
   noise.brightest = std::max(noise.brightest, static_cast<float>(samples.brightest()));

@@ -1,5 +1,9 @@
 // The noise of every pixel, as its samples tell (film/block_noise.h), and the choice of the pixels that get more.
 //
+// What a few samples tell of their noise is itself far from exact. If each pixel stopped as soon as its own samples say
+// so, those would stop first whose samples are alike by chance, and their error would be twice what was asked for.
+// Therefore the estimates of neighbours are averaged.
+//
 // A pixel whose few samples are all equal may have missed what others see, such as the light that comes through a gap.
 // Its neighbours tell how much that can be.
 #pragma once
@@ -39,15 +43,17 @@ class PixelNoise {
 
  private:
   struct Pixel {
-    double own = std::numeric_limits<double>::infinity();  ///< as its samples tell
-    double slope = 0;                                      ///< of a display's codes over the samples' brightness
-    float noise = std::numeric_limits<float>::infinity();  ///< together with what may be missed
+    double deviation = std::numeric_limits<double>::infinity();  ///< of one sample, such that the pixel's samples
+                                                                 ///< would have their noise if they were random
+    double slope = 0;                                            ///< of a display's codes over the samples' brightness
+    float noise = std::numeric_limits<float>::infinity();        ///< together with what may be missed
     float darkest = std::numeric_limits<float>::infinity(), brightest = -std::numeric_limits<float>::infinity();
   };
 
   /// A pixel and its neighbours on the film.
   [[nodiscard]] PixelRect around(int x, int y) const;
   [[nodiscard]] bool has_news(const PixelRect& around) const;
+  [[nodiscard]] double deviation(int x, int y, const PixelRect& around) const;
   [[nodiscard]] double missed(std::size_t pixel, const PixelRect& around) const;
 
   Film& film_;

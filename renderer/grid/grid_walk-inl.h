@@ -1,8 +1,8 @@
 // Walks one ray through a Grid: visits leaf and inside cells in order, with the stretch of the ray in each. On entering
 // a brick, the t of each of its planes is computed once, from the plane's own number and not from the plane before, so
-// that no error accumulates. From then on, walking is counting (Amanatides and Woo 1987, nested). A zero direction
-// component never steps, because its planes are at +∞. Stretches join without gaps, since each begins where the last
-// one ended.
+// that no error accumulates; its outer planes have the t that they have in the brick around it. From then on, walking
+// is counting (Amanatides and Woo 1987, nested). A zero direction component never steps, because its planes are at +∞.
+// Stretches join without gaps, since each begins where the last one ended.
 #if defined(ISL_RENDERER_GRID_GRID_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_GRID_GRID_WALK_INL_H_
 #undef ISL_RENDERER_GRID_GRID_WALK_INL_H_
@@ -45,6 +45,16 @@ HWY_INLINE BoxSpan clip_to_box(const Box& box, const Vec3& origin, const Vec3& d
 struct WalkAxes {
   double inverse[3];  ///< 1 / direction; +∞ on an axis along which the ray does not move
   unsigned mirror = 0;
+
+  HWY_INLINE explicit WalkAxes(const Vec3& direction) : WalkAxes(1 / direction.x, 1 / direction.y, 1 / direction.z) {}
+  /// A component so small that its inverse overflows moves the ray by less than a rounding over any stretch, so it
+  /// counts as zero.
+  HWY_INLINE WalkAxes(double per_x, double per_y, double per_z) : inverse{per_x, per_y, per_z} {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(inverse[axis])) inverse[axis] = std::numeric_limits<double>::infinity();
+      if (inverse[axis] < 0) mirror |= 3U << (2 * axis);
+    }
+  }
 };
 
 /// A brick that the ray is in.
@@ -55,7 +65,8 @@ struct WalkLevel {
   std::uint32_t first;          ///< the brick's first cell
 };
 
-HWY_INLINE void enter_brick(const WalkAxes& axes, double size, double t, WalkLevel& level) {
+/// `outer`: t at which the ray leaves the brick on each axis, as the brick around it has it.
+HWY_INLINE void enter_brick(const WalkAxes& axes, double size, double t, const double (&outer)[3], WalkLevel& level) {
   level.position = 0;
   for (unsigned axis = 0; axis < 3; ++axis) {
     double* const leave = level.leave[axis];
@@ -67,30 +78,30 @@ HWY_INLINE void enter_brick(const WalkAxes& axes, double size, double t, WalkLev
     } else {
       const bool backward = inverse < 0;
       const double from = backward ? low + 3 * size : low + size, by = backward ? -size : size;
-      for (int i = 0; i < kBrickSide; ++i) leave[i] = (from + i * by) * inverse;
+      for (int i = 0; i < kBrickSide - 1; ++i) leave[i] = (from + i * by) * inverse;
+      leave[kBrickSide - 1] = outer[axis];
       slab = (leave[0] <= t) + (leave[1] <= t) + (leave[2] <= t);
     }
     level.position |= slab << (2 * axis);
   }
 }
 
-/// Calls visit(cell_index, cell, t_in, t_out) for each leaf and inside cell that the ray meets between t0 and t1 (which
-/// lie within the grid's box), in order, until visit returns true. Stretches of no length are left out.
+/// A brick, seen from a ray's origin.
+struct BrickFromOrigin {
+  double low[3];        ///< its corner
+  double size;          ///< of its cells
+  std::uint32_t first;  ///< its first cell
+};
+
+/// Calls visit(cell_index, cell, t_in, t_out) for each leaf and inside cell that the ray meets in the brick between t0
+/// and t1, which lie within it, in order, until visit returns true. Stretches of no length are left out.
 template <class Visit>
-HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction, double t0, double t1, Visit&& visit) {
+HWY_INLINE void walk_brick(const Grid& grid, const BrickFromOrigin& brick, const WalkAxes& axes, double t0, double t1,
+                           Visit&& visit) {
   WalkLevel stack[kMaxGridDepth + 2];
-  WalkAxes axes;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    double inverse = 1 / direction[static_cast<int>(axis)];
-    // A component so small that its inverse overflows moves the ray by less than a rounding over any stretch, so it
-    // counts as zero.
-    if (!std::isfinite(inverse)) inverse = std::numeric_limits<double>::infinity();
-    axes.inverse[axis] = inverse;
-    if (inverse < 0) axes.mirror |= 3u << (2 * axis);
-    stack[0].low[axis] = grid.box.min[static_cast<int>(axis)] - origin[static_cast<int>(axis)];
-  }
   WalkLevel* level = stack;
-  double size = grid.cell_size, t = t0;
+  for (int axis = 0; axis < 3; ++axis) level->low[axis] = brick.low[axis];
+  double size = brick.size, t = t0;
   // The t at which the ray leaves its slab on each axis is kept in registers: writing it to memory and reading it back
   // would take half of the time.
   double next_x = 0, next_y = 0, next_z = 0;
@@ -99,8 +110,9 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
     next_y = level->leave[1][level->position >> 2 & 3];
     next_z = level->leave[2][level->position >> 4];
   };
-  level->first = 0;
-  enter_brick(axes, size, t, *level);
+  level->first = brick.first;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  enter_brick(axes, size, t, {kInfinity, kInfinity, kInfinity}, *level);  // only t1 ends the walk
   read_next();
   for (;;) {
     const unsigned in_brick = level->position ^ axes.mirror;
@@ -117,7 +129,7 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
         child.first = cell.first;
         for (unsigned a = 0; a < 3; ++a) child.low[a] = level->low[a] + (in_brick >> (2 * a) & 3) * size;
         size *= 1.0 / kBrickSide;
-        enter_brick(axes, size, t, child);
+        enter_brick(axes, size, t, {next_x, next_y, next_z}, child);
         ++level;
         read_next();
         continue;
@@ -126,8 +138,7 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
     }
     t = out > t ? out : t;
     if (t >= t1) return;
-    // Goes to the next cell, and up a level wherever the ray leaves a brick. A level's plane may differ from its
-    // child's by a rounding; t then stays as it is, so that nothing is skipped.
+    // Goes to the next cell, and up a level wherever the ray leaves a brick.
     for (;;) {
       const unsigned slab = level->position >> (2 * axis) & 3;
       if (slab + 1 < kBrickSide) {
@@ -145,6 +156,14 @@ HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction
       axis = next_y < next_x ? (next_z < next_y ? 2 : 1) : (next_z < next_x ? 2 : 0);
     }
   }
+}
+
+/// The same for a whole grid.
+template <class Visit>
+HWY_INLINE void walk(const Grid& grid, const Vec3& origin, const Vec3& direction, double t0, double t1, Visit&& visit) {
+  BrickFromOrigin top{{}, grid.cell_size, 0};
+  for (int axis = 0; axis < 3; ++axis) top.low[axis] = grid.box.min[axis] - origin[axis];
+  walk_brick(grid, top, WalkAxes(direction), t0, t1, visit);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -2,9 +2,9 @@
 // stretch of each ray in it.
 //
 // Rays whose directions have the same signs share an order of a brick's cells in which each ray meets its own cells:
-// slab by slab, axis within axis, counted in the rays' direction. For every slab, row and cell of a brick, the
-// stretches of all rays in it are a minimum and a maximum with the planes, and where no stretch is left everything
-// inside is skipped. As long as the rays stay together, that costs less than letting each of them step from cell to
+// slab by slab, axis within axis, counted in the rays' direction. The stretches of all rays in the four slabs of each
+// axis tell which slabs are met at all. Of the cells in those that are not empty, the stretches are the common parts of
+// those in three slabs. As long as the rays stay together, that costs less than letting each of them step from cell to
 // cell (grid_walk-inl.h), and no ray can get out of step with the others.
 //
 // A plane between two cells of a brick has one t for both, and a brick's outer planes are ignored in favour of its
@@ -17,8 +17,10 @@
 #endif
 
 #include "renderer/grid/grid.h"
+#include "renderer/grid/grid_walk-inl.h"
 #include "renderer/solids/octet_vector-inl.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -64,6 +66,18 @@ struct OctetSpans {
   return {enter, leave};
 }
 
+/// By axis and bits of its slabs, the bits of a brick's cells in these.
+inline constexpr auto kCellsOf = [] {
+  std::array<std::array<std::uint64_t, 1U << kBrickSide>, 3> cells{};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    for (unsigned slabs = 0; slabs < cells[axis].size(); ++slabs) {
+      for (unsigned cell = 0; cell < kBrickCells; ++cell)
+        cells[axis][slabs] |= std::uint64_t{slabs >> (cell >> (2 * axis) & 3) & 1} << cell;
+    }
+  }
+  return cells;
+}();
+
 /// Visit: OctetMask visit(std::uint32_t index, const Cell&, const OctetMask& lanes, const Octet& enter, const Octet&
 /// leave). It returns the rays that are done.
 template <class Visit>
@@ -86,9 +100,10 @@ class PacketWalk {
         const bool is_backward = (backward_[axis] >> std::countr_zero(lanes) & 1) != 0;
         alike &= is_backward ? backward_[axis] : ~backward_[axis];
         is_backward_[axis] = is_backward;
+        mirror_ = (mirror_ & ~(3U << (2 * axis))) | (is_backward ? 3U << (2 * axis) : 0);
       }
       active_ = mask_of(alike);
-      walk_brick({low_[0], low_[1], low_[2]}, 0, grid_.cell_size, active_, t0, t1);
+      walk_into({low_[0], low_[1], low_[2]}, 0, grid_.cell_size, active_, t0, t1);
       lanes &= ~alike;
     }
   }
@@ -96,69 +111,101 @@ class PacketWalk {
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  struct Corner {
-    Octet x, y, z;
-  };
-  /// t at which the rays enter the slabs 1 to 3 of an axis, in the order in which they meet them.
-  struct Planes {
-    Octet t[kBrickSide - 1];
+  /// The stretches of the rays in the four slabs of an axis, in the order in which they are met.
+  struct Slabs {
+    Octet enter[kBrickSide], leave[kBrickSide];
+    unsigned met = 0;  ///< bits of the slabs in which some ray has a stretch
   };
 
-  HWY_INLINE Planes planes(std::size_t axis, const Octet& low, double size) const {
-    Planes planes;
-    for (int i = 1; i < kBrickSide; ++i) {
-      const Octet at = low + Octet((is_backward_[axis] ? kBrickSide - i : i) * size);
-      const Octet never = select(at <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
-      planes.t[i - 1] = select(axes_.flat[axis], never, at * axes_.inverse[axis]);
+  HWY_INLINE void set_slabs(std::size_t axis, const Octet& low, double size, const OctetMask& lanes, const Octet& t0,
+                            const Octet& t1, Slabs& slabs) const {
+    Octet enter = t0;
+    for (int i = 0; i < kBrickSide; ++i) {
+      slabs.enter[i] = enter;
+      Octet leave = t1;
+      if (i < kBrickSide - 1) {
+        const Octet at = low + Octet((is_backward_[axis] ? kBrickSide - 1 - i : i + 1) * size);
+        const Octet never = select(at <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
+        const Octet plane = select(axes_.flat[axis], never, at * axes_.inverse[axis]);
+        leave = min(t1, plane);
+        enter = max(t0, plane);
+      }
+      slabs.leave[i] = leave;
+      slabs.met |= none(lanes & (slabs.enter[i] < leave)) ? 0 : 1U << i;
     }
-    return planes;
   }
 
-  struct Stretch {
-    Octet enter, leave;
-    OctetMask lanes;
-  };
-  /// The part of a stretch in slab i.
-  HWY_INLINE Stretch within(const Stretch& s, const Planes& planes, int i) const {
-    const Octet enter = i > 0 ? max(s.enter, planes.t[i - 1]) : s.enter;
-    const Octet leave = i < kBrickSide - 1 ? min(s.leave, planes.t[i]) : s.leave;
-    return {enter, leave, s.lanes & active_ & (enter < leave)};
-  }
-  [[nodiscard]] unsigned slab(std::size_t axis, int i) const {
-    return static_cast<unsigned>(is_backward_[axis] ? kBrickSide - 1 - i : i);
+  /// A brick's cells that are not empty, with bits in the order in which they are met.
+  [[nodiscard]] HWY_INLINE std::uint64_t in_order(std::uint64_t occupied) const {
+    const auto swapped = [&](int by, std::uint64_t low) { occupied = (occupied >> by & low) | (occupied & low) << by; };
+    if (is_backward_[0]) {
+      swapped(1, 0x5555555555555555);
+      swapped(2, 0x3333333333333333);
+    }
+    if (is_backward_[1]) {
+      swapped(4, 0x0f0f0f0f0f0f0f0f);
+      swapped(8, 0x00ff00ff00ff00ff);
+    }
+    if (is_backward_[2]) {
+      swapped(16, 0x0000ffff0000ffff);
+      swapped(32, 0x00000000ffffffff);
+    }
+    return occupied;
   }
 
-  void walk_brick(const Corner& low, std::uint32_t first, double size, const OctetMask& lanes, const Octet& t0,
+  void walk_into(const OctetVector& low, std::uint32_t first, double size, const OctetMask& lanes, const Octet& t0,
+                 const Octet& t1) {
+    const std::uint32_t rays = bits(lanes);
+    if (std::has_single_bit(rays)) {
+      walk_alone(static_cast<std::size_t>(std::countr_zero(rays)), low, first, size, lanes, t0, t1);
+    } else {
+      walk_brick(low, first, size, lanes, t0, t1);
+    }
+  }
+
+  /// One ray steps from cell to cell.
+  void walk_alone(std::size_t lane, const OctetVector& low, std::uint32_t first, double size, const OctetMask& lanes,
+                  const Octet& t0, const Octet& t1) {
+    alignas(64) double from[8][kOctet];
+    store(low.x, from[0]);
+    store(low.y, from[1]);
+    store(low.z, from[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) store(axes_.inverse[axis], from[3 + axis]);
+    store(t0, from[6]);
+    store(t1, from[7]);
+    const BrickFromOrigin brick{{from[0][lane], from[1][lane], from[2][lane]}, size, first};
+    const WalkAxes axes(from[3][lane], from[4][lane], from[5][lane]);
+    render::HWY_NAMESPACE::walk_brick(grid_, brick, axes, from[6][lane], from[7][lane],
+                                      [&](std::uint32_t index, const Cell& cell, double enter, double leave) HWY_ATTR {
+                                        const OctetMask done = visit_(index, cell, lanes, Octet(enter), Octet(leave));
+                                        active_ = and_not(done, active_);
+                                        return !none(done);
+                                      });
+  }
+
+  void walk_brick(const OctetVector& low, std::uint32_t first, double size, const OctetMask& lanes, const Octet& t0,
                   const Octet& t1) {
-    const std::uint64_t occupied = grid_.occupied[first / kBrickCells];
-    const Planes in_x = planes(0, low.x, size), in_y = planes(1, low.y, size), in_z = planes(2, low.z, size);
-    const Stretch all{t0, t1, lanes};
-    for (int k = 0; k < kBrickSide; ++k) {
-      const unsigned z = slab(2, k);
-      const std::uint64_t in_slab = occupied >> (16 * z) & 0xffff;
-      if (in_slab == 0) continue;
-      const Stretch slab_stretch = within(all, in_z, k);
-      if (none(slab_stretch.lanes)) continue;
-      for (int j = 0; j < kBrickSide; ++j) {
-        const unsigned y = slab(1, j);
-        const std::uint64_t in_row = in_slab >> (4 * y) & 0xf;
-        if (in_row == 0) continue;
-        const Stretch row_stretch = within(slab_stretch, in_y, j);
-        if (none(row_stretch.lanes)) continue;
-        for (int i = 0; i < kBrickSide; ++i) {
-          const unsigned x = slab(0, i);
-          if ((in_row >> x & 1) == 0) continue;
-          const Stretch stretch = within(row_stretch, in_x, i);
-          if (none(stretch.lanes)) continue;
-          const std::uint32_t index = first + (x | y << 2 | z << 4);
-          const Cell cell = grid_.cells[index];
-          if (cell.kind() == CellKind::brick) {
-            walk_brick({low.x + Octet(x * size), low.y + Octet(y * size), low.z + Octet(z * size)}, cell.first,
-                       size * (1.0 / kBrickSide), stretch.lanes, stretch.enter, stretch.leave);
-          } else {
-            active_ = and_not(visit_(index, cell, stretch.lanes, stretch.enter, stretch.leave), active_);
-          }
-        }
+    Slabs in_x, in_y, in_z;
+    set_slabs(0, low.x, size, lanes, t0, t1, in_x);
+    set_slabs(1, low.y, size, lanes, t0, t1, in_y);
+    set_slabs(2, low.z, size, lanes, t0, t1, in_z);
+    std::uint64_t left = in_order(grid_.occupied[first / kBrickCells]) & kCellsOf[0][in_x.met] & kCellsOf[1][in_y.met] &
+                         kCellsOf[2][in_z.met];
+    for (; left != 0; left &= left - 1) {
+      const auto met = static_cast<std::uint32_t>(std::countr_zero(left));
+      const std::uint32_t i = met & 3, j = met >> 2 & 3, k = met >> 4;
+      const Octet enter = max(in_x.enter[i], max(in_y.enter[j], in_z.enter[k]));
+      const Octet leave = min(in_x.leave[i], min(in_y.leave[j], in_z.leave[k]));
+      const OctetMask present = lanes & active_ & (enter < leave);
+      if (none(present)) continue;
+      const std::uint32_t in_brick = met ^ mirror_, index = first + in_brick;
+      const Cell cell = grid_.cells[index];
+      if (cell.kind() == CellKind::brick) {
+        const auto corner = [&](const Octet& from, std::uint32_t slab) HWY_ATTR { return from + Octet(slab * size); };
+        walk_into({corner(low.x, in_brick & 3), corner(low.y, in_brick >> 2 & 3), corner(low.z, in_brick >> 4)},
+                  cell.first, size * (1.0 / kBrickSide), present, enter, leave);
+      } else {
+        active_ = and_not(visit_(index, cell, present, enter, leave), active_);
       }
     }
   }
@@ -169,6 +216,7 @@ class PacketWalk {
   Octet low_[3];
   std::uint32_t backward_[3]{};  ///< bits of the rays that move against the axis
   bool is_backward_[3]{};        ///< true if the rays that are walked together move against the axis
+  std::uint32_t mirror_ = 0;     ///< turns the number of a cell in the order in which it is met into its own
   OctetMask active_;             ///< rays that are not done
 };
 

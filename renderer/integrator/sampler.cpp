@@ -1,5 +1,8 @@
 #include "renderer/integrator/sampler.h"
 
+#include <algorithm>
+#include <array>
+
 namespace isl::render {
 namespace {
 
@@ -35,14 +38,21 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
   return true;
 }
 
-void Sampler::push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                           std::vector<Ray>& rays) const {
+void Sampler::set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
+                          std::span<Ray> rays) const {
+  // One step for many samples after the other: the steps of one sample would wait for each other.
+  std::array<UnitPoint, 64> on_lens;
   RecurringAngles angles;
-  for (std::size_t i = 0; i < samples.size();) {
-    const std::uint32_t pixel = places[i].seed;
-    const CentredPoints points(derived_seed(pixel, static_cast<std::uint32_t>(SampleUse::lens)));
-    for (; i < samples.size() && places[i].seed == pixel; ++i)
-      rays.push_back(camera_.through(samples[i].x, samples[i].y, lens_->offset(points[places[i].index]), angles));
+  for (std::size_t first = 0; first < samples.size(); first += on_lens.size()) {
+    const std::size_t last = std::min(first + on_lens.size(), samples.size());
+    for (std::size_t i = first; i < last;) {
+      const std::uint32_t pixel = places[i].seed;
+      const CentredPoints points = points_on_lens(pixel);
+      for (; i < last && places[i].seed == pixel; ++i) on_lens[i - first] = points[places[i].index];
+    }
+    lens_->set_on_lens(std::span(on_lens).first(last - first));
+    for (std::size_t i = first; i < last; ++i)
+      camera_.set_through(samples[i].x, samples[i].y, lens_->offset(on_lens[i - first]), angles, rays[i]);
   }
 }
 
@@ -51,11 +61,10 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   PathMemory& paths = workspace.paths;
   std::vector<Ray>& rays = paths.camera_rays();
   paths.pixel_samples.assign(places.begin(), places.end());
+  rays.resize(samples.size());
   if (lens_) {
-    rays.clear();
-    push_blurred(samples, places, rays);
+    set_blurred(samples, places, rays);
   } else {
-    rays.resize(samples.size());
     RecurringAngles angles;
     for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);
   }

@@ -63,6 +63,7 @@ class Sampler {
   [[nodiscard]] bool trace(std::span<const CameraSample> samples, std::span<const PixelSample> places,
                            Workspace& workspace, SampleObserver* observer = nullptr) const;
 
+  [[nodiscard]] bool has_lens() const { return lens_.has_value(); }
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
 
  private:
@@ -72,8 +73,8 @@ class Sampler {
     film_.add_sample(sample.pixel, colour, alpha);
     if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
   }
-  void push_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                    std::vector<Ray>& rays) const;
+  void set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
+                   std::span<Ray> rays) const;
 
   Integrator integrator_;
   CameraRays camera_;

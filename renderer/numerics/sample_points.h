@@ -3,10 +3,16 @@
 // any 2^m successive points that begin at a multiple of 2^m, every rectangle of area 2^-m that comes from halving the
 // sides holds exactly one.
 //
+// Where two integrals depend on one another, such as those over a pixel and over the lens, the points of one may be the
+// third and fourth coordinates of the sequence whose first two the other takes, so that they are even together as well:
+// of the same points, every box that comes from halving the four sides and has a volume of 8·2^-m holds 8.
+//
 // Shuffling the order and scrambling the digits by hashes: Burley, Practical Hash-based Owen Scrambling, 2020. The hash
 // is that of Laine and Karras (2011), with the constants that Vegdahl found in 2021.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace isl::render {
@@ -51,6 +57,42 @@ namespace detail {
   return number ^ (number >> 16 & 0x0000FFFFU);
 }
 
+/// Sobol's third or fourth coordinate, with its bits reversed: the sum of the direction numbers of a number's bits, by
+/// bytes.
+class LaterSobol {
+ public:
+  /// `degree` of the coordinate's polynomial over the numbers 0 and 1, `taps`: bit k - 1 is the coefficient of
+  /// x^(degree - k) for 0 < k < degree, and the first direction numbers times 2^1, 2^2, 2^3 … (Joe and Kuo 2008).
+  constexpr LaterSobol(int degree, std::uint32_t taps, const std::array<std::uint32_t, 3>& first) {
+    std::array<std::uint32_t, 32> directions{};
+    for (int i = 0; i < 32; ++i) {
+      std::uint32_t& direction = directions[static_cast<std::size_t>(i)];
+      const auto before = [&](int k) { return directions[static_cast<std::size_t>(i - k)]; };
+      if (i < degree) {
+        direction = first[static_cast<std::size_t>(i)] << (31 - i);
+        continue;
+      }
+      direction = before(degree) ^ before(degree) >> degree;
+      for (int k = 1; k < degree; ++k) direction ^= (taps >> (k - 1) & 1) != 0 ? before(k) : 0;
+    }
+    for (std::size_t byte = 0; byte < sums_.size(); ++byte) {
+      for (std::size_t value = 0; value < 256; ++value) {
+        for (std::size_t bit = 0; bit < 8; ++bit) {
+          if ((value >> bit & 1) != 0) sums_[byte][value] ^= reversed_bits(directions[8 * byte + bit]);
+        }
+      }
+    }
+  }
+  [[nodiscard]] constexpr std::uint32_t operator[](std::uint32_t number) const {
+    return sums_[0][number & 255] ^ sums_[1][number >> 8 & 255] ^ sums_[2][number >> 16 & 255] ^ sums_[3][number >> 24];
+  }
+
+ private:
+  std::array<std::array<std::uint32_t, 256>, 4> sums_{};
+};
+inline constexpr LaterSobol kThirdSobol(2, 1, {1, 3});      // x² + x + 1
+inline constexpr LaterSobol kFourthSobol(3, 2, {1, 3, 1});  // x³ + x + 1
+
 }  // namespace detail
 
 /// A seed for one of several uses of the same seed. A change of any bit changes each bit of the result with a
@@ -62,21 +104,41 @@ namespace detail {
   return bits ^ (bits >> 16);
 }
 
-/// The point of this number in the sequence of a seed.
-[[nodiscard]] constexpr UnitPoint sample_point(std::uint32_t seed, std::uint32_t number) {
-  const std::uint32_t place = detail::scrambled(number, seed);
-  const std::uint32_t first = detail::scrambled_reversed(place, derived_seed(seed, 1));
-  const std::uint32_t second = detail::scrambled_reversed(detail::reversed_second_sobol(place), derived_seed(seed, 2));
-  return {detail::reversed_bits(first) * 0x1p-32, detail::reversed_bits(second) * 0x1p-32};
-}
+/// Two of the coordinates of Sobol's sequence.
+enum class SobolPair : std::uint8_t { first, second };
 
-/// The points of a seed, moved together round the edges of the square so that number 0 is in the middle.
-class CentredPoints {
- public:
-  constexpr explicit CentredPoints(std::uint32_t seed) : seed_(seed), first_(sample_point(seed, 0)) {}
+/// A sequence of points.
+struct PointSequence {
+  std::uint32_t order;  ///< sequences that are to be even together have this in common
+  std::uint32_t seed;   ///< and not this
+  SobolPair pair = SobolPair::first;
 
   [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
-    const UnitPoint point = sample_point(seed_, number);
+    const std::uint32_t place = detail::scrambled(number, order);
+    const bool is_first = pair == SobolPair::first;
+    const std::uint32_t u = is_first ? place : detail::kThirdSobol[place];
+    const std::uint32_t v = is_first ? detail::reversed_second_sobol(place) : detail::kFourthSobol[place];
+    return {in_square(u, 1), in_square(v, 2)};
+  }
+
+ private:
+  [[nodiscard]] constexpr double in_square(std::uint32_t reversed, std::uint32_t coordinate) const {
+    return detail::reversed_bits(detail::scrambled_reversed(reversed, derived_seed(seed, coordinate))) * 0x1p-32;
+  }
+};
+
+/// The point of this number in the sequence of a seed.
+[[nodiscard]] constexpr UnitPoint sample_point(std::uint32_t seed, std::uint32_t number) {
+  return PointSequence{seed, seed}[number];
+}
+
+/// The points of a sequence, moved together round the edges of the square so that number 0 is in the middle.
+class CentredPoints {
+ public:
+  constexpr explicit CentredPoints(const PointSequence& sequence) : sequence_(sequence), first_(sequence[0]) {}
+
+  [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
+    const UnitPoint point = sequence_[number];
     return {moved(point.u, first_.u), moved(point.v, first_.v)};
   }
 
@@ -86,7 +148,7 @@ class CentredPoints {
     return sum < 0 ? sum + 1 : sum >= 1 ? sum - 1 : sum;
   }
 
-  std::uint32_t seed_;
+  PointSequence sequence_;
   UnitPoint first_;
 };
 

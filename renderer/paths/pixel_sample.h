@@ -40,6 +40,16 @@ struct PixelSample {
   }
 };
 
+/// Where the samples of a pixel are on the lens.
+[[nodiscard]] constexpr CentredPoints points_on_lens(std::uint32_t seed) {
+  return CentredPoints({seed, derived_seed(seed, static_cast<std::uint32_t>(SampleUse::lens))});
+}
+/// Where they are in the pixel. What a sample sees through a lens depends on both places together.
+[[nodiscard]] constexpr CentredPoints points_in_pixel(std::uint32_t seed, bool has_lens) {
+  const std::uint32_t own = derived_seed(seed, static_cast<std::uint32_t>(SampleUse::pixel));
+  return CentredPoints(has_lens ? PointSequence{seed, own, SobolPair::second} : PointSequence{own, own});
+}
+
 /// The seed of a pixel of the picture.
 [[nodiscard]] constexpr std::uint32_t pixel_seed(int x, int y) {
   return derived_seed(derived_seed(0, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));

@@ -9,11 +9,22 @@ void ShadowQueue::grow() {
   lights_.resize(room);
 }
 
+void ShadowQueue::trace(const Tracer& tracer, TraceCounters& counters) {
+  const std::span<const Ray> rays = std::span(rays_).first(size_);
+  occluded_.resize(size_);
+  if (kind_ != RayKind::around) return tracer.occlusions(rays, occluded_, counters, kind_);
+  const std::span<const std::uint32_t> order = by_direction_.of(rays);
+  sorted_rays_.clear();
+  for (const std::uint32_t i : order) sorted_rays_.push_back(rays[i]);
+  sorted_occluded_.resize(size_);
+  tracer.occlusions(sorted_rays_, sorted_occluded_, counters, kind_);
+  for (std::size_t i = 0; i < size_; ++i) occluded_[order[i]] = sorted_occluded_[i];
+}
+
 void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties,
                           TraceCounters& counters) {
   if (size_ == 0) return;
-  occluded_.resize(size_);
-  tracer.occlusions(std::span(rays_).first(size_), occluded_, counters, kind_);
+  trace(tracer, counters);
   for (std::size_t i = 0; i < size_; ++i) {
     if (occluded_[i] == kOccluded) continue;
     const std::uint32_t sample = lights_[i].sample;

@@ -2,6 +2,7 @@
 // surface points, light by light, so that neighbours in the queue have similar directions.
 #pragma once
 
+#include "renderer/paths/direction_order.h"
 #include "renderer/paths/path.h"
 #include "renderer/paths/shadow_filter.h"
 #include "renderer/trace/tracer.h"
@@ -44,6 +45,8 @@ class ShadowQueue {
   };
 
   void grow();
+  /// Fills occluded_.
+  void trace(const Tracer& tracer, TraceCounters& counters);
 
   RayKind kind_;
   // These may be longer than size_, so that one check makes room in both.
@@ -51,6 +54,9 @@ class ShadowQueue {
   std::vector<Light> lights_;
   std::size_t size_ = 0;
   std::vector<std::uint8_t> occluded_;
+  DirectionOrder by_direction_;
+  std::vector<Ray> sorted_rays_;
+  std::vector<std::uint8_t> sorted_occluded_;
   std::vector<Rgb> shares_;
   std::vector<Certainty> certainties_;
 };

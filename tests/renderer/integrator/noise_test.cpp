@@ -23,6 +23,17 @@ TEST(MaxNoise, is_kept_and_not_undercut_by_far) {
   EXPECT_GE(told, 4);
 }
 
+TEST(MaxNoise, is_kept_where_few_samples_are_often_alike_by_chance) {
+  // A floor of tiles out of focus: four samples of a pixel are often of one colour.
+  const std::string scene =
+      "global_settings { assumed_gamma 1 } camera { location <0, 2.6, -6.5> look_at <0, .75, 0> angle 42 "
+      "focal_point <-.8, .45, 0> aperture .6 blur_samples 16 } plane { y, 0 pigment { checker rgb <.8, .75, .65>, "
+      "rgb <.25, .3, .4> scale .6 } finish { ambient 1 diffuse 0 } }";
+  const double ratio = noise_over_asked(scene, 0.02, 2048, 48);
+  EXPECT_GE(ratio, 0.5);
+  EXPECT_LE(ratio, 1);
+}
+
 render::RenderResult drawn(const std::string& scene, double max_noise) {
   render::RenderOptions options;
   options.max_noise = max_noise;

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace isl::render::test {
@@ -73,9 +75,59 @@ TEST(SamplePoints, edges_converge_as_they_should) {
   for (const std::uint32_t count : {64U, 256U, 4096U}) EXPECT_LT(deviation(count), 0.45 * std::pow(count, -0.75));
 }
 
+TEST(SamplePoints, of_both_pairs_hit_every_box_of_four_dimensions_eight_times) {
+  constexpr int kM = 8;
+  for (const std::uint32_t order : {0U, 7U, 0xdeadbeefU}) {
+    const PointSequence one{order, derived_seed(order, 1)}, other{order, derived_seed(order, 2), SobolPair::second};
+    for (const std::uint32_t first : {0U, 5U << kM}) {
+      for (int a = 0; a <= kM - 3; ++a) {
+        for (int b = 0; a + b <= kM - 3; ++b) {
+          for (int c = 0; a + b + c <= kM - 3; ++c) {
+            const int d = kM - 3 - a - b - c;
+            std::vector<int> boxes(1U << (kM - 3));
+            for (std::uint32_t i = 0; i < 1U << kM; ++i) {
+              const UnitPoint p = one[first + i], q = other[first + i];
+              std::size_t box = 0;
+              for (const auto& [value, halvings] : {std::pair(p.u, a), {p.v, b}, {q.u, c}, {q.v, d}})
+                box = box << halvings | static_cast<std::size_t>(std::ldexp(value, halvings));
+              ++boxes[box];
+            }
+            for (const int count : boxes) ASSERT_EQ(count, 8) << order << " " << a << b << c << d;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(SamplePoints, of_both_pairs_find_an_edge_across_both_squares_better_than_points_of_their_own) {
+  // The share of what a square lens as large as a pixel sees of one side of an edge.
+  constexpr std::uint32_t kEdges = 1000, kPoints = 256, kExact = 1U << 14;
+  double squares[2] = {};
+  for (std::uint32_t edge = 0; edge < kEdges; ++edge) {
+    const UnitPoint random = sample_point(77, edge);
+    const double x = std::cos(2 * std::numbers::pi * random.u), y = std::sin(2 * std::numbers::pi * random.u);
+    const PointSequence one{edge, derived_seed(edge, 1)};
+    const auto share_below = [&](const PointSequence& other, std::uint32_t count) {
+      std::uint32_t below = 0;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const UnitPoint p = one[i], q = other[i];
+        below += x * (p.u + q.u - 1) + y * (p.v + q.v - 1) < random.v - 0.5 ? 1 : 0;
+      }
+      return static_cast<double>(below) / count;
+    };
+    const PointSequence together{edge, derived_seed(edge, 2), SobolPair::second};
+    const PointSequence apart{derived_seed(edge, 2), derived_seed(edge, 2)};
+    const double exact = share_below(together, kExact);
+    squares[0] += std::pow(share_below(together, kPoints) - exact, 2);
+    squares[1] += std::pow(share_below(apart, kPoints) - exact, 2);
+  }
+  EXPECT_LT(squares[0], 0.7 * squares[1]);
+}
+
 TEST(SamplePoints, that_are_centred_begin_in_the_middle_and_stay_even) {
   for (const std::uint32_t seed : {3U, 4U, 99U}) {
-    const CentredPoints points(seed);
+    const CentredPoints points({seed, seed});
     EXPECT_EQ(points[0].u, 0.5);
     EXPECT_EQ(points[0].v, 0.5);
     std::vector<int> cells(16);
