@@ -20,6 +20,8 @@ struct RayStart {
   InstanceId instance = scene::kNone;
   std::uint32_t part = 0;             ///< for a solid: which of its surfaces (Hit::part)
   std::uint32_t leaf = scene::kNone;  ///< for a CSG tree: which of its leaves (Hit::leaf)
+
+  friend bool operator==(const RayStart&, const RayStart&) = default;
 };
 
 /// The purpose of a ray. Objects may be hidden from some kinds; the values are bits, so that one number holds a set of

@@ -6,19 +6,19 @@
 #include "renderer/numerics/sample_points.h"
 #include "renderer/shading/area_grid.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace isl::render {
 
 class AreaPoints {
  public:
-  explicit AreaPoints(const scene::AreaLight& area)
-      : area_(area), ends_a_(ends(area.count_a)), ends_b_(ends(area.count_b)) {}
+  explicit AreaPoints(const scene::AreaLight& area) : area_(area), row_a_(area.count_a), row_b_(area.count_b) {}
 
   /// The place, relative to the light's centre, that belongs to a point of the unit square. Equal areas of the square
   /// have equal weights.
   [[nodiscard]] Vec3 offset(const AreaEdges& edges, const UnitPoint& at) const {
-    return area_offset(area_, edges, along(ends_a_, at.u), along(ends_b_, at.v));
+    return area_offset(area_, edges, row_a_.place(at.u), row_b_.place(at.v));
   }
   /// The same where all points of the grid weigh the same.
   [[nodiscard]] Vec3 even_offset(const AreaEdges& edges, const UnitPoint& at) const {
@@ -27,22 +27,32 @@ class AreaPoints {
   [[nodiscard]] int count() const { return area_.count_a * area_.count_b; }
 
  private:
-  /// Sums of the weights of the points of a row, up to and with each.
-  static std::vector<double> ends(int count) {
-    std::vector<double> sums = area_weights(count);
-    for (std::size_t i = 1; i < sums.size(); ++i) sums[i] += sums[i - 1];
-    sums.back() = 1;  // above every coordinate
-    return sums;
-  }
-  /// The place in a row of points, which are at whole numbers.
-  [[nodiscard]] static double along(const std::vector<double>& ends, double share) {
-    const auto end = std::ranges::upper_bound(ends, share);
-    const double begin = end == ends.begin() ? 0 : *std::prev(end);
-    return static_cast<double>(end - ends.begin()) - 0.5 + (share - begin) / (*end - begin);
-  }
+  /// A row of points, which are at whole numbers, with the cell around each.
+  class Row {
+   public:
+    explicit Row(int count) {
+      double begin = 0;
+      for (const double weight : area_weights(count)) {
+        begins_.push_back(begin);
+        per_share_.push_back(1 / weight);
+        begin += weight;
+      }
+    }
+    /// The place of a share of the row's weight.
+    [[nodiscard]] double place(double share) const {
+      // The steps of a search would be as good as random, which is slower than to ask all cells of a row.
+      std::size_t begun = 0;
+      for (const double begin : begins_) begun += begin <= share ? 1 : 0;
+      return static_cast<double>(begun) - 1.5 + (share - begins_[begun - 1]) * per_share_[begun - 1];
+    }
+
+   private:
+    std::vector<double> begins_;     ///< sums of the weights before each cell
+    std::vector<double> per_share_;  ///< how far a share of the weight leads in a cell
+  };
 
   scene::AreaLight area_;
-  std::vector<double> ends_a_, ends_b_;
+  Row row_a_, row_b_;
 };
 
 }  // namespace isl::render

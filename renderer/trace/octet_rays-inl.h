@@ -10,39 +10,73 @@
 #include "renderer/solids/octet_vector-inl.h"
 #include "renderer/trace/ray_faces.h"
 
+#include <cstddef>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// Lanes without a ray hold zeros.
+// A ray begins with eight numbers, which are read two by two.
+static_assert(std::is_standard_layout_v<Ray> && offsetof(Ray, origin) == 0);
+static_assert(offsetof(Ray, direction) == 3 * sizeof(double) && offsetof(Ray, t_max) == 6 * sizeof(double));
+static_assert(offsetof(Ray, path_length) == 7 * sizeof(double));
+
+/// Numbers `first` and first + 1 of eight rays. They are put together in registers: lanes that are written one by one
+/// and read as a whole would have to wait for the cache.
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void load_numbers(const double* const (&rays)[kOctet], std::size_t first, Octet& one, Octet& next) {
+  for (std::size_t i = 0; i < kOctet; ++i) {
+    one.v[i] = hn::Load(Lanes(), rays[i] + first);
+    next.v[i] = hn::Load(Lanes(), rays[i] + first + 1);
+  }
+}
+#else
+template <class D, class Pair>
+HWY_INLINE Octet joined(D lanes, const Pair (&pairs)[kOctet / 2]) {
+  Octet r;
+  for (std::size_t i = 0; i < kRegisters; ++i) {
+    const Pair* const own = pairs + i * (kLanes / 2);
+    if constexpr (hn::MaxLanes(D()) == 2) {
+      r.v[i] = own[0];
+    } else if constexpr (hn::MaxLanes(D()) == 4) {
+      r.v[i] = hn::Combine(lanes, own[1], own[0]);
+    } else {
+      const hn::Half<D> half;
+      r.v[i] = hn::Combine(lanes, hn::Combine(half, own[3], own[2]), hn::Combine(half, own[1], own[0]));
+    }
+  }
+  return r;
+}
+HWY_INLINE void load_numbers(const double* const (&rays)[kOctet], std::size_t first, Octet& one, Octet& next) {
+  const hn::FixedTag<double, 2> two;
+  hn::Vec<decltype(two)> ones[kOctet / 2], nexts[kOctet / 2];
+  for (std::size_t i = 0; i < kOctet / 2; ++i) {
+    const auto a = hn::LoadU(two, rays[2 * i] + first), b = hn::LoadU(two, rays[2 * i + 1] + first);
+    ones[i] = hn::InterleaveLower(two, a, b);
+    nexts[i] = hn::InterleaveUpper(two, a, b);
+  }
+  one = joined(Lanes(), ones);
+  next = joined(Lanes(), nexts);
+}
+#endif
+
+/// Lanes without a ray repeat the first one.
 struct OctetRays {
   OctetLines lines;
   Octet t_max, path_length;
-  Octet start;  ///< RayStart::instance, scene::kNone included
 
   HWY_INLINE OctetRays() = default;
+  /// Precondition: one to eight rays.
   HWY_INLINE explicit OctetRays(std::span<const Ray> rays) {
-    alignas(64) double values[9][kOctet];
-    for (std::size_t i = rays.size(); i < kOctet; ++i) {
-      for (auto& lanes : values) lanes[i] = 0;
-    }
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Ray& ray = rays[i];
-      for (int axis = 0; axis < 3; ++axis) {
-        values[axis][i] = ray.origin[axis];
-        values[3 + axis][i] = ray.direction[axis];
-      }
-      values[6][i] = ray.t_max;
-      values[7][i] = ray.path_length;
-      values[8][i] = ray.start.instance;
-    }
-    lines = {{load(values[0]), load(values[1]), load(values[2])}, {load(values[3]), load(values[4]), load(values[5])}};
-    t_max = load(values[6]);
-    path_length = load(values[7]);
-    start = load(values[8]);
+    const double* numbers[kOctet];
+    for (std::size_t i = 0; i < kOctet; ++i) numbers[i] = &rays[i < rays.size() ? i : 0].origin.x;
+    load_numbers(numbers, 0, lines.origin.x, lines.origin.y);
+    load_numbers(numbers, 2, lines.origin.z, lines.direction.x);
+    load_numbers(numbers, 4, lines.direction.y, lines.direction.z);
+    load_numbers(numbers, 6, t_max, path_length);
   }
 
   /// Rays whose numbers are finite and whose direction is not zero.
@@ -60,32 +94,43 @@ struct OctetStarts {
   OctetMask is_known;
 
   HWY_INLINE OctetStarts() = default;
-  HWY_INLINE OctetStarts(std::span<const Ray> rays, const OctetVector& origin, const RayFaces& faces) {
+  HWY_INLINE OctetStarts(std::span<const Ray> rays, const OctetRays& octets, const RayFaces& faces) {
     constexpr double kNowhere = -1;
+    const OctetVector& origin = octets.lines.origin;
     reach = max(max(abs(origin.x), abs(origin.y)), abs(origin.z));
     instance = part = leaf = Octet(kNowhere);
     is_known = no_lane();
-    bool is_any_known = false;
-    for (const Ray& ray : rays) is_any_known |= ray.start.instance != scene::kNone;
-    if (!is_any_known) return;
-    alignas(64) double values[6][kOctet];
+    const RayStart& first = rays.front().start;
+    bool are_alike = true;
+    for (const Ray& ray : rays) are_alike &= ray.start == first;
+    if (are_alike) {
+      if (first.instance == scene::kNone) return;
+      const Spread& spread = faces.spread_of(first.instance);
+      reach = reach + octets.path_length;
+      reach = reach + (Octet(spread.factor) * reach + Octet(spread.size));
+      instance = Octet(first.instance);
+      part = Octet(first.part);
+      leaf = Octet(first.leaf);
+      is_known = all_lanes();
+      return;
+    }
+    alignas(64) double values[5][kOctet];
     for (std::size_t i = 0; i < kOctet; ++i) {
       const bool is_known_here = i < rays.size() && rays[i].start.instance != scene::kNone;
       const RayStart start = is_known_here ? rays[i].start : RayStart{};
       const Spread spread = is_known_here ? faces.spread_of(start.instance) : Spread{0, 0};
-      values[0][i] = is_known_here ? rays[i].path_length : 0;
-      values[1][i] = spread.factor;
-      values[2][i] = spread.size;
-      values[3][i] = is_known_here ? start.instance : kNowhere;
-      values[4][i] = is_known_here ? start.part : kNowhere;
-      values[5][i] = is_known_here ? start.leaf : kNowhere;
+      values[0][i] = spread.factor;
+      values[1][i] = spread.size;
+      values[2][i] = is_known_here ? start.instance : kNowhere;
+      values[3][i] = is_known_here ? start.part : kNowhere;
+      values[4][i] = is_known_here ? start.leaf : kNowhere;
     }
-    reach = reach + load(values[0]);
-    reach = reach + (load(values[1]) * reach + load(values[2]));
-    instance = load(values[3]);
-    part = load(values[4]);
-    leaf = load(values[5]);
+    instance = load(values[2]);
+    part = load(values[3]);
+    leaf = load(values[4]);
     is_known = instance >= Octet(0.0);
+    reach = reach + keep(is_known, octets.path_length);
+    reach = reach + (load(values[0]) * reach + load(values[1]));
   }
 
   /// As RayFaces::nearness() of a shape with this spread.

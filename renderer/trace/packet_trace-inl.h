@@ -119,19 +119,23 @@ class PacketTrace {
 
   std::uint32_t meet_blob(std::uint32_t index, std::uint32_t open) {
     const Instance& instance = scene_.instances[index];
-    const OctetMask starts_here = equal(octets_.start, Octet(index));
+    std::uint32_t start_here = 0, start_elsewhere = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      const InstanceId start = rays_[i].start.instance;
+      start_here |= std::uint32_t{start == index} << i;
+      start_elsewhere |= std::uint32_t{start != index && start != scene::kNone} << i;
+    }
     OctetBlobRays rays;
     rays.lines = instance.is_placed ? mapped(octets_.lines, instance.world_from_object.inverse) : octets_.lines;
     rays.t_max = farthest(index);
     rays.path_length = octets_.path_length;
-    rays.start_on_surface = bits(starts_here);
-    rays.take_faint_dips = single_.is_query() ? 0 : ~rays.start_on_surface;
+    rays.start_on_surface = start_here;
+    rays.take_faint_dips = single_.is_query() ? 0 : ~start_here;
     rays.any = any_;
     OctetBlobHits hits;
     Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, rays, open, hits);
     // Single rays judge faces that may coincide with the start or with the nearest hit so far, and what is undecided.
-    const OctetMask is_elsewhere = and_not(starts_here, octets_.start < Octet(scene::kNone));
-    const std::uint32_t unlike = (bits(is_elsewhere) | (any_ ? 0 : bits(hits_.are_met()))) & hits.found;
+    const std::uint32_t unlike = (start_elsewhere | (any_ ? 0 : bits(hits_.are_met()))) & hits.found;
     const std::uint32_t alone = (unlike | hits.undecided) & open;
     std::uint32_t met = hits.found & open & ~alone;
     if (met != 0 && !any_) {
@@ -224,7 +228,7 @@ class PacketTrace {
 
   [[nodiscard]] const OctetStarts& starts() {
     if (!are_starts_known_) [[unlikely]]
-      starts_ = OctetStarts(rays_, octets_.lines.origin, single_.faces());
+      starts_ = OctetStarts(rays_, octets_, single_.faces());
     are_starts_known_ = true;
     return starts_;
   }
