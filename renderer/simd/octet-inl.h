@@ -141,6 +141,11 @@ HWY_INLINE Octet load(const double* p) {
   for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = hn::Load(Lanes(), p + i * kLanes);
   return r;
 }
+/// Lanes 0 to n − 1.
+[[nodiscard]] HWY_INLINE OctetMask first_lanes(std::uint32_t n) {
+  alignas(64) static constexpr double kIndex[kOctet] = {0, 1, 2, 3, 4, 5, 6, 7};
+  return load(kIndex) < Octet(static_cast<double>(n));
+}
 HWY_INLINE void store(const Octet& x, double* p) {
   for (std::size_t i = 0; i < kRegisters; ++i) hn::Store(x.v[i], Lanes(), p + i * kLanes);
 }

@@ -21,19 +21,44 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-/// v and half its gradient for up to eight components.
-struct PointLanes {
-  alignas(64) double v[kOctet], gx[kOctet], gy[kOctet], gz[kOctet], amplitude[kOctet];
+/// v and half its gradient for eight components, and their amplitudes.
+struct KernelArguments {
+  Octet v, gx, gy, gz, amplitude;
 };
 
-inline void set_point_lane(const ComponentTable& table, const FieldGroup& group, std::uint32_t item, const Vec3& point,
-                           PointLanes& lanes, std::uint32_t lane) {
-  const KernelArgument at = argument_at(table, group, item, point);
-  lanes.v[lane] = at.v;
-  lanes.gx[lane] = at.half_gradient.x;
-  lanes.gy[lane] = at.half_gradient.y;
-  lanes.gz[lane] = at.half_gradient.z;
-  lanes.amplitude[lane] = table.amplitude[item];
+/// The arguments of one to eight components; v is beyond the support in the other lanes.
+inline KernelArguments arguments_at(const ComponentTable& table, const FieldGroup& group,
+                                    std::span<const std::uint32_t> items, const Vec3& point) {
+  const double beyond = 2 * group.kernel.support;
+  const auto count = static_cast<std::uint32_t>(items.size());
+  std::uint32_t index[kOctet];
+  for (std::uint32_t i = 0; i < kOctet; ++i) index[i] = items[std::min(i, count - 1)];
+  KernelArguments at;
+  at.amplitude = gather(table.amplitude.data(), index);
+  if (group.skeleton == scene::Skeleton::point && !group.is_mapped) {
+    // What argument_at() makes of a point, for all lanes together.
+    const Octet scale = gather(table.scale.data(), index);
+    const Octet x = Octet(point.x) - gather(table.x.data(), index), y = Octet(point.y) - gather(table.y.data(), index),
+                z = Octet(point.z) - gather(table.z.data(), index);
+    at.gx = x * scale;
+    at.gy = y * scale;
+    at.gz = z * scale;
+    at.v = select(first_lanes(count), at.gx * x + at.gy * y + at.gz * z, Octet(beyond));
+    return at;
+  }
+  alignas(64) double v[kOctet], gx[kOctet], gy[kOctet], gz[kOctet];
+  for (std::uint32_t i = 0; i < kOctet; ++i) {
+    const KernelArgument own = i < count ? argument_at(table, group, index[i], point) : KernelArgument{beyond, Vec3(0)};
+    v[i] = own.v;
+    gx[i] = own.half_gradient.x;
+    gy[i] = own.half_gradient.y;
+    gz[i] = own.half_gradient.z;
+  }
+  at.v = load(v);
+  at.gx = load(gx);
+  at.gy = load(gy);
+  at.gz = load(gz);
+  return at;
 }
 
 /// A sum of fields and its gradient.
@@ -94,19 +119,15 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
                      ShareSums& shares) {
   for (std::uint32_t i = 0; i < count; i += kOctet) {
     const std::uint32_t n = std::min<std::uint32_t>(kOctet, count - i);
-    PointLanes lanes;
-    for (std::uint32_t j = 0; j < kOctet; ++j)
-      set_point_lane(table, group, items[i + std::min(j, n - 1)], point, lanes, j);
-    for (std::uint32_t j = n; j < kOctet; ++j) lanes.v[j] = 2 * group.kernel.support;
-    const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
-    const OctetMask active = v < kernel.support();
-    const KernelValue phi = kernel.value_and_slope(v);
-    const Octet value = keep(active, amplitude * phi.value);
-    const Octet slope = keep(active, Octet(2.0) * amplitude * phi.slope);
+    const KernelArguments at = arguments_at(table, group, {items + i, n}, point);
+    const OctetMask active = at.v < kernel.support();
+    const KernelValue phi = kernel.value_and_slope(at.v);
+    const Octet value = keep(active, at.amplitude * phi.value);
+    const Octet slope = keep(active, Octet(2.0) * at.amplitude * phi.slope);
     sums.value = sums.value + value;
-    sums.gx = sums.gx + slope * load(lanes.gx);
-    sums.gy = sums.gy + slope * load(lanes.gy);
-    sums.gz = sums.gz + slope * load(lanes.gz);
+    sums.gx = sums.gx + slope * at.gx;
+    sums.gy = sums.gy + slope * at.gy;
+    sums.gz = sums.gz + slope * at.gz;
     alignas(64) double weights[kOctet];
     store(abs(value), weights);
     for (std::uint32_t j = 0; j < n; ++j) {

@@ -141,11 +141,6 @@ class LaneSetup {
   }
 
  private:
-  static HWY_INLINE OctetMask first_lanes(std::uint32_t n) {
-    alignas(64) static constexpr double kIndex[kOctet] = {0, 1, 2, 3, 4, 5, 6, 7};
-    return load(kIndex) < Octet(static_cast<double>(n));
-  }
-
   /// Adds each lane's greatest possible value on the stretch, if it is positive.
   template <class Kernel>
   static HWY_INLINE void add_peaks(const Kernel& kernel, const Octet& v_least, const Octet& amplitude, Octet& peaks) {

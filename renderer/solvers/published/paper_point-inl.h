@@ -72,15 +72,14 @@ class Equation10 {
   }
 
   void add_octet(const FieldGroup& group, std::size_t begin, std::size_t end) {
-    PointLanes lanes;
-    for (std::uint32_t j = 0; j < kOctet; ++j) {
-      set_point_lane(table_, group, items_[std::min(begin + j, end - 1)], point_, lanes, j);
-    }
-    alignas(64) double value[kOctet];
+    const KernelArguments at = arguments_at(table_, group, items_.subspan(begin, end - begin), point_);
+    alignas(64) double value[kOctet], gx[kOctet], gy[kOctet], gz[kOctet];
+    store(at.gx, gx);
+    store(at.gy, gy);
+    store(at.gz, gz);
     if (values_.empty()) {
-      const Octet v = load(lanes.v), amplitude = load(lanes.amplitude);
       with_kernel(group.kernel, [&](const auto& kernel) HWY_ATTR {
-        store(keep(v < kernel.support(), amplitude * kernel.value(v)), value);
+        store(keep(at.v < kernel.support(), at.amplitude * kernel.value(at.v)), value);
       });
       result_.evaluations += static_cast<std::uint32_t>(end - begin);
     } else {
@@ -88,7 +87,7 @@ class Equation10 {
                 values_.begin() + static_cast<std::ptrdiff_t>(end), value);
     }
     for (std::size_t i = begin; i < end; ++i) {
-      add(i, value[i - begin], {lanes.gx[i - begin], lanes.gy[i - begin], lanes.gz[i - begin]});
+      add(i, value[i - begin], {gx[i - begin], gy[i - begin], gz[i - begin]});
     }
   }
 
