@@ -1,5 +1,6 @@
 #include "renderer/film/lens.h"
 
+#include "renderer/film/recurring_angles.h"
 #include "renderer/patterns/patterns.h"
 #include "renderer/queries/pattern_insides.h"
 
@@ -33,12 +34,9 @@ DensityTable brightness(const scene::Pigment& pigment, const scene::Database& da
   return {kBokehCells, kBokehCells, std::move(weights)};
 }
 
-/// Sine and cosine of an angle up to π/4, off by no more than the first term that is left out: 2e-9, for a point that
-/// is a random one anyway.
-struct SineAndCosine {
-  double sine, cosine;
-};
-SineAndCosine of_small(double angle) {
+/// The sine and cosine of an angle of at most π/4, by their series. The first terms that are left out bound the error
+/// by 2e-9, which moves a point of the lens by that share of its radius.
+SineCosine of_small(double angle) {
   const double a = angle * angle;
   return {angle * (1 + a * (-1.0 / 6 + a * (1.0 / 120 + a * (-1.0 / 5040 + a * (1.0 / 362880))))),
           1 + a * (-1.0 / 2 + a * (1.0 / 24 + a * (-1.0 / 720 + a * (1.0 / 40320 + a * (-1.0 / 3628800)))))};

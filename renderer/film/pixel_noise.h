@@ -1,8 +1,8 @@
 // The noise of every pixel, as its samples tell (film/block_noise.h), and the choice of the pixels that get more.
 //
-// What a few samples tell of their noise is itself far from exact. If each pixel stopped as soon as its own samples say
-// so, those would stop first whose samples are alike by chance, and their error would be twice what was asked for.
-// Therefore the estimates of neighbours are averaged.
+// A few samples give only a rough estimate of their noise. A pixel that stopped by its own estimate alone would stop
+// where its samples happen to be alike, and its error would be larger than what was asked for. Therefore the estimates
+// of neighbouring pixels are averaged.
 //
 // A pixel whose few samples are all equal may have missed what others see, such as the light that comes through a gap.
 // Its neighbours tell how much that can be.

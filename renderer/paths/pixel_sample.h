@@ -40,11 +40,12 @@ struct PixelSample {
   }
 };
 
-/// Where the samples of a pixel are on the lens.
+/// The points of the lens through which the samples of a pixel look.
 [[nodiscard]] constexpr CentredPoints points_on_lens(std::uint32_t seed) {
   return CentredPoints({seed, derived_seed(seed, static_cast<std::uint32_t>(SampleUse::lens))});
 }
-/// Where they are in the pixel. What a sample sees through a lens depends on both places together.
+/// The points of the pixel through which its samples look. With a lens, what a sample sees depends on its points in the
+/// pixel and on the lens at once, so both come from one sequence.
 [[nodiscard]] constexpr CentredPoints points_in_pixel(std::uint32_t seed, bool has_lens) {
   const std::uint32_t own = derived_seed(seed, static_cast<std::uint32_t>(SampleUse::pixel));
   return CentredPoints(has_lens ? PointSequence{seed, own, SobolPair::second} : PointSequence{own, own});

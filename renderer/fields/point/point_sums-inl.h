@@ -36,7 +36,7 @@ inline KernelArguments arguments_at(const ComponentTable& table, const FieldGrou
   KernelArguments at;
   at.amplitude = gather(table.amplitude.data(), index);
   if (group.skeleton == scene::Skeleton::point && !group.is_mapped) {
-    // What argument_at() makes of a point, for all lanes together.
+    // Points need no dispatch by skeleton, so eight are computed at once, with the operations of argument_at().
     const Octet scale = gather(table.scale.data(), index);
     const Octet x = Octet(point.x) - gather(table.x.data(), index), y = Octet(point.y) - gather(table.y.data(), index),
                 z = Octet(point.z) - gather(table.z.data(), index);
