@@ -109,7 +109,7 @@ struct BoxRays {
     is_parallel = (open & ~bits(is_finite)) != 0;
   }
 
-  /// Where the rays are in a child's box, between 0 and `limits`.
+  /// The rays that are in a child's box somewhere between 0 and `limits`; none is before its `enter`.
   HWY_INLINE OctetMask meet(const BoxNode& node, std::size_t child, const Octet& limits, Octet& enter) const {
     enter = Octet(0.0);
     Octet leave = limits;
@@ -132,37 +132,95 @@ struct BoxRays {
   }
 };
 
+/// Bits of the children that are there.
+[[nodiscard]] HWY_INLINE std::uint32_t children_of(const BoxNode& node) {
+  return bits(load(node.planes[0][0]) <= load(node.planes[0][1]));
+}
+
+/// Bounds of the origins and directions of eight rays. A box that no line within them meets is met by none of the rays:
+/// rounding keeps differences and products in their order, so that holds to the last bit.
+class BoxBundle {
+ public:
+  HWY_INLINE BoxBundle() = default;
+  HWY_INLINE BoxBundle(const BoxRays& rays, std::uint32_t open) {
+    const Octet infinity(std::numeric_limits<double>::infinity());
+    const OctetMask counts = mask_of(open);
+    const auto lowest = [&](const Octet& x) HWY_ATTR { return least(select(counts, x, infinity)); };
+    const auto highest = [&](const Octet& x) HWY_ATTR { return greatest(select(counts, x, Octet(0.0) - infinity)); };
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = lowest(rays.inverse[axis]), high = highest(rays.inverse[axis]);
+      side_[axis] = low > 0 ? 0 : 1;
+      is_bounded_[axis] = std::isfinite(low) && std::isfinite(high) && (low > 0) == (high > 0);
+      by_[axis][0] = Octet(low);
+      by_[axis][1] = Octet(high);
+      from_[axis][0] = Octet(lowest(rays.origin[axis]));
+      from_[axis][1] = Octet(highest(rays.origin[axis]));
+    }
+  }
+
+  /// Bits of the children that some ray may meet before t = limit; no ray is in child i before begins[i], which are
+  /// 64-byte aligned.
+  [[nodiscard]] HWY_INLINE std::uint32_t meet(const BoxNode& node, double limit, double* begins) const {
+    Octet enter(0.0), leave(limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!is_bounded_[axis]) [[unlikely]]
+        continue;
+      const unsigned near = side_[axis], far = 1 - near;
+      const Octet to_near = load(node.planes[axis][near]) - from_[axis][far];
+      const Octet to_far = load(node.planes[axis][far]) - from_[axis][near];
+      enter = max(enter, min(to_near * by_[axis][0], to_near * by_[axis][1]));
+      leave = min(leave, max(to_far * by_[axis][0], to_far * by_[axis][1]));
+    }
+    enter = enter * Octet(kBoxEarlier);
+    store(enter, begins);
+    return children_of(node) & bits(enter <= leave * Octet(kBoxLater));
+  }
+
+ private:
+  Octet from_[3][2], by_[3][2];  ///< least and greatest origins and inverses of directions
+  unsigned side_[3] = {};        ///< which of a box's planes is met first
+  bool is_bounded_[3] = {};      ///< the rays move to the same side along the axis
+};
+
 /// The same for the rays whose bits in `open` are set, with the limits of all rays in `limits` (64-byte aligned), which
 /// `visit` may lower. visit(item, rays) returns the bits of the rays that go on. Returns those that go on in the end.
 template <class Visit>
 HWY_INLINE std::uint32_t walk_boxes(const BoxTree& tree, const BoxRays& rays, const double* limits, std::uint32_t open,
                                     const Visit& visit) {
   struct Entry {
-    double enter;  ///< of one of the rays
+    double enter;  ///< none of the rays is in the box before
     std::uint32_t child, rays;
   };
+  // A bundle costs more than it saves where there are few boxes.
+  const bool is_bundled = tree.nodes.size() > kBoxChildren;
+  BoxBundle bundle;
+  if (is_bundled) bundle = BoxBundle(rays, open);
+  double farthest = greatest(keep(mask_of(open), load(limits)));
   BoxStack<Entry> stack;
   stack.push({0, 0, open});
   while (!stack.is_empty()) {
     const Entry top = stack.pop();
     const std::uint32_t present = top.rays & open;
-    if (present == 0) continue;
+    if (present == 0 || top.enter > farthest) continue;
     if ((top.child & BoxNode::kItem) != 0) {
       open &= ~present | visit(top.child & ~BoxNode::kItem, present);
       if (open == 0) return open;
+      farthest = greatest(keep(mask_of(open), load(limits)));
       continue;
     }
     const BoxNode& node = tree.nodes[top.child];
     const Octet up_to = load(limits);
+    alignas(64) double begins[kOctet];
+    std::uint32_t left = is_bundled ? bundle.meet(node, farthest, begins) : children_of(node);
     stack.begin();
-    for (std::size_t i = 0; i < kBoxChildren; ++i) {
-      if (!(node.planes[0][0][i] <= node.planes[0][1][i])) break;  // children that are there come first
+    for (; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
       Octet enter;
-      const std::uint32_t met = bits(rays.meet(node, i, up_to, enter)) & present;
+      const OctetMask meeting = rays.meet(node, i, up_to, enter) & mask_of(present);
+      const std::uint32_t met = bits(meeting);
       if (met == 0) continue;
-      alignas(64) double begins[kOctet];
-      store(enter, begins);
-      stack.push({begins[std::countr_zero(met)], node.children[i], met});
+      const double begin = is_bundled ? begins[i] : least(select(meeting, enter, up_to));
+      stack.push({begin, node.children[i], met});
     }
   }
   return open;

@@ -124,7 +124,7 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
 bool CsgBuilder::fits_octets(const CsgTree& tree) const {
   return tree.leaves.size() <= kMostOctetLeaves && tree.nodes.size() <= kMostOctetNodes &&
          std::ranges::all_of(tree.leaves, [this](const CsgLeaf& leaf) {
-           return leaf.kind == Object::Kind::solid && meets_octets(database_.solids[leaf.shape]);
+           return leaf.kind == Object::Kind::solid && has_octet_stretches(database_.solids[leaf.shape]);
          });
 }
 

@@ -84,7 +84,7 @@ struct CsgTree {
   std::vector<std::uint32_t> endless_leaves;  ///< all others
   Imath::Box3d bounds;                        ///< bounds of the surface; sides may be infinite
   Spread spread;                              ///< covers every leaf
-  /// True if there are few leaves, all of them convex solids that eight rays meet at once.
+  /// True if there are few leaves, all of them solids whose stretches inside are found for eight rays at once.
   bool is_met_by_octets = false;
 
   [[nodiscard]] std::size_t bytes() const {

@@ -36,15 +36,17 @@ template <class Polynomial>
   return {q, u * u * q / (n * u * q - slope)};
 }
 
+/// A Newton step of this share of u is the last.
+inline constexpr double kLastDigits = 0x1p-50;
+/// Steps this short that do not shrink any more are rounding.
+inline constexpr double kFewDigits = 0x1p-30;
+
 /// Precondition: the value at `low` has the sign `sign` or, within rounding, is zero; that at `high` has the opposite
 /// sign. Newton steps that stay in the bracket and shrink by half, else halvings of the bracket: usually four of
 /// them in all, to the last digit of u or to where rounding moves the value as much as another step would; or until a
 /// step within the bracket is at most `enough`.
 template <class Polynomial>
 [[nodiscard]] double bernstein_root(const Polynomial& weighted, double low, double high, int sign, double enough = 0) {
-  constexpr double kLastDigits = 0x1p-50;
-  /// Steps this short that do not shrink any more are rounding.
-  constexpr double kFewDigits = 0x1p-30;
   const double f_low = sign * value_at(weighted, low), f_high = sign * value_at(weighted, high);
   if (!(f_low > 0)) return low;
   if (!(f_high < 0)) return high;

@@ -176,6 +176,18 @@ HWY_INLINE double sum_lanes(D d, hn::Vec<D> x) {
 }
 #endif
 
+/// The least and the greatest of eight numbers.
+HWY_INLINE double least(const Octet& x) {
+  Register r = x.v[0];
+  for (std::size_t i = 1; i < kRegisters; ++i) r = hn::Min(r, x.v[i]);
+  return hn::GetLane(hn::MinOfLanes(Lanes(), r));
+}
+HWY_INLINE double greatest(const Octet& x) {
+  Register r = x.v[0];
+  for (std::size_t i = 1; i < kRegisters; ++i) r = hn::Max(r, x.v[i]);
+  return hn::GetLane(hn::MaxOfLanes(Lanes(), r));
+}
+
 /// ((x0+x4)+(x2+x6)) + ((x1+x5)+(x3+x7)) on every target: halves are added to halves until one number is left.
 HWY_INLINE double sum(Octet x) {
   for (std::size_t n = kRegisters / 2; n > 0; n /= 2) {

@@ -10,6 +10,7 @@
 
 #include "renderer/solids/octet_intervals-inl.h"
 #include "renderer/solids/octet_solids.h"
+#include "renderer/solids/roots_of_solid-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -76,6 +77,16 @@ struct FirstCrossings {
   return result;
 }
 
+[[nodiscard]] HWY_INLINE FirstCrossings first_of_roots(const scene::Solid& solid, const SolidDetails& details,
+                                                       const OctetLines& lines, const Octet& start_part) {
+  const OctetStretch all{Octet(0.0), Octet(kInfinity)};
+  const OctetRoots roots = roots_of_solid(solid, details, lines, start_part, all, 1);
+  FirstCrossings result;
+  result.t = roots.t[0];
+  result.alone = roots.alone;
+  return result;
+}
+
 /// The first crossings of lines in the solid's space. `start_part` is the surface of the solid that a line starts on,
 /// or below 0. Precondition: has_first_crossings(solid).
 [[nodiscard]] HWY_INLINE FirstCrossings first_crossings(const scene::Solid& solid, const SolidDetails& details,
@@ -84,6 +95,7 @@ struct FirstCrossings {
   if (solid.kind == scene::SolidKind::disc) return first_of_disc(solid, lines, start_part);
   if (solid.kind == scene::SolidKind::quadric)
     return first_of_quadric(details.polynomials[solid.detail], lines, start_part);
+  if (has_octet_roots(solid)) return first_of_roots(solid, details, lines, start_part);
   OctetMask alone = no_lane();
   FirstCrossings result = is_open_tube(solid) ? first_of_open(tube_of(solid, lines, start_part, alone))
                                               : first_end(inside_of(solid, details, lines, start_part, alone));

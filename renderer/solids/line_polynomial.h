@@ -29,6 +29,10 @@ struct LinePart {
   double w;
 };
 
+/// How much larger than on the pieces of a whole line coordinates may be on a stretch that is followed alone: n bits of
+/// 2ⁿ are lost.
+inline constexpr double kMostStretchGrowth = 2;
+
 /// Bound of the rounding of Bernstein coefficients of this order, relative to largest_terms(). A term passes through at
 /// most n products with linear forms (each 3 roundings in two coefficients) and as many sums, 3n + 1 roundings on the
 /// way to Bernstein's form, and n cuts of 3; halvings (polynomial_roots.h) add no more than n. 11(n + 2) units of 2⁻⁵³
@@ -121,35 +125,54 @@ class PowerForm {
     return kIsFixed ? kMost : polynomial.order;
   }
 
-  /// A sum of powers, or zero (degree −1): most coefficients of usual polynomials are zero.
-  struct Sum {
-    int degree = -1;
-    std::array<double, kMost + 1> c;
+  /// A sum of powers that knows whether it is zero: most coefficients of usual polynomials are. All loops have constant
+  /// ends, so that its numbers stay in registers.
+  struct FixedSum {
+    bool is_zero = true;
+    std::array<double, kMost + 1> c{};
 
-    [[nodiscard]] bool is_zero() const { return degree < 0; }
     void multiply(double constant, double slope) {
-      if (is_zero()) return;
-      if constexpr (!kIsFixed) c[at(++degree)] = 0;
-      for (int k = kIsFixed ? kMost : degree; k > 0; --k) c[at(k)] = constant * c[at(k)] + slope * c[at(k - 1)];
+      if (is_zero) return;
+#pragma GCC unroll 8
+      for (int k = kMost; k > 0; --k) c[at(k)] = constant * c[at(k)] + slope * c[at(k - 1)];
       c[0] *= constant;
     }
     void add(double value) {
-      if (is_zero()) lengthen(kIsFixed ? kMost : 0);
+      c[0] += value;
+      is_zero = false;
+    }
+    void add(const FixedSum& other) {
+      if (other.is_zero) return;
+#pragma GCC unroll 8
+      for (int k = 0; k <= kMost; ++k) c[at(k)] += other.c[at(k)];
+      is_zero = false;
+    }
+    void lengthen(int) {}
+  };
+  /// The same with as many powers as it has come to have.
+  struct GrowingSum {
+    int degree = -1;  ///< of zero
+    std::array<double, kMost + 1> c;
+
+    void multiply(double constant, double slope) {
+      if (degree < 0) return;
+      c[at(++degree)] = 0;
+      for (int k = degree; k > 0; --k) c[at(k)] = constant * c[at(k)] + slope * c[at(k - 1)];
+      c[0] *= constant;
+    }
+    void add(double value) {
+      lengthen(0);
       c[0] += value;
     }
-    void add(const Sum& other) {
-      if (other.is_zero()) return;
-      if (kIsFixed && is_zero()) {
-        *this = other;
-        return;
-      }
+    void add(const GrowingSum& other) {
       lengthen(other.degree);
-      for (int k = 0; k <= (kIsFixed ? kMost : other.degree); ++k) c[at(k)] += other.c[at(k)];
+      for (int k = 0; k <= other.degree; ++k) c[at(k)] += other.c[at(k)];
     }
     void lengthen(int to) {
       while (degree < to) c[at(++degree)] = 0;
     }
   };
+  using Sum = std::conditional_t<kIsFixed, FixedSum, GrowingSum>;
 
   /// bᵢ = Σ C(i,k)/C(n,k) aₖ: Pascal's triangle.
   static void to_bernstein(Coefficients& p) {

@@ -24,9 +24,21 @@ namespace isl::render {
   }
 }
 
+/// True if roots_of_solid() takes the solid.
+[[nodiscard]] inline bool has_octet_roots(const scene::Solid& solid) {
+  return solid.kind == scene::SolidKind::cubic || solid.kind == scene::SolidKind::quartic ||
+         (solid.kind == scene::SolidKind::torus && solid.radius_b <= solid.radius_a);
+}
+
+/// True if the stretches inside the solid are found for eight lines: one, or up to two of order 3 and 4.
+[[nodiscard]] inline bool has_octet_stretches(const scene::Solid& solid) {
+  return meets_octets(solid) || has_octet_roots(solid);
+}
+
 /// True if first_crossings() takes the solid.
 [[nodiscard]] inline bool has_first_crossings(const scene::Solid& solid) {
-  return solid.kind == scene::SolidKind::disc || (is_open_tube(solid) && solid.a != solid.b) || meets_octets(solid);
+  return has_octet_roots(solid) || solid.kind == scene::SolidKind::disc ||
+         (is_open_tube(solid) && solid.a != solid.b) || meets_octets(solid);
 }
 
 }  // namespace isl::render

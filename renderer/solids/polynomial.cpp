@@ -123,11 +123,9 @@ class PolynomialLine {
   /// False if the stretch is too long, or its ends are too close to the surface.
   template <class Polynomial>
   bool follow_stretch(const Stretch& stretch) {
-    /// How much larger than on the usual pieces coordinates may be: n bits of 2ⁿ are lost.
-    constexpr double kMostGrowth = 2;
     if (std::isinf(stretch.to) || !(stretch.from < stretch.to) || (deflates_ && stretch.from > 0)) return false;
     const double size = std::max({point(stretch.from).length(), point(stretch.to).length(), polynomial_.reach});
-    if (!(size > 0 && size <= kMostGrowth * h_)) return false;
+    if (!(size > 0 && size <= kMostStretchGrowth * h_)) return false;
     double band = 0;
     const Polynomial p = between<Polynomial>(stretch.from, stretch.to, size, band);
     if (stretch.from > 0 && !(std::abs(p[0]) > band)) return false;

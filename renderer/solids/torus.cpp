@@ -16,6 +16,7 @@
 #include "renderer/numerics/polynomial_roots.h"
 #include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
+#include "renderer/solids/torus_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ Quartic quartic(const scene::Solid& solid, const Vec3& a, const Vec3& b, double&
 /// last one was not longer than `shortest`.
 bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, double longest, double shortest,
             double& t) {
-  for (int step = 0; step < 3; ++step) {
+  for (int step = 0; step < TorusSearch::kMostSteps; ++step) {
     const Vec3 p = origin + direction * t;
     const double rho = from_axis(p), across = rho - solid.radius_a;
     const double slope = across * (p.x * direction.x + p.z * direction.z) / rho + p.y * direction.y;
@@ -93,20 +94,14 @@ bool polish(const scene::Solid& solid, const Vec3& origin, const Vec3& direction
 template <int n, class Crossed>
 int follow(const FixedBernstein<n>& p, double band, int sign, const scene::Solid& solid, const Vec3& begin,
            const Vec3& direction, double length, Crossed&& crossed) {
-  // Rounding of the coefficients moves a root that Newton's steps can tell from its neighbours by less than this.
-  constexpr double kMoved = 0x1p-20;
-  // A root is near enough for polish() where the next step would be of the order of the square of this.
-  constexpr double kNear = 0x1p-22;
-  // After a step as short as this, what is left is of the size of its square.
-  constexpr double kConverged = 0x1p-40;
   SignFollower follower(sign);
   follower.bracket(p, band, [&](double low, double high) {
-    double t = follower.root_between(p, low, high, kNear) * length;
-    if (polish(solid, begin, direction, kMoved * length, kConverged * length, t) && t >= low * length &&
-        t <= high * length)
+    double t = follower.root_between(p, low, high, TorusSearch::kNear) * length;
+    if (polish(solid, begin, direction, TorusSearch::kMoved * length, TorusSearch::kConverged * length, t) &&
+        t >= low * length && t <= high * length)
       return crossed(t);
     t = follower.root_between(p, low, high) * length;
-    polish(solid, begin, direction, kMoved * length, 0, t);
+    polish(solid, begin, direction, TorusSearch::kMoved * length, 0, t);
     return crossed(std::clamp(t, 0.0, length));
   });
   return follower.sign();

@@ -1,8 +1,8 @@
-// The first surface of a small combination of convex solids along eight rays at once (CsgTree::is_met_by_octets).
+// The first surface of a small combination of solids along eight rays at once (CsgTree::is_met_by_octets).
 //
-// Each leaf is inside on one stretch of a ray, so the state of all leaves at any t follows from the ends of their
-// stretches, and no crossing waits for another. A crossing shows if the other leaves are as CsgState::shows() asks.
-// The nearest one that shows is the hit.
+// Each leaf is inside on one stretch of a ray, or on two if it is of order 4, so the state of all leaves at any t
+// follows from the ends of their stretches, and no crossing waits for another. A crossing shows if the other leaves are
+// as CsgState::shows() asks. The nearest one that shows is the hit.
 //
 // Crossings of several leaves that are closer than their rounding are taken together by csg_search.h, as are those near
 // the ray's start. Rays that have such crossings before their hit are left to it. If crossings at one place change the
@@ -16,10 +16,13 @@
 
 #include "renderer/compiled/compiled_scene.h"
 #include "renderer/solids/octet_intervals-inl.h"
+#include "renderer/solids/octet_solids.h"
+#include "renderer/solids/roots_of_solid-inl.h"
 #include "renderer/trace/octet_hits-inl.h"
 #include "renderer/trace/octet_rays-inl.h"
 
 #include <algorithm>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -33,20 +36,26 @@ class CsgPacket {
     const OctetLines lines =
         instance_.is_placed ? mapped(world_lines, instance_.world_from_object.inverse) : world_lines;
     const OctetMask starts_here = equal(starts.instance, Octet(index));
-    const Octet nowhere(-1), endless(kInfinity);
+    const Octet nowhere(-1);
     const Octet start_leaf = select(starts_here, starts.leaf, nowhere);
     alone_ = no_lane();
     for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
       const CsgLeaf& leaf = tree_.leaves[i];
       Leaf& own = leaves_[i];
       own.starts_here = equal(start_leaf, Octet(i));
-      own.inside = inside_of(scene.solids[leaf.shape], scene.details,
-                             leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines,
-                             select(own.starts_here, starts.part, nowhere), alone_);
-      const OctetMask is_met = own.inside.low < own.inside.high;
-      own.inside.low = select(is_met, own.inside.low, endless);
-      own.inside.high = select(is_met, own.inside.high, Octet(-kInfinity));
-      own.is_met = !none(is_met & (own.inside.high > Octet(0.0)));
+      const scene::Solid& solid = scene.solids[leaf.shape];
+      const OctetLines own_lines = leaf.is_placed ? mapped(lines, leaf.group_from_leaf.inverse) : lines;
+      const Octet start_part = select(own.starts_here, starts.part, nowhere);
+      own.count = 0;
+      if (has_octet_roots(solid)) {
+        const OctetRoots roots = roots_of_solid(solid, scene.details, own_lines, start_part,
+                                                stretch_in(leaf.box, lines, own.starts_here), OctetRoots::kMost);
+        const OctetStretches stretches = stretches_of(roots, alone_);
+        own.add(stretches.first);
+        own.add(stretches.second);
+      } else {
+        own.add(inside_of(solid, scene.details, own_lines, start_part, alone_));
+      }
     }
   }
 
@@ -59,20 +68,51 @@ class CsgPacket {
     first_close_ = Octet(kInfinity);
     const OctetMask is_open = mask_of(open);
     for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
-      if (!leaves_[i].is_met) continue;
-      const OctetIntervals& inside = leaves_[i].inside;
-      cross(i, inside.low, inside.low_part, tree_.leaves[i].is_inverse, is_open);
-      cross(i, inside.high, inside.high_part, !tree_.leaves[i].is_inverse, is_open);
+      for (const OctetIntervals& inside : leaves_[i].stretches()) {
+        cross(i, inside.low, inside.low_part, tree_.leaves[i].is_inverse, is_open);
+        cross(i, inside.high, inside.high_part, !tree_.leaves[i].is_inverse, is_open);
+      }
     }
     best_.alone = alone_ | ((first_close_ <= best_.t) & (first_close_ < Octet(kInfinity)));
     return best_;
   }
 
  private:
+  /// As CsgSearch::stretch_in_packets(); empty where a line misses the box.
+  [[nodiscard]] OctetStretch stretch_in(const Box& box, const OctetLines& lines, const OctetMask& starts_here) const {
+    const Octet* const origin[] = {&lines.origin.x, &lines.origin.y, &lines.origin.z};
+    const Octet* const direction[] = {&lines.direction.x, &lines.direction.y, &lines.direction.z};
+    const Octet zero(0.0);
+    OctetStretch stretch{zero, Octet(kInfinity)};
+    OctetMask misses = no_lane();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<int>(i);
+      const Octet least(box.min[axis]), greatest(box.max[axis]);
+      const Octet a = (least - *origin[i]) / *direction[i], b = (greatest - *origin[i]) / *direction[i];
+      const OctetMask is_flat = equal(*direction[i], zero);
+      misses = misses | and_not((*origin[i] >= least) & (*origin[i] <= greatest), is_flat);
+      stretch.from = select(is_flat, stretch.from, max(stretch.from, min(a, b)));
+      stretch.to = select(is_flat, stretch.to, min(stretch.to, max(a, b)));
+    }
+    misses = misses | and_not(stretch.from <= stretch.to, all_lanes());
+    const auto nearness = [&](const Octet& t) HWY_ATTR { return starts_.nearness(instance_.spread, t); };
+    const OctetMask begins_at_start = starts_here | (stretch.from <= zero);
+    const Octet from = select(begins_at_start, zero, stretch.from - nearness(stretch.from));
+    return {select(misses, zero, from), select(misses, zero, stretch.to + nearness(stretch.to))};
+  }
+
   struct Leaf {
-    OctetIntervals inside;  ///< from ∞ to −∞ where a ray misses the leaf
+    OctetIntervals inside[2];  ///< from ∞ to −∞ where a ray misses the leaf
+    std::size_t count;         ///< of them; others are not met by any ray ahead of its start
     OctetMask starts_here;
-    bool is_met;  ///< by some ray, ahead of its start
+
+    HWY_INLINE void add(OctetIntervals stretch) {
+      const OctetMask is_met = stretch.low < stretch.high;
+      stretch.low = select(is_met, stretch.low, Octet(kInfinity));
+      stretch.high = select(is_met, stretch.high, Octet(-kInfinity));
+      if (!none(is_met & (stretch.high > Octet(0.0)))) inside[count++] = stretch;
+    }
+    [[nodiscard]] std::span<const OctetIntervals> stretches() const { return {inside, count}; }
   };
 
   /// Takes the crossings of a leaf at t.
@@ -84,7 +124,13 @@ class CsgPacket {
     alone_ = alone_ | (and_not(own.starts_here, ahead & starts_.is_known) & (t <= near));
     // csg_search.h compares with twice the rounding at the later of two crossings, which is less than this.
     const Octet close = Octet(4.0) * near;
-    OctetMask is_close = (own.inside.high - own.inside.low) <= close;
+    OctetMask is_close = no_lane();
+    for (const OctetIntervals& inside : own.stretches()) {
+      is_close = is_close | ((inside.high - inside.low) <= close);
+      if (own.count > 1)
+        is_close = is_close | and_not(equal(inside.low, t), abs(inside.low - t) <= close) |
+                   and_not(equal(inside.high, t), abs(inside.high - t) <= close);
+    }
     const OctetMask shows = shows_at(index, t, close, is_close);
     first_close_ = min(first_close_, select(ahead & is_close, t, Octet(kInfinity)));
     if (!tree_.leaves[index].is_seen) return;
@@ -115,9 +161,9 @@ class CsgPacket {
       if (i == index) continue;
       const CsgLeaf& leaf = tree_.leaves[i];
       OctetMask is_inside = no_lane();
-      if (leaves_[i].is_met) {
-        const Octet to_low = leaves_[i].inside.low - t, to_high = leaves_[i].inside.high - t;
-        is_inside = (to_low < zero) & (to_high > zero);
+      for (const OctetIntervals& inside : leaves_[i].stretches()) {
+        const Octet to_low = inside.low - t, to_high = inside.high - t;
+        is_inside = is_inside | ((to_low < zero) & (to_high > zero));
         is_close = is_close | (min(abs(to_low), abs(to_high)) <= close);
       }
       add(leaf.is_inverse ? and_not(is_inside, all_lanes()) : is_inside, leaf.parent, holds);

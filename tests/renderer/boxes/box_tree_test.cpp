@@ -58,6 +58,16 @@ class BoxTrees : public testing::Test {
     return list;
   }
 
+  /// So many that a ray meets many of them.
+  std::vector<Box> overlapping_boxes() {
+    std::vector<Box> list;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 low(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      list.emplace_back(low, low + Vec3(uniform(0.1, 0.5)));
+    }
+    return list;
+  }
+
   /// Rays of all directions, some along axes or planes, from within and outside, some from corners.
   Ray ray(const std::vector<Box>& boxes) {
     Ray ray;
@@ -72,6 +82,34 @@ class BoxTrees : public testing::Test {
     if (!(ray.direction.length() > 0)) ray.direction = Vec3(1, 0, 0);
     ray.direction.normalize();
     return ray;
+  }
+
+  /// One to eight rays that have nothing to do with one another.
+  std::vector<Ray> rays_apart(const std::vector<Box>& boxes) {
+    std::vector<Ray> rays(1 + random_() % 8);
+    for (Ray& r : rays) r = ray(boxes);
+    return rays;
+  }
+  /// One to eight rays from places close to one another into almost the same direction.
+  std::vector<Ray> rays_together(const std::vector<Box>& boxes) {
+    std::vector<Ray> rays(1 + random_() % 8, ray(boxes));
+    const double apart = log_uniform(1e-9, 0.1);
+    for (std::size_t i = 1; i < rays.size(); ++i) {
+      if (i % 3 != 0) rays[i].origin += Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) * apart;
+      rays[i].direction += Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) * apart;
+    }
+    return rays;
+  }
+  static lanes::BoxRays side_by_side(const std::vector<Ray>& rays, std::uint32_t open) {
+    alignas(64) double values[6][8] = {};
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        values[axis][k] = rays[k].origin[axis];
+        values[3 + axis][k] = rays[k].direction[axis];
+      }
+    }
+    const auto loaded = [&](int axis) { return lanes::load(values[axis]); };
+    return {{loaded(0), loaded(1), loaded(2)}, {loaded(3), loaded(4), loaded(5)}, open};
   }
 
   static BoxTree tree(const std::vector<Box>& boxes) {
@@ -152,11 +190,7 @@ TEST_F(BoxTrees, tell_one_ray_of_all_boxes_on_its_way_nearest_first) {
 }
 
 TEST_F(BoxTrees, leave_out_what_is_behind_a_limit_that_falls) {
-  std::vector<Box> list;
-  for (int i = 0; i < 300; ++i) {
-    const Vec3 low(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    list.emplace_back(low, low + Vec3(uniform(0.1, 0.5)));
-  }
+  const std::vector<Box> list = overlapping_boxes();
   const BoxTree made = tree(list);
   std::size_t asked = 0, all = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -181,38 +215,60 @@ TEST_F(BoxTrees, leave_out_what_is_behind_a_limit_that_falls) {
 }
 
 TEST_F(BoxTrees, tell_eight_rays_the_same) {
-  const std::vector<Box> list = boxes(200);
-  const BoxTree made = tree(list);
-  for (int i = 0; i < 1000; ++i) {
-    const std::size_t count = 1 + random_() % 8;
-    std::vector<Ray> rays;
-    for (std::size_t k = 0; k < count; ++k) rays.push_back(ray(list));
-    alignas(64) double limits[8] = {};
-    for (std::size_t k = 0; k < count; ++k) limits[k] = k % 2 == 0 ? uniform(0, 3) : 100;
-    const std::uint32_t open = static_cast<std::uint32_t>(random_()) & ((1U << count) - 1);
-    std::vector<std::set<std::uint32_t>> met(count);
-    if (open == 0) continue;
-    alignas(64) double values[6][8] = {};
-    for (std::size_t k = 0; k < count; ++k) {
-      for (int axis = 0; axis < 3; ++axis) {
-        values[axis][k] = rays[k].origin[axis];
-        values[3 + axis][k] = rays[k].direction[axis];
+  for (const std::size_t boxes_in_tree : {6U, 30U, 400U}) {
+    const std::vector<Box> list = boxes(boxes_in_tree);
+    const BoxTree made = tree(list);
+    for (int i = 0; i < 1000; ++i) {
+      const std::vector<Ray> rays = i % 2 == 0 ? rays_apart(list) : rays_together(list);
+      alignas(64) double limits[8] = {};
+      for (std::size_t k = 0; k < rays.size(); ++k) limits[k] = k % 2 == 0 ? uniform(0, 3) : 100;
+      const std::uint32_t open = static_cast<std::uint32_t>(random_()) & ((1U << rays.size()) - 1);
+      if (open == 0) continue;
+      std::vector<std::set<std::uint32_t>> met(rays.size());
+      lanes::walk_boxes(made, side_by_side(rays, open), limits, open, [&](std::uint32_t item, std::uint32_t present) {
+        EXPECT_EQ(present & ~open, 0U);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          if ((present >> k & 1) == 0) continue;
+          EXPECT_TRUE(met[k].insert(item).second);
+        }
+        return present;
+      });
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        if ((open >> k & 1) != 0) check(list, rays[k], limits[k], met[k]);
       }
     }
-    const auto loaded = [&](int axis) { return lanes::load(values[axis]); };
-    const lanes::BoxRays box_rays({loaded(0), loaded(1), loaded(2)}, {loaded(3), loaded(4), loaded(5)}, open);
-    lanes::walk_boxes(made, box_rays, limits, open, [&](std::uint32_t item, std::uint32_t present) {
-      EXPECT_EQ(present & ~open, 0U);
-      for (std::size_t k = 0; k < count; ++k) {
+  }
+}
+
+TEST_F(BoxTrees, leave_out_what_is_behind_the_limits_of_eight_rays) {
+  const std::vector<Box> list = overlapping_boxes();
+  const BoxTree made = tree(list);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::size_t asked = 0, all = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Ray> rays = rays_together(list);
+    const std::uint32_t open = (1U << rays.size()) - 1;
+    alignas(64) double limits[8];
+    std::ranges::fill(limits, kInfinity);
+    lanes::walk_boxes(made, side_by_side(rays, open), limits, open, [&](std::uint32_t item, std::uint32_t present) {
+      for (std::size_t k = 0; k < rays.size(); ++k) {
         if ((present >> k & 1) == 0) continue;
-        EXPECT_TRUE(met[k].insert(item).second);
+        ++asked;
+        limits[k] = std::min(limits[k], static_cast<double>(entry(list[item], rays[k], kInfinity)));
       }
       return present;
     });
-    for (std::size_t k = 0; k < count; ++k) {
-      if ((open >> k & 1) != 0) check(list, rays[k], limits[k], met[k]);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      Real nearest = kInfinity;
+      for (const Box& box : list) {
+        const Real t = entry(box, rays[k], kInfinity);
+        all += std::isfinite(t) ? 1 : 0;
+        nearest = std::min(nearest, t);
+      }
+      EXPECT_EQ(limits[k], static_cast<double>(nearest));
     }
   }
+  EXPECT_LT(2 * asked, all);
 }
 
 TEST_F(BoxTrees, end_when_nothing_may_be_added) {

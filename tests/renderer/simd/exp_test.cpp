@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <boost/multiprecision/mpfr.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -50,6 +51,16 @@ TEST(Exp, IsZeroBelowItsRange) {
 TEST(Exp, SumsRunThroughOneTree) {
   alignas(64) const double x[lanes::kOctet] = {1e16, 1, -1e16, 1, 3, 1, -3, 1};
   EXPECT_EQ(lanes::sum(lanes::load(x)), ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7])));
+}
+
+TEST(Octet, FindsItsLeastAndItsGreatestNumber) {
+  alignas(64) double x[lanes::kOctet] = {3, 1, 4, 2, 9, 2, 6, 5};
+  for (std::size_t i = 0; i < lanes::kOctet; ++i) {
+    x[i] -= 20;
+    EXPECT_EQ(lanes::least(lanes::load(x)), *std::ranges::min_element(x));
+    x[i] += 40;
+    EXPECT_EQ(lanes::greatest(lanes::load(x)), *std::ranges::max_element(x));
+  }
 }
 
 }  // namespace

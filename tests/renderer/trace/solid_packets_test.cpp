@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -34,8 +35,24 @@ Solid any_quadric(scene::Database& database, Random& random) {
   return {.kind = SolidKind::quadric, .detail = static_cast<std::uint32_t>(database.polynomials.size() - 1)};
 }
 
+/// A quartic with some of its coefficients, bounded or not, which is appended to the database.
+Solid any_quartic(scene::Database& database, Random& random) {
+  scene::Polynomial quartic{4, std::vector<double>(35, 0)};
+  const double share = random.uniform(0, 1);
+  for (double& c : quartic.coefficients) {
+    if (random.uniform(0, 1) < share) c = random.uniform(-1, 1);
+  }
+  if (random.uniform(0, 2) < 1) {
+    for (const std::size_t power : {0, 20, 30}) quartic.coefficients[power] = random.uniform(2, 4);
+  }
+  quartic.coefficients[34] = random.uniform(-1, 0.2);
+  database.polynomials.push_back(quartic);
+  return {.kind = SolidKind::quartic, .detail = static_cast<std::uint32_t>(database.polynomials.size() - 1)};
+}
+
 Solid any_solid(scene::Database& database, Random& random, SolidKind kind) {
   if (kind == SolidKind::quadric) return any_quadric(database, random);
+  if (kind == SolidKind::quartic) return any_quartic(database, random);
   if (kind == SolidKind::box) {
     Solid box{.kind = kind, .a = random.in_cube(1)};
     box.b = box.a + Vec3(random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1));
@@ -49,6 +66,10 @@ Solid any_solid(scene::Database& database, Random& random, SolidKind kind) {
             .b = random.direction(),
             .radius_a = radius,
             .radius_b = random.uniform(0, 2) < 1 ? 0 : radius / 2};
+  }
+  if (kind == SolidKind::torus) {
+    const double radius = random.uniform(0.2, 1);
+    return {.kind = kind, .radius_a = radius, .radius_b = radius * random.uniform(0.05, 1.1)};
   }
   Solid solid = test::random_solid(random, kind);
   solid.open = kind == SolidKind::cylinder && random.uniform(0, 3) < 1;
@@ -67,11 +88,12 @@ scene::Transform random_place(Random& random) {
 
 /// `count` solids; some of them touch each other's faces.
 scene::Database random_scene(Random& random, int count) {
-  constexpr SolidKind kKinds[] = {SolidKind::plane, SolidKind::sphere, SolidKind::box,    SolidKind::cylinder,
-                                  SolidKind::disc,  SolidKind::cone,   SolidKind::quadric};
+  constexpr SolidKind kKinds[] = {SolidKind::plane,    SolidKind::sphere, SolidKind::box,
+                                  SolidKind::cylinder, SolidKind::disc,   SolidKind::cone,
+                                  SolidKind::quadric,  SolidKind::torus,  SolidKind::quartic};
   scene::Database database;
   for (int i = 0; i < count; ++i) {
-    const auto kind = kKinds[static_cast<int>(random.uniform(0, 7))];
+    const auto kind = kKinds[static_cast<int>(random.uniform(0, std::size(kKinds)))];
     Solid solid = any_solid(database, random, kind);
     scene::Object object{.shape = static_cast<std::uint32_t>(database.solids.size())};
     object.inverse = random.uniform(0, 4) < 1;
@@ -152,10 +174,11 @@ std::vector<Hit> expect_same(const scene::Database& database, const std::vector<
 }
 
 scene::Object leaf_of_combination(scene::Database& database, Random& random) {
-  constexpr SolidKind kKinds[] = {SolidKind::plane,    SolidKind::sphere, SolidKind::box,
-                                  SolidKind::cylinder, SolidKind::cone,   SolidKind::quadric};
-  const auto kind = kKinds[static_cast<int>(random.uniform(0, 6))];
-  Solid solid = kind == SolidKind::quadric ? any_quadric(database, random) : test::random_solid(random, kind);
+  constexpr SolidKind kKinds[] = {SolidKind::plane, SolidKind::sphere,  SolidKind::box,   SolidKind::cylinder,
+                                  SolidKind::cone,  SolidKind::quadric, SolidKind::torus, SolidKind::quartic};
+  const auto kind = kKinds[static_cast<int>(random.uniform(0, std::size(kKinds)))];
+  Solid solid = any_solid(database, random, kind);
+  solid.open = false;  // combinations with open tubes do not go in packets
   if (kind == SolidKind::box) {
     // Corners on a grid, so that many faces coincide.
     const auto on_grid = [&] { return std::round(random.uniform(-2, 2)) / 2; };
