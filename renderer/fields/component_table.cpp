@@ -265,17 +265,17 @@ double support_radius(const ComponentTable& table, const FieldGroup& group, std:
 Box support_bounds(const ComponentTable& table, const FieldGroup& group, std::uint32_t component) {
   const double root_q = ComponentTable::support_root(group);
   Box box;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {-1.0, 1.0}) {
-      Vec3 n(0);
-      n[axis] = sign;
-      double most = -std::numeric_limits<double>::infinity();
-      const auto reach = [&](const auto& skeleton) { return skeleton.reach(n); };
-      for (const Reach& end : table.with_skeleton(group, component, reach))
-        most = std::max(most, end.coordinate + end.radius * root_q);
-      (sign < 0 ? box.min : box.max)[axis] = sign * most;
+  table.with_skeleton(group, component, [&](const auto& skeleton) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        Vec3 n(0);
+        n[axis] = sign;
+        double most = -std::numeric_limits<double>::infinity();
+        for (const Reach& end : skeleton.reach(n)) most = std::max(most, end.coordinate + end.radius * root_q);
+        (sign < 0 ? box.min : box.max)[axis] = sign * most;
+      }
     }
-  }
+  });
   return group.is_mapped ? image(box, table.blob_from_component(group, component).matrix) : box;
 }
 
@@ -307,22 +307,28 @@ double peak_of(const scene::Database& database, const scene::Blob& blob, const s
   return std::abs(component.strength) * kernel.amplitude * with_skeleton_of(blob, component, peak);
 }
 
-std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,
-                              const scene::Component& component, const Vec3& n) {
-  const auto reach = [&](const Vec3& own_n) {
-    return with_skeleton_of(blob, component, [&](const auto& skeleton) { return skeleton.reach(own_n); });
-  };
-  if (component.transform == scene::kIdentity) return reach(n);
-  // n·(Mp + s) = (Mᵀn)·p + n·s; one radius measures |Mᵀn| along n.
-  const scene::Matrix& m = database.transforms[scene::index(component.transform)].matrix;
-  const Vec3 own_n(n.dot({m[0][0], m[0][1], m[0][2]}), n.dot({m[1][0], m[1][1], m[1][2]}),
-                   n.dot({m[2][0], m[2][1], m[2][2]}));
-  std::array<Reach, 2> result = reach(own_n);
-  for (Reach& r : result) {
-    r.coordinate += n.dot({m[3][0], m[3][1], m[3][2]});
-    r.radius *= own_n.length();
-  }
-  return result;
+void set_reaches(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+                 std::span<const Vec3> directions, std::span<std::array<Reach, 2>> reaches) {
+  const scene::Transform* const place =
+      component.transform != scene::kIdentity ? &database.transforms[scene::index(component.transform)] : nullptr;
+  with_skeleton_of(blob, component, [&](const auto& skeleton) {
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const Vec3& n = directions[i];
+      if (!place) {
+        reaches[i] = skeleton.reach(n);
+        continue;
+      }
+      const scene::Matrix& m = place->matrix;
+      // n·(Mp + s) = (Mᵀn)·p + n·s; one radius measures |Mᵀn| along n.
+      const Vec3 own_n(n.dot({m[0][0], m[0][1], m[0][2]}), n.dot({m[1][0], m[1][1], m[1][2]}),
+                       n.dot({m[2][0], m[2][1], m[2][2]}));
+      reaches[i] = skeleton.reach(own_n);
+      for (Reach& r : reaches[i]) {
+        r.coordinate += n.dot({m[3][0], m[3][1], m[3][2]});
+        r.radius *= own_n.length();
+      }
+    }
+  });
 }
 
 }  // namespace isl::render

@@ -11,6 +11,7 @@
 #include "renderer/scene/database.h"
 
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -119,9 +120,9 @@ struct ComponentTable {
 [[nodiscard]] double peak_of(const scene::Database& database, const scene::Blob& blob,
                              const scene::Component& component, const KernelConstants& kernel);
 
-/// The extent of the component along n, in the blob's space: two spheres whose convex hull, seen along n, bounds the
-/// skeleton's spheres.
-[[nodiscard]] std::array<Reach, 2> reach_of(const scene::Database& database, const scene::Blob& blob,
-                                            const scene::Component& component, const Vec3& n);
+/// The extents of the component along some directions n, in the blob's space: two spheres whose convex hull, seen along
+/// n, bounds the skeleton's spheres. `reaches` has room for as many.
+void set_reaches(const scene::Database& database, const scene::Blob& blob, const scene::Component& component,
+                 std::span<const Vec3> directions, std::span<std::array<Reach, 2>> reaches);
 
 }  // namespace isl::render

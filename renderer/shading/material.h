@@ -30,12 +30,17 @@ struct Material {
 
 /// A texture at a point, with its share of the material there.
 struct LitTexture {
+  /// It is made where it stays: to copy a record that has just been made takes longer than to make it.
+  LitTexture(const Material* material_, const Rgb& pigment_, const Rgb& colour_, double weight_,
+             const Rgb& let_through_ = Rgb(1))
+      : material(material_), pigment(pigment_), colour(colour_), weight(weight_), let_through(let_through_) {}
+
   const Material* material;
   Rgb pigment;  ///< the colour at the point times its opacity; the qualities 0 and 1 and the albedo layer show it
   Rgb colour;   ///< the colour alone: metal tints its reflections with it
   double weight;
-  Rgb let_through{1};  ///< light that the layers above let through: a factor of all that the texture shows, highlights
-                       ///< included
+  Rgb let_through;  ///< light that the layers above let through: a factor of all that the texture shows, highlights
+                    ///< included
 };
 
 /// The materials of a database, by texture. Immutable; refers to the database.

@@ -49,12 +49,7 @@ struct PointTextures::Making {
       }
       lit.reserve(capacity);
     }
-    LitTexture& texture = lit.emplace_back();
-    texture.material = &material;
-    texture.pigment = pigment;
-    texture.colour = colour;
-    texture.weight = weight;
-    texture.let_through = let_through;
+    lit.emplace_back(&material, pigment, colour, weight, let_through);
   }
 };
 
@@ -94,24 +89,22 @@ bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTextu
   const scene::Texture& layer = database_.texture(share.texture);
   const Material& material = materials_[share.texture];
   values::Environment environment(noise_generator_, run_, &patterns_);
-  values::SurfaceView surface{point.position, lists.normal, lists.view};
+  values::SurfaceView surface{&point.position, &lists.normal, &lists.view};
+  Vec3 bent;
   environment.set_surface(&surface);
   if (layer.normal != scene::kNoNormal && lists.normals) {
     const Vec3 normal = patterns_.bent(database_.normals[scene::index(layer.normal)], share.place,
                                        share.frame.enter(lists.normal), environment);
-    surface.normal = share.frame.is_world() ? normal : share.frame.leave(normal).normalized();
+    bent = share.frame.is_world() ? normal : share.frame.leave(normal).normalized();
+    surface.normal = &bent;
   }
   const scene::Colour colour = material.is_patterned ? patterns_.pigment_colour(layer.pigment, share.place, environment)
                                                      : database_.colour(layer.pigment);
   if (environment.is_spent()) return false;
-  // Filled where it stays: to copy a record that has just been made takes longer than to make it.
-  LitTexture& texture = lit.emplace_back();
-  texture.material = &material;
-  texture.colour = rgb(colour);
-  texture.pigment = lists.passing ? texture.colour * opacity(colour) : texture.colour;
-  texture.weight = share.weight;
-  if (lists.passing) lists.passing->push_back(passing_share(material, colour, surface.normal, lists));
-  if (lists.normals) lists.normals->push_back(surface.normal);
+  const Rgb own = rgb(colour);
+  lit.emplace_back(&material, lists.passing ? own * opacity(colour) : own, own, share.weight);
+  if (lists.passing) lists.passing->push_back(passing_share(material, colour, *surface.normal, lists));
+  if (lists.normals) lists.normals->push_back(*surface.normal);
   return true;
 }
 
@@ -126,7 +119,7 @@ bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTextur
                                 const LayerLists& lists) const {
   const std::size_t first = lit.size();
   Making making{values::Environment(noise_generator_, run_, &patterns_), lit, charge, lists};
-  making.surface = {point.position, lists.normal, lists.view};
+  making.surface = {&point.position, &lists.normal, &lists.view};
   making.environment.set_surface(&making.surface);
   Vec3 coordinates;
   for (const TextureShare& share : point.textures) {
@@ -145,7 +138,7 @@ bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTextur
   }
   if (!making.environment.is_spent()) [[likely]]
     return true;
-  lit.resize(first);
+  lit.erase(lit.begin() + static_cast<std::ptrdiff_t>(first), lit.end());
   lists.resize(first);
   return false;
 }
@@ -175,7 +168,7 @@ void PointTextures::add_chosen(const scene::TexturePattern& choice, double weigh
                                Making& making) const {
   if (making.environment.is_spent()) return;
   const scene::TextureMap& map = database_.texture_maps[scene::index(choice.map)];
-  making.surface.normal = making.lists.normal;
+  making.surface.normal = &making.lists.normal;
   const PatternPlace place = patterns_.look_up(choice.pattern, point, making.environment);
   if (info_of(choice.pattern.kind).choice == PatternChoice::mean_of_map) {
     double total = 0;
@@ -211,9 +204,9 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
     const scene::Texture& layer = database_.texture(id);
     const Material& material = materials_[id];
     if (making.lists.normals) {
-      making.surface.normal = making.lists.normal;
+      making.surface.normal = &making.lists.normal;
       add_normal(layer, point, making);
-      making.surface.normal = making.lists.normals->back();
+      making.surface.normal = &making.lists.normals->back();
     }
     if (passing) passing->push_back(Rgb(0));
     const bool is_lowest = layer.below == scene::kNoTexture;

@@ -149,17 +149,40 @@ HWY_INLINE Octet load(const double* p) {
 HWY_INLINE void store(const Octet& x, double* p) {
   for (std::size_t i = 0; i < kRegisters; ++i) hn::Store(x.v[i], Lanes(), p + i * kLanes);
 }
-/// base[index[i]] for eight indices.
-HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
+#if HWY_TARGET != HWY_SCALAR
+using Two = hn::FixedTag<double, 2>;
+/// Eight numbers that are there two by two.
+template <class D>
+HWY_INLINE Octet joined(D lanes, const hn::Vec<Two> (&pairs)[kOctet / 2]) {
   Octet r;
-  const hn::Rebind<std::int64_t, Lanes> wide;
-  const hn::Rebind<std::uint32_t, Lanes> narrow;
   for (std::size_t i = 0; i < kRegisters; ++i) {
-    const auto offsets =
-        hn::BitCast(wide, hn::PromoteTo(hn::Rebind<std::uint64_t, Lanes>(), hn::LoadU(narrow, index + i * kLanes)));
-    r.v[i] = hn::GatherIndex(Lanes(), base, offsets);
+    const hn::Vec<Two>* const own = pairs + i * (kLanes / 2);
+    if constexpr (hn::MaxLanes(D()) == 2) {
+      r.v[i] = own[0];
+    } else if constexpr (hn::MaxLanes(D()) == 4) {
+      r.v[i] = hn::Combine(lanes, own[1], own[0]);
+    } else {
+      const hn::Half<D> half;
+      r.v[i] = hn::Combine(lanes, hn::Combine(half, own[3], own[2]), hn::Combine(half, own[1], own[0]));
+    }
   }
   return r;
+}
+#endif
+
+/// base[index[i]] for eight indices. The instruction that does it takes longer than loads two by two.
+HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
+#if HWY_TARGET == HWY_SCALAR
+  Octet r;
+  for (std::size_t i = 0; i < kOctet; ++i) r.v[i] = hn::Set(Lanes(), base[index[i]]);
+  return r;
+#else
+  constexpr Two two;
+  hn::Vec<Two> pairs[kOctet / 2];
+  for (std::size_t i = 0; i < kOctet / 2; ++i)
+    pairs[i] = hn::InterleaveLower(two, hn::Set(two, base[index[2 * i]]), hn::Set(two, base[index[2 * i + 1]]));
+  return joined(Lanes(), pairs);
+#endif
 }
 
 #if HWY_TARGET == HWY_SCALAR  // a single lane has no halves

@@ -34,25 +34,9 @@ HWY_INLINE void load_numbers(const double* const (&rays)[kOctet], std::size_t fi
   }
 }
 #else
-template <class D, class Pair>
-HWY_INLINE Octet joined(D lanes, const Pair (&pairs)[kOctet / 2]) {
-  Octet r;
-  for (std::size_t i = 0; i < kRegisters; ++i) {
-    const Pair* const own = pairs + i * (kLanes / 2);
-    if constexpr (hn::MaxLanes(D()) == 2) {
-      r.v[i] = own[0];
-    } else if constexpr (hn::MaxLanes(D()) == 4) {
-      r.v[i] = hn::Combine(lanes, own[1], own[0]);
-    } else {
-      const hn::Half<D> half;
-      r.v[i] = hn::Combine(lanes, hn::Combine(half, own[3], own[2]), hn::Combine(half, own[1], own[0]));
-    }
-  }
-  return r;
-}
 HWY_INLINE void load_numbers(const double* const (&rays)[kOctet], std::size_t first, Octet& one, Octet& next) {
-  const hn::FixedTag<double, 2> two;
-  hn::Vec<decltype(two)> ones[kOctet / 2], nexts[kOctet / 2];
+  constexpr Two two;
+  hn::Vec<Two> ones[kOctet / 2], nexts[kOctet / 2];
   for (std::size_t i = 0; i < kOctet / 2; ++i) {
     const auto a = hn::LoadU(two, rays[2 * i] + first), b = hn::LoadU(two, rays[2 * i + 1] + first);
     ones[i] = hn::InterleaveLower(two, a, b);

@@ -15,11 +15,12 @@
 
 namespace isl::values {
 
-/// The surface that is evaluated, in the world.
+/// The surface that is evaluated, in the world. It refers to vectors that few patterns ask for: to copy them where they
+/// have just been made would take longer than to make them.
 struct SurfaceView {
-  scene::Vec3 point{0};
-  scene::Vec3 normal{0};     ///< unit, turned to the viewer, bent by bumps
-  scene::Vec3 direction{0};  ///< unit, from the viewer to the point
+  const scene::Vec3* point = nullptr;
+  const scene::Vec3* normal = nullptr;     ///< unit, turned to the viewer, bent by bumps
+  const scene::Vec3* direction = nullptr;  ///< unit, from the viewer to the point
 };
 
 /// The state that an evaluation needs besides the function, one for each thread.

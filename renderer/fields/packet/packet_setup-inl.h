@@ -25,11 +25,21 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
+struct PacketSums : SetupSums<Octet, Octet> {
+  /// Number of fields, for each ray, that may rise on its stretch: all but points of positive strength that the ray has
+  /// passed. Where there is none the sum falls. (If a point was passed a rounding later than computed, the sum has
+  /// risen before by the square of a rounding, which is nothing beside the noise.) It is no mask, because a mask that
+  /// is copied with the other sums would have to be waited for.
+  Octet rising;
+
+  HWY_INLINE PacketSums() : rising(0.0) {}
+};
+
 class PacketSetup {
  public:
   using Memory = PacketMemory;
   using Number = Octet;
-  using Sums = SetupSums<Octet, Octet>;
+  using Sums = PacketSums;
 
   /// Sets up for the rays in these lanes only.
   HWY_INLINE PacketSetup(PacketMemory& memory, const RayPacket& rays, const OctetMask& lanes)
@@ -51,12 +61,18 @@ class PacketSetup {
     const ComponentTable& table = fields.table;
     const Octet ox = load(rays_.origin[0]), oy = load(rays_.origin[1]), oz = load(rays_.origin[2]);
     const Octet dx = load(rays_.direction[0]), dy = load(rays_.direction[1]), dz = load(rays_.direction[2]);
-    const Octet dd = load(rays_.length2), inverse_dd = load(rays_.per_length2);
+    const Octet dd = load(rays_.length2), inverse_dd = load(rays_.per_length2), one(1.0);
     // A field that reaches the stretch of a ray is no farther from where the ray starts than the stretch's end and the
     // radius of its support together. The root of the sum of squares is a bound for all eight rays.
     const double farthest = std::sqrt(sum(keep(lanes_, max(t0_ * t0_, t1_ * t1_) * dd)));
     const KernelConstants& constants = fields.group.kernel;
     const double per_radius = 1 / std::sqrt(constants.scale), beyond = std::sqrt(constants.support);
+    // Members would be written and read back for every field, because rows may lie where they do for all that the
+    // compiler knows.
+    const OctetMask lanes = lanes_;
+    const Octet t0 = t0_, t1 = t1_;
+    Octet count(0.0), peak(0.0), rising(0.0);
+    PacketRow* row = m_.rows.data() + rows_;
     double strength = 0, per_distance = 0;  // of the fields that are added: Σ|a| and Σ|a|√scale
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
@@ -65,18 +81,31 @@ class PacketSetup {
       const Octet middle = (cx * dx + cy * dy + cz * dz) * inverse_dd;
       const Octet px = cx - middle * dx, py = cy - middle * dy, pz = cz - middle * dz;
       const std::array<Octet, 3> along{scale * (px * px + py * py + pz * pz), scale * dd, middle};
-      const Octet near = max(t0_, min(t1_, middle)) - middle;
-      if (!adds(kernel, along[0] + along[1] * near * near, table.amplitude[item])) continue;
-      PacketRow& row = new_row(table.amplitude[item]);
-      store_along(along, row);
-      const double root = std::sqrt(table.scale[item]);
-      if constexpr (NowhereSteep<Kernel>) {
-        strength += std::abs(table.amplitude[item]);
-        per_distance += std::abs(table.amplitude[item]) * root;
+      const Octet near = max(t0, min(t1, middle)) - middle, v_least = along[0] + along[1] * near * near;
+      const OctetMask reaches = (v_least < kernel.support()) & lanes;
+      if (none(reaches)) continue;
+      const double amplitude = table.amplitude[item], root = std::sqrt(table.scale[item]);
+      count = count + keep(reaches, one);
+      if (amplitude > 0) {
+        peak = peak + keep(reaches, Octet(amplitude) * kernel.value(v_least));
+        rising = rising + keep(reaches & (middle > t0), one);
       } else {
-        row.shape[kPointSpread][0] = spread_of((root * farthest + beyond) * per_radius);
+        rising = one;
       }
+      row->amplitude[0] = amplitude;
+      store_along(along, *row);
+      if constexpr (NowhereSteep<Kernel>) {
+        strength += std::abs(amplitude);
+        per_distance += std::abs(amplitude) * root;
+      } else {
+        row->shape[kPointSpread][0] = spread_of((root * farthest + beyond) * per_radius);
+      }
+      ++row;
     }
+    rows_ = static_cast<std::uint32_t>(row - m_.rows.data());
+    sums_.field_count = sums_.field_count + count;
+    sums_.peak = sums_.peak + peak;
+    sums_.rising = sums_.rising + rising;
     if constexpr (NowhereSteep<Kernel>) {
       // Without a field it may be 0·∞. The roots are not waited for until here.
       if (strength > 0)
@@ -87,6 +116,7 @@ class PacketSetup {
   template <class Shape, class Kernel>
   HWY_INLINE void add_shapes(const Kernel& kernel, const ListedFields& fields) {
     using Form = typename RayFormOf<Shape>::type;
+    sums_.rising = Octet(1.0);
     begin(fields, fields.count);
     const KernelConstants& constants = fields.group.kernel;
     for (std::uint32_t i = 0; i < fields.count; ++i) {
@@ -103,6 +133,7 @@ class PacketSetup {
 
   template <class Kernel>
   HWY_INLINE void add_pieces(const Kernel& kernel, const ListedFields& fields) {
+    sums_.rising = Octet(1.0);
     begin(fields, 0);
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t first = rows_;
@@ -116,6 +147,7 @@ class PacketSetup {
   }
 
   HWY_NOINLINE void add_curves(const ListedFields& fields) {
+    sums_.rising = Octet(1.0);
     begin(fields, fields.count);
     with_window(fields.group.kernel, [&](const auto& window) HWY_ATTR {
       with_curve_form(fields.group.skeleton, [&](auto type) HWY_ATTR {

@@ -60,6 +60,8 @@ class FieldLanes {
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
   /// Number of fields that reach the stretch, for each ray.
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
+  /// For packets: PacketSums::rising.
+  [[nodiscard]] HWY_INLINE const auto& rising() const { return sums_.rising; }
   /// Upper bound of F − T on the stretch.
   [[nodiscard]] HWY_INLINE Number upper_bound() const {
     return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_ +

@@ -43,21 +43,23 @@ HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) 
       continue;
     }
     with_kernel(*run.kernel, [&](const auto& kernel) HWY_ATTR {
+      Visitor own = visitor;  // the sums stay in registers
       switch (run.form) {
         case LaneForm::points:
           for (; row != end; ++row)
-            visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), everywhere(*row, *run.kernel));
+            own.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), everywhere(*row, *run.kernel));
           break;
         case LaneForm::pieces:
-          for (; row != end; ++row) visitor.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), borders_of(*row));
+          for (; row != end; ++row) own.add_quadratics(kernel, load_lanes<QuadraticLanes>(*row), borders_of(*row));
           break;
         default:
           with_ray_form(run.skeleton, [&](auto type) HWY_ATTR {
             using Form = typename RayFormOf<typename decltype(type)::type>::type;
-            for (; row != end; ++row) visitor.add_shape(kernel, *run.kernel, load_placed<Form>(*row));
+            for (; row != end; ++row) own.add_shape(kernel, *run.kernel, load_placed<Form>(*row));
           });
           break;
       }
+      visitor = own;
     });
   }
 }

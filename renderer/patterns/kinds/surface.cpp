@@ -56,9 +56,9 @@ double slope_value(const PatternPoint& at) noexcept {
   const values::SurfaceView* const surface = at.environment.surface();
   if (!surface) return 0;
   const auto& slope = at.operands<Slope>();
-  const Vec3 way = slope.is_reference ? slope.reference - surface->point : slope.direction;
+  const Vec3 way = slope.is_reference ? slope.reference - *surface->point : slope.direction;
   const double length = way.length();
-  const double angle = length > 0 ? share_of_angle(surface->normal.dot(way) / length) : 0.5;
+  const double angle = length > 0 ? share_of_angle(surface->normal->dot(way) / length) : 0.5;
   const double value = in_range(angle, slope.low_slope, slope.high_slope);
   if (!slope.has_altitude) return below_1(value);
   const double altitude = slope.altitude.length();
@@ -70,7 +70,7 @@ double slope_value(const PatternPoint& at) noexcept {
 /// From ½ where the view grazes the surface to 1 where it is perpendicular to it.
 double aoi_value(const PatternPoint& at) noexcept {
   const values::SurfaceView* const surface = at.environment.surface();
-  return surface ? share_of_angle(-surface->normal.dot(surface->direction)) : 0;
+  return surface ? share_of_angle(-surface->normal->dot(*surface->direction)) : 0;
 }
 
 using Numbers = std::vector<std::variant<double, int>>;

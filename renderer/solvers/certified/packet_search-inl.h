@@ -17,7 +17,7 @@
 #include "renderer/solvers/certified/packet_solver-inl.h"
 
 #include <bit>
-#include <optional>
+#include <memory>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -87,6 +87,12 @@ class PacketSearch {
     }
   };
 
+  /// Room for searches that are made when they are needed. An array of optionals would be zeroed for every packet.
+  union AloneSearches {
+    HWY_INLINE AloneSearches() {}
+    Alone searches[kPacket];
+  };
+
   /// Fewer rays than this are quicker one by one.
   static constexpr int kFewest = 2;
 
@@ -141,8 +147,10 @@ class PacketSearch {
                                const OctetMask& starting) {
     const OctetMask starts = lanes & starting;
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
-    // A bound that is no number knows nothing.
-    const OctetMask open = and_not(and_not(starts, fields_.upper_bound() < Octet(0.0)), lanes);
+    // A bound that is no number knows nothing. From the surface a sum that falls does not come back.
+    const OctetMask is_clear =
+        and_not(starts, fields_.upper_bound() < Octet(0.0)) | and_not(fields_.rising() > Octet(0.0), starts);
+    const OctetMask open = and_not(is_clear, lanes);
     if (none(open)) {
       outside_ = outside_ | lanes;
       return 0;
@@ -181,13 +189,14 @@ class PacketSearch {
   }
   /// The search of a single ray, which goes on with it wherever lanes cannot.
   [[nodiscard]] Search& alone(std::size_t lane) {
-    std::optional<Alone>& alone = alone_[lane];
-    if (!alone) {
+    Alone& alone = alone_.searches[lane];
+    if ((are_alone_ >> lane & 1) == 0) {
       alignas(64) double base[kPacket];
       store(base_, base);
-      alone.emplace(rays_[lane], base[lane], blob_, settings_, lanes_, counters_);
+      std::construct_at(&alone, rays_[lane], base[lane], blob_, settings_, lanes_, counters_);
+      are_alone_ |= 1u << lane;
     }
-    return alone->search;
+    return alone.search;
   }
 
   /// Records that rays cross between cells, at t before or on the border of cell `index`.
@@ -217,7 +226,8 @@ class PacketSearch {
   OctetMask outside_, inside_;             ///< the sides of the rays that are known
   Octet reached_;                          ///< t up to which each ray has been followed
   alignas(64) double last_cell_[kPacket];  ///< the last cell solved, as a number
-  std::optional<Alone> alone_[kPacket];
+  AloneSearches alone_;
+  std::uint32_t are_alone_ = 0;  ///< bits of the rays whose search is made
   PacketRoots roots_;
 };
 

@@ -133,6 +133,25 @@ TEST(Packets, TakeRaysThatBeginOnTheSurface) {
   }
 }
 
+TEST(Packets, TakeRaysThatBeginWherePointsAreCarvedOut) {
+  scene::Database database = flake();
+  scene::Blob& blob = database.blobs[0];
+  std::mt19937_64 bits(8);
+  const auto any = [&] { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; };
+  for (int i = 0; i < 150; ++i) {
+    scene::Component c;
+    c.a = Vec3(any(), any(), any()).normalized() * (0.5 + 0.2 * any());
+    c.radius_a = 0.06 + 0.03 * any();
+    c.strength = -1.5;
+    c.kernel = scene::KernelId{0};
+    blob.components.push_back(c);
+    blob.origins.push_back({});
+  }
+  const std::vector<Ray> rays = bundles(bits, 8000, {2.1, 1.3, 1.7}, 0.01);
+  EXPECT_GT(expect_same(database, rays), 3000);
+  EXPECT_GT(expect_same(database, leaving(database, rays, bits)), 300);
+}
+
 TEST(Packets, TakeEverySkeleton) {
   std::mt19937_64 bits(5);
   for (int which = 0; which < static_cast<int>(scene::Skeleton::plane); ++which) {
