@@ -78,7 +78,7 @@ class CsgPacket {
   }
 
  private:
-  /// As CsgSearch::stretch_in_packets(); empty where a line misses the box.
+  /// As CsgSearch::stretch_of(); empty where a line misses the box.
   [[nodiscard]] OctetStretch stretch_in(const Box& box, const OctetLines& lines, const OctetMask& starts_here) const {
     const Octet* const origin[] = {&lines.origin.x, &lines.origin.y, &lines.origin.z};
     const Octet* const direction[] = {&lines.direction.x, &lines.direction.y, &lines.direction.z};

@@ -176,16 +176,11 @@ class CsgSearch {
     return event.t * face_at(event, 0).slope(ray_.direction) <= face.rounding;
   }
 
-  /// The stretch in which a solid's crossings count, with room for rounding.
-  [[nodiscard]] Stretch stretch_of(const CsgLeaf& leaf, double begin, bool is_start) const {
+  /// The stretch in which a solid's crossings count, with room for rounding: what is within the leaf's box. It does not
+  /// depend on what else the ray meets, so that a crossing has the same bits in whatever order objects are met, and for
+  /// eight rays at once (csg_packet-inl.h).
+  [[nodiscard]] Stretch stretch_of(const CsgLeaf& leaf, bool is_start) const {
     if (!gains_by_stretch(scene_.solids[leaf.shape])) return {};
-    if (tree_.is_met_by_octets) return stretch_in_packets(leaf, is_start);
-    const double end = stretch_in(leaf.box, ray_.origin, ray_.direction, last_).to;
-    return {begin, end + most_rounding_at(end)};
-  }
-
-  /// What is within the leaf's box. It does not depend on what else the ray meets, so that eight rays have the same.
-  [[nodiscard]] Stretch stretch_in_packets(const CsgLeaf& leaf, bool is_start) const {
     const auto [from, to] = stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity());
     if (std::isinf(from)) return {0, 0};
     return {is_start || from <= 0 ? 0 : from - most_rounding_at(from), to + most_rounding_at(to)};
@@ -197,9 +192,8 @@ class CsgSearch {
     const CsgLeaf& leaf = tree_.leaves[index];
     const LocalRay ray = local(leaf);
     const double begin = entry.enter > 0 ? entry.enter - most_rounding_at(entry.enter) : 0;
-    const Crossings found =
-        boundary(scene_.solids[leaf.shape], ray.origin, ray.direction, is_start ? ray_.start_part : kNoPart,
-                 scene_.details, stretch_of(leaf, begin, is_start));
+    const Crossings found = boundary(scene_.solids[leaf.shape], ray.origin, ray.direction,
+                                     is_start ? ray_.start_part : kNoPart, scene_.details, stretch_of(leaf, is_start));
     const auto count = static_cast<std::size_t>(found.count);
     const auto event = [&](std::size_t i) { return CsgEvent{found.t[i], index, scene::kNone, found.part[i]}; };
     std::size_t first = 0;

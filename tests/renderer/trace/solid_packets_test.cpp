@@ -284,7 +284,7 @@ TEST(SolidPackets, HitWhatSingleRaysHitAlsoFromSurfaces) {
 TEST(SolidPackets, HitWhatSingleRaysHitInCombinations) {
   Random random(22);
   Met all;
-  for (int scene = 0; scene < 600; ++scene) {
+  for (int scene = 0; scene < 2000; ++scene) {
     SCOPED_TRACE(scene);
     const Met met = expect_same_from_surfaces(random_combinations(random), random);
     all.hits += met.hits;
