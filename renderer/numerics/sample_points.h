@@ -3,10 +3,10 @@
 // any 2^m successive points that begin at a multiple of 2^m, every rectangle of area 2^-m that comes from halving the
 // sides holds exactly one.
 //
-// What a sample sees may depend on two such points at once: on its place in the pixel and its place on the lens. The
-// second point then takes the third and fourth coordinates of the sequence from which the first point takes the first
-// and second. So both are evenly spread together as well: of the same 2^m points, every box of the four-dimensional
-// cube that comes from halving its sides and has a volume of 8·2^-m holds 8.
+// A sample may have two such points, one in its pixel and one on the lens. They are the first two and the last two
+// coordinates of one point of a sequence in four dimensions, so that both are evenly spread together as well: of the
+// same 2^m points, 8 lie in every box of the four-dimensional cube that comes from halving its sides and has a volume
+// of 8·2^-m.
 //
 // Shuffling the order and scrambling the digits by hashes: Burley, Practical Hash-based Owen Scrambling, 2020. The hash
 // is that of Laine and Karras (2011), with the constants that Vegdahl found in 2021.

@@ -150,7 +150,7 @@ struct OctetChanges {
 template <int n>
 [[nodiscard]] HWY_INLINE OctetChanges changes_of(OctetBernstein<n> p, const Octet& band, const OctetMask& lanes,
                                                  std::size_t most, Octet& sign) {
-  /// Crossings that are not almost a touch take fewer parts.
+  /// Lanes that need more are left alone: their line almost touches the surface.
   constexpr int kMostParts = 24;
   struct Part {
     OctetBernstein<n> p;

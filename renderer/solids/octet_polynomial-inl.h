@@ -118,7 +118,7 @@ template <int n>
   return in_x;
 }
 
-/// Where each of eight lines is asked for.
+/// The part of each of eight lines in which crossings count.
 struct OctetStretch {
   Octet from, to;
 };

@@ -88,7 +88,8 @@ class OctetTorus {
       roots_.t[k] = select(there, from_ + at, roots_.t[k]);
       sign = zero - sign;
     }
-    // What is beyond the stretch is outside. Where the last crossing was not certain, the search for one line goes on.
+    // The torus ends within the stretch. If a line seems to be inside at its end, its last crossing was not certain,
+    // and crossings() adds it.
     alone = alone | (lanes & ends_inside(before, changes));
     roots_.starts_inside = roots_.starts_inside | (is_known & (before < zero));
     roots_.alone = roots_.alone | alone;

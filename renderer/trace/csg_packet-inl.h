@@ -1,6 +1,6 @@
 // The first surface of a small combination of solids along eight rays at once (CsgTree::is_met_by_octets).
 //
-// Each leaf is inside on one stretch of a ray, or on two if it is of order 4, so the state of all leaves at any t
+// Each leaf is inside on one stretch of a ray, or on two if it is of order 3 or 4, so the state of all leaves at any t
 // follows from the ends of their stretches, and no crossing waits for another. A crossing shows if the other leaves are
 // as CsgState::shows() asks. The nearest one that shows is the hit.
 //
@@ -127,6 +127,7 @@ class CsgPacket {
     OctetMask is_close = no_lane();
     for (const OctetIntervals& inside : own.stretches()) {
       is_close = is_close | ((inside.high - inside.low) <= close);
+      // The gap between its two stretches may be as short.
       if (own.count > 1)
         is_close = is_close | and_not(equal(inside.low, t), abs(inside.low - t) <= close) |
                    and_not(equal(inside.high, t), abs(inside.high - t) <= close);
