@@ -5,7 +5,7 @@ almost nothing; both programs in turn, medians.
     bench/performance.py [-n ROUNDS] [--only NAME …] [--json FILE] [--page]
 
 Pictures have one ray a pixel and are made by one thread. `trace` is isl's `time.trace` and POV-Ray's Trace Time, `whole` the processor time of the
-process from start to exit, with reading and the PNG; `memory` is the most that isl held at once. --json keeps every measurement; --page writes the
+process from start to exit, with reading and the PNG, of 8 bits a channel as POV-Ray writes them; `memory` is the most that isl held at once. --json keeps every measurement; --page writes the
 table into docs/performance.md. Needs povray.
 """
 import argparse
@@ -42,7 +42,7 @@ def measure(options, scene, size, settings, folder):
     """One run of each program: isl's trace, whole, memory and rays; POV-Ray's trace and whole."""
     path, statistics_file = str(ROOT / scene), str(folder / 'statistics.json')
     defines = [argument for setting in settings for argument in ('-D', setting)]
-    ours = programs.run_isl(options, path, str(folder / 'isl.png'), size, '--stats', statistics_file, *defines)
+    ours = programs.run_isl(options, path, str(folder / 'isl.png'), size, '--bits', '8', '--stats', statistics_file, *defines)
     if ours.code != 0:
         sys.exit(f'performance.py: {scene}: {programs.isl_message(ours)}')
     told = json.loads(pathlib.Path(statistics_file).read_text())

@@ -1,18 +1,14 @@
 #include "renderer/compiled/paper_tables.h"
 
 #include <map>
+#include <optional>
 
 namespace isl::render {
 namespace {
 
-/// The argument v at which amplitude · φ passes the threshold, bisected to neighbouring doubles. φ falls with v.
 IsoLevel iso_level(const KernelConstants& kernel, double amplitude, double threshold) {
-  if (!(amplitude * kernel_profile(kernel, 0) > threshold)) return {};
-  double inside = 0, outside = kernel.support;
-  for (double middle = 0.5 * outside; middle > inside && middle < outside; middle = inside + 0.5 * (outside - inside)) {
-    (amplitude * kernel_profile(kernel, middle) > threshold ? inside : outside) = middle;
-  }
-  return {inside, amplitude * kernel_slope(kernel, inside)};
+  const std::optional<double> v = passing_argument(kernel, amplitude, threshold);
+  return v ? IsoLevel{*v, amplitude * kernel_slope(kernel, *v)} : IsoLevel{};
 }
 
 }  // namespace

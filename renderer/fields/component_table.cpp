@@ -190,7 +190,9 @@ ComponentTable compile_components(const scene::Database& database, const scene::
         return static_cast<std::uint32_t>(column<typename decltype(type)::type>(table).size());
       });
       const auto first_map = static_cast<std::uint32_t>(table.maps.size());
-      table.groups.push_back({p.is_mapped(), c.skeleton, kernel, i, i, first_shape, first_map});
+      const std::optional<double> surface =
+          kernel.is_convolved ? std::nullopt : passing_argument(kernel, c.strength * kernel.amplitude, blob.threshold);
+      table.groups.push_back({p.is_mapped(), c.skeleton, kernel, i, i, first_shape, first_map, surface.value_or(0)});
     }
     FieldGroup& group = table.groups.back();
     group.end = i + 1;

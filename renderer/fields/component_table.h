@@ -28,6 +28,9 @@ struct FieldGroup {
   std::uint32_t begin, end;
   std::uint32_t first_shape;  ///< index of the first component's row among the shapes of its skeleton
   std::uint32_t first_map;    ///< index of the first component's transform in `maps`, if is_mapped
+  /// The v at which the first component alone passes the threshold; 0 if it does not. It tells where to look for
+  /// surfaces.
+  double surface_alone;
 };
 
 struct ComponentTable {

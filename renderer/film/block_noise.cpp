@@ -13,14 +13,14 @@ namespace {
 struct Scale {
   double square;  ///< the sum over `pairs`
   double pairs;
-  double halvings;  ///< of the samples that the mean is made of, to get the block
 };
 
-/// d(n) as scales of a part of the blocks estimate it, if d falls like m^-p.
+/// d(n) as scales of a part of the blocks estimate it.
 struct Fit {
   double sum = 0, pairs = 0;
-  void add(const Scale& scale, double p) {
-    sum += scale.square * std::exp2(-p * scale.halvings);
+  /// The scale's d is 1/`share` of d(n).
+  void add(const Scale& scale, double share) {
+    sum += scale.square * share;
     pairs += scale.pairs;
   }
   [[nodiscard]] double mean() const { return sum / pairs; }
@@ -33,16 +33,19 @@ struct Fits {
   Fit large, small;
 };
 
-/// From the largest blocks on.
+/// From the largest blocks on, which are half of the samples that the mean is made of; each is half of the one before.
 class Scales {
  public:
   void add(const Scale& scale) {
     if (count_ < list_.size()) list_[count_++] = scale;
   }
   [[nodiscard]] bool has_small() const { return count_ > kLargeScales; }
-  [[nodiscard]] Fits fits(double p) const {
+  /// If d falls like m^-p: `half` is 2^-p.
+  [[nodiscard]] Fits fits(double half) const {
     Fits result;
-    for (std::size_t i = 0; i < count_; ++i) (i < kLargeScales ? result.large : result.small).add(list_[i], p);
+    double share = half;
+    for (std::size_t i = 0; i < count_; ++i, share *= half)
+      (i < kLargeScales ? result.large : result.small).add(list_[i], share);
     return result;
   }
 
@@ -59,7 +62,7 @@ double rate(const Scales& scales) {
   constexpr int kHalvings = 12;  // far more exact than the few blocks can tell
   for (int i = 0; i < kHalvings; ++i) {
     const double p = (low + high) / 2;
-    const Fits at = scales.fits(p);
+    const Fits at = scales.fits(std::exp2(-p));
     (at.small.mean() > at.large.mean() ? low : high) = p;
   }
   return (low + high) / 2;
@@ -93,20 +96,19 @@ double BlockNoise::variance(const Value* before, const Value& weights) const {
     return sum;
   };
   Scales scales;
-  double halvings = 1;
   if (before) {
     Value squares;
     for (std::size_t i = 0; i < kChannels; ++i) {
       const double half = ((*before)[i] - partial_[top][i]) / 2;
       squares[i] = half * half;
     }
-    scales.add({weighted(squares), 1, halvings++});
+    scales.add({weighted(squares), 1});
   }
-  for (std::size_t level = top; level-- > 0; ++halvings)
-    scales.add({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1)), halvings});
-  const double p = rate(scales);
-  const Fits at = scales.fits(p);
-  return (at.large.sum + at.small.sum) / (at.large.pairs + at.small.pairs) / (1 - std::exp2(-p));
+  for (std::size_t level = top; level-- > 0;)
+    scales.add({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1))});
+  const double half = std::exp2(-rate(scales));
+  const Fits at = scales.fits(half);
+  return (at.large.sum + at.small.sum) / (at.large.pairs + at.small.pairs) / (1 - half);
 }
 
 }  // namespace isl::render

@@ -32,7 +32,10 @@ class Film {
     ++counts_[pixel];
   }
   /// Tells that a sample of the pixel comes soon: pixels of a tile lie rows apart, and a large film in no cache.
-  void expect_sample(std::size_t pixel) const { __builtin_prefetch(&sums_[4 * pixel], 1); }
+  void expect_sample(std::size_t pixel) const {
+    __builtin_prefetch(&sums_[4 * pixel], 1);
+    __builtin_prefetch(&counts_[pixel], 1);
+  }
   void set_surface(std::size_t pixel, const SeenSurface& seen);
   /// A pixel is as sure as the worst of its samples.
   void lower_certainty(std::size_t pixel, Certainty to) { lower(certainties_[pixel], to); }

@@ -29,8 +29,7 @@ namespace detail {
   bits = (bits >> 1 & 0x55555555U) | (bits & 0x55555555U) << 1;
   bits = (bits >> 2 & 0x33333333U) | (bits & 0x33333333U) << 2;
   bits = (bits >> 4 & 0x0F0F0F0FU) | (bits & 0x0F0F0F0FU) << 4;
-  bits = (bits >> 8 & 0x00FF00FFU) | (bits & 0x00FF00FFU) << 8;
-  return bits >> 16 | bits << 16;
+  return __builtin_bswap32(bits);
 }
 
 /// Owen's scrambling of a number whose bits are reversed: each bit of the result depends on itself and on lower ones.
@@ -108,13 +107,21 @@ inline constexpr LaterSobol kFourthSobol(3, 2, {1, 3, 1});  // x³ + x + 1
 /// Two of the coordinates of Sobol's sequence.
 enum class SobolPair : std::uint8_t { first, second };
 
+/// A point of the unit square by its coordinates in units of 2⁻³².
+struct SquarePlace {
+  std::uint32_t u = 0, v = 0;
+
+  [[nodiscard]] constexpr UnitPoint point() const { return {u * 0x1p-32, v * 0x1p-32}; }
+};
+
 /// A sequence of points.
 struct PointSequence {
   std::uint32_t order;  ///< sequences that are to be even together have this in common
   std::uint32_t seed;   ///< and not this
   SobolPair pair = SobolPair::first;
 
-  [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
+  [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const { return place(number).point(); }
+  [[nodiscard]] constexpr SquarePlace place(std::uint32_t number) const {
     const std::uint32_t place = detail::scrambled(number, order);
     const bool is_first = pair == SobolPair::first;
     const std::uint32_t u = is_first ? place : detail::kThirdSobol[place];
@@ -123,8 +130,8 @@ struct PointSequence {
   }
 
  private:
-  [[nodiscard]] constexpr double in_square(std::uint32_t reversed, std::uint32_t coordinate) const {
-    return detail::reversed_bits(detail::scrambled_reversed(reversed, derived_seed(seed, coordinate))) * 0x1p-32;
+  [[nodiscard]] constexpr std::uint32_t in_square(std::uint32_t reversed, std::uint32_t coordinate) const {
+    return detail::reversed_bits(detail::scrambled_reversed(reversed, derived_seed(seed, coordinate)));
   }
 };
 
@@ -136,21 +143,18 @@ struct PointSequence {
 /// The points of a sequence, moved together round the edges of the square so that number 0 is in the middle.
 class CentredPoints {
  public:
-  constexpr explicit CentredPoints(const PointSequence& sequence) : sequence_(sequence), first_(sequence[0]) {}
+  constexpr explicit CentredPoints(const PointSequence& sequence) : sequence_(sequence), first_(sequence.place(0)) {}
 
   [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
-    const UnitPoint point = sequence_[number];
-    return {moved(point.u, first_.u), moved(point.v, first_.v)};
+    const SquarePlace place = sequence_.place(number);
+    return SquarePlace{place.u - first_.u + kMiddle, place.v - first_.v + kMiddle}.point();
   }
 
  private:
-  [[nodiscard]] static constexpr double moved(double value, double middle) {
-    const double sum = value - middle + 0.5;
-    return sum < 0 ? sum + 1 : sum >= 1 ? sum - 1 : sum;
-  }
+  static constexpr std::uint32_t kMiddle = 0x80000000U;
 
   PointSequence sequence_;
-  UnitPoint first_;
+  SquarePlace first_;
 };
 
 }  // namespace isl::render

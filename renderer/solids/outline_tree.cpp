@@ -47,7 +47,7 @@ std::uint32_t add_nodes(PreparedOutline& result, std::span<const std::uint32_t> 
 }  // namespace
 
 PreparedOutline prepare(const Outline& outline) {
-  PreparedOutline result{outline, {}};
+  PreparedOutline result{outline, {}, {}};
   std::vector<std::uint32_t> points;
   points.reserve(outline.orders.size());
   std::uint32_t point = 0;
@@ -64,6 +64,7 @@ PreparedOutline prepare(const Outline& outline) {
     add_nodes(result, points, begin, begin + count);
     begin += count;
   }
+  result.map = map_of(result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/scene/solids.h"
+#include "renderer/solids/outline_map.h"
 
 #include <ImathBox.h>
 
@@ -53,6 +54,7 @@ struct OutlineNode {
 struct PreparedOutline {
   scene::Outline outline;
   std::vector<OutlineNode> nodes;  ///< contour after contour, each in the order of its curves
+  OutlineMap map;
 };
 
 [[nodiscard]] PreparedPolynomial prepare(const scene::Polynomial& polynomial);

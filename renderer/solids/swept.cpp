@@ -135,12 +135,17 @@ Crossings swept_crossings(SweptAxes axes, const Solid& solid, const Vec3& origin
     inside.finish();
     return result;
   }
+  // What lies behind the start is not asked for.
+  const PlaneWindow window = line.window(std::max(slab.low.t, 0.0), slab.high.t);
+  if (const auto side = outline.map.side_of(window.low, window.high); side != OutlineMap::Side::mixed) {
+    if (side == OutlineMap::Side::inside) inside.add({-kInfinity}, {kInfinity});
+    inside.finish();
+    return result;
+  }
   std::vector<OutlineCrossing>& found = scratch();
   const bool starts_on_side = is_side(start_part);
   OutlinePlace start;
   if (starts_on_side) start = nearest_on(outline, node_of(start_part), from.seen(outline.outline));
-  // What lies behind the start is not asked for.
-  const PlaneWindow window = line.window(std::max(slab.low.t, 0.0), slab.high.t);
   find_side_crossings(outline, line, form, window, starts_on_side ? &start : nullptr, found);
 
   // The outline's inside is known where the line is certainly outside; before that, intervals are followed backwards,

@@ -47,6 +47,15 @@ double kernel_profile(const KernelConstants& constants, double v) {
   return value;
 }
 
+std::optional<double> passing_argument(const KernelConstants& constants, double amplitude, double threshold) {
+  if (!(amplitude * kernel_profile(constants, 0) > threshold)) return std::nullopt;
+  double inside = 0, outside = constants.support;
+  for (double middle = 0.5 * outside; middle > inside && middle < outside; middle = inside + 0.5 * (outside - inside)) {
+    (amplitude * kernel_profile(constants, middle) > threshold ? inside : outside) = middle;
+  }
+  return inside;
+}
+
 double kernel_slope(const KernelConstants& constants, double v) {
   if (!(v < constants.support)) return 0;
   using HWY_NAMESPACE::kOctet;

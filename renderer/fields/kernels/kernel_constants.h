@@ -9,6 +9,8 @@
 
 #include "renderer/scene/database.h"
 
+#include <optional>
+
 namespace isl::render {
 
 struct KernelConstants {
@@ -31,6 +33,11 @@ struct KernelConstants {
 
 /// φ(v), without the amplitude; 0 beyond the support.
 [[nodiscard]] double kernel_profile(const KernelConstants& constants, double v);
+
+/// The v at which amplitude · φ(v) passes a threshold, bisected to neighbouring doubles: the last where it is above. φ
+/// falls with v. Nothing if it is nowhere above.
+[[nodiscard]] std::optional<double> passing_argument(const KernelConstants& constants, double amplitude,
+                                                     double threshold);
 
 /// φ′(v), without the amplitude; 0 beyond the support.
 [[nodiscard]] double kernel_slope(const KernelConstants& constants, double v);

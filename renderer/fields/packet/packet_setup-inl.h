@@ -26,13 +26,14 @@ namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct PacketSums : SetupSums<Octet, Octet> {
-  /// Number of fields, for each ray, that may rise on its stretch: all but points of positive strength that the ray has
-  /// passed. Where there is none the sum falls. (If a point was passed a rounding later than computed, the sum has
-  /// risen before by the square of a rounding, which is nothing beside the noise.) It is no mask, because a mask that
-  /// is copied with the other sums would have to be waited for.
-  Octet rising;
+  /// Along each ray no field falls before `rising_until`, and none rises behind `falling_from`: a field of positive
+  /// strength rises until the ray has passed its skeleton. They are −∞ and ∞ where a field tells nothing of this. (If a
+  /// point was passed a rounding later than computed, the sum has risen before by the square of a rounding, which is
+  /// nothing beside the noise.)
+  Octet rising_until, falling_from;
 
-  HWY_INLINE PacketSums() : rising(0.0) {}
+  HWY_INLINE PacketSums()
+      : rising_until(std::numeric_limits<double>::infinity()), falling_from(-std::numeric_limits<double>::infinity()) {}
 };
 
 class PacketSetup {
@@ -71,7 +72,8 @@ class PacketSetup {
     // compiler knows.
     const OctetMask lanes = lanes_;
     const Octet t0 = t0_, t1 = t1_;
-    Octet count(0.0), peak(0.0), rising(0.0);
+    const Octet infinity(kInfinity), nowhere(-kInfinity);
+    Octet count(0.0), peak(0.0), rising_until = infinity, falling_from = nowhere;
     PacketRow* row = m_.rows.data() + rows_;
     double strength = 0, per_distance = 0;  // of the fields that are added: Σ|a| and Σ|a|√scale
     for (std::uint32_t i = 0; i < fields.count; ++i) {
@@ -88,9 +90,11 @@ class PacketSetup {
       count = count + keep(reaches, one);
       if (amplitude > 0) {
         peak = peak + keep(reaches, Octet(amplitude) * kernel.value(v_least));
-        rising = rising + keep(reaches & (middle > t0), one);
+        rising_until = select(reaches, min(rising_until, middle), rising_until);
+        falling_from = select(reaches, max(falling_from, middle), falling_from);
       } else {
-        rising = one;
+        rising_until = nowhere;
+        falling_from = infinity;
       }
       row->amplitude[0] = amplitude;
       store_along(along, *row);
@@ -105,7 +109,8 @@ class PacketSetup {
     rows_ = static_cast<std::uint32_t>(row - m_.rows.data());
     sums_.field_count = sums_.field_count + count;
     sums_.peak = sums_.peak + peak;
-    sums_.rising = sums_.rising + rising;
+    sums_.rising_until = min(sums_.rising_until, rising_until);
+    sums_.falling_from = max(sums_.falling_from, falling_from);
     if constexpr (NowhereSteep<Kernel>) {
       // Without a field it may be 0·∞. The roots are not waited for until here.
       if (strength > 0)
@@ -116,7 +121,7 @@ class PacketSetup {
   template <class Shape, class Kernel>
   HWY_INLINE void add_shapes(const Kernel& kernel, const ListedFields& fields) {
     using Form = typename RayFormOf<Shape>::type;
-    sums_.rising = Octet(1.0);
+    know_no_trend();
     begin(fields, fields.count);
     const KernelConstants& constants = fields.group.kernel;
     for (std::uint32_t i = 0; i < fields.count; ++i) {
@@ -133,7 +138,6 @@ class PacketSetup {
 
   template <class Kernel>
   HWY_INLINE void add_pieces(const Kernel& kernel, const ListedFields& fields) {
-    sums_.rising = Octet(1.0);
     begin(fields, 0);
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t first = rows_;
@@ -141,13 +145,27 @@ class PacketSetup {
       for (std::uint32_t row = first; row < rows_; ++row) {
         const QuadraticLanes lanes = load_lanes<QuadraticLanes>(m_.rows[row]);
         const PieceBorders borders = borders_of(m_.rows[row]);
-        adds(kernel, least(lanes, borders, held_part(borders, t0_, t1_)), m_.rows[row].amplitude[0]);
+        const Octet v_least = least(lanes, borders, held_part(borders, t0_, t1_));
+        const OctetMask reaches = (v_least < kernel.support()) & lanes_;
+        if (none(reaches)) continue;
+        count(reaches);
+        const double amplitude = m_.rows[row].amplitude[0];
+        if (amplitude > 0) {
+          raise_peak(reaches, amplitude, kernel.value(v_least));
+          const Octet infinity(kInfinity), nowhere(-kInfinity);
+          const Octet falls_from = select(lanes.middle >= borders.end, infinity, max(borders.begin, lanes.middle));
+          const Octet rises_until = select(lanes.middle <= borders.begin, nowhere, min(borders.end, lanes.middle));
+          sums_.rising_until = select(reaches, min(sums_.rising_until, falls_from), sums_.rising_until);
+          sums_.falling_from = select(reaches, max(sums_.falling_from, rises_until), sums_.falling_from);
+        } else {
+          know_no_trend();
+        }
       }
     }
   }
 
   HWY_NOINLINE void add_curves(const ListedFields& fields) {
-    sums_.rising = Octet(1.0);
+    know_no_trend();
     begin(fields, fields.count);
     with_window(fields.group.kernel, [&](const auto& window) HWY_ATTR {
       with_curve_form(fields.group.skeleton, [&](auto type) HWY_ATTR {
@@ -345,6 +363,11 @@ class PacketSetup {
   HWY_INLINE void count(const OctetMask& reaches) { sums_.field_count = sums_.field_count + keep(reaches, Octet(1.0)); }
   HWY_INLINE void raise_peak(const OctetMask& reaches, double amplitude, const Octet& most) {
     sums_.peak = sums_.peak + keep(reaches, Octet(amplitude) * most);
+  }
+
+  HWY_INLINE void know_no_trend() {
+    sums_.rising_until = Octet(-kInfinity);
+    sums_.falling_from = Octet(kInfinity);
   }
 
   /// Reserves memory for the rows of a group.

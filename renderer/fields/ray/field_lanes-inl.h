@@ -60,8 +60,9 @@ class FieldLanes {
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
   /// Number of fields that reach the stretch, for each ray.
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
-  /// For packets: PacketSums::rising.
-  [[nodiscard]] HWY_INLINE const auto& rising() const { return sums_.rising; }
+  /// For packets: those of PacketSums.
+  [[nodiscard]] HWY_INLINE const auto& rising_until() const { return sums_.rising_until; }
+  [[nodiscard]] HWY_INLINE const auto& falling_from() const { return sums_.falling_from; }
   /// Upper bound of F − T on the stretch.
   [[nodiscard]] HWY_INLINE Number upper_bound() const {
     return sums_.peak * (Number(1.0) + relative_noise_) - Number(threshold_) + threshold_noise_ +
@@ -105,6 +106,29 @@ class FieldLanes {
     RemaindersOn remainders{Octet(t0), Octet(t1)};
     visit_lanes(m_, remainders);
     return {total(remainders.sums.value), total(remainders.sums.slope)};
+  }
+
+  // ---- For packets only ---------------------------------------------------------------------------------------------
+
+  /// The first t behind t0 at which each ray comes in where a component alone is the threshold; infinite if there is
+  /// none. It is not asked for where many fields overlap: there no component has a surface alone.
+  [[nodiscard]] HWY_INLINE Octet first_alone(const Octet& t0) const {
+    const Octet infinity(std::numeric_limits<double>::infinity());
+    Octet first = infinity;
+    constexpr std::uint32_t kMostRows = 8;
+    if (m_.runs.back().last > kMostRows) return infinity;
+    for (const LaneRun& run : m_.runs) {
+      const bool are_points = run.form == LaneForm::points;
+      if (!(are_points || run.form == LaneForm::pieces) || !(run.surface_alone > 0)) continue;
+      const Octet surface(run.surface_alone);
+      for (std::uint32_t i = run.first; i < run.last; ++i) {
+        const QuadraticLanes lane = load_lanes<QuadraticLanes>(m_.rows[i]);
+        const Octet room = surface - lane.v0, t = lane.middle - sqrt(room / lane.kappa);
+        const OctetMask is_there = (room > Octet(0.0)) & (t > t0);
+        first = select(are_points ? is_there : borders_of(m_.rows[i]).holds(is_there, t), min(first, t), first);
+      }
+    }
+    return first;
   }
 
   // ---- For one ray only ---------------------------------------------------------------------------------------------

@@ -66,7 +66,8 @@ HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable
         if (form == LaneForm::pieces) setup.add_pieces(kernel, fields);
       });
     }
-    if (setup.rows() > first) memory.runs.push_back({&group.kernel, form, group.skeleton, first, setup.rows()});
+    if (setup.rows() > first)
+      memory.runs.push_back({&group.kernel, form, group.skeleton, first, setup.rows(), group.surface_alone});
     next = last;
   }
 }

@@ -38,6 +38,7 @@ struct LaneRun {
   LaneForm form;
   scene::Skeleton skeleton;
   std::uint32_t first, last;
+  double surface_alone;  ///< that of the group
 };
 
 template <InLanes kWhat>

@@ -1,6 +1,6 @@
 // The search of cell_search-inl.h for eight rays at once. They walk the grid together (grid/packet_walk-inl.h), and
-// those that meet a cell are solved there together, one ray in every lane (packet_solver-inl.h). A single ray, and
-// whatever lanes cannot do, goes to the search for one ray.
+// those that meet a cell are solved there together, one ray in every lane (packet_solver-inl.h), be it a single one.
+// Whatever lanes cannot do goes to the search for one ray.
 #if defined(ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
@@ -93,9 +93,6 @@ class PacketSearch {
     Alone searches[kPacket];
   };
 
-  /// Fewer rays than this are quicker one by one.
-  static constexpr int kFewest = 2;
-
   template <class Use>
   static HWY_INLINE void for_each_lane(std::uint32_t lanes, const Use& use) {
     for (; lanes != 0; lanes &= lanes - 1) use(static_cast<std::size_t>(std::countr_zero(lanes)));
@@ -129,12 +126,11 @@ class PacketSearch {
     const OctetMask present = and_not(crossing, lanes);
     const OctetMask starting = present & starts_ & (enter <= Octet(0.0));
     const std::uint32_t open = bits(present);
-    std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
-    if (std::popcount(together) < kFewest) together = 0;
+    const std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
     std::uint32_t done = 0;
     store(enter, packet_.t0);
     store(leave, packet_.t1);
-    if (together != 0) done = solve_together(index, cell, mask_of(together), starting);
+    if (together != 0) done = solve_together(index, cell, mask_of(together), starting, enter);
     for_each_lane(open & ~together, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
@@ -143,13 +139,13 @@ class PacketSearch {
 
   /// Searches a leaf for rays that come from outside or, those in `starting`, begin there on the surface. Returns those
   /// that cross there.
-  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, const OctetMask& lanes,
-                               const OctetMask& starting) {
+  std::uint32_t solve_together(std::uint32_t index, const Cell& cell, const OctetMask& lanes, const OctetMask& starting,
+                               const Octet& enter) {
     const OctetMask starts = lanes & starting;
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
     // A bound that is no number knows nothing. From the surface a sum that falls does not come back.
     const OctetMask is_clear =
-        and_not(starts, fields_.upper_bound() < Octet(0.0)) | and_not(fields_.rising() > Octet(0.0), starts);
+        and_not(starts, fields_.upper_bound() < Octet(0.0)) | and_not(fields_.falling_from() > enter, starts);
     const OctetMask open = and_not(is_clear, lanes);
     if (none(open)) {
       outside_ = outside_ | lanes;
