@@ -213,6 +213,7 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     table.texture.push_back(c.texture);
     table.source.push_back(p.source);
     if (table.tree.size() > 0) table.branch.push_back(blob.branch_of[p.source]);
+    if (is_point && !p.is_mapped() && table.plain_points == i) ++table.plain_points;
   }
   return table;
 }

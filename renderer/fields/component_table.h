@@ -38,6 +38,7 @@ struct ComponentTable {
   const scene::Blob* blob = nullptr;
   double threshold = 1;
   std::vector<FieldGroup> groups;
+  std::uint32_t plain_points = 0;  ///< the components before this number are points that are not mapped
   // Columns with one row for each component.
   std::vector<double> x, y, z;    ///< the skeleton's middle; in the component's own space if mapped
   std::vector<double> scale;      ///< for a point, v = scale · distance²; for any other skeleton, v = scale · q

@@ -1,6 +1,6 @@
 // The search of cell_search-inl.h for eight rays at once. They walk the grid together (grid/packet_walk-inl.h), and
-// those that meet a cell are solved there together, one ray in every lane (packet_solver-inl.h), be it a single one.
-// Whatever lanes cannot do goes to the search for one ray.
+// those that meet a cell are solved there together, one ray in every lane (packet_solver-inl.h). A single ray among
+// limbs, and whatever lanes cannot do, goes to the search for one ray.
 #if defined(ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
 #undef ISL_RENDERER_SOLVERS_CERTIFIED_PACKET_SEARCH_INL_H_
@@ -37,7 +37,8 @@ class PacketSearch {
         lanes_(lanes),
         counters_(counters),
         fields_(fields),
-        packet_(packet) {}
+        packet_(packet),
+        fewest_(blob.components.plain_points == blob.components.size() ? 1 : 2) {}
 
   /// The first hits of the rays whose bits in `in_use` are set.
   void first_hits(std::uint32_t in_use, OctetBlobHits& hits) {
@@ -126,7 +127,8 @@ class PacketSearch {
     const OctetMask present = and_not(crossing, lanes);
     const OctetMask starting = present & starts_ & (enter <= Octet(0.0));
     const std::uint32_t open = bits(present);
-    const std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
+    std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
+    if (std::popcount(together) < fewest_) together = 0;
     std::uint32_t done = 0;
     store(enter, packet_.t0);
     store(leave, packet_.t1);
@@ -214,6 +216,9 @@ class PacketSearch {
   TraceCounters& counters_;
   PacketLanes fields_;
   RayPacket& packet_;
+  /// Fewer rays than this are searched one by one. Among limbs a single ray is quicker by itself: with vectors of four
+  /// numbers mosses and corals take 0.8 and 0.9 of the time.
+  int fewest_;
   OctetBlobHits* hits_ = nullptr;
 
   Octet base_;                             ///< where each ray meets the grid
