@@ -4,13 +4,16 @@
 #include "renderer/solids/plane_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <vector>
 
 namespace isl::render {
 namespace {
 
-/// A curve gets as many cells as a letter's stroke needs to have some to itself; the map of a long text stays small.
+/// With 64 cells for each curve, the inside of a letter's stroke has cells that no curve crosses. The limit keeps the
+/// map of a long text small.
 constexpr double kCellsPerCurve = 64, kMostMapCells = 65536;
 
 struct PlaneBox {
@@ -45,7 +48,7 @@ class CurveMarker {
         below[i] = above[0];
         for (std::size_t k = 0; k + i + 1 < points; ++k) above[k] = above[k] * 0.5 + above[k + 1] * 0.5;
       }
-      // The scheme leaves the last point of each level in place, so that the upper half stands there from its end on.
+      // De Casteljau's scheme leaves the last point of each level where it is. These are the points of the upper half.
       mark(std::span(below).first(points), halvings - 1);
       mark(std::span(above).first(points), halvings - 1);
       return;

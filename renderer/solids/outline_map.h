@@ -55,7 +55,7 @@ struct OutlineMap {
 
 struct PreparedOutline;
 
-/// Of an outline whose nodes are made.
+/// Makes the map of an outline. Precondition: the outline's nodes are made.
 [[nodiscard]] OutlineMap map_of(const PreparedOutline& outline);
 
 }  // namespace isl::render

@@ -135,7 +135,7 @@ Crossings swept_crossings(SweptAxes axes, const Solid& solid, const Vec3& origin
     inside.finish();
     return result;
   }
-  // What lies behind the start is not asked for.
+  // The caller asks only for crossings in front of the start.
   const PlaneWindow window = line.window(std::max(slab.low.t, 0.0), slab.high.t);
   if (const auto side = outline.map.side_of(window.low, window.high); side != OutlineMap::Side::mixed) {
     if (side == OutlineMap::Side::inside) inside.add({-kInfinity}, {kInfinity});

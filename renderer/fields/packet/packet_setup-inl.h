@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/packet/packet_sums-inl.h"
 #include "renderer/fields/packet/ray_packet.h"
 #include "renderer/fields/ray/gather-inl.h"
 
@@ -24,17 +25,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
-
-struct PacketSums : SetupSums<Octet, Octet> {
-  /// Along each ray no field falls before `rising_until`, and none rises behind `falling_from`: a field of positive
-  /// strength rises until the ray has passed its skeleton. They are −∞ and ∞ where a field tells nothing of this. (If a
-  /// point was passed a rounding later than computed, the sum has risen before by the square of a rounding, which is
-  /// nothing beside the noise.)
-  Octet rising_until, falling_from;
-
-  HWY_INLINE PacketSums()
-      : rising_until(std::numeric_limits<double>::infinity()), falling_from(-std::numeric_limits<double>::infinity()) {}
-};
 
 class PacketSetup {
  public:

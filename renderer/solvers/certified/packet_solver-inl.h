@@ -4,7 +4,7 @@
 // that start on the surface and do not certainly leave outwards.
 //
 // Most rays meet a surface where all fields of the cell still rise, and there the ends of an interval decide. So the
-// first interval ends a little behind where a component alone has its surface, and Newton's method begins there.
+// first interval ends a little behind where a component alone has its surface.
 //
 // After an interval that is clear, the next one is longer, above all after one that began at a known root: away from
 // the root F is farther from 0. No node is kept for later, because one evaluation serves eight rays.
@@ -97,7 +97,7 @@ class PacketSolver {
     }
     roots.undecided |= bits(searched_);
     if (!none(bracketed)) {
-      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend, guess), root);
+      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend), root);
       found = found | bracketed;
     }
     roots.found = bits(found);
@@ -136,8 +136,9 @@ class PacketSolver {
     return {t, f.value, f.slope, noise, fields_.slope_noise(f), fields_.doubt(noise, f)};
   }
 
-  /// Where the first interval ends: a little behind a guessed root, but where fields still rise if that is behind it;
-  /// without a guess, at the top of a sum that first rises and then falls. It may be behind the stretch.
+  /// Returns the end of the first interval; it may lie beyond the stretch. With a guess, the interval ends a little
+  /// behind the guessed root, but not where a field already falls. Without a guess, it ends at the greatest value of a
+  /// sum that first rises and then falls.
   [[nodiscard]] HWY_INLINE Octet first_end(const Octet& t0, const Octet& guess) const {
     const Octet top = fields_.rising_until(), infinity(std::numeric_limits<double>::infinity());
     const Octet beyond = guess + Octet(kBeyondGuess) * (guess - t0);
@@ -158,7 +159,7 @@ class PacketSolver {
     const Octet zero(0.0), three(3.0);
     const Octet h = b.t - a.t, third = h * Octet(1.0 / 3);
     const OctetMask crossed = b.value > b.noise, at_start = and_not(rooted, a.value > a.noise);
-    // Where no field falls, or none rises, the ends decide.
+    // If no field falls in the interval, or none rises, the signs of F at both ends decide.
     const OctetMask ascends = and_not(rooted, b.t <= fields_.rising_until());
     const OctetMask descends = and_not(rooted, a.t >= fields_.falling_from());
     const OctetMask clear_by_ends =
@@ -220,15 +221,14 @@ class PacketSolver {
     return select((u >= zero) & (u <= one), u, Octet(0.5));  // 0/0 is neither
   }
 
-  /// Newton's method on the true fields, from `guess` where that is inside, within brackets a.value ≤ 0 < b.value that
+  /// Newton's method on the true fields inside brackets a.value ≤ 0 < b.value that
   /// hold one root each. F rises all along, and h²|F″| is at most `bend`. It ends where F is within its rounding or
   /// will be after the next step: a Newton step s leaves F at F″s²/2.
-  [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend,
-                                        const Octet& guess) {
+  [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend) {
     searched_ = lanes;
     Octet low = a.t, high = b.t;
     const Octet width = high - low;
-    Octet t = select((guess > low) & (guess < high), guess, low + width * rising_root(a, b));
+    Octet t = low + width * rising_root(a, b);
     Octet result = t;
     const Octet half_bend = Octet(0.5) * bend / (width * width);
     // Everything else is as in HermiteSolver::polish.
@@ -241,9 +241,11 @@ class PacketSolver {
       const OctetMask is_within = (newton > low) & (newton < high);
       const Octet step = newton - t;
       const OctetMask will_be = half_bend * step * step <= Octet(HermiteSolver::kRoundingOfNoise) * n.noise;
-      const OctetMask done = (abs(n.value) <= n.noise) | (is_within & will_be);
+      const OctetMask is_root = abs(n.value) <= n.noise, done = is_root | (is_within & will_be);
       const Octet halved = low + Octet(0.5) * (high - low);
-      const Octet next = select(is_within, newton, select(done, t, halved));
+      // Where a ray grazes a surface the slope may be as small as its rounding, and a step from a root lead anywhere.
+      const OctetMask steps = is_within & (will_be | and_not(is_root, all_lanes()));
+      const Octet next = select(steps, newton, select(done, t, halved));
       const OctetMask moves = and_not(done, (next > low) & (next < high) & ((next < t) | (next > t)));
       result = select(searched_, select(moves | done, next, t), result);
       searched_ = searched_ & moves;

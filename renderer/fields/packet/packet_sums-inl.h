@@ -1,0 +1,32 @@
+// What laying out the fields of a cell tells of their sum along eight rays, beside the rows (packet_setup-inl.h).
+#if defined(ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_
+#undef ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_
+#else
+#define ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_
+#endif
+
+#include "renderer/fields/ray/gather-inl.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace isl::render {
+namespace HWY_NAMESPACE {
+
+struct PacketSums : SetupSums<Octet, Octet> {
+  /// Along each ray no field falls before `rising_until`, and none rises behind `falling_from`: a field of positive
+  /// strength rises until the ray has passed its skeleton. They are −∞ and ∞ where a field tells nothing of this. (If a
+  /// point was passed a rounding later than computed, the sum has risen before by the square of a rounding, which is
+  /// nothing beside the noise.)
+  Octet rising_until, falling_from;
+
+  HWY_INLINE PacketSums()
+      : rising_until(std::numeric_limits<double>::infinity()), falling_from(-std::numeric_limits<double>::infinity()) {}
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace isl::render
+HWY_AFTER_NAMESPACE();
+
+#endif
