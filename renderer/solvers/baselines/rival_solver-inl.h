@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -94,17 +95,19 @@ class RivalSolver {
   [[nodiscard]] FieldRange bends(double t0, double t1) const { return seen(fields_.bend_range(t0, t1)); }
   [[nodiscard]] static double size(const FieldRange& r) { return std::max(std::abs(r.low), std::abs(r.high)); }
 
-  /// Newton's method in the bracket a.value ≤ 0 < b.value, down to the rounding of F. A step that leaves the bracket is
-  /// replaced by a halving.
+  /// Newton's method in the bracket a.value ≤ 0 < b.value, down to the rounding of F. A step that leaves the bracket,
+  /// or that has not shrunk by half, is replaced by a halving.
   [[nodiscard]] double newton(Node a, Node b) {
-    double t = a.t + 0.5 * (b.t - a.t);
+    double t = a.t + 0.5 * (b.t - a.t), last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostHalvings; ++i) {
       if (!(t > a.t && t < b.t)) return b.t;
       const Node n = node(t);
-      const double next = t - n.value / n.slope;
+      const double next = t - n.value / n.slope, size = std::abs(next - t);
       if (std::abs(n.value) <= n.noise) return next > a.t && next < b.t ? next : t;
       (n.value > 0 ? b : a) = n;
-      t = next > a.t && next < b.t ? next : a.t + 0.5 * (b.t - a.t);
+      const bool shrinks = next > a.t && next < b.t && size <= 0.5 * last;
+      last = shrinks ? size : std::numeric_limits<double>::infinity();
+      t = shrinks ? next : a.t + 0.5 * (b.t - a.t);
     }
     return b.t;
   }

@@ -49,6 +49,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 HWY_BEFORE_NAMESPACE();
@@ -270,20 +271,29 @@ class HermiteSolver {
 
   /// Precondition: a.value ≤ 0 < b.value, with one root between; t is a first guess. Newton's method on the true field
   /// inside the bracket, until F is within its rounding or will be after the next step: a Newton step s leaves F at
-  /// F″s²/2, and most_bend_ bounds h²|F″| between a and b.
+  /// F″s²/2, and most_bend_ bounds h²|F″| between a and b. From a place where F is within its rounding no other step is
+  /// taken: where the ray grazes the surface the slope may be as small as its own rounding, and the step lead anywhere.
   [[nodiscard]] double polish(Node a, Node b, double t) {
     const double half_bend = 0.5 * most_bend_ / ((b.t - a.t) * (b.t - a.t));
+    double last = std::numeric_limits<double>::infinity();  // the last of consecutive Newton steps
     // Bisection alone would need 64 steps. Newton steps, once they contract, take three or four.
     for (int i = 0; i < kMostHalvings; ++i) {
       t = std::clamp(t, a.t, b.t);
       const Node n = node(t);
       (n.value > 0 ? b : a) = n;
       double next = t - n.value / n.slope;
-      const bool newton = next > a.t && next < b.t;
-      // Within the rounding of F one more step still gains a digit, and a second one gains none.
-      if (std::abs(n.value) <= n.noise) return newton ? next : t;
-      if (newton && half_bend * (next - t) * (next - t) <= kRoundingOfNoise * n.noise) return next;
-      if (!newton) next = a.t + 0.5 * (b.t - a.t);
+      const double size = std::abs(next - t);
+      const bool is_within = next > a.t && next < b.t;
+      if (is_within && half_bend * size * size <= kRoundingOfNoise * n.noise) return next;
+      if (std::abs(n.value) <= n.noise) return t;
+      // Where F bends one way and then the other, Newton's steps may go to and fro between two places for ever. So a
+      // step that has not shrunk by half gives way to a halving of the bracket.
+      if (is_within && size <= 0.5 * last) {
+        last = size;
+      } else {
+        last = std::numeric_limits<double>::infinity();
+        next = a.t + 0.5 * (b.t - a.t);
+      }
       if (next == t || !(next > a.t && next < b.t)) return t;
       t = next;
     }

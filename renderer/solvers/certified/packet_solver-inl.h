@@ -20,6 +20,7 @@
 #include "renderer/solvers/certified/hermite-inl.h"
 
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -97,7 +98,7 @@ class PacketSolver {
     }
     roots.undecided |= bits(searched_);
     if (!none(bracketed)) {
-      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend), root);
+      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend, guess), root);
       found = found | bracketed;
     }
     roots.found = bits(found);
@@ -221,31 +222,32 @@ class PacketSolver {
     return select((u >= zero) & (u <= one), u, Octet(0.5));  // 0/0 is neither
   }
 
-  /// Newton's method on the true fields inside brackets a.value ≤ 0 < b.value that
-  /// hold one root each. F rises all along, and h²|F″| is at most `bend`. It ends where F is within its rounding or
-  /// will be after the next step: a Newton step s leaves F at F″s²/2.
-  [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend) {
+  /// Newton's method on the true fields, from `guess` where that is inside, within brackets a.value ≤ 0 < b.value that
+  /// hold one root each. F rises all along, and h²|F″| is at most `bend`. As HermiteSolver::polish.
+  [[nodiscard]] HWY_INLINE Octet polish(const OctetMask& lanes, const Node& a, const Node& b, const Octet& bend,
+                                        const Octet& guess) {
+    const Octet infinity(std::numeric_limits<double>::infinity()), half(0.5);
     searched_ = lanes;
     Octet low = a.t, high = b.t;
     const Octet width = high - low;
-    Octet t = low + width * rising_root(a, b);
-    Octet result = t;
-    const Octet half_bend = Octet(0.5) * bend / (width * width);
-    // Everything else is as in HermiteSolver::polish.
+    const Octet half_bend = half * bend / (width * width);
+    const OctetMask is_guessed = (guess > low) & (guess < high);
+    Octet t = guess;
+    if (!none(and_not(is_guessed, lanes))) t = select(is_guessed, guess, low + width * rising_root(a, b));
+    Octet result = t, last = infinity;
     for (int i = 0; i < kMostHalvings && !none(searched_); ++i) {
       const Node n = node(t);
       const OctetMask above = n.value > Octet(0.0);
       high = select(above, t, high);
       low = select(above, low, t);
-      const Octet newton = t - n.value / n.slope;
+      const Octet newton = t - n.value / n.slope, size = abs(newton - t);
       const OctetMask is_within = (newton > low) & (newton < high);
-      const Octet step = newton - t;
-      const OctetMask will_be = half_bend * step * step <= Octet(HermiteSolver::kRoundingOfNoise) * n.noise;
-      const OctetMask is_root = abs(n.value) <= n.noise, done = is_root | (is_within & will_be);
-      const Octet halved = low + Octet(0.5) * (high - low);
-      // Where a ray grazes a surface the slope may be as small as its rounding, and a step from a root lead anywhere.
-      const OctetMask steps = is_within & (will_be | and_not(is_root, all_lanes()));
-      const Octet next = select(steps, newton, select(done, t, halved));
+      const OctetMask will_be =
+          is_within & (half_bend * size * size <= Octet(HermiteSolver::kRoundingOfNoise) * n.noise);
+      const OctetMask done = will_be | (abs(n.value) <= n.noise);
+      const OctetMask shrinks = is_within & (size <= half * last);
+      last = select(shrinks, size, infinity);
+      const Octet next = select(will_be, newton, select(done, t, select(shrinks, newton, low + half * (high - low))));
       const OctetMask moves = and_not(done, (next > low) & (next < high) & ((next < t) | (next > t)));
       result = select(searched_, select(moves | done, next, t), result);
       searched_ = searched_ & moves;
