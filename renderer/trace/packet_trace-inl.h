@@ -135,7 +135,11 @@ class PacketTrace {
     OctetBlobHits hits;
     Search::first_hits(scene_.blobs[instance.shape], settings_, memory_, counters_, rays, open, hits);
     // Single rays judge faces that may coincide with the start or with the nearest hit so far, and what is undecided.
-    const std::uint32_t unlike = (start_elsewhere | (any_ ? 0 : bits(hits_.are_met()))) & hits.found;
+    std::uint32_t unlike = any_ ? 0 : bits(hits_.are_met()) & hits.found;
+    if (const std::uint32_t from_elsewhere = start_elsewhere & hits.found; from_elsewhere != 0) {
+      const Octet nearest = Octet(2.0) * starts().nearness(instance.spread, Octet(0.0));
+      unlike |= from_elsewhere & bits(load(hits.t) <= nearest);
+    }
     const std::uint32_t alone = (unlike | hits.undecided) & open;
     std::uint32_t met = hits.found & open & ~alone;
     if (met != 0 && !any_) {

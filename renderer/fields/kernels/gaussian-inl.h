@@ -53,6 +53,10 @@ struct Gaussian {
   [[nodiscard]] HWY_INLINE N value(const N& v) const {
     return exp(N(a) - v) - N(cut) * (N(1 + support_) - v);
   }
+  /// An upper bound of value(), a thousandth of the exponential above it at most.
+  [[nodiscard]] HWY_INLINE Octet most(const Octet& v) const {
+    return exp_above(Octet(a) - v) - Octet(cut) * (Octet(1 + support_) - v);
+  }
   [[nodiscard]] HWY_INLINE KernelValue value_and_slope(const Octet& v) const {
     const Octet e = exp(Octet(a) - v);
     return {e - Octet(cut) * (Octet(1 + support_) - v), Octet(cut) - e};
@@ -67,12 +71,15 @@ struct Gaussian {
   /// Bounds of f = φ(v₀ + κτ²) for κτ² in [u_near, u_far], within the support.
   [[nodiscard]] HWY_INLINE SecondAndFourth on_quadratic(const Octet& v0, const Octet& kappa, const Octet& u_near,
                                                         const Octet& u_far) const {
-    const Octet at_peak = kappa * exp(Octet(a) - v0);
-    const Octet at_near = kappa * exp(Octet(a) - (v0 + u_near));
+    const Octet at_peak = kappa * exp_above(Octet(a) - v0);
+    const Octet at_near = kappa * exp_above(Octet(a) - (v0 + u_near));
     const Octet window = Octet(2 * cut) * kappa;
     const Octet low = at_peak * min(Octet(4.0) * u_near - Octet(2.0), Octet(0.0));
+    // A negative factor wants the least that e^{a−v₀} may be.
+    const Octet factor = min(Octet(0.8926), Octet(6.0) * u_far - Octet(2.0));
+    const Octet at_peak_least = Octet(1 - kExpAbove) * at_peak;
     const Octet high = select(u_near > Octet(1.5), at_near * (Octet(4.0) * u_near - Octet(2.0)),
-                              at_peak * min(Octet(0.8926), Octet(6.0) * u_far - Octet(2.0)));
+                              max(at_peak * factor, at_peak_least * factor));
     const Octet tail = at_near * ((Octet(16.0) * u_near - Octet(48.0)) * u_near + Octet(12.0));
     return {low + window, high + window, kappa * select(u_near > Octet(4.09), tail, at_peak * profile4(u_near))};
   }

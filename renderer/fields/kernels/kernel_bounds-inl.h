@@ -3,6 +3,7 @@
 //   static constants(hardness), and a constructor from them
 //   support(), value(v), value_and_slope(v), curvature(v) = φ″
 //   slopes(v_least), on_quadratic(v₀, κ, u_near, u_far)
+//   most(v)                    an upper bound of value(v), if one takes less time
 //   is_smooth(v_low, v_high)   true if the bounds of f⁗ hold for all v between; false if φ″ jumps there
 //
 // and a row in renderer/scene/kernel_shapes.def.
@@ -27,6 +28,16 @@ namespace HWY_NAMESPACE {
 struct KernelValue {
   Octet value, slope;
 };
+
+/// An upper bound of φ(v) for v within the support: that of the kernel, if it has one that takes less time.
+template <class Kernel>
+[[nodiscard]] HWY_INLINE Octet most_of(const Kernel& kernel, const Octet& v) {
+  if constexpr (requires { kernel.most(v); }) {
+    return kernel.most(v);
+  } else {
+    return kernel.value(v);
+  }
+}
 
 /// Enclosure [low, high] of f″ and a bound of |f⁗| over an interval of a ray, f = φ(v(t)).
 struct SecondAndFourth {

@@ -79,7 +79,7 @@ class PacketSetup {
       const double amplitude = table.amplitude[item], root = std::sqrt(table.scale[item]);
       count = count + keep(reaches, one);
       if (amplitude > 0) {
-        peak = peak + keep(reaches, Octet(amplitude) * kernel.value(v_least));
+        peak = peak + keep(reaches, Octet(amplitude) * most_of(kernel, v_least));
         rising_until = select(reaches, min(rising_until, middle), rising_until);
         falling_from = select(reaches, max(falling_from, middle), falling_from);
       } else {
@@ -141,7 +141,7 @@ class PacketSetup {
         count(reaches);
         const double amplitude = m_.rows[row].amplitude[0];
         if (amplitude > 0) {
-          raise_peak(reaches, amplitude, kernel.value(v_least));
+          raise_peak(reaches, amplitude, most_of(kernel, v_least));
           const Octet infinity(kInfinity), nowhere(-kInfinity);
           const Octet falls_from = select(lanes.middle >= borders.end, infinity, max(borders.begin, lanes.middle));
           const Octet rises_until = select(lanes.middle <= borders.begin, nowhere, min(borders.end, lanes.middle));
@@ -347,7 +347,7 @@ class PacketSetup {
     const OctetMask reaches = (v_least < kernel.support()) & lanes_;
     if (none(reaches)) return false;
     count(reaches);
-    if (amplitude > 0) raise_peak(reaches, amplitude, kernel.value(v_least));
+    if (amplitude > 0) raise_peak(reaches, amplitude, most_of(kernel, v_least));
     return true;
   }
   HWY_INLINE void count(const OctetMask& reaches) { sums_.field_count = sums_.field_count + keep(reaches, Octet(1.0)); }

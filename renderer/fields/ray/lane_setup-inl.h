@@ -70,7 +70,7 @@ class LaneSetup {
       const OctetMask reaches = (v_least < kernel.support()) & listed;
       if (none(reaches)) continue;
       const Octet amplitude = gather(fields.table.amplitude.data(), index);
-      peaks = peaks + keep(reaches, max(amplitude, zero) * kernel.value(v_least));
+      peaks = peaks + keep(reaches, max(amplitude, zero) * most_of(kernel, v_least));
       // Lanes that do not reach the stretch are kept: they add nothing, since v is beyond the support all along it. (To
       // compact the others costs more than it saves, since lists are short.) Lanes past the list's end are put out of
       // reach.
@@ -144,7 +144,7 @@ class LaneSetup {
   /// Adds each lane's greatest possible value on the stretch, if it is positive.
   template <class Kernel>
   static HWY_INLINE void add_peaks(const Kernel& kernel, const Octet& v_least, const Octet& amplitude, Octet& peaks) {
-    peaks = peaks + keep(v_least < kernel.support(), max(amplitude, Octet(0.0)) * kernel.value(v_least));
+    peaks = peaks + keep(v_least < kernel.support(), max(amplitude, Octet(0.0)) * most_of(kernel, v_least));
   }
 
   /// Calls use(skeleton, amplitude, origin, direction, placement) for each field, with the ray in the component's own

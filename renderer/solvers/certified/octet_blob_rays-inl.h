@@ -45,7 +45,7 @@ struct OctetBlobHits {
   std::uint32_t found = 0;          ///< bits of the rays that hit the blob; the others miss it
   std::uint32_t from_inside = 0;    ///< also of rays that miss
   std::uint32_t undecided = 0;      ///< bits of the rays that have an undecided_from
-  alignas(64) double t[kOctet];     ///< of those in `found`, as is `cell`
+  alignas(64) double t[kOctet];     ///< of those in `found`, as is `cell`; if any hit will do, no hit lies before it
   alignas(64) double cell[kOctet];  // numbers of cells are exact as doubles
   alignas(64) double undecided_from[kOctet];
 

@@ -127,22 +127,23 @@ class PacketSearch {
     const OctetMask present = and_not(crossing, lanes);
     const OctetMask starting = present & starts_ & (enter <= Octet(0.0));
     const std::uint32_t open = bits(present);
-    std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting)) : 0;
+    const OctetMask unknown = and_not(outside_ | inside_ | starts_, present);
+    std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting | unknown)) : 0;
     if (std::popcount(together) < fewest_) together = 0;
     std::uint32_t done = 0;
     store(enter, packet_.t0);
     store(leave, packet_.t1);
-    if (together != 0) done = solve_together(index, cell, mask_of(together), starting, enter);
+    if (together != 0) done = solve_together(index, cell, mask_of(together), starting, unknown, enter);
     for_each_lane(open & ~together, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
     return crossing | mask_of(done);
   }
 
-  /// Searches a leaf for rays that come from outside or, those in `starting`, begin there on the surface. Returns those
-  /// that cross there.
+  /// Searches a leaf for rays that come from outside, or begin there on the surface (`starting`) or on a side that is
+  /// not known yet (`unknown`). Returns those that cross there.
   std::uint32_t solve_together(std::uint32_t index, const Cell& cell, const OctetMask& lanes, const OctetMask& starting,
-                               const Octet& enter) {
+                               const OctetMask& unknown, const Octet& enter) {
     const OctetMask starts = lanes & starting;
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
     // A bound that is no number knows nothing. From the surface a sum that falls does not come back.
@@ -154,7 +155,7 @@ class PacketSearch {
       return 0;
     }
     PacketSolver(fields_, counters_)
-        .first_roots({open, starts, load(packet_.t0), load(packet_.t1), least_, rays_.any}, roots_);
+        .first_roots({open, starts, unknown, load(packet_.t0), load(packet_.t1), least_, rays_.any}, roots_);
     const OctetMask undecided = mask_of(roots_.undecided);
     outside_ = outside_ | and_not(undecided, lanes);
     std::uint32_t done = roots_.found;
@@ -181,6 +182,11 @@ class PacketSearch {
     if (!crosses) return false;
     hits_->found |= 1u << lane;
     hits_->t[lane] = hit.t;
+    if (rays_.any) {
+      alignas(64) double base[kPacket];
+      store(base_, base);
+      hits_->t[lane] = base[lane] + packet_.t0[lane];
+    }
     hits_->cell[lane] = hit.cell;
     if (hit.from_inside) hits_->from_inside |= 1u << lane;
     return true;

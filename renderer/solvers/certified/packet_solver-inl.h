@@ -35,18 +35,20 @@ struct PacketRoots {
 
 /// The search of a cell for each of eight rays.
 struct PacketQuery {
-  OctetMask lanes;   ///< the rays to search, which come from outside
-  OctetMask starts;  ///< those of them that start on the surface at t0; that root is not searched for
+  OctetMask lanes;    ///< the rays to search, which come from outside
+  OctetMask starts;   ///< those of them that start on the surface at t0; that root is not searched for
+  OctetMask unknown;  ///< those of them that start at t0 on a side that is not known yet
   Octet t0, t1;
   Octet least;  ///< intervals no longer than this are left undecided
-  bool any;     ///< only asks whether there is a crossing; its t may be rough
+  bool any;     ///< only asks whether there is a crossing; none lies before its t, which is no root
 };
 
 class PacketSolver {
  public:
   PacketSolver(const PacketLanes& fields, TraceCounters& counters) : fields_(fields), counters_(counters) {}
 
-  /// Finds the first crossings. A ray that starts on the surface is left undecided unless it certainly leaves outwards.
+  /// Finds the first crossings. A ray that starts on the surface is left undecided unless it certainly leaves outwards,
+  /// and one whose side is not known unless it certainly starts outside.
   void first_roots(const PacketQuery& query, PacketRoots& roots) {
     roots.found = roots.undecided = 0;
     const Octet &t0 = query.t0, &t1 = query.t1;
@@ -55,9 +57,9 @@ class PacketSolver {
     const Octet guess = fields_.first_alone(t0);
     Node a = node(t0), b = node(min(t1, first_end(t0, guess)));
     OctetMask rooted = query.starts & query.lanes;  // the rays whose interval begins at a known root
-    if (!none(rooted)) {
-      const OctetMask leaves = a.slope < Octet(0.0) - a.slope_noise;
-      const OctetMask others = and_not(leaves, rooted);
+    if (const OctetMask asked = rooted | (query.unknown & query.lanes); !none(asked)) {
+      const OctetMask leaves = a.slope < Octet(0.0) - a.slope_noise, is_outside = a.value + a.doubt < Octet(0.0);
+      const OctetMask others = and_not((rooted & leaves) | and_not(rooted, is_outside), asked);
       roots.undecided = bits(others);
       searched_ = and_not(others, searched_);
       a.value = select(rooted, Octet(0.0), a.value);
@@ -71,7 +73,7 @@ class PacketSolver {
     for (int i = 0; i < kMostHalvings; ++i) {
       if (any) {
         const OctetMask across = searched_ & (b.value > b.noise);
-        to = select(across, b, to);
+        from = select(across, a, from);
         bracketed = bracketed | across;
         searched_ = and_not(across, searched_);
         if (none(searched_)) break;
@@ -98,7 +100,7 @@ class PacketSolver {
     }
     roots.undecided |= bits(searched_);
     if (!none(bracketed)) {
-      root = select(bracketed, any ? to.t : polish(bracketed, from, to, bend, guess), root);
+      root = select(bracketed, any ? from.t : polish(bracketed, from, to, bend, guess), root);
       found = found | bracketed;
     }
     roots.found = bits(found);

@@ -48,6 +48,21 @@ TEST(Exp, IsZeroBelowItsRange) {
   EXPECT_GT(ours(-707), 0);
 }
 
+TEST(Exp, IsBoundedFromAbove) {
+  std::mt19937_64 bits(8);
+  double least = 1, greatest = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double y = -700 + 1400 * static_cast<double>(bits() >> 11) * 0x1p-53;
+    alignas(64) double bound[lanes::kOctet];
+    lanes::store(lanes::exp_above(lanes::Octet(y)), bound);
+    const double above = bound[3] / std::exp(y) - 1;
+    least = std::min(least, above);
+    greatest = std::max(greatest, above);
+  }
+  EXPECT_GT(least, 1e-4);
+  EXPECT_LT(greatest, lanes::kExpAbove * (1 + 1e-9));
+}
+
 TEST(Exp, SumsRunThroughOneTree) {
   alignas(64) const double x[lanes::kOctet] = {1e16, 1, -1e16, 1, 3, 1, -3, 1};
   EXPECT_EQ(lanes::sum(lanes::load(x)), ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7])));

@@ -121,6 +121,15 @@ TEST_P(KernelBounds, HoldTheSecondAndFourthDerivativeAlongARay) {
   });
 }
 
+TEST_P(KernelBounds, HoldTheKernelItself) {
+  with_kernel([&](const auto& kernel) {
+    for (const double start : fractions(200)) {
+      const double v = constants_.support * start;
+      ASSERT_GE(first_lane(most_of(kernel, lanes::Octet(v))), at(v)[0] * (1 - kKernelRounding)) << v;
+    }
+  });
+}
+
 TEST_P(KernelBounds, HoldTheDerivativesOfTheKernelFromAnyPlaceOn) {
   with_kernel([&](const auto& kernel) {
     for (const double start : fractions(50)) {

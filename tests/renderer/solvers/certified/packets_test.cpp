@@ -133,6 +133,22 @@ TEST(Packets, TakeRaysThatBeginOnTheSurface) {
   }
 }
 
+TEST(Packets, TakeRaysThatBeginAmongTheBalls) {
+  const scene::Database database = flake();
+  std::mt19937_64 bits(9);
+  const auto any = [&] { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; };
+  int from_inside = 0, from_outside = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Ray> rays = bundles(bits, 64, Vec3(any(), any(), any()) * 0.7, 0.3);
+    for (Ray& ray : rays) ray.origin += Vec3(any(), any(), any()) * 0.02;
+    expect_same(database, rays);
+    const Traced found = traced(database, true, rays);
+    for (const Hit& hit : found.hits) (hit.from_inside ? from_inside : from_outside) += !hit.is_miss();
+  }
+  EXPECT_GT(from_inside, 500);
+  EXPECT_GT(from_outside, 500);
+}
+
 TEST(Packets, TakeRaysThatBeginWherePointsAreCarvedOut) {
   scene::Database database = flake();
   scene::Blob& blob = database.blobs[0];
