@@ -9,6 +9,7 @@
 
 #include "renderer/fields/convolutions/curve_field.h"
 #include "renderer/fields/packet/packet_sums-inl.h"
+#include "renderer/fields/packet/placed_lines-inl.h"
 #include "renderer/fields/packet/ray_packet.h"
 #include "renderer/fields/ray/gather-inl.h"
 
@@ -117,7 +118,7 @@ class PacketSetup {
     for (std::uint32_t i = 0; i < fields.count; ++i) {
       const std::uint32_t item = fields.items[i];
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
-      const PlacedLines lines = lines_in(fields, item);
+      const PlacedLines lines(rays_, fields, item);
       const Placement<Octet> place{lines.start, lines.size + Octet(shape.extent())};
       PacketRow& row = next_row(Form::along(shape, lines), Form::shape(shape), fields.table.amplitude[item], place);
       const auto lanes = load_placed<Form>(row);
@@ -165,7 +166,7 @@ class PacketSetup {
           const std::uint32_t item = fields.items[i];
           const Shape curve = fields.table.shape<Shape>(fields.group, item);
           const double unit = per_support(fields.group.kernel, curve), amplitude = fields.table.amplitude[item];
-          const PlacedLines lines = lines_in(fields, item);
+          const PlacedLines lines(rays_, fields, item);
           const Octet size = Octet(unit) * (lines.size + Octet(curve.extent()));
           PacketRow& row =
               next_row(Form::along(curve, unit, lines), Form::shape(curve, unit), amplitude, {lines.start, size});
@@ -184,73 +185,13 @@ class PacketSetup {
   using PacketRow = LaneRow<InLanes::rays>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// As PlacedLine, for eight rays.
-  struct PlacedLines : Lines<Octet> {
-    Octet start, size;
-    Octet distance2;  ///< |o − middle|²
-    Octet length2;    ///< |d|²
-  };
-  [[nodiscard]] HWY_INLINE PlacedLines lines_in(const ListedFields& fields, std::uint32_t item) const {
-    const ComponentTable& table = fields.table;
-    Octet o[3], d[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      o[i] = load(rays_.origin[i]);
-      d[i] = load(rays_.direction[i]);
-    }
-    const Octet centre[3] = {Octet(table.x[item]), Octet(table.y[item]), Octet(table.z[item])};
-    const scene::Transform* const map =
-        fields.group.is_mapped ? &table.blob_from_component(fields.group, item) : nullptr;
-    PlacedLines lines;
-    for (int i = 0; i < 3; ++i) {
-      lines.o[i] = map ? image(o, map->inverse, i) + Octet(map->inverse[3][i]) : o[i];
-      lines.d[i] = map ? image(d, map->inverse, i) : d[i];
-    }
-    Octet along(0.0), length2(0.0);
-    for (int i = 0; i < 3; ++i) {
-      along = along + (centre[i] - lines.o[i]) * lines.d[i];
-      length2 = length2 + lines.d[i] * lines.d[i];
-    }
-    const Octet t = along / length2;
-    const bool has_middle = !scene::is_endless(fields.group.skeleton);
-    lines.start = has_middle ? keep(abs(t) < Octet(kInfinity), t) : Octet(0.0);
-    for (std::size_t i = 0; i < 3; ++i) o[i] = o[i] + d[i] * lines.start;
-    Octet distance2(0.0), terms(0.0);
-    for (int i = 0; i < 3; ++i) {
-      lines.o[i] = map ? image(o, map->inverse, i) + Octet(map->inverse[3][i]) : o[i];
-      const Octet away = lines.o[i] - centre[i];
-      distance2 = distance2 + away * away;
-      if (!map) continue;
-      Octet sum(std::abs(map->inverse[3][i]));
-      for (int j = 0; j < 3; ++j) sum = sum + abs(o[j] * Octet(map->inverse[j][i]));
-      terms = max(terms, sum);
-    }
-    lines.size = sqrt(distance2) + terms;
-    lines.distance2 = distance2;
-    lines.length2 = length2;
-    return lines;
-  }
-  /// The lanes whose stretch meets the ball around the component's middle that holds its support, wherever positions
-  /// are off by their rounding errors. No others can reach the component.
-  template <class Shape>
-  [[nodiscard]] HWY_INLINE OctetMask near_ball(const PlacedLines& lines, const Shape& shape,
-                                               double support_root) const {
-    const Octet near = max(t0_, min(t1_, lines.start)) - lines.start;
-    const Octet distance = sqrt(lines.distance2 + lines.length2 * near * near);
-    const Octet radius(shape.extent() + shape.thickest() * support_root);
-    const Octet off = Octet(kPositionError) * (lines.size + radius);
-    return and_not(distance - off > radius, lanes_);  // a distance that is no number knows nothing
-  }
-  /// Coordinate i of the image of a vector.
-  [[nodiscard]] static HWY_INLINE Octet image(const Octet (&v)[3], const scene::Matrix& m, int i) {
-    return v[0] * Octet(m[0][i]) + v[1] * Octet(m[1][i]) + v[2] * Octet(m[2][i]);
-  }
-
   // ---- Pieces
   // ---------------------------------------------------------------------------------------------------------
 
   /// A component with pieces, and the rays in its own space.
   struct InPieces {
     double scale, support, amplitude;
+    double support_root;  ///< √support
     PlacedLines lines;
     Octet size;       ///< as in PieceBorders
     OctetMask meets;  ///< the rays that may reach it
@@ -267,13 +208,15 @@ class PacketSetup {
   HWY_INLINE void lay_out_pieces(const ListedFields& fields, std::uint32_t item, const Shape& shape) {
     const FieldGroup& group = fields.group;
     const double scale = ComponentTable::v_scale(group);
-    const PlacedLines lines = lines_in(fields, item);
+    const PlacedLines lines(rays_, fields, item);
     OctetMask meets = lanes_;
-    if constexpr (!Endless<Shape>) meets = near_ball(lines, shape, ComponentTable::support_root(group));
+    if constexpr (!Endless<Shape>)
+      meets = lanes_ & lines.near_ball(shape, ComponentTable::support_root(group), t0_, t1_);
     if (none(meets)) return;
     const Octet size = (lines.size + Octet(shape.extent())) * Octet(std::sqrt(scale) / shape.thickest());
     m_.reserve(rows_ + kMostPieces);
-    const InPieces component{scale, group.kernel.support, fields.table.amplitude[item], lines, size, meets};
+    const double support = group.kernel.support;
+    const InPieces component{scale, support, fields.table.amplitude[item], std::sqrt(support), lines, size, meets};
     using Pieces = typename PiecesAlong<Shape>::type;
     if constexpr (std::is_void_v<Pieces>) {
       put_ray_by_ray(component, shape);
@@ -288,8 +231,8 @@ class PacketSetup {
     const Octet begin = c.lines.start + piece.begin, end = c.lines.start + piece.end;
     const Octet from = max(t0_, begin), to = min(t1_, end);
     const Octet near = max(zero, max(from - middle, middle - to));
-    const Octet least = max(zero, sqrt(v0 + kappa * near * near) - Octet(kPositionError) * c.size);
-    const OctetMask holds = and_not(least * least >= support, c.meets & (from <= to));
+    const Octet farthest = Octet(c.support_root) + Octet(kPositionError) * c.size;
+    const OctetMask holds = and_not(v0 + kappa * near * near >= farthest * farthest, c.meets & (from <= to));
     if (none(holds)) return;
     PacketRow& row = new_row(c.amplitude);
     store_along(std::array{select(holds, v0, support + support), keep(holds, kappa), keep(holds, middle),

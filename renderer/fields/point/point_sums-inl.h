@@ -46,18 +46,17 @@ inline KernelArguments arguments_at(const ComponentTable& table, const FieldGrou
     at.v = select(first_lanes(count), at.gx * x + at.gy * y + at.gz * z, Octet(beyond));
     return at;
   }
-  alignas(64) double v[kOctet], gx[kOctet], gy[kOctet], gz[kOctet];
-  for (std::uint32_t i = 0; i < kOctet; ++i) {
-    const KernelArgument own = i < count ? argument_at(table, group, index[i], point) : KernelArgument{beyond, Vec3(0)};
-    v[i] = own.v;
-    gx[i] = own.half_gradient.x;
-    gy[i] = own.half_gradient.y;
-    gz[i] = own.half_gradient.z;
+  at.v = Octet(beyond);
+  at.gx = at.gy = at.gz = Octet(0.0);
+  // Lane by lane in registers: numbers written one by one and read as a whole would be waited for.
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const KernelArgument own = argument_at(table, group, index[i], point);
+    const OctetMask lane = mask_of(1U << i);
+    at.v = select(lane, Octet(own.v), at.v);
+    at.gx = select(lane, Octet(own.half_gradient.x), at.gx);
+    at.gy = select(lane, Octet(own.half_gradient.y), at.gy);
+    at.gz = select(lane, Octet(own.half_gradient.z), at.gz);
   }
-  at.v = load(v);
-  at.gx = load(gx);
-  at.gy = load(gy);
-  at.gz = load(gz);
   return at;
 }
 

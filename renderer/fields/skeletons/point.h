@@ -63,7 +63,8 @@ namespace HWY_NAMESPACE {
 struct PointPieces {
   [[nodiscard]] static HWY_INLINE std::array<OctetPiece, 1> along(const Point& point, const Lines<Octet>& lines) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {sphere_piece(point.centre, Octet(point.inverse_radius2), lines, Octet(-kInfinity), Octet(kInfinity))};
+    return {sphere_piece(point.centre, Octet(point.inverse_radius2), lines, LineLengths(lines), Octet(-kInfinity),
+                         Octet(kInfinity))};
   }
 };
 

@@ -94,8 +94,9 @@ struct SegmentPieces {
     const auto by_b =
         between(select(forward, at_b, zero - infinity), select(forward, infinity, at_b), line.x0 > length);
     const auto by_tube = between(min(at_a, at_b), max(at_a, at_b), (line.x0 >= zero) & (line.x0 <= length));
+    const LineLengths lengths(lines);
     const auto sphere = [&](const Vec3& centre, const std::array<Octet, 2>& on)
-                            HWY_ATTR { return sphere_piece(centre, inverse_radius2, lines, on[0], on[1]); };
+                            HWY_ATTR { return sphere_piece(centre, inverse_radius2, lines, lengths, on[0], on[1]); };
     return {sphere(segment.a, by_a),
             {inverse_radius2 * line.n0, inverse_radius2 * line.n2, line.middle, by_tube[0], by_tube[1]},
             sphere(segment.a + segment.axis * segment.length, by_b)};
