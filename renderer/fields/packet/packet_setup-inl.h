@@ -221,18 +221,24 @@ class PacketSetup {
     if constexpr (std::is_void_v<Pieces>) {
       put_ray_by_ray(component, shape);
     } else {
-      for (const OctetPiece& piece : Pieces::along(shape, lines)) put(component, piece);
+      Pieces::along(shape, lines, [&](const Octet& begin, const Octet& end, const auto& quadratic) HWY_ATTR {
+        put(component, begin, end, quadratic);
+      });
     }
   }
   /// Makes a row of a piece, unless it cannot reach the stretch of any ray.
-  HWY_INLINE void put(const InPieces& c, const OctetPiece& piece) {
+  template <class Quadratic>
+  HWY_INLINE void put(const InPieces& c, const Octet& from_start, const Octet& to_start, const Quadratic& quadratic) {
     const Octet zero(0.0), scale(c.scale), support(c.support), infinity(kInfinity);
-    const Octet v0 = scale * piece.q0, kappa = scale * piece.kappa, middle = c.lines.start + piece.middle;
-    const Octet begin = c.lines.start + piece.begin, end = c.lines.start + piece.end;
+    const Octet begin = c.lines.start + from_start, end = c.lines.start + to_start;
     const Octet from = max(t0_, begin), to = min(t1_, end);
+    const OctetMask is_there = c.meets & (from <= to);
+    if (none(is_there)) return;
+    const OctetQuadratic piece = quadratic();
+    const Octet v0 = scale * piece.q0, kappa = scale * piece.kappa, middle = c.lines.start + piece.middle;
     const Octet near = max(zero, max(from - middle, middle - to));
     const Octet farthest = Octet(c.support_root) + Octet(kPositionError) * c.size;
-    const OctetMask holds = and_not(v0 + kappa * near * near >= farthest * farthest, c.meets & (from <= to));
+    const OctetMask holds = and_not(v0 + kappa * near * near >= farthest * farthest, is_there);
     if (none(holds)) return;
     PacketRow& row = new_row(c.amplitude);
     store_along(std::array{select(holds, v0, support + support), keep(holds, kappa), keep(holds, middle),

@@ -61,10 +61,11 @@ namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct PointPieces {
-  [[nodiscard]] static HWY_INLINE std::array<OctetPiece, 1> along(const Point& point, const Lines<Octet>& lines) {
+  template <class Emit>
+  static HWY_INLINE void along(const Point& point, const Lines<Octet>& lines, const Emit& emit) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {sphere_piece(point.centre, Octet(point.inverse_radius2), lines, LineLengths(lines), Octet(-kInfinity),
-                         Octet(kInfinity))};
+    emit(Octet(-kInfinity), Octet(kInfinity),
+         [&]() HWY_ATTR { return sphere_quadratic(point.centre, Octet(point.inverse_radius2), lines); });
   }
 };
 

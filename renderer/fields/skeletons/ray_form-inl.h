@@ -59,13 +59,14 @@ struct RayFormOf {
   using type = void;
 };
 
-/// A QuadraticPiece along each of eight rays; it is empty where begin ≥ end.
-struct OctetPiece {
-  Octet q0, kappa, middle, begin, end;
+/// The quadratic of a QuadraticPiece along each of eight rays.
+struct OctetQuadratic {
+  Octet q0, kappa, middle;
 };
 
-/// The class whose along(shape, lines) gives the pieces of a skeleton along eight rays; void if they are found ray by
-/// ray.
+/// The class whose along(shape, lines, emit) finds the pieces of a skeleton along eight rays; void if they are found
+/// ray by ray. It calls emit(begin, end, quadratic) for each piece, which is empty where begin ≥ end; quadratic() gives
+/// the OctetQuadratic, if it is asked for.
 template <class Shape>
 struct PiecesAlong {
   using type = void;
@@ -103,23 +104,15 @@ template <class N>
   return r;
 }
 
-/// |d|² of lines, and its inverse.
-struct LineLengths {
-  Octet dd, inverse_dd;
-
-  HWY_INLINE explicit LineLengths(const Lines<Octet>& lines)
-      : dd(lines.d[0] * lines.d[0] + lines.d[1] * lines.d[1] + lines.d[2] * lines.d[2]), inverse_dd(Octet(1.0) / dd) {}
-};
-
-/// As sphere_piece() for one ray.
-[[nodiscard]] HWY_INLINE OctetPiece sphere_piece(const scene::Vec3& centre, const Octet& inverse_radius2,
-                                                 const Lines<Octet>& lines, const LineLengths& lengths,
-                                                 const Octet& begin, const Octet& end) {
+/// That of sphere_piece() for one ray.
+[[nodiscard]] HWY_INLINE OctetQuadratic sphere_quadratic(const scene::Vec3& centre, const Octet& inverse_radius2,
+                                                         const Lines<Octet>& lines) {
   const Octet x = Octet(centre.x) - lines.o[0], y = Octet(centre.y) - lines.o[1], z = Octet(centre.z) - lines.o[2];
   const auto& d = lines.d;
-  const Octet middle = (x * d[0] + y * d[1] + z * d[2]) * lengths.inverse_dd;
+  const Octet dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  const Octet middle = (x * d[0] + y * d[1] + z * d[2]) / dd;
   const Octet px = x - middle * d[0], py = y - middle * d[1], pz = z - middle * d[2];
-  return {inverse_radius2 * (px * px + py * py + pz * pz), inverse_radius2 * lengths.dd, middle, begin, end};
+  return {inverse_radius2 * (px * px + py * py + pz * pz), inverse_radius2 * dd, middle};
 }
 
 }  // namespace HWY_NAMESPACE

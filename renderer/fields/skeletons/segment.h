@@ -79,27 +79,28 @@ namespace isl::render {
 namespace HWY_NAMESPACE {
 
 struct SegmentPieces {
-  [[nodiscard]] static HWY_INLINE std::array<OctetPiece, 3> along(const Segment& segment, const Lines<Octet>& lines) {
+  template <class Emit>
+  static HWY_INLINE void along(const Segment& segment, const Lines<Octet>& lines, const Emit& emit) {
     const Octet zero(0.0), length(segment.length), inverse_radius2(1 / (segment.radius * segment.radius));
     const Octet infinity(std::numeric_limits<double>::infinity());
     const AboutAxis<Octet> line = about_axis(segment.a, segment.axis, lines);
-    // A ray across the axis is beside one piece all along.
-    const OctetMask across = abs(line.dx) <= zero, forward = line.dx > zero;
-    const Octet at_a = (zero - line.x0) / line.dx, at_b = (length - line.x0) / line.dx;
-    const auto between = [&](const Octet& begin, const Octet& end, const OctetMask& all) HWY_ATTR {
-      return std::array{select(across, select(all, zero - infinity, infinity), begin),
-                        select(across, select(all, infinity, zero - infinity), end)};
+    const Octet inverse_dx = Octet(1.0) / line.dx;
+    // A ray across the axis is beside one piece all along. If the inverse overflows, it moves along the axis by less
+    // than a rounding.
+    const OctetMask across = abs(inverse_dx) >= infinity, forward = line.dx > zero;
+    const Octet at_a = (zero - line.x0) * inverse_dx, at_b = (length - line.x0) * inverse_dx;
+    const auto piece = [&](const Octet& begin, const Octet& end, const OctetMask& all, const auto& quadratic) HWY_ATTR {
+      emit(select(across, select(all, zero - infinity, infinity), begin),
+           select(across, select(all, infinity, zero - infinity), end), quadratic);
     };
-    const auto by_a = between(select(forward, zero - infinity, at_a), select(forward, at_a, infinity), line.x0 < zero);
-    const auto by_b =
-        between(select(forward, at_b, zero - infinity), select(forward, infinity, at_b), line.x0 > length);
-    const auto by_tube = between(min(at_a, at_b), max(at_a, at_b), (line.x0 >= zero) & (line.x0 <= length));
-    const LineLengths lengths(lines);
-    const auto sphere = [&](const Vec3& centre, const std::array<Octet, 2>& on)
-                            HWY_ATTR { return sphere_piece(centre, inverse_radius2, lines, lengths, on[0], on[1]); };
-    return {sphere(segment.a, by_a),
-            {inverse_radius2 * line.n0, inverse_radius2 * line.n2, line.middle, by_tube[0], by_tube[1]},
-            sphere(segment.a + segment.axis * segment.length, by_b)};
+    piece(select(forward, zero - infinity, at_a), select(forward, at_a, infinity), line.x0 < zero,
+          [&]() HWY_ATTR { return sphere_quadratic(segment.a, inverse_radius2, lines); });
+    piece(min(at_a, at_b), max(at_a, at_b), (line.x0 >= zero) & (line.x0 <= length), [&]() HWY_ATTR {
+      return OctetQuadratic{inverse_radius2 * line.n0, inverse_radius2 * line.n2, line.middle};
+    });
+    piece(select(forward, at_b, zero - infinity), select(forward, infinity, at_b), line.x0 > length, [&]() HWY_ATTR {
+      return sphere_quadratic(segment.a + segment.axis * segment.length, inverse_radius2, lines);
+    });
   }
 };
 
