@@ -65,7 +65,7 @@ HWY_INLINE Octet exp(const Octet& y) {
   return x.scaled((q * r2 + r) + Octet(1.0));
 }
 
-/// No number from exp_above() is greater than the exponential by a larger share of itself.
+/// exp_above() exceeds the exponential by at most this share of it.
 inline constexpr double kExpAbove = 0.001;
 
 /// An upper bound of e^y for y ≤ 709, in less than half the time of exp(). The Taylor polynomial of degree 3 is too

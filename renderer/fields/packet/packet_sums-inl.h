@@ -1,4 +1,5 @@
-// What laying out the fields of a cell tells of their sum along eight rays, beside the rows (packet_setup-inl.h).
+// The sums that are found when the fields of a cell are laid out for eight rays (packet_setup-inl.h): bounds of the
+// whole field, and the stretches on which it only rises or only falls.
 #if defined(ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_
 #undef ISL_RENDERER_FIELDS_PACKET_PACKET_SUMS_INL_H_

@@ -48,7 +48,8 @@ inline KernelArguments arguments_at(const ComponentTable& table, const FieldGrou
   }
   at.v = Octet(beyond);
   at.gx = at.gy = at.gz = Octet(0.0);
-  // Lane by lane in registers: numbers written one by one and read as a whole would be waited for.
+  // The lanes are filled in registers. If they were written to memory one by one, loading the whole register would have
+  // to wait until all writes are finished.
   for (std::uint32_t i = 0; i < count; ++i) {
     const KernelArgument own = argument_at(table, group, index[i], point);
     const OctetMask lane = mask_of(1U << i);

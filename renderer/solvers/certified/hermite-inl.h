@@ -271,8 +271,9 @@ class HermiteSolver {
 
   /// Precondition: a.value ≤ 0 < b.value, with one root between; t is a first guess. Newton's method on the true field
   /// inside the bracket, until F is within its rounding or will be after the next step: a Newton step s leaves F at
-  /// F″s²/2, and most_bend_ bounds h²|F″| between a and b. From a place where F is within its rounding no other step is
-  /// taken: where the ray grazes the surface the slope may be as small as its own rounding, and the step lead anywhere.
+  /// F″s²/2, and most_bend_ bounds h²|F″| between a and b. At a point where F is within its rounding any other step is
+  /// left out: if the ray grazes the surface, the slope may be smaller than its rounding error, and the step
+  /// meaningless.
   [[nodiscard]] double polish(Node a, Node b, double t) {
     const double half_bend = 0.5 * most_bend_ / ((b.t - a.t) * (b.t - a.t));
     double last = std::numeric_limits<double>::infinity();  // the last of consecutive Newton steps
@@ -286,8 +287,8 @@ class HermiteSolver {
       const bool is_within = next > a.t && next < b.t;
       if (is_within && half_bend * size * size <= kRoundingOfNoise * n.noise) return next;
       if (std::abs(n.value) <= n.noise) return t;
-      // Where F bends one way and then the other, Newton's steps may go to and fro between two places for ever. So a
-      // step that has not shrunk by half gives way to a halving of the bracket.
+      // If F has an inflection in the bracket, Newton's method may alternate between two points for ever. So a step
+      // that is more than half as long as the last one is replaced by a halving of the bracket.
       if (is_within && size <= 0.5 * last) {
         last = size;
       } else {

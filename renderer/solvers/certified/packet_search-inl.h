@@ -183,6 +183,7 @@ class PacketSearch {
     hits_->found |= 1u << lane;
     hits_->t[lane] = hit.t;
     if (rays_.any) {
+      // That t may lie behind the crossing, which is in this cell.
       alignas(64) double base[kPacket];
       store(base_, base);
       hits_->t[lane] = base[lane] + packet_.t0[lane];
