@@ -179,16 +179,24 @@ class Rendering {
 
   void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
     const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
-    const CentredPoints points = points_in_pixel(seed, sampler_.has_lens());
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      workspace.places.push_back(among(seed, i));
-      if (noise_) {
-        const UnitPoint point = points[static_cast<std::uint32_t>(i)];
-        push_sample(pixel, range, i, {point.u - 0.5, point.v - 0.5}, workspace);
-      } else {
-        push_sample(pixel, range, i, pattern_[i], workspace);
-      }
+    if (!noise_) {
+      for (std::size_t i = range.first; i < range.last; ++i)
+        push_soft_sample(pixel, range, i, pattern_[i], seed, workspace);
+      return;
     }
+    std::vector<UnitPoint>& points = workspace.in_pixel;
+    points.resize(range.last - range.first);
+    points_in_pixel(seed, sampler_.has_lens()).fill(static_cast<std::uint32_t>(range.first), points);
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      const UnitPoint& point = points[i - range.first];
+      push_soft_sample(pixel, range, i, {point.u, point.v}, seed, workspace);
+    }
+  }
+
+  void push_soft_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,
+                        std::uint32_t seed, Workspace& workspace) {
+    workspace.places.push_back(among(seed, i));
+    push_sample(pixel, range, i, offset, workspace);
   }
 
   void push_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 namespace isl::render {
 namespace {
@@ -15,55 +14,49 @@ struct Scale {
   double pairs;
 };
 
-/// d(n) as scales of a part of the blocks estimate it.
-struct Fit {
-  double sum = 0, pairs = 0;
-  /// The scale's d is 1/`share` of d(n).
-  void add(const Scale& scale, double share) {
-    sum += scale.square * share;
-    pairs += scale.pairs;
-  }
-  [[nodiscard]] double mean() const { return sum / pairs; }
-};
-
 /// The largest blocks, of which there are few, and smaller ones that tell with the others how d falls.
 constexpr std::size_t kLargeScales = 3, kSmallScales = 2;
-
-struct Fits {
-  Fit large, small;
-};
 
 /// From the largest blocks on, which are half of the samples that the mean is made of; each is half of the one before.
 class Scales {
  public:
   void add(const Scale& scale) {
-    if (count_ < list_.size()) list_[count_++] = scale;
+    if (count_ == squares_.size()) return;
+    (count_ < kLargeScales ? large_pairs_ : small_pairs_) += scale.pairs;
+    squares_[count_++] = scale.square;
   }
   [[nodiscard]] bool has_small() const { return count_ > kLargeScales; }
-  /// If d falls like m^-p: `half` is 2^-p.
-  [[nodiscard]] Fits fits(double half) const {
-    Fits result;
-    double share = half;
-    for (std::size_t i = 0; i < count_; ++i, share *= half)
-      (i < kLargeScales ? result.large : result.small).add(list_[i], share);
-    return result;
+  /// If d falls like m^-p and `half` is 2^-p, the square of a scale is half, half², half³ … of what it were for blocks
+  /// of all samples. True if the small scales then say more of d(n) than the large ones.
+  [[nodiscard]] bool small_say_more(double half) const {
+    return small_sum(half) * large_pairs_ > large_sum(half) * small_pairs_;
+  }
+  /// d(n), as all scales together say.
+  [[nodiscard]] double mean(double half) const {
+    return half * (large_sum(half) + small_sum(half)) / (large_pairs_ + small_pairs_);
   }
 
  private:
-  std::array<Scale, kLargeScales + kSmallScales> list_{};
+  // Sums over the scales of what their squares say of that of n samples, over `half`.
+  [[nodiscard]] double large_sum(double half) const { return squares_[0] + half * (squares_[1] + half * squares_[2]); }
+  [[nodiscard]] double small_sum(double half) const { return half * half * half * (squares_[3] + half * squares_[4]); }
+
+  std::array<double, kLargeScales + kSmallScales> squares_{};
+  double large_pairs_ = 0, small_pairs_ = 0;
   std::size_t count_ = 0;
 };
 
-/// The rate p at which both parts agree on d(n). That of random samples is 1 and that of smooth integrands 3; as much
-/// below 1 as a few blocks err above it keeps the mean honest.
-double rate(const Scales& scales) {
-  double low = 0.75, high = 3;
-  if (!scales.has_small()) return 1;
-  constexpr int kHalvings = 12;  // far more exact than the few blocks can tell
+/// 2^-p for the rate p at which both parts agree on d(n). The rate of random samples is 1 and that of smooth integrands
+/// 3; as much below 1 as a few blocks err above it keeps the mean honest.
+double half_of(const Scales& scales) {
+  if (!scales.has_small()) return 0.5;
+  double low = 0.125, high = 0.5946035575013605;  // rates of 3 and ¾
+  constexpr int kHalvings = 10;                   // far more exact than the few blocks can tell
   for (int i = 0; i < kHalvings; ++i) {
-    const double p = (low + high) / 2;
-    const Fits at = scales.fits(std::exp2(-p));
-    (at.small.mean() > at.large.mean() ? low : high) = p;
+    const double middle = (low + high) / 2;
+    const bool is_above = scales.small_say_more(middle);
+    high = is_above ? middle : high;
+    low = is_above ? low : middle;
   }
   return (low + high) / 2;
 }
@@ -106,9 +99,8 @@ double BlockNoise::variance(const Value* before, const Value& weights) const {
   }
   for (std::size_t level = top; level-- > 0;)
     scales.add({weighted(squares_[level]), static_cast<double>(count_ >> (level + 1))});
-  const double half = std::exp2(-rate(scales));
-  const Fits at = scales.fits(half);
-  return (at.large.sum + at.small.sum) / (at.large.pairs + at.small.pairs) / (1 - half);
+  const double half = half_of(scales);
+  return scales.mean(half) / (1 - half);
 }
 
 }  // namespace isl::render

@@ -45,16 +45,12 @@ SineCosine of_small(double angle) {
 /// A point of the disc of diameter 1 for a point of the square of side 1, both about the origin: rings of squares
 /// become circles, and equal areas stay equal (Shirley and Chiu, A Low Distortion Map Between Disk and Square, 1997).
 UnitPoint on_disc(const UnitPoint& at) {
-  const double from[] = {at.u, at.v};
-  if (from[0] == 0 && from[1] == 0) return {0, 0};
-  // Which of the two is longer is as good as random, so it is an index and no branch.
-  const std::size_t longer = std::abs(from[0]) > std::abs(from[1]) ? 0 : 1;
-  const double radius = from[longer];
-  const auto [sine, cosine] = of_small(std::numbers::pi / 4 * (from[1 - longer] / radius));
-  double to[2];
-  to[longer] = radius * cosine;
-  to[1 - longer] = radius * sine;
-  return {to[0], to[1]};
+  const bool is_wide = std::abs(at.u) > std::abs(at.v);
+  const double radius = is_wide ? at.u : at.v, shorter = is_wide ? at.v : at.u;
+  // The middle stays where it is, whatever its angle.
+  const auto [sine, cosine] = of_small(std::numbers::pi / 4 * (shorter / (radius == 0 ? 1 : radius)));
+  const double along = radius * cosine, across = radius * sine;
+  return {is_wide ? along : across, is_wide ? across : along};
 }
 
 }  // namespace
@@ -71,11 +67,11 @@ Lens::Lens(const scene::Database& database, const RunLimits& run, const ImageTab
 void Lens::set_on_lens(std::span<UnitPoint> points) const {
   if (bokeh_) {
     for (UnitPoint& point : points) {
-      const DensityTable::Place place = bokeh_->place(point);
+      const DensityTable::Place place = bokeh_->place({point.u + 0.5, point.v + 0.5});
       point = {place.u - 0.5, place.v - 0.5};
     }
   } else {
-    for (UnitPoint& point : points) point = on_disc({point.u - 0.5, point.v - 0.5});
+    for (UnitPoint& point : points) point = on_disc(point);
   }
 }
 

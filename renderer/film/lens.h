@@ -21,8 +21,8 @@ class Lens {
   /// Precondition: the database's camera has focal blur. `images` may be null if there are none of them.
   Lens(const scene::Database& database, const RunLimits& run, const ImageTable* images);
 
-  /// Moves points of the unit square to the lens, in units of its width from its middle. The middle of the square
-  /// belongs to that of the lens.
+  /// Moves points of the unit square, measured from its middle, to the lens, in units of its width from its middle. The
+  /// middle of the square belongs to that of the lens.
   void set_on_lens(std::span<UnitPoint> points) const;
   /// The way from the lens's middle to such a point.
   [[nodiscard]] Vec3 offset(const UnitPoint& on_lens) const { return across_ * on_lens.u + upward_ * on_lens.v; }

@@ -217,15 +217,9 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
-    ShadingPoint& point = memory.block.points.emplace_back();
-    point.position = surface.position;
-    point.normal = normal;
-    point.view = ray.direction;
-    point.is_lit_from_both_sides = surface.is_lit_from_both_sides;
-    point.from_inside = from_inside;
-    point.ior_ratio = lists.ior_ratio;
-    point.is_hollow = surface.is_hollow;
-    point.interior = surface.interior;
+    ShadingPoint& point = memory.block.points.emplace_back(
+        surface.position, normal, ray.direction, std::span<const LitTexture>(), surface.is_lit_from_both_sides,
+        from_inside, surface.is_hollow, lists.ior_ratio, surface.interior);
     if (observer == nullptr) continue;
     point.textures = std::span(memory.textures).subspan(first);
     observer->see(i, batch.hits[i], surface, point);

@@ -13,7 +13,9 @@
 #include "renderer/paths/area_shadows.h"
 #include "renderer/paths/light_windows.h"
 #include "renderer/paths/pixel_sample.h"
+#include "renderer/paths/place_order.h"
 #include "renderer/paths/shadow_queue.h"
+#include "renderer/paths/soft_points.h"
 
 #include <array>
 #include <cstdint>
@@ -68,11 +70,19 @@ struct PathMemory {
   std::array<LightSample, kBlockSize> samples;
   std::vector<double> cosines;
   Shine shine;
+  std::vector<SoftPlace> places;  ///< of points that are asked for together
+  std::vector<UnitPoint> points;  ///< those points
+  PlaceOrder by_place;
   PathCounts counts;
   TraceCounters counters;
 
   /// The caller fills these before each call of Integrator::trace.
   [[nodiscard]] std::vector<Ray>& camera_rays() { return levels.front().batch.rays; }
+  /// Sets `points` to those of `places`.
+  void set_points() {
+    points.resize(places.size());
+    render::set_points(places, points);
+  }
   [[nodiscard]] const PixelSample& pixel_sample(std::uint32_t sample) const {
     return pixel_samples[bent.camera_sample(sample)];
   }
@@ -146,23 +156,29 @@ class Integrator {
   [[nodiscard]] std::span<LitPoint> throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
                                                          PathMemory& memory) const;
   /// The number of points of the light from which each point of the block is lit.
-  [[nodiscard]] std::uint32_t points_of(const PathBatch& batch, const PlacedLight& placed,
-                                        const PathMemory& memory) const;
-  /// The place of one of these, relative to the light's centre; `path` is the path that ends at the lit point.
-  [[nodiscard]] Vec3 offset_of(const PlacedLight& placed, const LightSample& centre, const PathEntry& path,
-                               std::uint32_t number, const PathMemory& memory) const;
+  [[nodiscard]] static std::uint32_t points_of(const PathBatch& batch, const PlacedLight& placed,
+                                               const PathMemory& memory);
+  /// Sets memory.samples to the ways from the block's points to one of these each; `centres` are those to the light's
+  /// middle.
+  void aim_at_area(const PathBatch& batch, const PlacedLight& placed, std::span<const LightSample> centres,
+                   std::uint32_t number, PathMemory& memory) const;
   void light_block(const PathBatch& batch, const PlacedLight& placed, PathMemory& memory) const;
+  /// Sets all of the ray from a lit point to the light.
+  static void set_way(const PathBatch& batch, const LitPoint& lit, const SurfaceBlock& block, Ray& ray);
   /// Queues the ray to a point of an area light; `to_light` leads to its centre.
   void push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
                 const Rgb& colour, PathMemory& memory) const;
   /// Queues the rays to all points of an area light.
   void push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
                  PathMemory& memory) const;
-  /// Queues the rays to the sample's share of points at random on an area light.
   /// True if the one sample that takes all points of a jittered light's grid may take fewer, as `adaptive` says.
-  [[nodiscard]] static bool takes_adaptive_grid(const PlacedLight& placed, const PathEntry& path,
+  [[nodiscard]] static bool takes_adaptive_grid(const PlacedLight& placed, const PathBatch& batch,
                                                 const PathMemory& memory);
-  void push_scattered(const PlacedLight& placed, const Ray& to_light, const PathEntry& path, const Rgb& colour,
+  /// Sets memory.points to the samples' shares of points at random on an area light, one lit point after the other.
+  static void set_area_points(const PathBatch& batch, const PlacedLight& placed, std::span<const LitPoint> lit_points,
+                              std::uint32_t share, PathMemory& memory);
+  /// Queues the rays to these points, of camera rays those to neighbouring points of the light together.
+  void push_scattered(const PathBatch& batch, const PlacedLight& placed, std::span<const LitPoint> lit_points,
                       PathMemory& memory) const;
   /// Traces the shadow rays that wait if they are many.
   void trace_long_queues(PathMemory& memory) const;

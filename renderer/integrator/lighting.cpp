@@ -104,26 +104,36 @@ std::span<LitPoint> Integrator::throw_back(const PathBatch& batch, const scene::
   return lit_points;
 }
 
-std::uint32_t Integrator::points_of(const PathBatch& batch, const PlacedLight& placed, const PathMemory& memory) const {
+std::uint32_t Integrator::points_of(const PathBatch& batch, const PlacedLight& placed, const PathMemory& memory) {
   const scene::AreaLight& area = *placed.light.area;
   const int count = area.count_a * area.count_b;
   if (!placed.scattered || memory.block.paths.empty()) return static_cast<std::uint32_t>(count);
   return memory.pixel_sample(batch.entries[memory.block.paths.front()].sample).share_of(count);
 }
 
-Vec3 Integrator::offset_of(const PlacedLight& placed, const LightSample& centre, const PathEntry& path,
-                           std::uint32_t number, const PathMemory& memory) const {
-  const scene::AreaLight& area = *placed.light.area;
-  const AreaEdges edges = edges_of(area, centre.direction);
+void Integrator::aim_at_area(const PathBatch& batch, const PlacedLight& placed, std::span<const LightSample> centres,
+                             std::uint32_t number, PathMemory& memory) const {
+  const scene::Light& light = placed.light;
+  const scene::AreaLight& area = *light.area;
+  const auto aim = [&](std::size_t i, const Vec3& offset) {
+    memory.samples[i] = sample_light_from(light, light.location + offset, memory.block.points[i].position);
+  };
   if (!placed.scattered) {
     const auto rows = static_cast<std::uint32_t>(area.count_b);
-    const std::uint32_t column = number / rows;
-    return area_offset(area, edges, column, number % rows);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      aim(i, area_offset(area, edges_of(area, centres[i].direction), number / rows, number % rows));
+    return;
   }
-  const PixelSample& sample = memory.pixel_sample(path.sample);
-  const std::uint32_t share = sample.share_of(placed.scattered->count());
-  return placed.scattered->even_offset(
-      edges, sample.point(SampleUse::lit_from_area, share, number, path.level, placed.number));
+  const std::uint32_t share = points_of(batch, placed, memory);
+  memory.places.clear();
+  for (const std::uint32_t i : memory.block.paths) {
+    const PathEntry& path = batch.entries[i];
+    memory.places.push_back(
+        memory.pixel_sample(path.sample).place(SampleUse::lit_from_area, share, number, path.level, placed.number));
+  }
+  memory.set_points();
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    aim(i, placed.scattered->even_offset(edges_of(area, centres[i].direction), memory.points[i]));
 }
 
 std::span<LitPoint> Integrator::throw_back_from_area(const PathBatch& batch, const PlacedLight& placed,
@@ -139,11 +149,7 @@ std::span<LitPoint> Integrator::throw_back_from_area(const PathBatch& batch, con
   const std::uint32_t points = points_of(batch, placed, memory);
   for (std::uint32_t number = 0; number < points; ++number) {
     if (is_over()) return {};
-    for (std::size_t i = 0; i < count; ++i) {
-      const PathEntry& path = batch.entries[memory.block.paths[i]];
-      const Vec3 source = light.location + offset_of(placed, centres[i], path, number, memory);
-      memory.samples[i] = sample_light_from(light, source, memory.block.points[i].position);
-    }
+    aim_at_area(batch, placed, std::span(centres).first(count), number, memory);
     memory.cosines.clear();
     for (const LitPoint& lit : throw_back(batch, light, face_samples(batch, placed, memory), memory))
       sums[lit.point] += lit.colour;
@@ -163,8 +169,9 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
   const bool is_shadowed = shadows_ && !light.shadowless;
   const bool is_even = light.area && !light.area->jitter && light.area->adaptive == scene::AreaLight::kNotAdaptive;
   if (is_even) memory.area_weights = {area_weights(light.area->count_a), area_weights(light.area->count_b)};
+  if (is_shadowed && placed.scattered && !takes_adaptive_grid(placed, batch, memory))
+    return push_scattered(batch, placed, lit_points, memory);
   for (const LitPoint& lit : lit_points) {
-    const ShadingPoint& point = memory.block.points[lit.point];
     const std::uint32_t at = memory.block.paths[lit.point];
     const PathEntry& path = batch.entries[at];
     const Rgb colour = path.factor * (lit.colour * light_colour);
@@ -173,23 +180,13 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
       memory.colours[path.sample] += colour;
       continue;
     }
-    const Hit& hit = batch.hits[at];
-    const auto set_way = [&](Ray& ray) {
-      ray.origin = point.position;
-      ray.direction = lit.light.direction;
-      ray.t_max = lit.light.distance;
-      ray.path_length = batch.rays[at].path_length + hit.t;
-      ray.start = hit.start();
-    };
     if (!light.area) [[likely]] {
-      set_way(memory.shadows.add(path.sample, colour));
+      set_way(batch, lit, memory.block, memory.shadows.add(path.sample, colour));
       continue;
     }
     Ray to_light;
-    set_way(to_light);
-    if (placed.scattered && !takes_adaptive_grid(placed, path, memory)) {
-      push_scattered(placed, to_light, path, colour, memory);
-    } else if (is_even) {
+    set_way(batch, lit, memory.block, to_light);
+    if (is_even) {
       push_area(light, to_light, path.sample, colour, memory);
     } else {
       // The strengths of the points of a light with `area_illumination` are in the colour already.
@@ -198,17 +195,37 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
       if (placed.scattered)
         target.jitter_seed =
             memory.pixel_sample(path.sample).own_seed(SampleUse::light_area, path.level, placed.number);
-      if (!memory.area_shadows.push(target)) return refusals_.report("this object", tracer_.origin_of(hit));
+      if (!memory.area_shadows.push(target)) return refusals_.report("this object", tracer_.origin_of(batch.hits[at]));
       trace_long_queues(memory);
     }
   }
 }
 
-bool Integrator::takes_adaptive_grid(const PlacedLight& placed, const PathEntry& path, const PathMemory& memory) {
-  const scene::AreaLight& area = *placed.light.area;
-  if (area.adaptive == scene::AreaLight::kNotAdaptive) return false;
-  const auto all = static_cast<std::uint32_t>(placed.scattered->count());
-  return memory.pixel_sample(path.sample).share_of(placed.scattered->count()) == all;
+void Integrator::set_way(const PathBatch& batch, const LitPoint& lit, const SurfaceBlock& block, Ray& ray) {
+  const std::uint32_t at = block.paths[lit.point];
+  const Hit& hit = batch.hits[at];
+  ray.origin = block.points[lit.point].position;
+  ray.direction = lit.light.direction;
+  ray.t_max = lit.light.distance;
+  ray.path_length = batch.rays[at].path_length + hit.t;
+  ray.start = hit.start();
+}
+
+bool Integrator::takes_adaptive_grid(const PlacedLight& placed, const PathBatch& batch, const PathMemory& memory) {
+  return placed.light.area->adaptive != scene::AreaLight::kNotAdaptive &&
+         points_of(batch, placed, memory) == static_cast<std::uint32_t>(placed.scattered->count());
+}
+
+void Integrator::set_area_points(const PathBatch& batch, const PlacedLight& placed,
+                                 std::span<const LitPoint> lit_points, std::uint32_t share, PathMemory& memory) {
+  memory.places.clear();
+  for (const LitPoint& lit : lit_points) {
+    const PathEntry& path = batch.entries[memory.block.paths[lit.point]];
+    const PixelSample& sample = memory.pixel_sample(path.sample);
+    for (std::uint32_t i = 0; i < share; ++i)
+      memory.places.push_back(sample.place(SampleUse::light_area, share, i, path.level, placed.number));
+  }
+  memory.set_points();
 }
 
 void Integrator::push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
@@ -224,17 +241,33 @@ void Integrator::push_ray(const scene::Light& light, const Vec3& source, const R
   memory.shadows.push(sample, ray, colour);
 }
 
-void Integrator::push_scattered(const PlacedLight& placed, const Ray& to_light, const PathEntry& path,
-                                const Rgb& colour, PathMemory& memory) const {
-  const AreaEdges edges = edges_of(*placed.light.area, to_light.direction);
-  const PixelSample& sample = memory.pixel_sample(path.sample);
-  const std::uint32_t share = sample.share_of(placed.scattered->count());
-  for (std::uint32_t i = 0; i < share; ++i) {
-    const UnitPoint at = sample.point(SampleUse::light_area, share, i, path.level, placed.number);
-    push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, at), to_light, path.sample,
-             colour / share, memory);
+void Integrator::push_scattered(const PathBatch& batch, const PlacedLight& placed, std::span<const LitPoint> lit_points,
+                                PathMemory& memory) const {
+  const Rgb light_colour = rgb(placed.light.colour);
+  const std::uint32_t share = points_of(batch, placed, memory);
+  // The light of a sample is added up in the order of the queue, which must not depend on the samples beside it: only
+  // camera rays have one lit point for each sample.
+  const bool may_sort = &batch == &memory.levels.front().batch;
+  // Few enough that their points stay in the cache.
+  const std::size_t together = std::max(kBlockSize / share, std::size_t{1});
+  for (std::size_t first = 0; first < lit_points.size(); first += together) {
+    const std::span<const LitPoint> some = lit_points.subspan(first, std::min(together, lit_points.size() - first));
+    set_area_points(batch, placed, some, share, memory);
+    for (const std::uint32_t i :
+         may_sort ? memory.by_place.of(memory.points) : memory.by_place.unsorted(memory.points)) {
+      const LitPoint& lit = some[i / share];
+      const PathEntry& path = batch.entries[memory.block.paths[lit.point]];
+      const Rgb colour = path.factor * (lit.colour * light_colour) / share;
+      if (colour == Rgb(0)) continue;
+      Ray to_light;
+      set_way(batch, lit, memory.block, to_light);
+      const AreaEdges edges = edges_of(*placed.light.area, to_light.direction);
+      push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, memory.points[i]), to_light,
+               path.sample, colour, memory);
+    }
+    trace_long_queues(memory);
+    if (is_over()) return;
   }
-  trace_long_queues(memory);
 }
 
 void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,

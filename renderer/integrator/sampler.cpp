@@ -1,8 +1,5 @@
 #include "renderer/integrator/sampler.h"
 
-#include <algorithm>
-#include <array>
-
 namespace isl::render {
 namespace {
 
@@ -39,21 +36,16 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
 }
 
 void Sampler::set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                          std::span<Ray> rays) const {
-  // One step for many samples after the other: the steps of one sample would wait for each other.
-  std::array<UnitPoint, 64> on_lens;
-  RecurringAngles angles;
-  for (std::size_t first = 0; first < samples.size(); first += on_lens.size()) {
-    const std::size_t last = std::min(first + on_lens.size(), samples.size());
-    for (std::size_t i = first; i < last;) {
-      const std::uint32_t pixel = places[i].seed;
-      const CentredPoints points = points_on_lens(pixel);
-      for (; i < last && places[i].seed == pixel; ++i) on_lens[i - first] = points[places[i].index];
-    }
-    lens_->set_on_lens(std::span(on_lens).first(last - first));
-    for (std::size_t i = first; i < last; ++i)
-      camera_.set_through(samples[i].x, samples[i].y, lens_->offset(on_lens[i - first]), angles, rays[i]);
+                          std::vector<UnitPoint>& on_lens, std::span<Ray> rays) const {
+  on_lens.resize(samples.size());
+  for (std::size_t first = 0, last = 0; first < samples.size(); first = last) {
+    while (last < samples.size() && places[last].seed == places[first].seed) ++last;
+    points_on_lens(places[first].seed).fill(places[first].index, std::span(on_lens).subspan(first, last - first));
   }
+  lens_->set_on_lens(on_lens);
+  RecurringAngles angles;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    camera_.set_through(samples[i].x, samples[i].y, lens_->offset(on_lens[i]), angles, rays[i]);
 }
 
 bool Sampler::trace(std::span<const CameraSample> samples, std::span<const PixelSample> places, Workspace& workspace,
@@ -63,7 +55,7 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   paths.pixel_samples.assign(places.begin(), places.end());
   rays.resize(samples.size());
   if (lens_) {
-    set_blurred(samples, places, rays);
+    set_blurred(samples, places, workspace.on_lens, rays);
   } else {
     RecurringAngles angles;
     for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);

@@ -10,6 +10,7 @@
 #include "renderer/film/tiles.h"
 #include "renderer/image/transfer.h"
 #include "renderer/integrator/integrator.h"
+#include "renderer/paths/soft_points.h"
 
 #include <optional>
 #include <span>
@@ -33,11 +34,14 @@ class SampleObserver {
   virtual void add(const CameraSample& sample, const std::array<double, 4>& value) = 0;
 };
 
-/// Memory of one thread, and its counts. `pixels` and `samples` serve the caller that makes the batches.
+/// Memory of one thread, and its counts. `pixels`, `samples`, `places` and `in_pixel` serve the caller that makes the
+/// batches.
 struct Workspace {
   std::vector<Pixel> pixels;
   std::vector<CameraSample> samples;
   std::vector<PixelSample> places;  ///< of the samples among those of their pixels, if the picture has something soft
+  std::vector<UnitPoint> in_pixel;  ///< the points of the present pixel's samples
+  std::vector<UnitPoint> on_lens;   ///< those of a batch
   BlockNoise noise;                 ///< of the present pixel
   PathMemory paths;
 };
@@ -73,8 +77,9 @@ class Sampler {
     film_.add_sample(sample.pixel, colour, alpha);
     if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
   }
+  /// Sets the rays of the samples through points of the lens, for which there is memory in `on_lens`.
   void set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                   std::span<Ray> rays) const;
+                   std::vector<UnitPoint>& on_lens, std::span<Ray> rays) const;
 
   Integrator integrator_;
   CameraRays camera_;

@@ -25,11 +25,14 @@ struct UnitPoint {
 
 namespace detail {
 
+/// In this order, because GCC makes the order of bytes one instruction, which old machines lack for vectors, if both of
+/// its steps come together.
 [[nodiscard]] constexpr std::uint32_t reversed_bits(std::uint32_t bits) {
+  bits = (bits >> 8 & 0x00FF00FFU) | (bits & 0x00FF00FFU) << 8;
   bits = (bits >> 1 & 0x55555555U) | (bits & 0x55555555U) << 1;
   bits = (bits >> 2 & 0x33333333U) | (bits & 0x33333333U) << 2;
   bits = (bits >> 4 & 0x0F0F0F0FU) | (bits & 0x0F0F0F0FU) << 4;
-  return __builtin_bswap32(bits);
+  return bits >> 16 | bits << 16;
 }
 
 /// Owen's scrambling of a number whose bits are reversed: each bit of the result depends on itself and on lower ones.
@@ -44,6 +47,11 @@ namespace detail {
 
 [[nodiscard]] constexpr std::uint32_t scrambled(std::uint32_t bits, std::uint32_t seed) {
   return reversed_bits(scrambled_reversed(reversed_bits(bits), seed));
+}
+
+/// A coordinate of Sobol's sequence, given with its bits reversed, after scrambling.
+[[nodiscard]] constexpr std::uint32_t in_square(std::uint32_t reversed, std::uint32_t seed) {
+  return reversed_bits(scrambled_reversed(reversed, seed));
 }
 
 /// Sobol's second coordinate, with its bits reversed: the number's bits multiplied by Pascal's triangle modulo 2. An
@@ -126,35 +134,16 @@ struct PointSequence {
     const bool is_first = pair == SobolPair::first;
     const std::uint32_t u = is_first ? place : detail::kThirdSobol[place];
     const std::uint32_t v = is_first ? detail::reversed_second_sobol(place) : detail::kFourthSobol[place];
-    return {in_square(u, 1), in_square(v, 2)};
+    return {detail::in_square(u, seed_of_u()), detail::in_square(v, seed_of_v())};
   }
-
- private:
-  [[nodiscard]] constexpr std::uint32_t in_square(std::uint32_t reversed, std::uint32_t coordinate) const {
-    return detail::reversed_bits(detail::scrambled_reversed(reversed, derived_seed(seed, coordinate)));
-  }
+  /// Seeds by which the coordinates are scrambled.
+  [[nodiscard]] constexpr std::uint32_t seed_of_u() const { return derived_seed(seed, 1); }
+  [[nodiscard]] constexpr std::uint32_t seed_of_v() const { return derived_seed(seed, 2); }
 };
 
 /// The point of this number in the sequence of a seed.
 [[nodiscard]] constexpr UnitPoint sample_point(std::uint32_t seed, std::uint32_t number) {
   return PointSequence{seed, seed}[number];
 }
-
-/// The points of a sequence, moved together round the edges of the square so that number 0 is in the middle.
-class CentredPoints {
- public:
-  constexpr explicit CentredPoints(const PointSequence& sequence) : sequence_(sequence), first_(sequence.place(0)) {}
-
-  [[nodiscard]] constexpr UnitPoint operator[](std::uint32_t number) const {
-    const SquarePlace place = sequence_.place(number);
-    return SquarePlace{place.u - first_.u + kMiddle, place.v - first_.v + kMiddle}.point();
-  }
-
- private:
-  static constexpr std::uint32_t kMiddle = 0x80000000U;
-
-  PointSequence sequence_;
-  SquarePlace first_;
-};
 
 }  // namespace isl::render

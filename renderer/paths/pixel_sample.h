@@ -13,6 +13,15 @@ namespace isl::render {
 /// The integrals over which a path's points are spread, each with a sequence of its own.
 enum class SampleUse : std::uint8_t { pixel, lens, light_area, lit_from_area, occlusion, sky, bounce };
 
+/// A point of the sequence that a pixel has for one of its integrals.
+struct SoftPlace {
+  std::uint32_t seed = 0;    ///< the pixel's
+  std::uint32_t use = 0;     ///< differs for each integral
+  std::uint32_t number = 0;  ///< in the sequence
+
+  [[nodiscard]] UnitPoint point() const { return sample_point(derived_seed(seed, use), number); }
+};
+
 /// A sample among those of its pixel.
 struct PixelSample {
   std::uint32_t seed = 0;   ///< the pixel's
@@ -24,32 +33,26 @@ struct PixelSample {
     const auto all = static_cast<std::uint32_t>(std::max(wanted, 1));
     return (all - 1) / of + 1;
   }
-  /// The sample's point number `i` of its `share`. `level` and `number` tell integrals of one use apart: the segments
-  /// of a path, and the lights.
+  /// Where the sample's point number `i` of its `share` comes from. `level` and `number` tell integrals of one use
+  /// apart: the segments of a path, and the lights.
+  [[nodiscard]] SoftPlace place(SampleUse use, std::uint32_t share, std::uint32_t i, std::uint32_t level = 0,
+                                std::uint32_t number = 0) const {
+    return {seed, code_of(use, level, number), index * share + i};
+  }
   [[nodiscard]] UnitPoint point(SampleUse use, std::uint32_t share, std::uint32_t i, std::uint32_t level = 0,
                                 std::uint32_t number = 0) const {
-    return sample_point(seed_of(use, level, number), index * share + i);
+    return place(use, share, i, level, number).point();
   }
   /// A seed for numbers of this sample alone, for one of the integrals.
   [[nodiscard]] std::uint32_t own_seed(SampleUse use, std::uint32_t level, std::uint32_t number) const {
-    return derived_seed(seed_of(use, level, number), index);
+    return derived_seed(derived_seed(seed, code_of(use, level, number)), index);
   }
-  /// The seed of the pixel's sequence for one of the integrals.
-  [[nodiscard]] std::uint32_t seed_of(SampleUse use, std::uint32_t level, std::uint32_t number) const {
-    return derived_seed(seed, static_cast<std::uint32_t>(use) | level << 4 | number << 14);
+
+ private:
+  [[nodiscard]] static std::uint32_t code_of(SampleUse use, std::uint32_t level, std::uint32_t number) {
+    return static_cast<std::uint32_t>(use) | level << 4 | number << 14;
   }
 };
-
-/// The points of the lens through which the samples of a pixel look.
-[[nodiscard]] constexpr CentredPoints points_on_lens(std::uint32_t seed) {
-  return CentredPoints({seed, derived_seed(seed, static_cast<std::uint32_t>(SampleUse::lens))});
-}
-/// The points of the pixel through which its samples look. With a lens, what a sample sees depends on its points in the
-/// pixel and on the lens at once, so both come from one sequence.
-[[nodiscard]] constexpr CentredPoints points_in_pixel(std::uint32_t seed, bool has_lens) {
-  const std::uint32_t own = derived_seed(seed, static_cast<std::uint32_t>(SampleUse::pixel));
-  return CentredPoints(has_lens ? PointSequence{seed, own, SobolPair::second} : PointSequence{own, own});
-}
 
 /// The seed of a pixel of the picture.
 [[nodiscard]] constexpr std::uint32_t pixel_seed(int x, int y) {

@@ -29,16 +29,30 @@ using scene::Vec3;
 
 /// A point to be lit, in world space.
 struct ShadingPoint {
+  /// It is made where it stays, as LitTexture is.
+  ShadingPoint(const Vec3& position_, const Vec3& normal_, const Vec3& view_,
+               std::span<const LitTexture> textures_ = {}, bool is_lit_from_both_sides_ = false,
+               bool from_inside_ = false, bool is_hollow_ = false, double ior_ratio_ = 1,
+               scene::InteriorId interior_ = scene::kNoInterior)
+      : position(position_),
+        normal(normal_),
+        view(view_),
+        textures(textures_),
+        is_lit_from_both_sides(is_lit_from_both_sides_),
+        from_inside(from_inside_),
+        is_hollow(is_hollow_),
+        ior_ratio(ior_ratio_),
+        interior(interior_) {}
+
   Vec3 position;
   Vec3 normal;                           ///< unit, turned to the viewer
   Vec3 view;                             ///< unit, from the eye to the point
   std::span<const LitTexture> textures;  ///< shares that add up to one
-  bool is_lit_from_both_sides = false;   ///< `double_illuminate`
-  bool from_inside = false;              ///< the path comes from within the body
-  bool is_hollow = false;                ///< of the object
-  double ior_ratio =
-      1;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`
-  scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
+  bool is_lit_from_both_sides;           ///< `double_illuminate`
+  bool from_inside;                      ///< the path comes from within the body
+  bool is_hollow;                        ///< of the object
+  double ior_ratio;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`
+  scene::InteriorId interior;  ///< the medium on the inner side
 };
 
 /// `normal` or its opposite, whichever faces the eye that looks along `view`. It is left alone if it is perpendicular

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 
@@ -22,11 +23,22 @@ double positive_remainder(double whole, double divisor) {
   return remainder < 0 ? remainder + divisor : remainder + 0.0;  // and no negative zero
 }
 
+/// Numbers from here on are whole, and so are their sums in double precision only by rounding.
+constexpr double kWhole = 0x1p52;
+
+/// The floor of a number that is smaller than kWhole, which takes a processor without an instruction for it a third of
+/// the time of std::floor.
+std::int64_t floor_of(double v) {
+  const auto whole = static_cast<std::int64_t>(v);
+  return whole - (v < static_cast<double>(whole) ? 1 : 0);
+}
+
 /// Unit cubes with alternating values 0 and 1.
 double checker_at(const PatternPoint& at) noexcept {
-  const Vec3& p = at.point;
-  const double sum = std::floor(p.x + kSmall) + std::floor(p.y + kSmall) + std::floor(p.z + kSmall);
-  return is_odd(sum) ? 1 : 0;
+  const Vec3 p = at.point + Vec3(kSmall);
+  if (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < kWhole) [[likely]]
+    return static_cast<double>((floor_of(p.x) + floor_of(p.y) + floor_of(p.z)) & 1);
+  return is_odd(std::floor(p.x) + std::floor(p.y) + std::floor(p.z)) ? 1 : 0;
 }
 
 struct Brick {

@@ -125,22 +125,6 @@ TEST(SamplePoints, of_both_pairs_find_an_edge_across_both_squares_better_than_po
   EXPECT_LT(squares[0], 0.7 * squares[1]);
 }
 
-TEST(SamplePoints, that_are_centred_begin_in_the_middle_and_stay_even) {
-  for (const std::uint32_t seed : {3U, 4U, 99U}) {
-    const CentredPoints points({seed, seed});
-    EXPECT_EQ(points[0].u, 0.5);
-    EXPECT_EQ(points[0].v, 0.5);
-    std::vector<int> cells(16);
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      const UnitPoint point = points[i];
-      ASSERT_TRUE(point.u >= 0 && point.u < 1 && point.v >= 0 && point.v < 1);
-      ++cells[static_cast<std::size_t>(point.u * 16)];
-    }
-    // A moved interval of a sixteenth holds the points of two parts of such.
-    for (const int count : cells) EXPECT_NEAR(count, 16, 1);
-  }
-}
-
 TEST(DensityTable, chooses_by_its_weights) {
   const DensityTable table(3, 2, {1, 0, 2, 0, 3, 0});
   std::vector<double> shares(6);

@@ -34,6 +34,11 @@ TEST(Patterns, CheckerChangesAcrossEveryFace) {
   EXPECT_EQ(value(checker, {1.5, 0.5, 0.5}), 1);
   EXPECT_EQ(value(checker, {-0.5, 0.5, 0.5}), 1);
   EXPECT_EQ(value(checker, {-0.5, -0.5, 0.5}), 0);
+  EXPECT_EQ(value(checker, {-1, 0, 0}), 1);
+  EXPECT_EQ(value(checker, {-2, 1, 0}), 1);
+  EXPECT_EQ(value(checker, {4503599627370495.0, 0, 0}), 1);
+  EXPECT_EQ(value(checker, {-4503599627370497.0, 0, 0}), 1);
+  EXPECT_EQ(value(checker, {9e15, 0, 0}), 0);
 }
 
 TEST(Patterns, HexagonsThatTouchDiffer) {

@@ -31,13 +31,14 @@ TextureId add_layers(scene::Database& database, const std::vector<scene::Colour>
 /// The point (x, 0, 0) of `plane { z, 0 }`, seen from in front.
 class Point {
  public:
-  Point(const scene::Database& database, TextureId texture, const Vec3& position = {0, 0, 0}) : textures_(database) {
+  Point(const scene::Database& database, TextureId texture, const Vec3& position = {0, 0, 0})
+      : textures_(database), shading_(position, {0, 0, -1}, {0, 0, 1}) {
     SurfacePoint point;
     point.position = position;
     point.textures = {{texture, 1, position}};
     Charge charge;
     EXPECT_TRUE(textures_.append(point, lit_, charge));
-    shading_ = {position, {0, 0, -1}, {0, 0, 1}, lit_};
+    shading_.textures = lit_;
   }
   [[nodiscard]] const std::vector<LitTexture>& lit() const { return lit_; }
   [[nodiscard]] const ShadingPoint& shading() const { return shading_; }
