@@ -179,24 +179,10 @@ class Rendering {
 
   void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
     const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
-    if (!noise_) {
-      for (std::size_t i = range.first; i < range.last; ++i)
-        push_soft_sample(pixel, range, i, pattern_[i], seed, workspace);
-      return;
-    }
-    std::vector<UnitPoint>& points = workspace.in_pixel;
-    points.resize(range.last - range.first);
-    points_in_pixel(seed, sampler_.has_lens()).fill(static_cast<std::uint32_t>(range.first), points);
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const UnitPoint& point = points[i - range.first];
-      push_soft_sample(pixel, range, i, {point.u, point.v}, seed, workspace);
+      workspace.places.push_back(among(seed, i));
+      push_sample(pixel, range, i, noise_ ? SampleOffset{0, 0} : pattern_[i], workspace);
     }
-  }
-
-  void push_soft_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,
-                        std::uint32_t seed, Workspace& workspace) {
-    workspace.places.push_back(among(seed, i));
-    push_sample(pixel, range, i, offset, workspace);
   }
 
   void push_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,
@@ -220,11 +206,24 @@ class Rendering {
   void flush(Workspace& workspace) {
     if (workspace.samples.empty()) return;
     std::optional<NoiseObserver> observer;
-    if (noise_) observer.emplace(*noise_, workspace.noise);
+    if (noise_) {
+      observer.emplace(*noise_, workspace.noise);
+      spread_over_pixels(workspace);
+    }
     if (!sampler_.trace(workspace.samples, workspace.places, workspace, observer ? &*observer : nullptr))
       skipped_ = true;
     workspace.samples.clear();
     workspace.places.clear();
+  }
+
+  /// Moves samples from the middles of their pixels to points of their sequences.
+  void spread_over_pixels(Workspace& workspace) const {
+    workspace.in_pixel.resize(workspace.samples.size());
+    set_centred_points(pixel_square(sampler_.has_lens()), workspace.places, workspace.in_pixel);
+    for (std::size_t i = 0; i < workspace.samples.size(); ++i) {
+      workspace.samples[i].x += workspace.in_pixel[i].u;
+      workspace.samples[i].y += workspace.in_pixel[i].v;
+    }
   }
 
   const RenderOptions& options_;

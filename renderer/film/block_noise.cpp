@@ -51,7 +51,7 @@ class Scales {
 double half_of(const Scales& scales) {
   if (!scales.has_small()) return 0.5;
   double low = 0.125, high = 0.5946035575013605;  // rates of 3 and ¾
-  constexpr int kHalvings = 10;                   // far more exact than the few blocks can tell
+  constexpr int kHalvings = 6;                    // to a hundredth, far more exact than the few blocks can tell
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
     const bool is_above = scales.small_say_more(middle);
@@ -63,11 +63,20 @@ double half_of(const Scales& scales) {
 
 }  // namespace
 
-void BlockNoise::add(const Value& sample) {
-  const double brightness = (sample[0] + sample[1] + sample[2]) / 3;
+void BlockNoise::clear() {
+  // Only these levels were reached; what is in `partial_` is read where a level was set.
+  const auto levels = static_cast<std::size_t>(std::bit_width(count_));
+  std::fill_n(squares_.begin(), levels, Value{});
+  count_ = 0;
+  darkest_ = std::numeric_limits<double>::infinity();
+  brightest_ = -darkest_;
+}
+
+void BlockNoise::add(const Rgb& colour, double alpha) {
+  const double brightness = (colour.x + colour.y + colour.z) / 3;
   darkest_ = std::min(darkest_, brightness);
   brightest_ = std::max(brightest_, brightness);
-  Value mean = sample;
+  Value mean{colour.x, colour.y, colour.z, alpha};
   std::size_t level = 0;
   for (std::uint32_t bit = count_; (bit & 1U) != 0; bit >>= 1, ++level) {
     for (std::size_t i = 0; i < kChannels; ++i) {

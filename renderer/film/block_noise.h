@@ -10,6 +10,8 @@
 // (Owen, Scrambled net variance for integrals of smooth functions, 1997).
 #pragma once
 
+#include "renderer/shading/material.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -23,8 +25,8 @@ class BlockNoise {
   static constexpr int kChannels = 4;
   using Value = std::array<double, kChannels>;
 
-  void clear() { *this = {}; }
-  void add(const Value& sample);
+  void clear();
+  void add(const Rgb& colour, double alpha);
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// The least and the greatest mean of a sample's three colours.
   [[nodiscard]] double darkest() const { return darkest_; }

@@ -81,21 +81,14 @@ std::array<double, 4> Film::raw_mean(std::size_t pixel) const {
   return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count};
 }
 
-std::array<double, 4> Film::display_slopes(const std::array<double, 4>& raw_mean) const {
+double Film::display_slope(double raw_mean) const {
   // A difference of half a code of eight bits: the curve is straight enough within it, and it is far above rounding.
   constexpr double kStep = 0.5 / 255;
-  std::array<double, 4> below = raw_mean, above = raw_mean;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double shown = std::clamp(raw_mean[i], 0.0, 1.0);
-    below[i] = shown - kStep;
-    above[i] = shown + kStep;
-  }
-  convert(below.data());
-  convert(above.data());
-  std::array<double, 4> slopes{0, 0, 0, 1};
-  for (std::size_t i = 0; i < 3; ++i)
-    slopes[i] = (srgb_from_linear(above[i]) - srgb_from_linear(below[i])) / (2 * kStep * std::sqrt(3.0));
-  return slopes;
+  const double shown = std::clamp(raw_mean, 0.0, 1.0);
+  double below[] = {shown - kStep, 0, 0}, above[] = {shown + kStep, 0, 0};
+  convert(below);
+  convert(above);
+  return (srgb_from_linear(above[0]) - srgb_from_linear(below[0])) / (2 * kStep);
 }
 
 Image Film::develop(const PixelRect& window, int full_width, int full_height, bool has_alpha) {

@@ -49,9 +49,9 @@ class Film {
   [[nodiscard]] std::array<double, 4> raw_mean(std::size_t pixel) const;
 
   [[nodiscard]] std::uint32_t samples(std::size_t pixel) const { return counts_[pixel]; }
-  /// How fast a display's codes change with the channels of such a mean: the roots of their shares in the mean square
-  /// of the colour's three, and the whole of alpha's. Colours beyond the display's range have the slope at its end.
-  [[nodiscard]] std::array<double, 4> display_slopes(const std::array<double, 4>& raw_mean) const;
+  /// How fast a display's codes change with a channel of such a mean. Beyond the display's range it is the slope at its
+  /// end.
+  [[nodiscard]] double display_slope(double raw_mean) const;
 
   /// For the layer of noise (noise_aov()).
   void set_noise(std::size_t pixel, double noise) {

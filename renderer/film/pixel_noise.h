@@ -27,8 +27,7 @@ class PixelNoise {
   [[nodiscard]] static std::size_t bytes_for(std::size_t pixels) { return pixels * (sizeof(Pixel) + 2); }
 
   /// `film` gets the noise for its layer.
-  explicit PixelNoise(Film& film)
-      : film_(film), pixels_(film.rect().area()), chosen_(pixels_.size(), 1), chosen_before_(pixels_.size(), 1) {}
+  explicit PixelNoise(Film& film);
 
   /// Chooses the pixels that have more noise than `most` and less than `most_samples`; all at first. Returns their
   /// number. Rows are worked on in parallel.
@@ -50,13 +49,15 @@ class PixelNoise {
     float darkest = std::numeric_limits<float>::infinity(), brightest = -std::numeric_limits<float>::infinity();
   };
 
-  /// A pixel and its neighbours on the film.
-  [[nodiscard]] PixelRect around(int x, int y) const;
-  [[nodiscard]] bool has_news(const PixelRect& around) const;
-  [[nodiscard]] double deviation(int x, int y, const PixelRect& around) const;
-  [[nodiscard]] double missed(std::size_t pixel, const PixelRect& around) const;
+  struct Column;
+  void set_columns(int y, std::vector<Column>& columns) const;
+
+  /// The roots of the channels' shares in the mean square of a colour's three, and the whole of alpha's, as a display
+  /// shows them.
+  [[nodiscard]] BlockNoise::Value slopes(const BlockNoise::Value& mean) const;
 
   Film& film_;
+  std::vector<double> slopes_;  ///< of a channel, for means from 0 to 1 at even distances
   std::vector<Pixel> pixels_;
   std::vector<std::uint8_t> chosen_, chosen_before_;  ///< bytes, so that threads can write to neighbours
 };

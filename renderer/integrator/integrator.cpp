@@ -198,38 +198,38 @@ void Integrator::shade_surfaces(std::size_t level, PathMemory& memory, SurfaceOb
 
 void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const {
   memory.textures.clear();
-  memory.texture_ends.clear();
+  const LitTexture* const at_first = memory.textures.data();
+  LayerLists lists{.normals = bumps_ ? &memory.block.normals : nullptr,
+                   .passing = passing_ ? &memory.block.passing : nullptr,
+                   .mirrors = mirrors_};
   for (const std::uint32_t i : memory.block.paths) {
     const Ray& ray = batch.rays[i];
     SurfacePoint& surface = memory.surface;
     tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
     if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
-    const Vec3 normal = turned_to_viewer(surface.normal, ray.direction);
+    lists.normal = turned_to_viewer(surface.normal, ray.direction);
+    lists.view = ray.direction;
     const Body body{batch.hits[i].instance, surface.interior, surface.is_hollow};
     // A single face has no inside. As in POV-Ray, a path enters it where it meets it first, whatever way its corners
     // go.
     const bool from_inside =
         surface.is_sheet ? memory.bodies.holds(batch.entries[i].bodies, body) : surface.normal.dot(ray.direction) > 0;
-    LayerLists lists{normal, bumps_ ? &memory.block.normals : nullptr, passing_ ? &memory.block.passing : nullptr,
-                     ray.direction, mirrors_};
     if (interiors_) lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
     if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
-    memory.texture_ends.push_back(static_cast<std::uint32_t>(memory.textures.size()));
-    ShadingPoint& point = memory.block.points.emplace_back(
-        surface.position, normal, ray.direction, std::span<const LitTexture>(), surface.is_lit_from_both_sides,
-        from_inside, surface.is_hollow, lists.ior_ratio, surface.interior);
-    if (observer == nullptr) continue;
-    point.textures = std::span(memory.textures).subspan(first);
-    observer->see(i, batch.hits[i], surface, point);
+    const ShadingPoint& point = memory.block.points.emplace_back(
+        surface.position, lists.normal, ray.direction, std::span(memory.textures).subspan(first),
+        surface.is_lit_from_both_sides, from_inside, surface.is_hollow, lists.ior_ratio, surface.interior);
+    if (observer) observer->see(i, batch.hits[i], surface, point);
   }
-  // The textures do not move any more, so spans of them may be taken.
-  std::size_t begin = 0;
   memory.block.textures = memory.textures.data();
-  for (std::size_t i = 0; i < memory.block.points.size(); ++i) {
-    memory.block.points[i].textures = std::span(memory.textures).subspan(begin, memory.texture_ends[i] - begin);
-    begin = memory.texture_ends[i];
+  if (memory.textures.data() == at_first) return;
+  // The textures have moved as their list grew.
+  const LitTexture* begin = memory.textures.data();
+  for (ShadingPoint& point : memory.block.points) {
+    point.textures = {begin, point.textures.size()};
+    begin += point.textures.size();
   }
 }
 

@@ -65,7 +65,6 @@ struct PathMemory {
   std::vector<LitTexture> textures;  ///< the textures of the block's points
   Charge queue_bytes;                ///< of the segments that wait, at all levels
   Charge texture_bytes;              ///< of `textures`
-  std::vector<std::uint32_t> texture_ends;
   std::array<LitPoint, kBlockSize> lit;
   std::array<LightSample, kBlockSize> samples;
   std::vector<double> cosines;

@@ -11,8 +11,8 @@ class NoiseObserver final : public SampleObserver {
   /// `present` holds the samples that have come of a pixel whose others are in the next batch.
   NoiseObserver(PixelNoise& noise, BlockNoise& present) : noise_(noise), present_(present) {}
 
-  void add(const CameraSample& sample, const std::array<double, 4>& value) override {
-    present_.add(value);
+  void add(const CameraSample& sample, const Rgb& colour, double alpha) override {
+    present_.add(colour, alpha);
     if (!sample.is_last) return;
     noise_.finish(sample.pixel, present_);
     present_.clear();

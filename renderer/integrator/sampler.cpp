@@ -35,14 +35,12 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
   return true;
 }
 
-void Sampler::set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                          std::vector<UnitPoint>& on_lens, std::span<Ray> rays) const {
+void Sampler::set_blurred(std::span<const CameraSample> samples, Workspace& workspace) const {
+  std::vector<UnitPoint>& on_lens = workspace.on_lens;
   on_lens.resize(samples.size());
-  for (std::size_t first = 0, last = 0; first < samples.size(); first = last) {
-    while (last < samples.size() && places[last].seed == places[first].seed) ++last;
-    points_on_lens(places[first].seed).fill(places[first].index, std::span(on_lens).subspan(first, last - first));
-  }
+  set_centred_points(kLensSquare, workspace.paths.pixel_samples, on_lens);
   lens_->set_on_lens(on_lens);
+  std::vector<Ray>& rays = workspace.paths.camera_rays();
   RecurringAngles angles;
   for (std::size_t i = 0; i < samples.size(); ++i)
     camera_.set_through(samples[i].x, samples[i].y, lens_->offset(on_lens[i]), angles, rays[i]);
@@ -55,7 +53,7 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   paths.pixel_samples.assign(places.begin(), places.end());
   rays.resize(samples.size());
   if (lens_) {
-    set_blurred(samples, places, workspace.on_lens, rays);
+    set_blurred(samples, workspace);
   } else {
     RecurringAngles angles;
     for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);

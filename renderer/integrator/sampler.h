@@ -31,7 +31,7 @@ struct CameraSample {
 class SampleObserver {
  public:
   virtual ~SampleObserver() = default;
-  virtual void add(const CameraSample& sample, const std::array<double, 4>& value) = 0;
+  virtual void add(const CameraSample& sample, const Rgb& colour, double alpha) = 0;
 };
 
 /// Memory of one thread, and its counts. `pixels`, `samples`, `places` and `in_pixel` serve the caller that makes the
@@ -40,9 +40,8 @@ struct Workspace {
   std::vector<Pixel> pixels;
   std::vector<CameraSample> samples;
   std::vector<PixelSample> places;  ///< of the samples among those of their pixels, if the picture has something soft
-  std::vector<UnitPoint> in_pixel;  ///< the points of the present pixel's samples
-  std::vector<UnitPoint> on_lens;   ///< those of a batch
-  BlockNoise noise;                 ///< of the present pixel
+  std::vector<UnitPoint> in_pixel, on_lens;  ///< the points through which samples look
+  BlockNoise noise;                          ///< of the present pixel
   PathMemory paths;
 };
 
@@ -75,11 +74,10 @@ class Sampler {
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
   void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
     film_.add_sample(sample.pixel, colour, alpha);
-    if (observer) observer->add(sample, {colour.x, colour.y, colour.z, alpha});
+    if (observer) observer->add(sample, colour, alpha);
   }
-  /// Sets the rays of the samples through points of the lens, for which there is memory in `on_lens`.
-  void set_blurred(std::span<const CameraSample> samples, std::span<const PixelSample> places,
-                   std::vector<UnitPoint>& on_lens, std::span<Ray> rays) const;
+  /// Sets the rays of the samples, whose places among those of their pixels are known, through points of the lens.
+  void set_blurred(std::span<const CameraSample> samples, Workspace& workspace) const;
 
   Integrator integrator_;
   CameraRays camera_;

@@ -16,32 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-constexpr std::size_t kTogether = 8;
-
-void fill_points(const PointSequence& sequence, const SquarePlace& middle, std::uint32_t first,
-                 std::span<UnitPoint> points) {
-  const std::uint32_t seed_of_u = sequence.seed_of_u(), seed_of_v = sequence.seed_of_v();
-  std::uint32_t u[kTogether], v[kTogether];
-  for (std::size_t begin = 0; begin < points.size(); begin += kTogether) {
-    const std::uint32_t number = first + static_cast<std::uint32_t>(begin);
-    for (std::uint32_t i = 0; i < kTogether; ++i) u[i] = detail::scrambled(number + i, sequence.order);
-    if (sequence.pair == SobolPair::first) {
-      for (std::size_t i = 0; i < kTogether; ++i) v[i] = detail::reversed_second_sobol(u[i]);
-    } else {
-      for (std::size_t i = 0; i < kTogether; ++i) {
-        v[i] = detail::kFourthSobol[u[i]];
-        u[i] = detail::kThirdSobol[u[i]];
-      }
-    }
-    for (std::size_t i = 0; i < kTogether; ++i) {
-      u[i] = detail::in_square(u[i], seed_of_u) - middle.u;
-      v[i] = detail::in_square(v[i], seed_of_v) - middle.v;
-    }
-    // A difference, as a whole number with a sign, is measured from the middle.
-    for (std::size_t i = 0; i < std::min(kTogether, points.size() - begin); ++i)
-      points[begin + i] = {static_cast<std::int32_t>(u[i]) * 0x1p-32, static_cast<std::int32_t>(v[i]) * 0x1p-32};
-  }
-}
+constexpr std::size_t kTogether = 16;
 
 void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) {
   std::uint32_t number[kTogether], seed[kTogether], u[kTogether], v[kTogether];
@@ -53,8 +28,7 @@ void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) 
       seed[i] = derived_seed(place.seed, place.use);
     }
     for (std::size_t i = 0; i < kTogether; ++i) {
-      const PointSequence sequence{seed[i], seed[i]};
-      const SquarePlace place = sequence.place(number[i]);
+      const SquarePlace place = PointSequence{seed[i], seed[i]}.place(number[i]);
       u[i] = place.u;
       v[i] = place.v;
     }
@@ -62,8 +36,48 @@ void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) 
   }
 }
 
+/// A coordinate of Sobol's sequence, given with its bits reversed, after scrambling: from the middle, as a whole number
+/// with a sign. Number 0, which is 0 before, comes to the middle, and the others change the same digits as it does, so
+/// that boxes that halve the sides stay boxes. Mirrored for every second seed, it stands for the part on either side.
+HWY_INLINE std::uint32_t from_middle(std::uint32_t reversed, std::uint32_t seed) {
+  const std::uint32_t mirrors = 0U - (seed >> 31);
+  const std::uint32_t place = detail::in_square(reversed, seed) ^ detail::in_square(0, seed);
+  return (place ^ mirrors) - mirrors;  // the negative of the number, if all bits of `mirrors` are set
+}
+
+void set_centred(const SampledSquare& square, std::span<const PixelSample> samples, std::span<UnitPoint> points) {
+  const auto use = static_cast<std::uint32_t>(square.use);
+  std::uint32_t number[kTogether], seed[kTogether], order[kTogether], u[kTogether], v[kTogether];
+  for (std::size_t begin = 0; begin < samples.size(); begin += kTogether) {
+    const std::size_t count = std::min(kTogether, samples.size() - begin);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < kTogether; ++i) {
+      const PixelSample& sample = samples[begin + std::min(i, count - 1)];
+      number[i] = sample.index;
+      order[i] = sample.seed;
+      bits |= sample.index;
+    }
+    for (std::size_t i = 0; i < kTogether; ++i) seed[i] = derived_seed(order[i], use);
+    if (!square.is_shared) std::copy(std::begin(seed), std::end(seed), std::begin(order));
+    for (std::size_t i = 0; i < kTogether; ++i) u[i] = detail::shuffled(number[i], order[i]);
+    if (square.pair == SobolPair::second) {
+      std::uint32_t partner[kTogether] = {};
+      for (std::uint32_t bit = 0; bit < 32 && bits >> bit != 0; ++bit) {
+        const std::uint32_t of_bit = detail::partner_of_bit(bit);
+        for (std::size_t i = 0; i < kTogether; ++i) partner[i] ^= (0U - (u[i] >> bit & 1U)) & of_bit;
+      }
+      std::copy(std::begin(partner), std::end(partner), std::begin(u));
+    }
+    for (std::size_t i = 0; i < kTogether; ++i) v[i] = detail::reversed_second_sobol(u[i]);
+    for (std::size_t i = 0; i < kTogether; ++i) u[i] = from_middle(u[i], derived_seed(seed[i], 1));
+    for (std::size_t i = 0; i < kTogether; ++i) v[i] = from_middle(v[i], derived_seed(seed[i], 2));
+    for (std::size_t i = 0; i < count; ++i)
+      points[begin + i] = {static_cast<std::int32_t>(u[i]) * 0x1p-32, static_cast<std::int32_t>(v[i]) * 0x1p-32};
+  }
+}
+
 const SoftPointLoops* soft_point_loops() {
-  static constexpr SoftPointLoops kLoops{fill_points, set_points};
+  static constexpr SoftPointLoops kLoops{set_points, set_centred};
   return &kLoops;
 }
 
@@ -85,11 +99,12 @@ const SoftPointLoops& loops() {
 
 }  // namespace
 
-void CentredPoints::fill(std::uint32_t first, std::span<UnitPoint> points) const {
-  loops().fill(sequence_, middle_, first, points);
-}
-
 void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) { loops().set(places, points); }
+
+void set_centred_points(const SampledSquare& square, std::span<const PixelSample> samples,
+                        std::span<UnitPoint> points) {
+  loops().set_centred(square, samples, points);
+}
 
 }  // namespace isl::render
 #endif

@@ -16,16 +16,23 @@ struct MapInterval {
   double fraction;
 };
 
-/// The map is not empty. Its values are compared in single precision, as in POV-Ray; NaN gives the last entry.
+/// find_in() for a value between the first and the last entry.
 template <class Entry>
-[[nodiscard]] MapInterval<Entry> find_in(const std::vector<Entry>& map, double value) noexcept {
-  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
+[[nodiscard]] MapInterval<Entry> find_within(const std::vector<Entry>& map, double value) noexcept {
   const auto second =
-      std::find_if(map.begin(), map.end(), [value](const Entry& entry) { return value <= entry.value; });
-  if (second == map.begin()) return {&map.front(), &map.front(), 0};
+      std::find_if(map.begin() + 1, map.end(), [value](const Entry& entry) { return value <= entry.value; });
   const auto first = second - 1;
   const double low = values::to_single(first->value), high = values::to_single(second->value);
   return {&*first, &*second, (value - low) / values::to_single(high - low)};
+}
+
+/// The map is not empty. Its values are compared in single precision, as in POV-Ray; NaN gives the last entry.
+template <class Entry>
+[[nodiscard, gnu::always_inline]] inline MapInterval<Entry> find_in(const std::vector<Entry>& map,
+                                                                    double value) noexcept {
+  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
+  if (value <= map.front().value) return {&map.front(), &map.front(), 0};
+  return find_within(map, value);
 }
 
 }  // namespace isl::render

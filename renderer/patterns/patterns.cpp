@@ -59,9 +59,14 @@ Colour Patterns::pigment_colour(const Pigment& pigment, const Vec3& point, Envir
   if (info_of(record.pattern.kind).choice == PatternChoice::mean_of_map) return average(map, p, environment);
   const double value = value_at_own_point(record.pattern, p, environment);
   const auto interval = find_in(map, value);
-  const Colour second = pigment_colour(interval.second->pigment, p, environment);
-  if (interval.first == interval.second) return second;
-  return blend(pigment_colour(interval.first->pigment, p, environment), second, interval.fraction);
+  // A map of colours is the common case. Blending rounds them to single precision, too.
+  const Pigment &first = interval.first->pigment, &second = interval.second->pigment;
+  const auto colour_of = [&](const Pigment& other) {
+    return other.is_plain() ? other.colour : pigment_colour(other, p, environment);
+  };
+  if (&first == &second) return second.is_plain() ? in_single(second.colour) : pigment_colour(second, p, environment);
+  const Colour colour = colour_of(second);
+  return blend(colour_of(first), colour, interval.fraction);
 }
 
 Colour Patterns::average(const scene::PigmentMap& map, const Vec3& p, Environment& environment) const noexcept {

@@ -1,15 +1,9 @@
 #include "renderer/patterns/kinds/pigment_colour.h"
 
-#include "renderer/values/single_precision.h"
-
 namespace isl::render {
 
 using scene::Colour;
 using values::to_single;
-
-Colour in_single(const Colour& c) noexcept {
-  return {to_single(c.red), to_single(c.green), to_single(c.blue), to_single(c.filter), to_single(c.transmit)};
-}
 
 Colour blend(const Colour& a, const Colour& b, double fraction) noexcept {
   const auto mix = [fraction](double from, double to) -> double {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "renderer/scene/colour.h"
+#include "renderer/values/single_precision.h"
 
 namespace isl::render {
 
 /// Rounds every term to a float.
-[[nodiscard]] scene::Colour in_single(const scene::Colour& colour) noexcept;
+[[nodiscard]] inline scene::Colour in_single(const scene::Colour& c) noexcept {
+  using values::to_single;
+  return {to_single(c.red), to_single(c.green), to_single(c.blue), to_single(c.filter), to_single(c.transmit)};
+}
 /// (1 − fraction) · first + fraction · second; the terms of both are rounded to floats first.
 [[nodiscard]] scene::Colour blend(const scene::Colour& first, const scene::Colour& second, double fraction) noexcept;
 /// A weighted mean whose sum is rounded to single precision at each step.

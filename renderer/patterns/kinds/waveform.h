@@ -18,8 +18,9 @@ namespace isl::render {
 /// wave(fmod(value · frequency + phase, 1.00001)), with the modulus made positive. POV-Ray's modulus is above 1, so
 /// that 1 itself stays 1. A frequency of 0 leaves the value unchanged.
 [[nodiscard]] inline double in_wave(double value, const scene::Pattern& pattern) noexcept {
-  const bool is_plain = pattern.wave == scene::Wave::ramp && pattern.frequency == 1 && pattern.phase == 0;
-  if (!is_plain || !(std::abs(value) <= 1)) return in_any_wave(value, pattern);
+  const bool is_whole =
+      pattern.frequency == 0 || (pattern.frequency == 1 && pattern.phase == 0 && std::abs(value) <= 1);
+  if (!is_whole || pattern.wave != scene::Wave::ramp) return in_any_wave(value, pattern);
   return value < 0 ? value - std::floor(value) : value;
 }
 

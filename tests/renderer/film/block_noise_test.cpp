@@ -30,7 +30,7 @@ Noises noises(std::uint32_t count, double integral, const Integrand& value) {
     for (std::uint32_t i = 0; i < count; ++i) {
       const double sample = value(seed, i);
       (i < count / 2 ? first : second) += sample;
-      if (i >= count / 2) block.add({sample, 0, 0, 0});
+      if (i >= count / 2) block.add({sample, 0, 0}, 0);
     }
     const BlockNoise::Value before{first / (count / 2), 0, 0, 0};
     sum.told += block.variance(&before, kRed) / kPixels;
@@ -69,7 +69,7 @@ TEST(BlockNoise, is_told_within_a_factor) {
 
 TEST(BlockNoise, of_equal_samples_is_none) {
   BlockNoise block;
-  for (int i = 0; i < 8; ++i) block.add({0.3, 0.2, 0.1, 1});
+  for (int i = 0; i < 8; ++i) block.add({0.3, 0.2, 0.1}, 1);
   const BlockNoise::Value before{0.3, 0.2, 0.1, 1};
   EXPECT_EQ(block.variance(&before, {1, 1, 1, 1}), 0);
   EXPECT_EQ(block.mean(), before);
@@ -77,7 +77,7 @@ TEST(BlockNoise, of_equal_samples_is_none) {
 
 TEST(BlockNoise, counts_channels_by_their_weights) {
   BlockNoise block;
-  for (int i = 0; i < 8; ++i) block.add({i % 3 == 0 ? 1.0 : 0, i % 2 == 0 ? 1.0 : 0, 0, 0});
+  for (int i = 0; i < 8; ++i) block.add({i % 3 == 0 ? 1.0 : 0, i % 2 == 0 ? 1.0 : 0, 0}, 0);
   const double red = block.variance(nullptr, {1, 0, 0, 0});
   EXPECT_NEAR(block.variance(nullptr, {2, 0, 0, 0}), 4 * red, 1e-12);
   EXPECT_GT(red, 0);

@@ -15,23 +15,27 @@ namespace isl::render::test {
 namespace {
 
 TEST(SamplePoints, of_any_block_of_2_to_the_m_hit_every_rectangle_once) {
-  for (const std::uint32_t seed : {0U, 1U, 12345U, 0xdeadbeefU}) {
+  const auto check = [](const PointSequence& sequence) {
     for (const int m : {1, 3, 4, 6, 8, 10}) {
       const std::uint32_t count = 1U << m;
       for (const std::uint32_t first : {0U, count, 5 * count, 1000 * count}) {
         for (int columns = 0; columns <= m; ++columns) {
           std::set<std::uint32_t> cells;
           for (std::uint32_t i = 0; i < count; ++i) {
-            const UnitPoint point = sample_point(seed, first + i);
+            const UnitPoint point = sequence[first + i];
             ASSERT_TRUE(point.u >= 0 && point.u < 1 && point.v >= 0 && point.v < 1);
             const auto column = static_cast<std::uint32_t>(std::ldexp(point.u, columns));
             const auto row = static_cast<std::uint32_t>(std::ldexp(point.v, m - columns));
             cells.insert(row << 16 | column);
           }
-          EXPECT_EQ(cells.size(), count) << seed << " " << m << " " << first << " " << columns;
+          EXPECT_EQ(cells.size(), count) << sequence.seed << " " << m << " " << first << " " << columns;
         }
       }
     }
+  };
+  for (const std::uint32_t seed : {0U, 1U, 12345U, 0xdeadbeefU}) {
+    check({seed, seed});
+    check({seed, seed, SobolPair::second});
   }
 }
 
@@ -75,24 +79,26 @@ TEST(SamplePoints, edges_converge_as_they_should) {
   for (const std::uint32_t count : {64U, 256U, 4096U}) EXPECT_LT(deviation(count), 0.45 * std::pow(count, -0.75));
 }
 
-TEST(SamplePoints, of_both_pairs_hit_every_box_of_four_dimensions_eight_times) {
-  constexpr int kM = 8;
-  for (const std::uint32_t order : {0U, 7U, 0xdeadbeefU}) {
-    const PointSequence one{order, derived_seed(order, 1)}, other{order, derived_seed(order, 2), SobolPair::second};
-    for (const std::uint32_t first : {0U, 5U << kM}) {
-      for (int a = 0; a <= kM - 3; ++a) {
-        for (int b = 0; a + b <= kM - 3; ++b) {
-          for (int c = 0; a + b + c <= kM - 3; ++c) {
-            const int d = kM - 3 - a - b - c;
-            std::vector<int> boxes(1U << (kM - 3));
-            for (std::uint32_t i = 0; i < 1U << kM; ++i) {
-              const UnitPoint p = one[first + i], q = other[first + i];
-              std::size_t box = 0;
-              for (const auto& [value, halvings] : {std::pair(p.u, a), {p.v, b}, {q.u, c}, {q.v, d}})
-                box = box << halvings | static_cast<std::size_t>(std::ldexp(value, halvings));
-              ++boxes[box];
+TEST(SamplePoints, of_both_pairs_hit_every_box_of_four_dimensions) {
+  // 2^m points, of which 2^t lie in every box of the volume 2^(t-m) that comes from halving the sides.
+  for (const auto& [m, t] : {std::pair(2, 1), {4, 1}, {6, 2}, {8, 3}, {9, 2}}) {
+    for (const std::uint32_t order : {0U, 7U, 0xdeadbeefU}) {
+      const PointSequence one{order, derived_seed(order, 1)}, other{order, derived_seed(order, 2), SobolPair::second};
+      for (const std::uint32_t first : {0U, 5U << m}) {
+        for (int a = 0; a <= m - t; ++a) {
+          for (int b = 0; a + b <= m - t; ++b) {
+            for (int c = 0; a + b + c <= m - t; ++c) {
+              const int d = m - t - a - b - c;
+              std::vector<int> boxes(1U << (m - t));
+              for (std::uint32_t i = 0; i < 1U << m; ++i) {
+                const UnitPoint p = one[first + i], q = other[first + i];
+                std::size_t box = 0;
+                for (const auto& [value, halvings] : {std::pair(p.u, a), {p.v, b}, {q.u, c}, {q.v, d}})
+                  box = box << halvings | static_cast<std::size_t>(std::ldexp(value, halvings));
+                ++boxes[box];
+              }
+              for (const int count : boxes) ASSERT_EQ(count, 1 << t) << m << " " << order << " " << a << b << c << d;
             }
-            for (const int count : boxes) ASSERT_EQ(count, 8) << order << " " << a << b << c << d;
           }
         }
       }

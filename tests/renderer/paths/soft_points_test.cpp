@@ -6,43 +6,77 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 namespace isl::render::test {
 namespace {
 
-TEST(CentredPoints, begin_in_the_middle_and_stay_even) {
-  for (const std::uint32_t seed : {3U, 4U, 99U}) {
-    std::vector<UnitPoint> points(256);
-    CentredPoints({seed, seed}).fill(0, points);
-    EXPECT_EQ(points[0].u, 0);
-    EXPECT_EQ(points[0].v, 0);
-    std::vector<int> cells(16);
-    for (const UnitPoint& point : points) {
-      ASSERT_TRUE(point.u >= -0.5 && point.u < 0.5 && point.v >= -0.5 && point.v < 0.5);
-      ++cells[static_cast<std::size_t>(point.u * 16 + 8)];
-    }
-    // A moved interval of a sixteenth holds the points of two parts of such.
-    for (const int count : cells) EXPECT_NEAR(count, 16, 1);
-  }
+/// The points of the first samples of a pixel.
+std::vector<UnitPoint> centred(const SampledSquare& square, std::uint32_t seed, std::uint32_t first,
+                               std::uint32_t count) {
+  std::vector<PixelSample> samples;
+  for (std::uint32_t i = 0; i < count; ++i) samples.push_back({seed, first + i, 4096});
+  std::vector<UnitPoint> points(count);
+  set_centred_points(square, samples, points);
+  return points;
 }
 
-TEST(CentredPoints, are_those_of_the_sequence_whatever_run_they_come_in) {
-  const auto wrapped = [](double v) { return v - std::floor(v + 0.5); };
-  for (const SobolPair pair : {SobolPair::first, SobolPair::second}) {
-    const PointSequence sequence{7, 8, pair};
-    const UnitPoint middle = sequence[0];
-    for (const std::uint32_t first : {0U, 5U, 4000U}) {
-      for (const std::size_t count : {1U, 4U, 77U}) {
-        std::vector<UnitPoint> points(count);
-        CentredPoints(sequence).fill(first, points);
-        for (std::uint32_t i = 0; i < count; ++i) {
-          const UnitPoint point = sequence[first + i];
-          EXPECT_EQ(points[i].u, wrapped(point.u - middle.u)) << first << " " << i;
-          EXPECT_EQ(points[i].v, wrapped(point.v - middle.v)) << first << " " << i;
+constexpr SampledSquare kSquares[] = {kLensSquare, pixel_square(true), pixel_square(false)};
+
+TEST(CentredPoints, begin_in_the_middle_and_hit_every_rectangle_once) {
+  for (const SampledSquare& square : kSquares) {
+    for (const std::uint32_t seed : {3U, 4U, 99U, 0xdeadbeefU}) {
+      for (const int m : {2, 4, 5, 8}) {
+        const std::vector<UnitPoint> points = centred(square, seed, 0, 1U << m);
+        EXPECT_EQ(points[0].u, 0);
+        EXPECT_EQ(points[0].v, 0);
+        for (int columns = 0; columns <= m; ++columns) {
+          std::set<std::uint32_t> cells;
+          for (std::size_t i = 1; i < points.size(); ++i) {
+            const UnitPoint& point = points[i];
+            ASSERT_TRUE(point.u >= -0.5 && point.u < 0.5 && point.v >= -0.5 && point.v < 0.5);
+            const auto column = static_cast<std::uint32_t>(std::ldexp(point.u + 0.5, columns));
+            const auto row = static_cast<std::uint32_t>(std::ldexp(point.v + 0.5, m - columns));
+            cells.insert(row << 16 | column);
+          }
+          // The first point is on the edge of its rectangle.
+          EXPECT_EQ(cells.size(), points.size() - 1) << seed << " " << m << " " << columns;
         }
       }
     }
+  }
+}
+
+TEST(CentredPoints, are_the_same_whatever_run_they_come_in) {
+  for (const SampledSquare& square : kSquares) {
+    const std::vector<UnitPoint> all = centred(square, 7, 0, 300);
+    for (const std::uint32_t first : {0U, 5U, 201U}) {
+      for (const std::uint32_t count : {1U, 4U, 77U}) {
+        const std::vector<UnitPoint> points = centred(square, 7, first, count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+          EXPECT_EQ(points[i].u, all[first + i].u) << first << " " << i;
+          EXPECT_EQ(points[i].v, all[first + i].v) << first << " " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(CentredPoints, lie_in_the_mean_in_the_middle) {
+  // Of four points one is the middle; the others have a variance of at most 1/12 each, and each pixel has its own.
+  constexpr std::uint32_t kPixels = 4000;
+  for (const SampledSquare& square : kSquares) {
+    double u = 0, v = 0;
+    for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+      for (const UnitPoint& point : centred(square, pixel_seed(static_cast<int>(pixel), 3), 0, 4)) {
+        u += point.u / 4;
+        v += point.v / 4;
+      }
+    }
+    const double bound = 5 * std::sqrt(3.0 / 16 / 12 * kPixels);
+    EXPECT_LT(std::abs(u), bound);
+    EXPECT_LT(std::abs(v), bound);
   }
 }
 
