@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace isl::render {
 
@@ -22,14 +23,21 @@ class Film {
   /// their means are converted.
   Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingSpace>& space = std::nullopt);
 
-  /// Precondition: `colour` is already multiplied by `alpha`.
-  void add_sample(std::size_t pixel, const Rgb& colour, double alpha) {
-    double* sum = &sums_[4 * pixel];
-    sum[0] += colour.x;
-    sum[1] += colour.y;
-    sum[2] += colour.z;
-    sum[3] += alpha;
-    ++counts_[pixel];
+  /// Adds samples in their order. Precondition: colours are already multiplied by their `alphas`.
+  void add_samples(std::size_t pixel, std::span<const Rgb> colours, std::span<const double> alphas) {
+    double* const sum = &sums_[4 * pixel];
+    double red = sum[0], green = sum[1], blue = sum[2], alpha = sum[3];
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      red += colours[i].x;
+      green += colours[i].y;
+      blue += colours[i].z;
+      alpha += alphas[i];
+    }
+    sum[0] = red;
+    sum[1] = green;
+    sum[2] = blue;
+    sum[3] = alpha;
+    counts_[pixel] += static_cast<std::uint32_t>(colours.size());
   }
   /// Tells that a sample of the pixel comes soon: pixels of a tile lie rows apart, and a large film in no cache.
   void expect_sample(std::size_t pixel) const {

@@ -11,10 +11,10 @@ class NoiseObserver final : public SampleObserver {
   /// `present` holds the samples that have come of a pixel whose others are in the next batch.
   NoiseObserver(PixelNoise& noise, BlockNoise& present) : noise_(noise), present_(present) {}
 
-  void add(const CameraSample& sample, const Rgb& colour, double alpha) override {
-    present_.add(colour, alpha);
-    if (!sample.is_last) return;
-    noise_.finish(sample.pixel, present_);
+  void add(const CameraSample& last, std::span<const Rgb> colours, std::span<const double> alphas) override {
+    for (std::size_t i = 0; i < colours.size(); ++i) present_.add(colours[i], alphas[i]);
+    if (!last.is_last) return;
+    noise_.finish(last.pixel, present_);
     present_.clear();
   }
 

@@ -61,18 +61,28 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
   if (bumps_ && !bend(samples, rays)) return false;
   LayerKeeper keeper(samples, working_space_, film_);
   if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
-  const std::span<Rgb> colours = std::span(paths.colours).first(samples.size());
-  if (film_.is_linear()) working_space_.make_linear(colours);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i + kSamplesAhead < samples.size()) film_.expect_sample(samples[i + kSamplesAhead].pixel);
-    if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
-      add(samples[i], Rgb(0), blank_alpha_, observer);
-      continue;
-    }
-    add(samples[i], colours[i], paths.alphas[i], observer);
-    if (paths.certainties[i] != Certainty::certified) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
-  }
+  add(samples, paths, observer);
   return true;
+}
+
+void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const {
+  const std::span<Rgb> colours = std::span(paths.colours).first(samples.size());
+  const std::span<double> alphas = std::span(paths.alphas).first(samples.size());
+  if (film_.is_linear()) working_space_.make_linear(colours);
+  const std::vector<Ray>& rays = paths.camera_rays();
+  for (std::size_t first = 0, last = 0; first < samples.size(); first = last) {
+    const std::uint32_t pixel = samples[first].pixel;
+    for (; last < samples.size() && samples[last].pixel == pixel; ++last) {
+      if (last + kSamplesAhead < samples.size()) film_.expect_sample(samples[last + kSamplesAhead].pixel);
+      if (paths.certainties[last] != Certainty::certified) film_.lower_certainty(pixel, paths.certainties[last]);
+      if (rays[last].direction != Vec3(0)) continue;  // the camera shows nothing there
+      colours[last] = Rgb(0);
+      alphas[last] = blank_alpha_;
+    }
+    const std::size_t count = last - first;
+    film_.add_samples(pixel, colours.subspan(first, count), alphas.subspan(first, count));
+    if (observer) observer->add(samples[last - 1], colours.subspan(first, count), alphas.subspan(first, count));
+  }
 }
 
 }  // namespace isl::render

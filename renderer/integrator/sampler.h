@@ -27,11 +27,12 @@ struct CameraSample {
   bool is_last = false;     ///< of the pixel's in its pass
 };
 
-/// Is told of the colours of samples, in their order, as they are added to the film.
+/// Is told of the samples of one pixel after the other as they are added to the film.
 class SampleObserver {
  public:
   virtual ~SampleObserver() = default;
-  virtual void add(const CameraSample& sample, const Rgb& colour, double alpha) = 0;
+  /// Some of a pixel's samples in their order. `last` is the last of them.
+  virtual void add(const CameraSample& last, std::span<const Rgb> colours, std::span<const double> alphas) = 0;
 };
 
 /// Memory of one thread, and its counts. `pixels`, `samples`, `places` and `in_pixel` serve the caller that makes the
@@ -72,10 +73,8 @@ class Sampler {
  private:
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
-  void add(const CameraSample& sample, const Rgb& colour, double alpha, SampleObserver* observer) const {
-    film_.add_sample(sample.pixel, colour, alpha);
-    if (observer) observer->add(sample, colour, alpha);
-  }
+  /// Adds what the samples of memory.camera_rays() see to the film.
+  void add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const;
   /// Sets the rays of the samples, whose places among those of their pixels are known, through points of the lens.
   void set_blurred(std::span<const CameraSample> samples, Workspace& workspace) const;
 

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-constexpr std::size_t kTogether = 16;
+constexpr std::size_t kTogether = 32;
 
 void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) {
   std::uint32_t number[kTogether], seed[kTogether], u[kTogether], v[kTogether];

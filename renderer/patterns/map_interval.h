@@ -30,9 +30,11 @@ template <class Entry>
 template <class Entry>
 [[nodiscard, gnu::always_inline]] inline MapInterval<Entry> find_in(const std::vector<Entry>& map,
                                                                     double value) noexcept {
-  if (!(value < map.back().value)) return {&map.back(), &map.back(), 0};
-  if (value <= map.front().value) return {&map.front(), &map.front(), 0};
-  return find_within(map, value);
+  // Which end of a list of two it is is as good as random, so it is an index and no branch.
+  const bool is_first = value <= map.front().value, is_last = !(value < map.back().value);
+  if (static_cast<int>(is_first) + static_cast<int>(is_last) == 0) return find_within(map, value);
+  const Entry* const end = map.data() + (is_last ? map.size() - 1 : 0);
+  return {end, end, 0};
 }
 
 }  // namespace isl::render

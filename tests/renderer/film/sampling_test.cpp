@@ -66,7 +66,8 @@ TEST(Tiles, are_shuffled_when_asked) {
 /// A film of one sample a pixel, with linear greys.
 Film film_of(const PixelRect& rect, const std::vector<double>& greys) {
   Film film(rect, {});
-  for (std::size_t i = 0; i < greys.size(); ++i) film.add_sample(i, Rgb(greys[i]), 1);
+  constexpr double kOpaque[] = {1};
+  for (std::size_t i = 0; i < greys.size(); ++i) film.add_samples(i, std::array{Rgb(greys[i])}, kOpaque);
   return film;
 }
 
