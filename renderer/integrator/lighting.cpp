@@ -120,8 +120,9 @@ void Integrator::aim_at_area(const PathBatch& batch, const PlacedLight& placed, 
   };
   if (!placed.scattered) {
     const auto rows = static_cast<std::uint32_t>(area.count_b);
+    const std::uint32_t column = number / rows, row = number % rows;
     for (std::size_t i = 0; i < centres.size(); ++i)
-      aim(i, area_offset(area, edges_of(area, centres[i].direction), number / rows, number % rows));
+      aim(i, area_offset(area, edges_of(area, centres[i].direction), column, row));
     return;
   }
   const std::uint32_t share = points_of(batch, placed, memory);

@@ -32,7 +32,8 @@ Noises noises(std::uint32_t count, double integral, const Integrand& value) {
       (i < count / 2 ? first : second) += sample;
       if (i >= count / 2) block.add({sample, 0, 0}, 0);
     }
-    const BlockNoise::Value before{first / (count / 2), 0, 0, 0};
+    const std::uint32_t half = count / 2;
+    const BlockNoise::Value before{first / half, 0, 0, 0};
     sum.told += block.variance(&before, kRed) / kPixels;
     sum.real += std::pow((first + second) / count - integral, 2) / kPixels;
   }
