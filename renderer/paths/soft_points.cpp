@@ -36,9 +36,11 @@ void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points) 
   }
 }
 
-/// A coordinate of Sobol's sequence, given with its bits reversed, after scrambling: from the middle, as a whole number
-/// with a sign. Number 0, which is 0 before, comes to the middle, and the others change the same digits as it does, so
-/// that boxes that halve the sides stay boxes. Mirrored for every second seed, it stands for the part on either side.
+/// Scrambles a coordinate of Sobol's sequence, given with its bits reversed, and measures it from the middle of the
+/// square: a whole number with a sign, in units of 2⁻³². The coordinate of number 0, which is 0, comes to the middle.
+/// All points change the same digits as it does, so that intervals that come from halving the side stay such intervals.
+/// The first point is then at the lower end of its interval instead of anywhere in it; half of the seeds mirror the
+/// points, so that this favours no side.
 HWY_INLINE std::uint32_t from_middle(std::uint32_t reversed, std::uint32_t seed) {
   const std::uint32_t mirrors = 0U - (seed >> 31);
   const std::uint32_t place = detail::in_square(reversed, seed) ^ detail::in_square(0, seed);
