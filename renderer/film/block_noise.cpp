@@ -26,8 +26,8 @@ class Scales {
     squares_[count_++] = scale.square;
   }
   [[nodiscard]] bool has_small() const { return count_ > kLargeScales; }
-  /// If d falls like m^-p and `half` is 2^-p, the square of a scale is half, half², half³ … of what it were for blocks
-  /// of all samples. True if the small scales then say more of d(n) than the large ones.
+  /// If d falls like m^-p and `half` is 2^-p, the squares of the scales are those of n samples divided by half, half²,
+  /// half³ … True if the small scales then give a greater d(n) than the large ones.
   [[nodiscard]] bool small_say_more(double half) const {
     return small_sum(half) * large_pairs_ > large_sum(half) * small_pairs_;
   }
@@ -37,7 +37,7 @@ class Scales {
   }
 
  private:
-  // Sums over the scales of what their squares say of that of n samples, over `half`.
+  // Each scale's square, brought to n samples by the powers of `half`, summed up; a factor of `half` is left out.
   [[nodiscard]] double large_sum(double half) const { return squares_[0] + half * (squares_[1] + half * squares_[2]); }
   [[nodiscard]] double small_sum(double half) const { return half * half * half * (squares_[3] + half * squares_[4]); }
 

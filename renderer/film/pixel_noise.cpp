@@ -45,7 +45,7 @@ BlockNoise::Value PixelNoise::slopes(const BlockNoise::Value& mean) const {
   return slopes;
 }
 
-/// What three pixels, one above the other, tell together.
+/// The sums and extremes of three pixels, one above the other.
 struct PixelNoise::Column {
   double deviations = 0, weights = 0;  ///< the weighted sum of their deviations, and that of the weights
   float darkest = std::numeric_limits<float>::infinity(), brightest = -std::numeric_limits<float>::infinity();

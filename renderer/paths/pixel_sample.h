@@ -33,8 +33,8 @@ struct PixelSample {
     const auto all = static_cast<std::uint32_t>(std::max(wanted, 1));
     return (all - 1) / of + 1;
   }
-  /// Where the sample's point number `i` of its `share` comes from. `level` and `number` tell integrals of one use
-  /// apart: the segments of a path, and the lights.
+  /// The place, in its pixel's sequence, of point number `i` of the sample's `share`. Each segment of a path has
+  /// another `level`, and each light another `number`, so that integrals of one use have sequences of their own.
   [[nodiscard]] SoftPlace place(SampleUse use, std::uint32_t share, std::uint32_t i, std::uint32_t level = 0,
                                 std::uint32_t number = 0) const {
     return {seed, code_of(use, level, number), index * share + i};

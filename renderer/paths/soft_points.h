@@ -14,10 +14,10 @@ void set_points(std::span<const SoftPlace> places, std::span<UnitPoint> points);
 /// A square through whose points the samples of a pixel look.
 struct SampledSquare {
   SampleUse use;
-  bool is_shared;  ///< all squares that are have one sequence, each another pair of its coordinates
+  bool is_shared;  ///< the sequence is that of all shared squares; each of them takes another pair of its coordinates
   SobolPair pair;
 };
-/// What a sample sees depends on its points in the pixel and on the lens at once, so both come from one sequence.
+/// The colour of a sample depends on its points in the pixel and on the lens at once, so both come from one sequence.
 inline constexpr SampledSquare kLensSquare{SampleUse::lens, true, SobolPair::first};
 [[nodiscard]] constexpr SampledSquare pixel_square(bool has_lens) {
   return {SampleUse::pixel, has_lens, has_lens ? SobolPair::second : SobolPair::first};

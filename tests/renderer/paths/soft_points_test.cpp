@@ -64,7 +64,7 @@ TEST(CentredPoints, are_the_same_whatever_run_they_come_in) {
 }
 
 TEST(CentredPoints, lie_in_the_mean_in_the_middle) {
-  // Of four points one is the middle; the others have a variance of at most 1/12 each, and each pixel has its own.
+  // One of four points is the middle. Each of the others has a variance of at most 1/12, and pixels are independent.
   constexpr std::uint32_t kPixels = 4000;
   for (const SampledSquare& square : kSquares) {
     double u = 0, v = 0;
