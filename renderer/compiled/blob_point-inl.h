@@ -7,8 +7,10 @@
 #endif
 
 #include "renderer/compiled/compiled_scene.h"
+#include "renderer/fields/point/octet_sums-inl.h"
 #include "renderer/fields/point/point_sums-inl.h"
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -44,8 +46,9 @@ inline void set_blob_point(const CompiledBlob& blob, std::span<const std::uint32
                            const ShareRule& rule, BlobPoint& result) {
   ShareSums shares(rule, result.shares);
   const PointSums sums = point_sums(blob.components, items, point, shares);
-  result.value = sum(sums.value);
-  result.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
+  result.fields.value = sum(sums.value);
+  result.fields.magnitude = sum(sums.magnitude);
+  result.fields.gradient = {sum(sums.gx), sum(sums.gy), sum(sums.gz)};
   result.evaluations += items.size();
 }
 
@@ -53,6 +56,26 @@ inline void blob_point(const CompiledBlob& blob, std::uint32_t cell_index, const
                        BlobPoint& result) {
   result.evaluations = 0;
   set_blob_point(blob, greatest_items(blob, cell_index, point, rule, result), point, rule, result);
+}
+
+/// The fields of a blob that is one sum (CompiledBlob::is_one_sum) at one to eight points. Returns the number of fields
+/// that were evaluated.
+inline std::uint64_t blob_fields(const CompiledBlob& blob, std::span<const FieldQuery> queries,
+                                 std::span<BlobFields> results) {
+  OctetSums sums(queries);
+  std::uint64_t evaluations = 0;
+  for (std::uint32_t left = (1U << queries.size()) - 1; left != 0;) {
+    const std::uint32_t cell = queries[static_cast<std::size_t>(std::countr_zero(left))].cell;
+    std::uint32_t lanes = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) lanes |= queries[i].cell == cell ? 1U << i : 0;
+    left &= ~lanes;
+    const Cell& here = blob.grid.cells[cell];
+    if (here.kind() != CellKind::leaf) continue;
+    sums.add(blob.components, items_of(blob, blob.grid.list(here, 0)), lanes);
+    evaluations += here.count() * static_cast<std::uint64_t>(std::popcount(lanes));
+  }
+  sums.store_to(results);
+  return evaluations;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -27,6 +27,11 @@ struct CompiledBlob {
   PaperTables paper;  ///< filled only for the published solver
   double size = 0;    ///< the largest coordinate that its surface is computed from
 
+  /// True if the field is one sum everywhere, not the greatest of several, and all components have one texture: then
+  /// value and gradient are all that shading needs to know of a point.
+  [[nodiscard]] bool is_one_sum() const {
+    return components.has_one_texture && components.branch.empty() && !components.is_unblended;
+  }
   /// Bounds of the content in the blob's own space; infinite if the blob has half-spaces, empty if it has no surface.
   [[nodiscard]] Box bounds() const {
     constexpr double kFar = std::numeric_limits<double>::infinity();

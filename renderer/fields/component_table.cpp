@@ -211,6 +211,7 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     table.scale.push_back(is_point ? group.kernel.scale / (c.radius_a * c.radius_a) : group.kernel.scale);
     table.amplitude.push_back(c.strength * group.kernel.amplitude);
     table.texture.push_back(c.texture);
+    table.has_one_texture &= c.texture == table.texture.front();
     table.source.push_back(p.source);
     if (table.tree.size() > 0) table.branch.push_back(blob.branch_of[p.source]);
     if (is_point && !p.is_mapped() && table.plain_points == i) ++table.plain_points;

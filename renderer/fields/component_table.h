@@ -44,6 +44,7 @@ struct ComponentTable {
   std::vector<double> scale;      ///< for a point, v = scale · distance²; for any other skeleton, v = scale · q
   std::vector<double> amplitude;  ///< strength times the kernel's amplitude
   std::vector<scene::TextureId> texture;
+  bool has_one_texture = true;        ///< all components have the same
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
   bool is_unblended = false;          ///< the blob is the greatest of its fields (scene::Blob::is_unblended)
   std::vector<std::uint32_t> branch;  ///< empty if the blob is one sum, or unblended

@@ -202,10 +202,13 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
   LayerLists lists{.normals = bumps_ ? &memory.block.normals : nullptr,
                    .passing = passing_ ? &memory.block.passing : nullptr,
                    .mirrors = mirrors_};
-  for (const std::uint32_t i : memory.block.paths) {
+  const std::vector<std::uint32_t>& paths = memory.block.paths;
+  tracer_.set_blob_fields(batch.rays, batch.hits, paths, memory.blob_fields, memory.counters);
+  for (std::size_t number = 0; number < paths.size(); ++number) {
+    const std::uint32_t i = paths[number];
     const Ray& ray = batch.rays[i];
     SurfacePoint& surface = memory.surface;
-    tracer_.surface_at(ray, batch.hits[i], surface, memory.counters);
+    tracer_.surface_at(ray, batch.hits[i], memory.blob_fields[number], surface, memory.counters);
     if (surface.is_refuted) lower(memory.certainties[batch.entries[i].sample], Certainty::refuted);
     const std::size_t first = memory.textures.size();
     lists.normal = turned_to_viewer(surface.normal, ray.direction);

@@ -58,6 +58,7 @@ struct PathMemory {
   Bodies bodies;                             ///< of the paths of the present camera rays
   std::vector<std::uint8_t> is_total;        ///< SpawnWork::is_total
   ShadowFilterMemory shadow_filter;
+  std::array<BlobFields, kBlockSize> blob_fields;  ///< of the block's points
   SurfacePoint surface;
   std::vector<Vec3> directions;  ///< these four serve the stages of light from around
   std::vector<Rgb> direction_colours, direction_light;

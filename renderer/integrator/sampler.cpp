@@ -4,7 +4,7 @@ namespace isl::render {
 namespace {
 
 /// As many samples are added to the film in the time that memory takes.
-constexpr std::size_t kSamplesAhead = 16;
+constexpr std::size_t kSamplesAhead = 32;
 
 /// Stores the surfaces that the centre samples of pixels see in the film's layers.
 class LayerKeeper final : public SurfaceObserver {

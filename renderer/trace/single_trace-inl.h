@@ -255,7 +255,7 @@ class SingleTrace {
               if (is_published(world.settings_.name)) return Vec3(0);
               const ShareRule rule{&world.scene_.coordinate_textures, scene::kNoTexture};
               blob_point(world.scene_.blobs[blob], cell, point, rule, world.memory_.point);
-              return world.memory_.point.gradient;
+              return world.memory_.point.fields.gradient;
             }};
   }
 

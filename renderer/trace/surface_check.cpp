@@ -6,9 +6,8 @@
 
 namespace isl::render {
 
-bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobPoint& found) {
-  double magnitude = std::abs(blob.components.threshold);
-  for (const TextureShare& share : found.shares) magnitude += share.weight;
+bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found) {
+  const double magnitude = std::abs(blob.components.threshold) + found.magnitude;
   // Nearly all hits pass this test: F is as near to the threshold as the step and the rounding of its terms explain.
   // Its 2⁻⁴⁰ is generous, since the rare hit that fails is judged by a proof.
   const double off = std::abs(found.value - blob.components.threshold);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"
-#include "renderer/fields/point/blob_point.h"
+#include "renderer/rays/blob_fields.h"
 
 #include <cstdint>
 
@@ -17,6 +17,6 @@ struct FoundPlace {
 };
 
 /// True if it is certain that no surface lies between place.point ± place.step.
-[[nodiscard]] bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobPoint& found);
+[[nodiscard]] bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found);
 
 }  // namespace isl::render

@@ -74,7 +74,7 @@ void occlusions(const CompiledScene& scene, const SolverSettings& settings, RayK
 
 const TraceEntryPoints* entry_points() {
   static const TraceEntryPoints instance{
-      hwy::TargetName(HWY_TARGET), {first_hits, occlusions}, blob_point, paper_point};
+      hwy::TargetName(HWY_TARGET), {first_hits, occlusions}, blob_point, blob_fields, paper_point};
   return &instance;
 }
 

@@ -38,6 +38,7 @@ struct TraceEntryPoints {
   const char* target;
   TraceLoops loops;  ///< for the product's solver and the published one
   void (*blob_point)(const CompiledBlob&, std::uint32_t cell, const Vec3& point, const ShareRule&, BlobPoint&);
+  std::uint64_t (*blob_fields)(const CompiledBlob&, std::span<const FieldQuery>, std::span<BlobFields>);
   void (*paper_point)(const CompiledBlob&, std::uint32_t cell, const PaperMemory* records, bool eq10, const Vec3& point,
                       const ShareRule&, BlobPoint&);
 };

@@ -12,6 +12,7 @@
 #include "renderer/trace/trace_entry_points.h"
 
 #include <algorithm>
+#include <array>
 
 namespace isl::render {
 namespace {
@@ -48,8 +49,32 @@ struct Tracer::Impl {
   /// How far a hit may be off along its ray: by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with
   /// room to spare.
   [[nodiscard]] Vec3 step(const Ray& ray, const Hit& hit) const {
-    const double coordinates = ray.origin.length() + std::abs(hit.t);
+    const Vec3& o = ray.origin;
+    const double coordinates = std::abs(o.x) + std::abs(o.y) + std::abs(o.z) + std::abs(hit.t);
     return ray.direction * (settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
+  }
+
+  /// True if value and gradient of its field tell all about the instance's surface.
+  [[nodiscard]] bool is_told_by_fields(const Instance& instance) const {
+    if (instance.kind != scene::Object::Kind::blob || !scene.blobs[instance.shape].is_one_sum()) return false;
+    if (is_published(settings.name) || instance.interior_texture.id != scene::kNoTexture) return false;
+    const ShareRule rule{&scene.coordinate_textures, instance.texture.id};
+    return rule.may_share(scene.blobs[instance.shape].components.texture.front());
+  }
+
+  /// The normal of an instance of which that is true, of any length, as shape_at().
+  Vec3 shape_of_fields(const Instance& instance, const TextureFrame& own, const Ray& ray, const Hit& hit,
+                       const Vec3& local, const BlobFields& fields, SurfacePoint& surface) const {
+    const CompiledBlob& blob = scene.blobs[instance.shape];
+    surface.is_refuted = is_refuted(blob, {local, own.enter_vector(step(ray, hit)), hit.cell}, fields);
+    TextureShare& share = surface.textures.front();
+    share.surface = {instance.kind, instance.shape, 0, local};
+    if (const scene::TextureId texture = blob.components.texture.front(); texture != scene::kNoTexture) {
+      share.texture = texture;
+      share.place = local;
+      share.frame = own;
+    }
+    return -fields.gradient;
   }
 
   /// The normal of a solid or blob at a point in its own space, of any length. `surface` has one texture, which stays
@@ -70,7 +95,8 @@ struct Tracer::Impl {
       entry_points->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
     } else {
       entry_points->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
-      surface.is_refuted = is_refuted(scene.blobs[shape], {local, own.enter_vector(step(ray, hit)), hit.cell}, blob);
+      surface.is_refuted =
+          is_refuted(scene.blobs[shape], {local, own.enter_vector(step(ray, hit)), hit.cell}, blob.fields);
     }
     counters.shading_evaluations += blob.evaluations;
     double total = 0;
@@ -85,7 +111,7 @@ struct Tracer::Impl {
     }
     // This happens only where the published solver takes a place far from every field for the surface.
     if (textures.empty()) textures.push_back(other);
-    return -blob.gradient;
+    return -blob.fields.gradient;
   }
 };
 
@@ -99,6 +125,13 @@ std::size_t rays_between_looks(const CompiledScene& scene) {
   for (const CompiledBlob& blob : scene.blobs) longest = std::max<std::size_t>(longest, blob.grid.longest_list);
   for (const CsgTree& tree : scene.trees) longest = std::max(longest, tree.leaves.size());
   return std::max(kItems / std::max<std::size_t>(longest, 1) / kPacket * kPacket, kPacket);
+}
+
+Vec3 position_of(const Ray& ray, const Hit& hit) { return ray.origin + ray.direction * hit.t; }
+
+/// A point of the world in the instance's space.
+Vec3 in_space_of(const Instance& instance, const Vec3& point) {
+  return instance.is_placed ? instance.world_from_object.inverse_point(point) : point;
 }
 
 const scene::Transform* placing(const Instance& instance) {
@@ -198,10 +231,45 @@ bool Tracer::may_meet_clear(const Ray& ray) const {
   return may_meet(impl_->scene.clear_bounds, ray.origin, ray.direction, ray.t_max);
 }
 
+void Tracer::set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hits, std::span<const std::uint32_t> which,
+                             std::span<BlobFields> fields, TraceCounters& counters) const {
+  std::array<FieldQuery, kPacket> queries;
+  std::array<BlobFields, kPacket> found;
+  std::array<std::size_t, kPacket> asked_by;
+  std::size_t count = 0;
+  const CompiledBlob* blob = nullptr;
+  const auto ask = [&] {
+    if (count == 0) return;
+    counters.shading_evaluations +=
+        impl_->entry_points->blob_fields(*blob, std::span(queries).first(count), std::span(found).first(count));
+    for (std::size_t i = 0; i < count; ++i) fields[asked_by[i]] = found[i];
+    count = 0;
+  };
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const Hit& hit = hits[which[i]];
+    const Instance& instance = impl_->scene.instances[hit.instance];
+    if (!impl_->is_told_by_fields(instance)) continue;
+    const CompiledBlob* const own = &impl_->scene.blobs[instance.shape];
+    if (own != blob || count == kPacket) ask();
+    blob = own;
+    queries[count] = {in_space_of(instance, position_of(rays[which[i]], hit)), hit.cell};
+    asked_by[count++] = i;
+  }
+  ask();
+}
+
 void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const {
+  const std::uint32_t first = 0;
+  BlobFields fields;
+  set_blob_fields({&ray, 1}, {&hit, 1}, {&first, 1}, {&fields, 1}, counters);
+  surface_at(ray, hit, fields, point, counters);
+}
+
+void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields, SurfacePoint& point,
+                        TraceCounters& counters) const {
   ISL_DCHECK(!hit.is_miss());
   const Instance& instance = impl_->scene.instances[hit.instance];
-  point.position = ray.origin + ray.direction * hit.t;
+  point.position = position_of(ray, hit);
   point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
@@ -210,7 +278,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   point.textures.resize(1);
   TextureShare& texture = point.textures.front();
   texture.weight = 1;
-  const Vec3 local = instance.is_placed ? instance.world_from_object.inverse_point(point.position) : point.position;
+  const Vec3 local = in_space_of(instance, point.position);
   Vec3 normal;
   bool is_unit = !instance.is_placed;  // of solids whose normal no transform changes, it is that already
   if (instance.kind == scene::Object::Kind::group) {
@@ -236,7 +304,9 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, Tra
   } else {
     set_texture(texture, instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
-    normal = impl_->shape_at(instance.kind, instance.shape, own, ray, hit, local, point, counters);
+    normal = impl_->is_told_by_fields(instance)
+                 ? impl_->shape_of_fields(instance, own, ray, hit, local, fields, point)
+                 : impl_->shape_at(instance.kind, instance.shape, own, ray, hit, local, point, counters);
     is_unit &= instance.kind == scene::Object::Kind::solid;
   }
   if (instance.is_placed) normal = instance.world_from_object.normal(normal);
@@ -271,7 +341,7 @@ Face Tracer::face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const
                                 BlobPoint& found = thread_blob_point();
                                 const ShareRule rule{&self.scene.coordinate_textures, scene::kNoTexture};
                                 self.entry_points->blob_point(self.scene.blobs[blob], cell, place, rule, found);
-                                return found.gradient;
+                                return found.fields.gradient;
                               }};
   return face_of(impl_->scene, hit, point, reach, gradient);
 }

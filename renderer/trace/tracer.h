@@ -3,6 +3,7 @@
 // vector width.
 #pragma once
 
+#include "renderer/rays/blob_fields.h"
 #include "renderer/rays/light_group.h"
 #include "renderer/rays/ray.h"
 #include "renderer/rays/surface_point.h"
@@ -49,6 +50,13 @@ class Tracer {
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;
+  /// The same, with what set_blob_fields() told.
+  void surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields, SurfacePoint& point,
+                  TraceCounters& counters) const;
+  /// Sets fields[k] to those of the blob that is hit by ray number which[k], at the point where it is hit. To ask for
+  /// many hits at once takes less time than one by one. Where a surface depends on more than this, fields[k] stays.
+  void set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hits, std::span<const std::uint32_t> which,
+                       std::span<BlobFields> fields, TraceCounters& counters) const;
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
     TraceCounters unread;
     surface_at(ray, hit, point, unread);

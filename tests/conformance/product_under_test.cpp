@@ -47,7 +47,7 @@ FieldUnderTest product_field_under_test(const FieldCase& tested_case) {
     const scene::CoordinateTextures none;
     render::BlobPoint point;
     lanes::blob_point(*blob, 0, p, {&none, scene::kNoTexture}, point);
-    return point.gradient;
+    return point.fields.gradient;
   };
   field.range_over_box = [blob](const Vec3& low, const Vec3& high) -> ValueRange {
     const render::FieldRange range =

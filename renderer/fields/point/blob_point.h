@@ -1,6 +1,7 @@
 // Gradient and texture shares of a blob at a point, for shading.
 #pragma once
 
+#include "renderer/rays/blob_fields.h"
 #include "renderer/rays/surface_point.h"
 #include "renderer/scene/coordinate_textures.h"
 
@@ -9,10 +10,15 @@
 
 namespace isl::render {
 
-/// Weighted textures and the gradient of a blob at a point.
+/// A point where a blob's fields are asked for, in the blob's space, and the cell of its grid that lists them.
+struct FieldQuery {
+  Vec3 point;
+  std::uint32_t cell;
+};
+
+/// The fields of a blob at a point, and its textures with their weights.
 struct BlobPoint {
-  double value = 0;  ///< Σfᵢ
-  Vec3 gradient{0};  ///< ∇F, in the blob's space
+  BlobFields fields;
   /// Σ|fᵢ| by texture, not normalised; kNoTexture stands for the blob's own texture. In each share's `surface` only the
   /// component is set.
   std::vector<TextureShare> shares;

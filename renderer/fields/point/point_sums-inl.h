@@ -63,7 +63,7 @@ inline KernelArguments arguments_at(const ComponentTable& table, const FieldGrou
 
 /// A sum of fields and its gradient.
 struct PointSums {
-  Octet value, gx, gy, gz;
+  Octet value, magnitude, gx, gy, gz;
 };
 
 /// Collects the shares of a point.
@@ -107,6 +107,7 @@ inline void add_point_curves(const ComponentTable& table, const FieldGroup& grou
       shares.add(table, item, std::abs(value[j]));
     }
     sums.value = sums.value + load(value);
+    sums.magnitude = sums.magnitude + abs(load(value));
     sums.gx = sums.gx + load(gx);
     sums.gy = sums.gy + load(gy);
     sums.gz = sums.gz + load(gz);
@@ -125,6 +126,7 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
     const Octet value = keep(active, at.amplitude * phi.value);
     const Octet slope = keep(active, Octet(2.0) * at.amplitude * phi.slope);
     sums.value = sums.value + value;
+    sums.magnitude = sums.magnitude + abs(value);
     sums.gx = sums.gx + slope * at.gx;
     sums.gy = sums.gy + slope * at.gy;
     sums.gz = sums.gz + slope * at.gz;
@@ -139,7 +141,7 @@ void add_point_group(const Kernel& kernel, const ComponentTable& table, const Fi
 /// The sum of these components' fields at a point, with its gradient and texture shares. `items` ascend.
 inline PointSums point_sums(const ComponentTable& table, std::span<const std::uint32_t> items, const Vec3& point,
                             ShareSums& shares) {
-  PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
+  PointSums sums{Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0), Octet(0.0)};
   shares.clear();
   const auto count = static_cast<std::uint32_t>(items.size());
   for (std::uint32_t next = 0; next < count;) {

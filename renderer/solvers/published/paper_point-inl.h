@@ -54,7 +54,7 @@ class Equation10 {
       }
       i = end;
     }
-    result_.gradient = -outward_;
+    result_.fields.gradient = -outward_;
   }
 
  private:
