@@ -74,7 +74,8 @@ class Rendering {
   void run() {
     if (options_.samples) {
       progress_.begin_stage(1, tiles_of(film_.rect(), options_.tile_order).size());
-      trace_tiles(film_.rect(), [&](const Pixel&) { return Range{0, pattern_.size()}; });
+      const Range all{0, pattern_.size()};
+      trace_tiles(film_.rect(), [all](const Pixel&) { return all; });
       return;
     }
     if (options_.max_noise) return run_until_quiet(*options_.max_noise);
@@ -165,29 +166,35 @@ class Rendering {
     pixels_of(tile, workspace.pixels);
     workspace.samples.clear();
     workspace.places.clear();
+    // Copies, because the compiler does not know that nothing that is written here changes them.
+    const PixelRect rect = film_.rect();
+    const SampleOffset* const offsets = pattern_.data();
+    const bool is_soft = is_soft_;
     for (const Pixel& pixel : workspace.pixels) {
       const Range range = wanted(pixel);
       if (range.first == range.last) continue;
-      if (is_soft_) {
+      if (is_soft) {
         trace_soft_pixel(pixel, range, workspace);
-      } else {
-        for (std::size_t i = range.first; i < range.last; ++i) push_sample(pixel, range, i, pattern_[i], workspace);
+        continue;
       }
+      const auto at = static_cast<std::uint32_t>(rect.index(pixel.x, pixel.y));
+      for (std::size_t i = range.first; i < range.last; ++i) push_sample(pixel, at, range, i, offsets[i], workspace);
     }
     flush(workspace);
   }
 
   void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
     const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
+    const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
     for (std::size_t i = range.first; i < range.last; ++i) {
       workspace.places.push_back(among(seed, i));
-      push_sample(pixel, range, i, noise_ ? SampleOffset{0, 0} : pattern_[i], workspace);
+      push_sample(pixel, at, range, i, noise_ ? SampleOffset{0, 0} : pattern_[i], workspace);
     }
   }
 
-  void push_sample(const Pixel& pixel, const Range& range, std::size_t i, const SampleOffset& offset,
+  /// `at` is the pixel's index in the film.
+  void push_sample(const Pixel& pixel, std::uint32_t at, const Range& range, std::size_t i, const SampleOffset& offset,
                    Workspace& workspace) {
-    const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
     workspace.samples.push_back({pixel.x + 0.5 + offset.x, pixel.y + 0.5 + offset.y, at, i == 0, i + 1 == range.last});
     if (workspace.samples.size() == kBatchSize) flush(workspace);
   }

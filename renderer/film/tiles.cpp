@@ -49,6 +49,12 @@ std::vector<PixelRect> tiles_of(const PixelRect& rect, TileOrder order) {
 }
 
 void pixels_of(const PixelRect& tile, std::vector<Pixel>& pixels) {
+  if (tile.width() == kTileSize && tile.height() == kTileSize) {
+    pixels.resize(kMortonOrder.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      pixels[i] = {tile.x0 + kMortonOrder[i].x, tile.y0 + kMortonOrder[i].y};
+    return;
+  }
   pixels.clear();
   for (const Pixel& offset : kMortonOrder) {
     const Pixel pixel{tile.x0 + offset.x, tile.y0 + offset.y};

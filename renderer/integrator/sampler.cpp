@@ -69,16 +69,22 @@ void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, Samp
   const std::span<Rgb> colours = std::span(paths.colours).first(samples.size());
   const std::span<double> alphas = std::span(paths.alphas).first(samples.size());
   if (film_.is_linear()) working_space_.make_linear(colours);
-  const std::vector<Ray>& rays = paths.camera_rays();
+  const std::span<const Ray> rays = paths.camera_rays();
+  auto worst = Certainty::certified;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    lower(worst, paths.certainties[i]);
+    if (rays[i].direction != Vec3(0)) continue;  // the camera shows nothing there
+    colours[i] = Rgb(0);
+    alphas[i] = blank_alpha_;
+  }
+  if (worst != Certainty::certified) {
+    for (std::size_t i = 0; i < samples.size(); ++i) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
+  }
   for (std::size_t first = 0, last = 0; first < samples.size(); first = last) {
     const std::uint32_t pixel = samples[first].pixel;
-    for (; last < samples.size() && samples[last].pixel == pixel; ++last) {
+    do {
       if (last + kSamplesAhead < samples.size()) film_.expect_sample(samples[last + kSamplesAhead].pixel);
-      if (paths.certainties[last] != Certainty::certified) film_.lower_certainty(pixel, paths.certainties[last]);
-      if (rays[last].direction != Vec3(0)) continue;  // the camera shows nothing there
-      colours[last] = Rgb(0);
-      alphas[last] = blank_alpha_;
-    }
+    } while (++last < samples.size() && samples[last].pixel == pixel);
     const std::size_t count = last - first;
     film_.add_samples(pixel, colours.subspan(first, count), alphas.subspan(first, count));
     if (observer) observer->add(samples[last - 1], colours.subspan(first, count), alphas.subspan(first, count));

@@ -17,11 +17,16 @@ namespace isl::render {
 /// The point in the pattern's own space.
 [[nodiscard]] inline scene::Vec3 own_point(const scene::Database& database, const scene::Pattern& pattern,
                                            const scene::Vec3& point, const values::Environment& environment) noexcept {
-  // Most patterns are moved by one transform alone.
-  const bool is_plain = !pattern.uv_mapping && pattern.warps.size() == 1 && pattern.turbulence.amount == scene::Vec3(0);
-  const auto* const id = is_plain ? std::get_if<scene::TransformId>(&pattern.warps.front()) : nullptr;
-  return id ? within_limit(database.transforms[index(*id)].inverse_point(point))
-            : own_point_of_any(database, pattern, point, environment);
+  // Most patterns are moved by transforms alone.
+  if (pattern.uv_mapping || pattern.turbulence.amount != scene::Vec3(0))
+    return own_point_of_any(database, pattern, point, environment);
+  scene::Vec3 own = point;
+  for (auto warp = pattern.warps.rbegin(); warp != pattern.warps.rend(); ++warp) {
+    const auto* const id = std::get_if<scene::TransformId>(&*warp);
+    if (id == nullptr) return own_point_of_any(database, pattern, point, environment);
+    own = database.transforms[index(*id)].inverse_point(own);
+  }
+  return within_limit(own);
 }
 
 /// Normals keep what the transforms do to their lengths.
