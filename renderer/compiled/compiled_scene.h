@@ -27,8 +27,7 @@ struct CompiledBlob {
   PaperTables paper;  ///< filled only for the published solver
   double size = 0;    ///< the largest coordinate that its surface is computed from
 
-  /// True if the field is one sum everywhere, not the greatest of several, and all components have one texture: then
-  /// value and gradient are all that shading needs to know of a point.
+  /// True if the field is one sum everywhere, not the greatest of several, and all components have one texture.
   [[nodiscard]] bool is_one_sum() const {
     return components.has_one_texture && components.branch.empty() && !components.is_unblended;
   }
@@ -58,6 +57,8 @@ struct Instance {
   double size = 0;  ///< for a solid or blob: the largest coordinate, in its own space, that its surface is computed
                     ///< from
   Spread spread;    ///< in world space
+  /// A blob of which value and gradient of the field are all that shading needs to know of a point. Tracer sets it.
+  bool is_told_by_fields = false;
 };
 
 struct CompiledScene {

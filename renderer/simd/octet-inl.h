@@ -151,21 +151,22 @@ HWY_INLINE void store(const Octet& x, double* p) {
 }
 #if HWY_TARGET != HWY_SCALAR
 using Two = hn::FixedTag<double, 2>;
-/// Eight numbers that are there two by two.
+/// A register of numbers that are there two by two.
 template <class D>
-HWY_INLINE Octet joined(D lanes, const hn::Vec<Two> (&pairs)[kOctet / 2]) {
-  Octet r;
-  for (std::size_t i = 0; i < kRegisters; ++i) {
-    const hn::Vec<Two>* const own = pairs + i * (kLanes / 2);
-    if constexpr (hn::MaxLanes(D()) == 2) {
-      r.v[i] = own[0];
-    } else if constexpr (hn::MaxLanes(D()) == 4) {
-      r.v[i] = hn::Combine(lanes, own[1], own[0]);
-    } else {
-      const hn::Half<D> half;
-      r.v[i] = hn::Combine(lanes, hn::Combine(half, own[3], own[2]), hn::Combine(half, own[1], own[0]));
-    }
+HWY_INLINE hn::Vec<D> joined_register(D lanes, const hn::Vec<Two>* pairs) {
+  if constexpr (hn::MaxLanes(D()) == 2) {
+    return pairs[0];
+  } else if constexpr (hn::MaxLanes(D()) == 4) {
+    return hn::Combine(lanes, pairs[1], pairs[0]);
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(lanes, hn::Combine(half, pairs[3], pairs[2]), hn::Combine(half, pairs[1], pairs[0]));
   }
+}
+/// Eight numbers that are there two by two.
+HWY_INLINE Octet joined(const hn::Vec<Two> (&pairs)[kOctet / 2]) {
+  Octet r;
+  for (std::size_t i = 0; i < kRegisters; ++i) r.v[i] = joined_register(Lanes(), pairs + i * (kLanes / 2));
   return r;
 }
 #endif
@@ -181,7 +182,7 @@ HWY_INLINE Octet gather(const double* base, const std::uint32_t* index) {
   hn::Vec<Two> pairs[kOctet / 2];
   for (std::size_t i = 0; i < kOctet / 2; ++i)
     pairs[i] = hn::InterleaveLower(two, hn::Set(two, base[index[2 * i]]), hn::Set(two, base[index[2 * i + 1]]));
-  return joined(Lanes(), pairs);
+  return joined(pairs);
 #endif
 }
 

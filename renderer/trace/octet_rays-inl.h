@@ -42,8 +42,8 @@ HWY_INLINE void load_numbers(const double* const (&rays)[kOctet], std::size_t fi
     ones[i] = hn::InterleaveLower(two, a, b);
     nexts[i] = hn::InterleaveUpper(two, a, b);
   }
-  one = joined(Lanes(), ones);
-  next = joined(Lanes(), nexts);
+  one = joined(ones);
+  next = joined(nexts);
 }
 #endif
 

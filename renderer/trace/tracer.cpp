@@ -33,7 +33,8 @@ struct Tracer::Impl {
   CompiledScene scene;
   SolverSettings settings;
   const TraceEntryPoints* entry_points = nullptr;
-  const TraceLoops* loops = nullptr;  ///< the loops of entry_points, or a baseline's
+  const TraceLoops* loops = nullptr;     ///< the loops of entry_points, or a baseline's
+  bool some_are_told_by_fields = false;  ///< of the instances
   const StopFlag* stop = nullptr;
   std::size_t rays_between_looks = 0;  ///< at the flag; a multiple of the rays in a packet
 
@@ -54,15 +55,19 @@ struct Tracer::Impl {
     return ray.direction * (settings.at(ray.path_length + hit.t) + 0x1p-48 * coordinates);
   }
 
-  /// True if value and gradient of its field tell all about the instance's surface.
-  [[nodiscard]] bool is_told_by_fields(const Instance& instance) const {
-    if (instance.kind != scene::Object::Kind::blob || !scene.blobs[instance.shape].is_one_sum()) return false;
-    if (is_published(settings.name) || instance.interior_texture.id != scene::kNoTexture) return false;
-    const ShareRule rule{&scene.coordinate_textures, instance.texture.id};
-    return rule.may_share(scene.blobs[instance.shape].components.texture.front());
+  /// Sets Instance::is_told_by_fields.
+  void find_told_by_fields() {
+    for (Instance& instance : scene.instances) {
+      if (instance.kind != scene::Object::Kind::blob || instance.interior_texture.id != scene::kNoTexture) continue;
+      const CompiledBlob& blob = scene.blobs[instance.shape];
+      if (!blob.is_one_sum() || blob.components.size() == 0) continue;
+      const ShareRule rule{&scene.coordinate_textures, instance.texture.id};
+      instance.is_told_by_fields = rule.may_share(blob.components.texture.front());
+      some_are_told_by_fields |= instance.is_told_by_fields;
+    }
   }
 
-  /// The normal of an instance of which that is true, of any length, as shape_at().
+  /// The normal of an instance that is_told_by_fields, of any length.
   Vec3 shape_of_fields(const Instance& instance, const TextureFrame& own, const Ray& ray, const Hit& hit,
                        const Vec3& local, const BlobFields& fields, SurfacePoint& surface) const {
     const CompiledBlob& blob = scene.blobs[instance.shape];
@@ -191,6 +196,7 @@ Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : 
     const bool iso = options.solver == SolverName::iso;
     for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
   }
+  if (!is_published(options.solver)) impl_->find_told_by_fields();
   impl_->stop = options.run.stop;
   impl_->rays_between_looks = rays_between_looks(impl_->scene);
   impl_->entry_points = trace_entry_points(options.simd);
@@ -233,6 +239,7 @@ bool Tracer::may_meet_clear(const Ray& ray) const {
 
 void Tracer::set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hits, std::span<const std::uint32_t> which,
                              std::span<BlobFields> fields, TraceCounters& counters) const {
+  if (!impl_->some_are_told_by_fields) return;
   std::array<FieldQuery, kPacket> queries;
   std::array<BlobFields, kPacket> found;
   std::array<std::size_t, kPacket> asked_by;
@@ -248,7 +255,7 @@ void Tracer::set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hit
   for (std::size_t i = 0; i < which.size(); ++i) {
     const Hit& hit = hits[which[i]];
     const Instance& instance = impl_->scene.instances[hit.instance];
-    if (!impl_->is_told_by_fields(instance)) continue;
+    if (!instance.is_told_by_fields) continue;
     const CompiledBlob* const own = &impl_->scene.blobs[instance.shape];
     if (own != blob || count == kPacket) ask();
     blob = own;
@@ -304,7 +311,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields
   } else {
     set_texture(texture, instance.texture, impl_->scene, instance, point.position, local);
     const TextureFrame own{placing(instance), nullptr};
-    normal = impl_->is_told_by_fields(instance)
+    normal = instance.is_told_by_fields
                  ? impl_->shape_of_fields(instance, own, ray, hit, local, fields, point)
                  : impl_->shape_at(instance.kind, instance.shape, own, ray, hit, local, point, counters);
     is_unit &= instance.kind == scene::Object::Kind::solid;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace isl {
@@ -33,7 +34,20 @@ TEST(Parallel, WhatACallThrowsIsThrown) {
   const auto fail = [](std::size_t i) {
     if (i == 17) throw std::runtime_error("seventeen");
   };
-  EXPECT_THROW(with_threads(2, [&] { parallel_for(100, fail); }), std::runtime_error);
+  for (const int threads : {1, 2})
+    EXPECT_THROW(with_threads(threads, [&] { parallel_for(100, fail); }), std::runtime_error) << threads << " threads";
+}
+
+TEST(Parallel, OneThreadIsTheOneThatCalls) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<std::size_t> order;
+  with_threads(1, [&] {
+    parallel_for(5, [&](std::size_t i) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      order.push_back(i);
+    });
+  });
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
 }
 
 TEST(Parallel, EachThreadKeepsItsOwn) {
