@@ -1,4 +1,4 @@
-// What the fields of a blob add up to at a point.
+// The sums of a blob's fields and of their gradients at a point.
 #pragma once
 
 #include "renderer/scene/transform.h"

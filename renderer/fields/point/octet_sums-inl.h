@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 
 class OctetSums {
  public:
-  /// Of one to eight points; lanes without one repeat the first. The queries must outlive the sums.
+  /// Begins the sums of one to eight points. Lanes without a point repeat the first one. The queries must outlive this.
   explicit OctetSums(std::span<const FieldQuery> queries) : queries_(queries) {
     static_assert(sizeof(FieldQuery) % sizeof(double) == 0);
     constexpr std::uint32_t kStride = sizeof(FieldQuery) / sizeof(double);

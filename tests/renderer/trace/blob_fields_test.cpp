@@ -1,7 +1,7 @@
 // The fields at hits, asked for many at once, have the bits that each has alone, and are those that the sum of one
 // point at a time has.
 #include "renderer/trace/tracer.h"
-#include "tests/support/sphereflake.h"
+#include "tests/renderer/trace/mixed_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -16,32 +16,18 @@
 namespace isl::render {
 namespace {
 
-/// Balls, limbs, stretched and negative components, and a convolved limb: three times
-/// the same blob, of which two are placed.
+/// The components of mixed_scene() and some that are convolved, all of one texture: the same blob three times, of which
+/// two are moved.
 scene::Database three_mixed_blobs() {
-  scene::Database database = test::sphereflake(1, {scene::KernelShape::quartic, scene::RadiusMeaning::surface, 3});
-  database.kernels.push_back({scene::KernelShape::gaussian, scene::RadiusMeaning::surface, 4});
+  scene::Database database = mixed_scene();
+  const auto convolved = scene::KernelId(static_cast<std::uint32_t>(database.kernels.size()));
   database.kernels.push_back(
       {scene::KernelShape::quartic, scene::RadiusMeaning::surface, 4, scene::FieldMode::convolution});
-  scene::Transform stretch;
-  stretch.matrix.setScale(Vec3(1, 1.5, 0.7));
-  stretch.inverse = stretch.matrix.inverse();
-  database.transforms.push_back(stretch);
-  scene::Blob& blob = database.blobs[0];
-  for (int i = 0; i < 24; ++i) {
-    scene::Component c;
-    c.a = Vec3(0.5 * std::sin(1.7 * i), 0.5 * std::cos(2.3 * i), 0.04 * i - 0.5);
-    c.b = c.a + Vec3(0.3, 0.1 * (i % 5), -0.2);
-    c.radius_a = 0.08;
-    c.radius_b = 0.08;
-    c.skeleton = i % 3 == 0 ? scene::Skeleton::point : scene::Skeleton::segment;
-    c.kernel = scene::KernelId(c.skeleton == scene::Skeleton::point ? i / 3 % 2 : i / 2 % 3);
-    c.strength = i % 4 == 3 ? -0.5 : 1;
-    if (i % 6 == 5) c.transform = scene::TransformId{0};
-    blob.components.push_back(c);
-    blob.origins.push_back({});
+  int segments = 0;
+  for (scene::Component& c : database.blobs[0].components) {
+    c.texture = scene::kNoTexture;
+    if (c.skeleton == scene::Skeleton::segment && ++segments % 3 == 0) c.kernel = convolved;
   }
-  for (scene::Component& c : blob.components) c.texture = scene::kNoTexture;
   for (const double aside : {-1.5, 1.5}) {
     scene::Object copy = database.objects[0];
     copy.parent_from_object.matrix.setTranslation(Vec3(0, aside, 0));
