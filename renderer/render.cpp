@@ -164,39 +164,28 @@ class Rendering {
   void trace_tile(const PixelRect& tile, const Wanted& wanted) {
     Workspace& workspace = workspaces_.local();
     pixels_of(tile, workspace.pixels);
-    workspace.samples.clear();
     workspace.places.clear();
     // Copies, because the compiler does not know that nothing that is written here changes them.
     const PixelRect rect = film_.rect();
     const SampleOffset* const offsets = pattern_.data();
-    const bool is_soft = is_soft_;
+    const bool is_soft = is_soft_, is_spread = noise_ != nullptr;
+    CameraSample* const samples = workspace.samples.data();
+    std::size_t count = 0;
     for (const Pixel& pixel : workspace.pixels) {
       const Range range = wanted(pixel);
       if (range.first == range.last) continue;
-      if (is_soft) {
-        trace_soft_pixel(pixel, range, workspace);
-        continue;
-      }
       const auto at = static_cast<std::uint32_t>(rect.index(pixel.x, pixel.y));
-      for (std::size_t i = range.first; i < range.last; ++i) push_sample(pixel, at, range, i, offsets[i], workspace);
+      const std::uint32_t seed = is_soft ? pixel_seed(pixel.x, pixel.y) : 0;
+      for (std::size_t i = range.first; i < range.last; ++i) {
+        const SampleOffset offset = is_spread ? SampleOffset{0, 0} : offsets[i];
+        samples[count] = {pixel.x + 0.5 + offset.x, pixel.y + 0.5 + offset.y, at, i == 0, i + 1 == range.last};
+        if (is_soft) workspace.places.push_back(among(seed, i));
+        if (++count < kBatchSize) continue;
+        flush(workspace, count);
+        count = 0;
+      }
     }
-    flush(workspace);
-  }
-
-  void trace_soft_pixel(const Pixel& pixel, const Range& range, Workspace& workspace) {
-    const std::uint32_t seed = pixel_seed(pixel.x, pixel.y);
-    const auto at = static_cast<std::uint32_t>(film_.rect().index(pixel.x, pixel.y));
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      workspace.places.push_back(among(seed, i));
-      push_sample(pixel, at, range, i, noise_ ? SampleOffset{0, 0} : pattern_[i], workspace);
-    }
-  }
-
-  /// `at` is the pixel's index in the film.
-  void push_sample(const Pixel& pixel, std::uint32_t at, const Range& range, std::size_t i, const SampleOffset& offset,
-                   Workspace& workspace) {
-    workspace.samples.push_back({pixel.x + 0.5 + offset.x, pixel.y + 0.5 + offset.y, at, i == 0, i + 1 == range.last});
-    if (workspace.samples.size() == kBatchSize) flush(workspace);
+    if (count > 0) flush(workspace, count);
   }
 
   /// A sample takes one point of every integral if the pixel's noise tells when there are enough. Else the pixel takes
@@ -210,26 +199,25 @@ class Rendering {
     return {seed, options_.samples ? index : kBehindFirstPass + index, static_cast<std::uint32_t>(pattern_.size())};
   }
 
-  void flush(Workspace& workspace) {
-    if (workspace.samples.empty()) return;
+  /// Traces the samples that have been made.
+  void flush(Workspace& workspace, std::size_t count) {
+    const std::span<CameraSample> samples = std::span(workspace.samples).first(count);
     std::optional<NoiseObserver> observer;
     if (noise_) {
       observer.emplace(*noise_, workspace.noise);
-      spread_over_pixels(workspace);
+      spread_over_pixels(samples, workspace);
     }
-    if (!sampler_.trace(workspace.samples, workspace.places, workspace, observer ? &*observer : nullptr))
-      skipped_ = true;
-    workspace.samples.clear();
+    if (!sampler_.trace(samples, workspace.places, workspace, observer ? &*observer : nullptr)) skipped_ = true;
     workspace.places.clear();
   }
 
   /// Moves samples from the middles of their pixels to points of their sequences.
-  void spread_over_pixels(Workspace& workspace) const {
-    workspace.in_pixel.resize(workspace.samples.size());
+  void spread_over_pixels(std::span<CameraSample> samples, Workspace& workspace) const {
+    workspace.in_pixel.resize(samples.size());
     set_centred_points(pixel_square(sampler_.has_lens()), workspace.places, workspace.in_pixel);
-    for (std::size_t i = 0; i < workspace.samples.size(); ++i) {
-      workspace.samples[i].x += workspace.in_pixel[i].u;
-      workspace.samples[i].y += workspace.in_pixel[i].v;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      samples[i].x += workspace.in_pixel[i].u;
+      samples[i].y += workspace.in_pixel[i].v;
     }
   }
 

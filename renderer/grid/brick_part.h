@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -99,12 +100,9 @@ struct BrickPart {
   }
 };
 
-/// A cell's box, enlarged on every side so that the rounding of a ray's position never decides which items a point
-/// sees: by 2⁻²⁰ of its size, or by Grid::rounding if that is more.
-[[nodiscard]] inline Box enlarged_cell(const Vec3& low, double size, double rounding) {
-  const Vec3 margin(std::max(size * 0x1p-20, rounding));
-  return Box(low - margin, low + Vec3(size) + margin);
-}
+/// The width by which a cell's box is enlarged on every side, so that the rounding of a ray's position never decides
+/// which items a point sees: 2⁻²⁰ of its size, or Grid::rounding if that is more.
+[[nodiscard]] inline double cell_margin(double size, double rounding) { return std::max(size * 0x1p-20, rounding); }
 
 /// A cube that is divided into the cells of a brick.
 struct BrickCube {
@@ -116,8 +114,36 @@ struct BrickCube {
     const std::uint32_t row = index / kBrickSide, layer = row / kBrickSide;
     return low + Vec3(double(index % kBrickSide), double(row % kBrickSide), double(layer)) * cell_size;
   }
-  [[nodiscard]] Box box(std::uint32_t index) const { return enlarged_cell(corner(index), cell_size, rounding); }
+  [[nodiscard]] double margin() const { return cell_margin(cell_size, rounding); }
+  /// The enlarged box of a cell.
+  [[nodiscard]] Box box(std::uint32_t index) const {
+    const Vec3 from = corner(index), wider(margin());
+    return Box(from - wider, from + Vec3(cell_size) + wider);
+  }
 };
+
+/// The core of the brick with this first cell: the least that contains those of its cells.
+[[nodiscard]] inline CellCore core_of_brick(const Grid& grid, std::uint32_t first) {
+  constexpr unsigned kParts = kBrickSide * CellCore::kParts;
+  unsigned low[3] = {kParts, kParts, kParts}, high[3] = {kParts, kParts, kParts};
+  for (std::uint64_t left = grid.occupied[first / kBrickCells]; left != 0; left &= left - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(left));
+    const Cell& cell = grid.cells[first + i];
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned slab = i >> (2 * axis) & 3;
+      low[axis] = std::min(low[axis], slab * CellCore::kParts + cell.core.from_low[axis]);
+      high[axis] = std::min(high[axis], (kBrickSide - 1 - slab) * CellCore::kParts + cell.core.from_high[axis]);
+    }
+  }
+  CellCore core;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const unsigned from_low = std::min(low[axis] / kBrickSide, CellCore::kParts - 1U);
+    core.from_low[axis] = static_cast<std::uint8_t>(from_low);
+    core.from_high[axis] =
+        static_cast<std::uint8_t>(std::min(high[axis] / kBrickSide, CellCore::kParts - 1U - from_low));
+  }
+  return core;
+}
 
 /// The items of each cell of a brick.
 using DealtItems = std::array<std::vector<std::uint32_t>, kBrickCells>;
@@ -176,18 +202,25 @@ class CellMaker {
     const double cost = classifier_.cost(kept);
     part.cost += cost;
     const Division division = may_divide ? classifier_.division(cube.cell_size, kept) : Division::none;
-    if (division == Division::none) return add_leaf(part, index, box, kept);
+    if (division == Division::none) return add_leaf(part, index, cube, kept);
     part.open.push_back({cube.corner(index), part.kept.size(), static_cast<std::uint32_t>(kept.size()), index,
                          classifier_.most_entries(kept), cost, division == Division::lists, false});
     part.kept.insert(part.kept.end(), kept.begin(), kept.end());
   }
 
-  /// Adds a leaf that holds all of these items.
-  void add_leaf(BrickPart& part, std::uint32_t index, const Box& box, std::span<const std::uint32_t> items) const {
+  /// Adds a leaf that holds all of these items, if there is anything in it.
+  void add_leaf(BrickPart& part, std::uint32_t index, const BrickCube& cube,
+                std::span<const std::uint32_t> items) const {
+    const Box box = cube.box(index), core = classifier_.core(box, items);
+    if (core.isEmpty()) return;
     ListSink sink(part.items);
     classifier_.list(box, items, sink);
     for (const ItemList& list : sink.lists()) part.longest_list = std::max(part.longest_list, list.count);
-    part.finished.push_back({index, cell_of(sink.lists(), part.choices)});
+    Cell cell = cell_of(sink.lists(), part.choices);
+    if (core == box) return part.finished.push_back({index, cell});
+    cell.set_core(CellCore::around(core, cube.corner(index), cube.cell_size, cube.margin()), cube.cell_size,
+                  cube.rounding);
+    part.finished.push_back({index, cell});
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "renderer/fields/lipschitz.h"
 #include "renderer/grid/blob_grid.h"
 #include "renderer/grid/brick_part.h"
+#include "renderer/grid/field_cores.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace isl::render {
 class FieldClassifier {
  public:
   FieldClassifier(const ComponentTable& table, CellRule rule)
-      : table_(table), tree_(table.tree), rule_(rule), classify_(rule != CellRule::none) {
+      : table_(table), tree_(table.tree), cores_(table), rule_(rule), classify_(rule != CellRule::none) {
     reach_.resize(table.size());
     fitting_.resize(table.size());
     is_limb_.resize(table.size());
@@ -64,6 +65,12 @@ class FieldClassifier {
     if (high < table_.threshold - slack) return CellKind::empty;
     if (low > table_.threshold + slack) return CellKind::inside;
     return CellKind::leaf;
+  }
+
+  /// The part of a leaf outside which the field is below the threshold. (The octree that culls by Lipschitz constants
+  /// knows no better than its cells.)
+  [[nodiscard]] Box core(const Box& box, std::span<const std::uint32_t> kept) const {
+    return rule_ == CellRule::ranges ? cores_.core(box, kept) : box;
   }
 
   /// One list for each selection of branches that may be the greatest; for an unblended blob, one for each component.
@@ -172,6 +179,7 @@ class FieldClassifier {
 
   const ComponentTable& table_;
   const BranchTree& tree_;
+  FieldCores cores_;
   CellRule rule_;
   bool classify_;
   std::vector<double> reach_;

@@ -1,10 +1,10 @@
 // The sparse nested grid tells where on a ray there is anything to solve. A brick has 4×4×4 cubic cells, any of which
 // may be a brick of smaller ones, to any depth, so that empty space costs one step and detail costs what it needs.
-// Every cell is classified when the grid is built (grid/blob_grid.cpp for fields, compiled/instance_grid.cpp for
-// instances), and its list is complete, so that each cell is solved by itself. After Klimaszewski and Sederberg 1997
-// (nested grids), walked as in Amanatides and Woo 1987.
+// Every cell is classified when the grid is built (grid/field_classifier.h), and its list is complete, so that each
+// cell is solved by itself. After Klimaszewski and Sederberg 1997 (nested grids), walked as in Amanatides and Woo 1987.
 #pragma once
 
+#include "renderer/grid/cell_core.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
 
@@ -30,14 +30,22 @@ enum class CellKind : std::uint32_t {
 struct Cell {
   std::uint32_t first = 0;
   std::uint32_t kind_and_count = 0;
+  CellCore core;            ///< of a leaf, choice or brick: a field is below the threshold outside it
+  bool is_trimmed = false;  ///< rays are followed in the core alone
 
+  bool operator==(const Cell&) const = default;
   [[nodiscard]] CellKind kind() const { return static_cast<CellKind>(kind_and_count & 7); }
   [[nodiscard]] std::uint32_t count() const { return kind_and_count >> 3; }
+  /// `size` of the cell and `rounding` as Grid::rounding.
+  void set_core(const CellCore& to, double size, double rounding) {
+    core = to;
+    is_trimmed = to.is_worth_a_look() && size >= kLeastTrimmed * rounding;
+  }
   [[nodiscard]] static Cell make(CellKind kind, std::uint32_t first = 0, std::uint32_t count = 0) {
-    return {first, static_cast<std::uint32_t>(kind) | count << 3};
+    return {first, static_cast<std::uint32_t>(kind) | count << 3, {}, false};
   }
 };
-static_assert(sizeof(Cell) == 8);
+static_assert(sizeof(Cell) == 16);
 
 inline constexpr int kBrickSide = 4;
 inline constexpr std::uint32_t kBrickCells = 64;
@@ -60,6 +68,7 @@ struct Grid {
 
   Box bounds;                           ///< bounds of the content; empty if there is none
   Box box;                              ///< bounds of the top brick's cells in use
+  Box core;                             ///< the part of `box` in which rays are followed
   double cell_size = 0;                 ///< side of the top brick's cells, the same on every axis
   double rounding = 0;                  ///< no plane between cells is off by more where a ray in the box meets it
   int dimensions[3] = {0, 0, 0};        ///< number of cells in use, 1 to 4 an axis; the others are empty

@@ -5,6 +5,7 @@
 //   Division  division(size, kept)         the reason for dividing a leaf; size is its side
 //   double    cost(kept)                   what a ray pays for the items of a leaf
 //   size_t    most_entries(kept)           upper bound of the entries of a leaf's lists
+//   Box       core(box, kept)              the part of a leaf that holds all there is in it; empty if nothing is
 //   void      list(box, kept, lists)       one list for a leaf, or those of a choice: lists.add(numbers)
 //   Box       item_bounds(item)            a box around all that the item touches
 //
@@ -28,6 +29,7 @@
 #include "renderer/grid/top_brick.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <span>
 #include <utility>
@@ -62,7 +64,7 @@ class GridBuilder {
     }
     const std::size_t occupied_bytes = grid_.cells.size() / kBrickCells * sizeof(std::uint64_t);
     if (!may_hold(charge_, growth_of(grid_.items, grid_.items.size() + Grid::kListTail) + occupied_bytes)) return {};
-    finish();
+    finish(has_endless);
     return std::move(grid_);
   }
 
@@ -168,7 +170,7 @@ class GridBuilder {
     trial.is_brick = false;
     trial.part.clear();
     const std::size_t before = trial.part.list_bytes();
-    maker_.add_leaf(trial.part, 0, enlarged_cell(cell.low, cell_size * kBrickSide, grid_.rounding), items);
+    maker_.add_leaf(trial.part, 0, {cell.low, cell_size * kBrickSide, grid_.rounding}, items);
     if (!may_hold(trial.charge, trial.part.list_bytes() - before)) trial.part.clear();
   }
 
@@ -302,13 +304,39 @@ class GridBuilder {
     return std::span(level.open).subspan(begin, end - begin);
   }
 
-  void finish() {
+  /// Sets the cores of the bricks in a brick, whose cells have this size.
+  void set_cores(std::uint32_t first, double size) {
+    for (std::uint64_t left = grid_.occupied[first / kBrickCells]; left != 0; left &= left - 1) {
+      Cell& cell = grid_.cells[first + static_cast<std::uint32_t>(std::countr_zero(left))];
+      if (cell.kind() != CellKind::brick) continue;
+      set_cores(cell.first, size * (1.0 / kBrickSide));
+      cell.set_core(core_of_brick(grid_, cell.first), size, grid_.rounding);
+    }
+  }
+  /// The core of the top brick.
+  [[nodiscard]] Box core_box() const {
+    const CellCore core = core_of_brick(grid_, 0);
+    const double part = grid_.cell_size * kBrickSide / CellCore::kParts;
+    Box box = grid_.box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      box.min[axis] = grid_.box.min[axis] + core.from_low[i] * part;
+      box.max[axis] =
+          std::min(grid_.box.max[axis], grid_.box.min[axis] + (CellCore::kParts - core.from_high[i]) * part);
+    }
+    return box;
+  }
+
+  void finish(bool has_endless) {
     grid_.items.resize(grid_.items.size() + Grid::kListTail);
     grid_.occupied.resize(grid_.cells.size() / kBrickCells);
     for (std::size_t i = 0; i < grid_.cells.size(); ++i) {
       if (grid_.cells[i].kind() != CellKind::empty)
         grid_.occupied[i / kBrickCells] |= std::uint64_t{1} << (i % kBrickCells);
     }
+    set_cores(0, grid_.cell_size);
+    // Where there are items without end, others matter in all of the box.
+    grid_.core = has_endless ? grid_.box : core_box();
   }
 
   /// A trial gains if a ray pays less than this share of what it paid. Divisions of a sphereflake leave 0.1 to 0.7;

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -61,6 +62,7 @@ struct WalkAxes {
 struct WalkLevel {
   double leave[3][kBrickSide];  ///< t at which the ray leaves each slab of each axis
   double low[3];                ///< corner, relative to the ray's origin
+  double end;                   ///< t at which the ray leaves the brick's core
   unsigned position;            ///< two bits an axis: the slab it is in
   std::uint32_t first;          ///< the brick's first cell
 };
@@ -93,8 +95,34 @@ struct BrickFromOrigin {
   std::uint32_t first;  ///< its first cell
 };
 
+/// The part of a ray between two t.
+struct Stretch {
+  double enter, leave;
+};
+/// The part of a stretch in the core of a cell: number `in_brick` of the brick with this corner and cells of this size.
+[[nodiscard]] HWY_INLINE Stretch in_core(const CellCore& core, const double (&low)[3], unsigned in_brick, double size,
+                                         const WalkAxes& axes, Stretch stretch) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const CorePlanes planes = core_planes(core, axis, in_brick >> (2 * axis) & 3);
+    const double near = low[axis] + planes.low * size, far = low[axis] + planes.high * size;
+    const double inverse = axes.inverse[axis];
+    double enter = near * inverse, leave = far * inverse;
+    if (inverse == kInfinity) {  // it is between the two planes all the way or nowhere
+      enter = near <= 0 ? -kInfinity : kInfinity;
+      leave = far <= 0 ? -kInfinity : kInfinity;
+    } else if (inverse < 0) {
+      std::swap(enter, leave);
+    }
+    stretch.enter = enter > stretch.enter ? enter : stretch.enter;
+    stretch.leave = leave < stretch.leave ? leave : stretch.leave;
+  }
+  return stretch;
+}
+
 /// Calls visit(cell_index, cell, t_in, t_out) for each leaf and inside cell that the ray meets in the brick between t0
-/// and t1, which lie within it, in order, until visit returns true. Stretches of no length are left out.
+/// and t1, which lie within it, in order, until visit returns true. Stretches of no length are left out. A stretch that
+/// begins at t0 keeps its beginning, wherever the cell's core is: rays that start on a surface know that they do.
 template <class Visit>
 HWY_INLINE void walk_brick(const Grid& grid, const BrickFromOrigin& brick, const WalkAxes& axes, double t0, double t1,
                            Visit&& visit) {
@@ -111,37 +139,47 @@ HWY_INLINE void walk_brick(const Grid& grid, const BrickFromOrigin& brick, const
     next_z = level->leave[2][level->position >> 4];
   };
   level->first = brick.first;
+  level->end = t1;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   enter_brick(axes, size, t, {kInfinity, kInfinity, kInfinity}, *level);  // only t1 ends the walk
   read_next();
+  double end = t1;
   for (;;) {
     const unsigned in_brick = level->position ^ axes.mirror;
     unsigned axis = next_y < next_x ? 1 : 0;
     double nearest = next_y < next_x ? next_y : next_x;
     axis = next_z < nearest ? 2 : axis;
     nearest = next_z < nearest ? next_z : nearest;
-    const double out = nearest < t1 ? nearest : t1;
+    const double out = nearest < end ? nearest : end;
     if (grid.occupied[level->first / kBrickCells] >> in_brick & 1) {
       const std::uint32_t index = level->first + in_brick;
       const Cell cell = grid.cells[index];
-      if (cell.kind() == CellKind::brick) {
-        WalkLevel& child = level[1];
-        child.first = cell.first;
-        for (unsigned a = 0; a < 3; ++a) child.low[a] = level->low[a] + (in_brick >> (2 * a) & 3) * size;
-        size *= 1.0 / kBrickSide;
-        enter_brick(axes, size, t, {next_x, next_y, next_z}, child);
-        ++level;
-        read_next();
-        continue;
+      Stretch stretch{t, out};
+      if (cell.is_trimmed) {
+        stretch = in_core(cell.core, level->low, in_brick, size, axes, stretch);
+        if (t == t0) stretch.enter = t0;
       }
-      if (out > t && visit(index, cell, t, out)) return;
+      if (stretch.enter < stretch.leave) {
+        if (cell.kind() == CellKind::brick) {
+          WalkLevel& child = level[1];
+          child.first = cell.first;
+          for (unsigned a = 0; a < 3; ++a) child.low[a] = level->low[a] + (in_brick >> (2 * a) & 3) * size;
+          size *= 1.0 / kBrickSide;
+          t = stretch.enter;
+          child.end = end = stretch.leave;
+          enter_brick(axes, size, t, {next_x, next_y, next_z}, child);
+          ++level;
+          read_next();
+          continue;
+        }
+        if (visit(index, cell, stretch.enter, stretch.leave)) return;
+      }
     }
     t = out > t ? out : t;
-    if (t >= t1) return;
-    // Goes to the next cell, and up a level wherever the ray leaves a brick.
+    // Goes to the next cell, and up a level wherever the ray leaves a brick or its core.
     for (;;) {
       const unsigned slab = level->position >> (2 * axis) & 3;
-      if (slab + 1 < kBrickSide) {
+      if (t < end && slab + 1 < kBrickSide) {
         level->position += 1u << (2 * axis);
         const double leave = level->leave[axis][slab + 1];
         next_x = axis == 0 ? leave : next_x;
@@ -152,8 +190,14 @@ HWY_INLINE void walk_brick(const Grid& grid, const BrickFromOrigin& brick, const
       if (level == stack) return;
       --level;
       size *= kBrickSide;
+      end = level->end;
       read_next();
-      axis = next_y < next_x ? (next_z < next_y ? 2 : 1) : (next_z < next_x ? 2 : 0);
+      axis = next_y < next_x ? 1 : 0;
+      nearest = next_y < next_x ? next_y : next_x;
+      axis = next_z < nearest ? 2 : axis;
+      nearest = next_z < nearest ? next_z : nearest;
+      const double left = nearest < end ? nearest : end;
+      t = left > t ? left : t;
     }
   }
 }

@@ -66,6 +66,17 @@ struct OctetSpans {
   return {enter, leave};
 }
 
+/// The rays of eight that begin in the box.
+[[nodiscard]] HWY_INLINE OctetMask begin_in(const Box& box, const OctetVector& origin) {
+  const Octet* const from[] = {&origin.x, &origin.y, &origin.z};
+  OctetMask within = all_lanes();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<int>(axis);
+    within = within & (*from[axis] >= Octet(box.min[i])) & (*from[axis] <= Octet(box.max[i]));
+  }
+  return within;
+}
+
 /// By axis and bits of its slabs, the bits of a brick's cells in these.
 inline constexpr auto kCellsOf = [] {
   std::array<std::array<std::uint64_t, 1U << kBrickSide>, 3> cells{};
@@ -88,6 +99,7 @@ class PacketWalk {
     const Octet* const from[] = {&origin.x, &origin.y, &origin.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       backward_[axis] = bits(and_not(axes.flat[axis], axes.inverse[axis] < Octet(0.0)));
+      has_flat_[axis] = !none(axes.flat[axis]);
       low_[axis] = Octet(grid.box.min[static_cast<int>(axis)]) - *from[axis];
     }
   }
@@ -117,6 +129,16 @@ class PacketWalk {
     unsigned met = 0;  ///< bits of the slabs in which some ray has a stretch
   };
 
+  /// The t at which rays meet a plane across the axis, at this distance from their origins. Rays along the plane are
+  /// behind it or before it all the way.
+  [[nodiscard]] HWY_INLINE Octet at_plane(std::size_t axis, const Octet& distance) const {
+    const Octet t = distance * axes_.inverse[axis];
+    if (!has_flat_[axis]) [[likely]]
+      return t;
+    const Octet never = select(distance <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
+    return select(axes_.flat[axis], never, t);
+  }
+
   HWY_INLINE void set_slabs(std::size_t axis, const Octet& low, double size, const OctetMask& lanes, const Octet& t0,
                             const Octet& t1, Slabs& slabs) const {
     Octet enter = t0;
@@ -125,8 +147,7 @@ class PacketWalk {
       Octet leave = t1;
       if (i < kBrickSide - 1) {
         const Octet at = low + Octet((is_backward_[axis] ? kBrickSide - 1 - i : i + 1) * size);
-        const Octet never = select(at <= Octet(0.0), Octet(-kInfinity), Octet(kInfinity));
-        const Octet plane = select(axes_.flat[axis], never, at * axes_.inverse[axis]);
+        const Octet plane = at_plane(axis, at);
         leave = min(t1, plane);
         enter = max(t0, plane);
       }
@@ -194,12 +215,17 @@ class PacketWalk {
     for (; left != 0; left &= left - 1) {
       const auto met = static_cast<std::uint32_t>(std::countr_zero(left));
       const std::uint32_t i = met & 3, j = met >> 2 & 3, k = met >> 4;
-      const Octet enter = max(in_x.enter[i], max(in_y.enter[j], in_z.enter[k]));
-      const Octet leave = min(in_x.leave[i], min(in_y.leave[j], in_z.leave[k]));
-      const OctetMask present = lanes & active_ & (enter < leave);
+      Octet enter = max(in_x.enter[i], max(in_y.enter[j], in_z.enter[k]));
+      Octet leave = min(in_x.leave[i], min(in_y.leave[j], in_z.leave[k]));
+      OctetMask present = lanes & active_ & (enter < leave);
       if (none(present)) continue;
       const std::uint32_t in_brick = met ^ mirror_, index = first + in_brick;
       const Cell cell = grid_.cells[index];
+      if (cell.is_trimmed) {
+        trim(cell.core, low, in_brick, size, enter, leave);
+        present = present & (enter < leave);
+        if (none(present)) continue;
+      }
       if (cell.kind() == CellKind::brick) {
         const auto corner = [&](const Octet& from, std::uint32_t slab) HWY_ATTR { return from + Octet(slab * size); };
         walk_into({corner(low.x, in_brick & 3), corner(low.y, in_brick >> 2 & 3), corner(low.z, in_brick >> 4)},
@@ -207,7 +233,23 @@ class PacketWalk {
       } else {
         active_ = and_not(visit_(index, cell, present, enter, leave), active_);
       }
+      if (none(active_)) return;
     }
+  }
+
+  /// Shortens stretches in a cell of a brick to its core. A stretch that begins with the ray keeps its beginning: rays
+  /// that start on a surface know that they do.
+  HWY_INLINE void trim(const CellCore& core, const OctetVector& low, std::uint32_t in_brick, double size, Octet& enter,
+                       Octet& leave) const {
+    const Octet* const corner[] = {&low.x, &low.y, &low.z};
+    Octet from = enter;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const CorePlanes planes = core_planes(core, axis, in_brick >> (2 * axis) & 3);
+      const bool is_backward = is_backward_[axis];
+      from = max(from, at_plane(axis, *corner[axis] + Octet((is_backward ? planes.high : planes.low) * size)));
+      leave = min(leave, at_plane(axis, *corner[axis] + Octet((is_backward ? planes.low : planes.high) * size)));
+    }
+    enter = select(enter > Octet(0.0), from, enter);
   }
 
   const Grid& grid_;
@@ -215,6 +257,7 @@ class PacketWalk {
   const PacketAxes& axes_;
   Octet low_[3];
   std::uint32_t backward_[3]{};  ///< bits of the rays that move against the axis
+  bool has_flat_[3]{};           ///< true if some ray does not move along the axis
   bool is_backward_[3]{};        ///< true if the rays that are walked together move against the axis
   std::uint32_t mirror_ = 0;     ///< turns the number of a cell in the order in which it is met into its own
   OctetMask active_;             ///< rays that are not done

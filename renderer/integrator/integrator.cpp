@@ -104,8 +104,11 @@ bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
   memory.bodies.clear();
   memory.bent.start(memory.camera_rays().size());
   PathBatch& batch = memory.levels.front().batch;
-  batch.entries.assign(batch.rays.size(), {.in_solid = camera_in_solid_});
-  for (std::uint32_t i = 0; i < batch.entries.size(); ++i) batch.entries[i].sample = i;
+  // Only what lies along rays changes the entries of the camera's, which are alike in all batches.
+  if (!along_.empty()) batch.entries.clear();
+  for (std::size_t i = batch.entries.size(); i < batch.rays.size(); ++i)
+    batch.entries.push_back({.sample = static_cast<std::uint32_t>(i), .in_solid = camera_in_solid_});
+  batch.entries.resize(batch.rays.size());
   memory.colours.assign(batch.size(), Rgb(0));
   memory.alphas.assign(batch.size(), 1);
   memory.certainties.assign(batch.size(), Certainty::certified);
@@ -118,9 +121,7 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   PathBatch& batch = memory.levels[level].batch;
   batch.hits.assign(batch.size(), Hit{});
   if (batch.size() != 0) tracer_.first_hits(batch.rays, batch.hits, memory.counters, batch.entries.front().kind);
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    lower(memory.certainties[batch.entries[i].sample], batch.hits[i].certainty);
-  }
+  tell_apart(level, memory);
   // Light from surfaces around comes through clear air, and from nowhere else.
   const bool is_surface_light = is_around(batch);
   if (!along_.empty() && !is_surface_light) {
@@ -139,6 +140,24 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   resize_samples(memory);
 }
 
+void Integrator::tell_apart(std::size_t level, PathMemory& memory) {
+  PathMemory::Level& at = memory.levels[level];
+  const std::size_t count = at.batch.size();
+  at.met.resize(count);
+  at.misses.resize(count);
+  std::uint32_t* const met = at.met.data();
+  std::uint32_t* const misses = at.misses.data();
+  std::size_t met_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Hit& hit = at.batch.hits[i];
+    if (hit.certainty != Certainty::certified) lower(memory.certainties[at.batch.entries[i].sample], hit.certainty);
+    met[met_count] = misses[i - met_count] = static_cast<std::uint32_t>(i);
+    met_count += hit.is_miss() ? 0 : 1;
+  }
+  at.met.resize(met_count);
+  at.misses.resize(count - met_count);
+}
+
 void Integrator::resize_samples(PathMemory& memory) {
   const std::size_t count = memory.bent.sample_count();
   memory.colours.resize(count, Rgb(0));
@@ -154,17 +173,14 @@ void Integrator::give_up(std::size_t level, PathMemory& memory) {
 }
 
 void Integrator::see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const {
-  memory.misses.clear();
-  for (std::uint32_t i = 0; i < batch.size(); ++i) {
-    if (batch.hits[i].is_miss()) memory.misses.push_back(i);
-  }
+  const std::vector<std::uint32_t>& misses = memory.levels[level].misses;
   if (!miss_.empty()) {
-    MissWork work{batch,          memory.misses,
+    MissWork work{batch,          misses,
                   background_,    background_alpha_,
                   memory.colours, level == 0 ? std::span<double>(memory.alphas) : std::span<double>()};
     return run(miss_, work);
   }
-  for (const std::uint32_t i : memory.misses) {
+  for (const std::uint32_t i : misses) {
     const PathEntry& path = batch.entries[i];
     memory.colours[path.sample] += path.factor * background_;
     // The share of a transparent background that media or surfaces hide is opaque; mirrors hide all of it.
@@ -182,18 +198,15 @@ void Integrator::shade_surfaces(std::size_t level, PathMemory& memory, SurfaceOb
   PathMemory::Level& at = memory.levels[level];
   at.children.clear();
   memory.block.clear();
-  for (std::uint32_t i = 0; i < at.batch.size(); ++i) {
-    if (at.batch.hits[i].is_miss()) continue;
-    memory.block.paths.push_back(i);
-    if (memory.block.paths.size() < kBlockSize) continue;
+  for (std::size_t first = 0; first < at.met.size(); first += kBlockSize) {
+    const std::size_t last = std::min(at.met.size(), first + kBlockSize);
+    memory.block.paths.assign(at.met.begin() + static_cast<std::ptrdiff_t>(first),
+                              at.met.begin() + static_cast<std::ptrdiff_t>(last));
     fill_block(at.batch, memory, observer);
     if (is_over()) return;
     shade_block(level, memory);
     memory.block.clear();
   }
-  if (memory.block.paths.empty()) return;
-  fill_block(at.batch, memory, observer);
-  if (!is_over()) shade_block(level, memory);
 }
 
 void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceObserver* observer) const {

@@ -39,7 +39,8 @@ struct PathMemory {
   struct Level {
     PathBatch batch;
     ChildQueues children;
-    std::size_t children_counted = 0;  ///< of these segments the memory is charged
+    std::vector<std::uint32_t> met, misses;  ///< the numbers of the rays that meet something, and of the others
+    std::size_t children_counted = 0;        ///< of these segments the memory is charged
   };
   std::deque<Level> levels{1};  ///< 0 is the camera's; a level stays where it is while deeper ones are made
   std::vector<Rgb> colours;     ///< by sample, in the scene's working space
@@ -51,7 +52,6 @@ struct PathMemory {
   ShadowQueue around{RayKind::around};
   AreaShadows area_shadows;
   std::array<std::vector<double>, 2> area_weights;  ///< of the present light's grid, along both edges
-  std::vector<std::uint32_t> misses;
   SurfaceBlock block;
   BentLight bent;
   std::size_t samples_counted = kBatchSize;  ///< of these samples the memory is charged, or need not be
@@ -123,6 +123,8 @@ class Integrator {
   void run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   /// Drops the segments and shadow rays that wait, so that the next batch begins without them.
   static void give_up(std::size_t level, PathMemory& memory);
+  /// Lists the rays of a level that meet something, and the others, and notes how sure their hits are.
+  static void tell_apart(std::size_t level, PathMemory& memory);
   /// Makes room for the samples of `bent`, or drops those that are finished.
   static void resize_samples(PathMemory& memory);
   void see_background(std::size_t level, const PathBatch& batch, PathMemory& memory) const;

@@ -12,6 +12,7 @@
 #include "renderer/integrator/integrator.h"
 #include "renderer/paths/soft_points.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,7 +40,7 @@ class SampleObserver {
 /// batches.
 struct Workspace {
   std::vector<Pixel> pixels;
-  std::vector<CameraSample> samples;
+  std::array<CameraSample, kBatchSize> samples;
   std::vector<PixelSample> places;  ///< of the samples among those of their pixels, if the picture has something soft
   std::vector<UnitPoint> in_pixel, on_lens;  ///< the points through which samples look
   BlockNoise noise;                          ///< of the present pixel

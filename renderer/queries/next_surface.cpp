@@ -24,12 +24,13 @@ class Walk {
       const Vec3 point = point_of(ray_, hit);
       const Face face = face_at(hit, point);
       const double size = face.rounding / kRounding;
-      if (is_start(hit, point, face)) {
+      if (is_start(hit, point, face) || is_passed(hit, point, face)) {
         ray_ = beyond(ray_, hit);
       } else if (hit.t > 2 * size && taken_up_ < kMostTakingUp) {
         take_up_at(point - ray_.direction * size);
       } else if (const std::optional<NextSurface> back = way_back(hit, point, face)) {
         ray_ = beyond(back->ray, back->hit);
+        passed_ = back->hit;
       } else {
         return {ray_, hit, is_certain_};
       }
@@ -76,6 +77,14 @@ class Walk {
     return t * face_at(hit, start_).slope(ray_.direction) <= kStart * face.rounding;
   }
 
+  /// True if this is the crossing that the ray was just led beyond. Where it grazes a surface, rounding moves a
+  /// crossing far along the ray, and it may come up again. It tells so itself: two crossings of a surface that follow
+  /// each other go different ways.
+  [[nodiscard]] bool is_passed(const Hit& hit, const Vec3& point, const Face& face) const {
+    if (passed_.is_miss() || hit.instance != passed_.instance || hit.from_inside != passed_.from_inside) return false;
+    return (point - ray_.origin).dot(ray_.direction) * face.slope(ray_.direction) <= kLeast * face.rounding;
+  }
+
   /// Takes the ray up again at `origin`, so that its numbers are no larger than those that its next hit is made of.
   void take_up_at(const Vec3& origin) {
     const Vec3 direction = ray_.direction;
@@ -83,6 +92,7 @@ class Walk {
     ray_.origin = origin;
     ray_.direction = direction;
     has_left_ = true;
+    passed_ = {};
     ++taken_up_;
   }
 
@@ -115,6 +125,7 @@ class Walk {
   Vec3 start_;
   Ray ray_;
   bool has_left_ = false;  ///< the start is too far behind to be met
+  Hit passed_;             ///< the crossing at the ray's origin, if a way back through the surface ended there
   int taken_up_ = 0;
   bool is_certain_ = true;
 };

@@ -113,6 +113,37 @@ TEST(SecondaryRays, NeverMeetTheConvexSurfaceTheyLeaveAndAlwaysComeOutOfTheOneTh
   EXPECT_GE(rays_in_all, 1000000U);
 }
 
+TEST(SecondaryRays, DoNotMeetAFlatFaceInTheCellAfterTheOneTheyStartIn) {
+  // The grid about this box has a plane at x = 0. There the rays have not risen by more than rounding, which may show
+  // that they are inside.
+  const ConvexShape& shape = kShapes[3];
+  RandomSource random(73);
+  std::size_t count = 0;
+  for (const scene::Kernel& kernel : kernels()) {
+    const TracerUnderTest tracer(alone(shape, kernel));
+    std::vector<render::Ray> eyes, leaving;
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3 aim(std::pow(10, random.between(-9, -4)), random.between(-0.3, 0.3), 0.6);
+      const Vec3 down = Vec3(random.between(-0.3, 0.3), random.between(-0.3, 0.3), -1).normalized();
+      eyes.push_back(camera_ray({aim - down * 3, down}));
+    }
+    const std::vector<render::Hit> hits = tracer.hits(eyes);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      if (hits[i].is_miss()) continue;
+      const render::SurfacePoint point = tracer.surface(eyes[i], hits[i]);
+      for (int k = 0; k < 8; ++k) {
+        const Vec3 out(random.between(-1, -0.1), random.between(-1, 1), std::pow(10, random.between(-13, -9)));
+        leaving.push_back({point.position, out.normalized(), kInfinity, hits[i].t, hits[i].start()});
+      }
+    }
+    std::size_t met_itself = 0;
+    for (const render::Hit& hit : tracer.hits(leaving)) met_itself += hit.is_miss() ? 0 : 1;
+    EXPECT_EQ(met_itself, 0U) << "of " << leaving.size() << ", kernel " << scene::kKernelWords[index(kernel.shape)];
+    count += leaving.size();
+  }
+  EXPECT_GT(count, 100'000U);
+}
+
 TEST(SecondaryRays, FindAnOccluderAMillionthOfTheRadiusAway) {
   RandomSource random(72);
   for (const scene::Kernel& kernel : every_kernel(4)) {

@@ -56,9 +56,14 @@ class PacketSetup {
     const Octet dd = load(rays_.length2), inverse_dd = load(rays_.per_length2), one(1.0);
     // A field that reaches the stretch of a ray is no farther from where the ray starts than the stretch's end and the
     // radius of its support together. The root of the sum of squares is a bound for all eight rays.
-    const double farthest = std::sqrt(sum(keep(lanes_, max(t0_ * t0_, t1_ * t1_) * dd)));
+    const auto farthest = [&]() HWY_ATTR { return std::sqrt(sum(keep(lanes_, max(t0_ * t0_, t1_ * t1_) * dd))); };
     const KernelConstants& constants = fields.group.kernel;
-    const double per_radius = 1 / std::sqrt(constants.scale), beyond = std::sqrt(constants.support);
+    const double beyond = std::sqrt(constants.support);
+    [[maybe_unused]] double reach = 0, per_radius = 0;
+    if constexpr (!NowhereSteep<Kernel>) {
+      reach = farthest();
+      per_radius = 1 / std::sqrt(constants.scale);
+    }
     // Members would be written and read back for every field, because rows may lie where they do for all that the
     // compiler knows.
     const OctetMask lanes = lanes_;
@@ -93,7 +98,7 @@ class PacketSetup {
         strength += std::abs(amplitude);
         per_distance += std::abs(amplitude) * root;
       } else {
-        row->shape[kPointSpread][0] = spread_of((root * farthest + beyond) * per_radius);
+        row->shape[kPointSpread][0] = spread_of((root * reach + beyond) * per_radius);
       }
       ++row;
     }
@@ -103,9 +108,9 @@ class PacketSetup {
     sums_.rising_until = min(sums_.rising_until, rising_until);
     sums_.falling_from = max(sums_.falling_from, falling_from);
     if constexpr (NowhereSteep<Kernel>) {
-      // Without a field it may be 0·∞. The roots are not waited for until here.
+      // Without a field it may be 0·∞.
       if (strength > 0)
-        sums_.moved = sums_.moved + Octet(Kernel::kSteepest * (per_distance * farthest + strength * beyond));
+        sums_.moved = sums_.moved + Octet(Kernel::kSteepest * (per_distance * farthest() + strength * beyond));
     }
   }
 

@@ -56,10 +56,14 @@ class CellSearch {
     return hit();
   }
 
-  /// The stretch of a ray in the grid's box, empty if the ray misses the box.
+  /// The stretch of a ray in the grid's core, empty if the ray misses it. For a ray that begins in the grid's box it
+  /// begins with the ray, whose origin then does not move: a ray that is taken up again shortly before a surface, or on
+  /// it, must be the same line.
   [[nodiscard]] static HWY_INLINE BoxSpan span_in_grid(const Grid& grid, const BlobRay& ray) {
     if (!(grid.cell_size > 0)) return {1, 0};
-    return clip_to_box(grid.box, ray.origin, ray.direction, 0, ray.t_max);
+    BoxSpan span = clip_to_box(grid.core, ray.origin, ray.direction, 0, ray.t_max);
+    if (span.enter < span.leave && grid.box.intersects(ray.origin)) span.enter = 0;
+    return span;
   }
 
   // The search step by step, for callers that walk the grid themselves (packet_search-inl.h). Precondition: nothing
@@ -71,20 +75,27 @@ class CellSearch {
     ray_ = &ray;
     side_ = Side::unknown;
     hit_ = {};
-    undecided_from_ = std::numeric_limits<double>::infinity();
+    undecided_from_ = start_doubt_ = std::numeric_limits<double>::infinity();
   }
   /// Moves to the start of the stretch in the grid: from here on t counts from there.
   void enter_grid(double base) {
     take_up(base);
     if (blob_.grid.beyond == scene::kNone && base_ > 0) side_ = Side::outside;
   }
-  /// True if the ray, which comes to the cell on this side, crosses in it.
-  [[nodiscard]] bool solve_from(Side side, const CellStretch& stretch) {
+  /// True if the ray, which comes to the cell on this side, crosses in it. `may_be_on_surface`: it comes from the
+  /// surface that it starts on, and nothing has told yet that it has left it.
+  [[nodiscard]] bool solve_from(Side side, bool may_be_on_surface, const CellStretch& stretch) {
     side_ = side;
+    is_on_surface_ = may_be_on_surface;
     if (stretch.enter != node_.t) is_node_valid_ = false;
     return solve_in(stretch);
   }
   [[nodiscard]] Side side() const { return side_; }
+  /// True if the ray has left the surface that it starts on by no more than rounding.
+  [[nodiscard]] bool is_on_surface() const { return is_on_surface_; }
+  /// True if rounding shows the wrong side at the end of the last cell, and more digits have proved the right one. The
+  /// next cell cannot see it.
+  [[nodiscard]] bool is_corrected() const { return is_node_valid_ && node_.value == 0; }
   [[nodiscard]] const BlobHit& hit() {
     if (hit_.is_miss()) hit_.from_inside = side_ == Side::inside;
     hit_.undecided_from = undecided_from_;
@@ -98,7 +109,7 @@ class CellSearch {
     base_ = base;
     origin_ = ray_->origin + ray_->direction * base;
     direction_ = ray_->direction;
-    starts_on_surface_ = ray_->starts_on_surface && base == 0;
+    starts_on_surface_ = is_on_surface_ = ray_->starts_on_surface && base == 0;
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
@@ -171,13 +182,13 @@ class CellSearch {
       // Between leaf cells there are only cells that are certainly outside.
       if (side_ == Side::inside) return cross(reached_, last_solved_or(index));
       side_ = Side::outside;
-      is_node_valid_ = false;
+      is_node_valid_ = is_on_surface_ = false;
     }
     reached_ = t1;
     if (cell.kind() == CellKind::inside) {
       if (side_ == Side::outside) return cross(t0, last_solved_or(index));
       side_ = Side::inside;
-      is_node_valid_ = false;
+      is_node_valid_ = is_on_surface_ = false;
       return false;
     }
     last_cell_ = index;
@@ -198,7 +209,7 @@ class CellSearch {
     const auto& [index, cell, t0, t1] = stretch;
     const bool starts_here = starts_on_surface_ && t0 == 0;
     if (cell.kind() == CellKind::leaf) return solve(index, cell, t0, t1, starts_here);
-    is_node_valid_ = false;
+    is_node_valid_ = is_on_surface_ = false;
     const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
     const std::optional<double> t =
         MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
@@ -208,7 +219,7 @@ class CellSearch {
   bool solve(std::uint32_t index, const Cell& cell, double t0, double t1, bool starts_here) {
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), origin_, direction_, t0, t1);
     if (fields_.upper_bound() < 0 && !starts_here) {
-      is_node_valid_ = false;
+      is_node_valid_ = is_on_surface_ = false;
       if (side_ == Side::inside) return cross(t0, index);
       side_ = Side::outside;
       return false;
@@ -223,13 +234,20 @@ class CellSearch {
         solver.turn_inside();
       }
     }
-    if (starts_here) a.value = 0;
+    // A ray that has left its surface by no more than rounding is on it as far as anybody knows, also in the next cell.
+    if (starts_here) start_doubt_ = a.doubt;
+    const bool is_root = starts_here || (is_on_surface_ && is_near_surface(a));
+    if (is_root) a.value = 0;
     Node b = solver.node(t1);
-    if (const std::optional<double> t = solver.first_root(a, b, starts_here, ray_->any)) return cross(*t, index);
+    if (const std::optional<double> t = solver.first_root(a, b, is_root, ray_->any)) return cross(*t, index);
     node_ = b;
     is_node_valid_ = true;
+    is_on_surface_ = is_root && is_near_surface(b);
     return false;
   }
+  /// True if F is no farther from 0 than rounding explains, here and where the ray starts: deep in a hard component it
+  /// is known to few digits, but the ray has left the surface.
+  [[nodiscard]] bool is_near_surface(const Node& n) const { return n.value > -std::min(n.doubt, start_doubt_); }
 
   [[nodiscard]] bool starts_inside(const Node& a) {
     if (std::abs(a.value) > a.doubt) return a.value > 0;
@@ -253,7 +271,9 @@ class CellSearch {
   std::uint32_t last_cell_ = scene::kNone;  ///< the last cell solved; its list holds every component that matters at
                                             ///< `reached_`
   bool is_node_valid_ = false;
-  Node node_{};  ///< the node at reached_, seen from the ray's side
+  Node node_{};                 ///< the node at reached_, seen from the ray's side
+  bool is_on_surface_ = false;  ///< at reached_ the ray may still be on the surface that it starts on
+  double start_doubt_ = std::numeric_limits<double>::infinity();  ///< Node::doubt there, if it is known
   BlobHit hit_;
   double undecided_from_ = std::numeric_limits<double>::infinity();
 };

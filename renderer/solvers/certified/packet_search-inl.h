@@ -47,12 +47,11 @@ class PacketSearch {
     if (!(blob_.grid.cell_size > 0)) return;
     const auto& [origin, direction] = rays_.lines;
     const PacketAxes axes(direction);
-    const OctetSpans span = clip_to_box(blob_.grid.box, origin, axes, rays_.t_max);
+    const OctetSpans span = clip_to_box(blob_.grid.core, origin, axes, rays_.t_max);
     const OctetMask meeting = (span.enter < span.leave) & mask_of(in_use);
     if (none(meeting)) return;
-    // The origins move to where the rays meet the grid, so that the fields see small numbers even if the grid is far
-    // away; t counts from there.
-    base_ = span.enter;
+    // As CellSearch::span_in_grid and its origin.
+    base_ = select(begin_in(blob_.grid.box, origin), Octet(0.0), span.enter);
     const OctetVector from = origin + direction * base_;
     put(from, packet_.origin);
     put(direction, packet_.direction);
@@ -62,7 +61,7 @@ class PacketSearch {
     const LengthByDistance tolerance = settings_.tolerance_along_ray();
     least_ = Octet(kShortestOfTolerance) *
              (Octet(tolerance.at_eye) + Octet(tolerance.per_distance) * (rays_.path_length + base_));
-    starts_ = mask_of(rays_.start_on_surface) & (base_ <= Octet(0.0));
+    starts_ = on_surface_ = mask_of(rays_.start_on_surface) & (base_ <= Octet(0.0));
     outside_ = base_ > Octet(0.0);
     inside_ = no_lane();
     reached_ = Octet(0.0);
@@ -114,21 +113,24 @@ class PacketSearch {
     if (!none(crossing)) [[unlikely]]
       cross(crossing, reached_, index);
     outside_ = outside_ | and_not(crossing, skipped);
+    on_surface_ = and_not(skipped, on_surface_);
     if (cell.kind() == CellKind::inside) {
       const OctetMask goes_in = and_not(crossing, lanes & outside_);
       cross(goes_in, enter, index);
       crossing = crossing | goes_in;
       inside_ = inside_ | and_not(crossing, lanes);
+      on_surface_ = and_not(lanes, on_surface_);
       reached_ = select(lanes, leave, reached_);
       return crossing;
     }
     reached_ = select(lanes, leave, reached_);
     store(select(lanes, Octet(index), load(last_cell_)), last_cell_);
     const OctetMask present = and_not(crossing, lanes);
-    const OctetMask starting = present & starts_ & (enter <= Octet(0.0));
+    const OctetMask starting = and_not(inside_, present & on_surface_);
     const std::uint32_t open = bits(present);
     const OctetMask unknown = and_not(outside_ | inside_ | starts_, present);
     std::uint32_t together = cell.kind() == CellKind::leaf ? bits(present & (outside_ | starting | unknown)) : 0;
+    together &= ~corrected_;
     if (std::popcount(together) < fewest_) together = 0;
     std::uint32_t done = 0;
     store(enter, packet_.t0);
@@ -140,26 +142,29 @@ class PacketSearch {
     return crossing | mask_of(done);
   }
 
-  /// Searches a leaf for rays that come from outside, or begin there on the surface (`starting`) or on a side that is
-  /// not known yet (`unknown`). Returns those that cross there.
+  /// Searches a leaf for rays that come from outside, or from the surface that they start on (`starting`), or begin
+  /// there on a side that is not known yet (`unknown`). Returns those that cross there.
   std::uint32_t solve_together(std::uint32_t index, const Cell& cell, const OctetMask& lanes, const OctetMask& starting,
                                const OctetMask& unknown, const Octet& enter) {
-    const OctetMask starts = lanes & starting;
+    const OctetMask starts = lanes & starting, start_here = starts & (enter <= Octet(0.0));
     fields_.set_up(blob_.components, blob_.grid.items.data() + cell.first, cell.count(), packet_, lanes);
-    // A bound that is no number knows nothing. From the surface a sum that falls does not come back.
-    const OctetMask is_clear =
-        and_not(starts, fields_.upper_bound() < Octet(0.0)) | and_not(fields_.falling_from() > enter, starts);
-    const OctetMask open = and_not(is_clear, lanes);
+    // A bound that is no number knows nothing. From the surface a sum that falls does not come back, in however many
+    // cells.
+    const OctetMask is_below = and_not(start_here, lanes & (fields_.upper_bound() < Octet(0.0)));
+    const OctetMask open = and_not(is_below | and_not(fields_.falling_from() > enter, starts), lanes);
+    on_surface_ = and_not(is_below | open, on_surface_);
     if (none(open)) {
       outside_ = outside_ | lanes;
       return 0;
     }
     PacketSolver(fields_, counters_)
-        .first_roots({open, starts, unknown, load(packet_.t0), load(packet_.t1), least_, rays_.any}, roots_);
+        .first_roots({open, starts, start_here, unknown, load(packet_.t0), load(packet_.t1), least_, rays_.any},
+                     roots_);
     const OctetMask undecided = mask_of(roots_.undecided);
     outside_ = outside_ | and_not(undecided, lanes);
     std::uint32_t done = roots_.found;
     if (done != 0) record(mask_of(done), load(roots_.t), Octet(index));
+    on_surface_ = on_surface_ | (undecided & starts);
     for_each_lane(roots_.undecided, [&](std::size_t lane) {
       if (solve_alone(index, cell, lane)) done |= 1u << lane;
     });
@@ -171,9 +176,12 @@ class PacketSearch {
     Search& search = alone(lane);
     const OctetMask here = mask_of(1u << lane);
     const Side side = !none(here & inside_) ? Side::inside : !none(here & outside_) ? Side::outside : Side::unknown;
-    const bool crosses = search.solve_from(side, {index, cell, packet_.t0[lane], packet_.t1[lane]});
+    const bool crosses =
+        search.solve_from(side, !none(here & on_surface_), {index, cell, packet_.t0[lane], packet_.t1[lane]});
     inside_ = search.side() == Side::inside ? inside_ | here : and_not(here, inside_);
     outside_ = search.side() == Side::outside ? outside_ | here : and_not(here, outside_);
+    on_surface_ = search.is_on_surface() ? on_surface_ | here : and_not(here, on_surface_);
+    corrected_ = (corrected_ & ~(1u << lane)) | (search.is_corrected() ? 1u << lane : 0);
     const BlobHit hit = search.hit();
     if (hit.undecided_from < std::numeric_limits<double>::infinity()) {
       hits_->undecided |= 1u << lane;
@@ -231,11 +239,13 @@ class PacketSearch {
   Octet base_;                             ///< where each ray meets the grid
   Octet least_;                            ///< the shortest interval to be judged
   OctetMask starts_;                       ///< rays that start in the grid, on the surface
+  OctetMask on_surface_;                   ///< those of them that have not been found to have left it
   OctetMask outside_, inside_;             ///< the sides of the rays that are known
   Octet reached_;                          ///< t up to which each ray has been followed
   alignas(64) double last_cell_[kPacket];  ///< the last cell solved, as a number
   AloneSearches alone_;
   std::uint32_t are_alone_ = 0;  ///< bits of the rays whose search is made
+  std::uint32_t corrected_ = 0;  ///< bits of those that CellSearch::is_corrected() holds for
   PacketRoots roots_;
 };
 

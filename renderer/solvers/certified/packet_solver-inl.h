@@ -35,9 +35,10 @@ struct PacketRoots {
 
 /// The search of a cell for each of eight rays.
 struct PacketQuery {
-  OctetMask lanes;    ///< the rays to search, which come from outside
-  OctetMask starts;   ///< those of them that start on the surface at t0; that root is not searched for
-  OctetMask unknown;  ///< those of them that start at t0 on a side that is not known yet
+  OctetMask lanes;   ///< the rays to search, which come from outside
+  OctetMask starts;  ///< those of them that come from the surface; the root at t0, if there is one, is not searched for
+  OctetMask start_here;  ///< those of these that certainly have it: they start at t0
+  OctetMask unknown;     ///< those of them that start at t0 on a side that is not known yet
   Octet t0, t1;
   Octet least;  ///< intervals no longer than this are left undecided
   bool any;     ///< only asks whether there is a crossing; none lies before its t, which is no root
@@ -56,7 +57,8 @@ class PacketSolver {
     searched_ = query.lanes;
     const Octet guess = fields_.first_alone(t0);
     Node a = node(t0), b = node(min(t1, first_end(t0, guess)));
-    OctetMask rooted = query.starts & query.lanes;  // the rays whose interval begins at a known root
+    // The rays whose interval begins at a known root. Those that have left the surface are beyond doubt.
+    OctetMask rooted = query.lanes & (query.start_here | and_not(a.value + a.doubt < Octet(0.0), query.starts));
     if (const OctetMask asked = rooted | (query.unknown & query.lanes); !none(asked)) {
       const OctetMask leaves = a.slope < Octet(0.0) - a.slope_noise, is_outside = a.value + a.doubt < Octet(0.0);
       const OctetMask others = and_not((rooted & leaves) | and_not(rooted, is_outside), asked);
