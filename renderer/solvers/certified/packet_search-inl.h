@@ -50,7 +50,8 @@ class PacketSearch {
     const OctetSpans span = clip_to_box(blob_.grid.core, origin, axes, rays_.t_max);
     const OctetMask meeting = (span.enter < span.leave) & mask_of(in_use);
     if (none(meeting)) return;
-    // As CellSearch::span_in_grid and its origin.
+    // Origins move to where the rays meet the core, so that the fields see small numbers even if the grid is far away;
+    // t counts from there. A ray that begins in the grid's box keeps its origin (CellSearch::span_in_grid).
     base_ = select(begin_in(blob_.grid.box, origin), Octet(0.0), span.enter);
     const OctetVector from = origin + direction * base_;
     put(from, packet_.origin);
