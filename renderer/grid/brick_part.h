@@ -100,10 +100,6 @@ struct BrickPart {
   }
 };
 
-/// The width by which a cell's box is enlarged on every side, so that the rounding of a ray's position never decides
-/// which items a point sees: 2⁻²⁰ of its size, or Grid::rounding if that is more.
-[[nodiscard]] inline double cell_margin(double size, double rounding) { return std::max(size * 0x1p-20, rounding); }
-
 /// A cube that is divided into the cells of a brick.
 struct BrickCube {
   Vec3 low;
@@ -114,7 +110,9 @@ struct BrickCube {
     const std::uint32_t row = index / kBrickSide, layer = row / kBrickSide;
     return low + Vec3(double(index % kBrickSide), double(row % kBrickSide), double(layer)) * cell_size;
   }
-  [[nodiscard]] double margin() const { return cell_margin(cell_size, rounding); }
+  /// The width by which a cell's box is enlarged on every side, so that the rounding of a ray's position never decides
+  /// which items a point sees: 2⁻²⁰ of its size, or Grid::rounding if that is more.
+  [[nodiscard]] double margin() const { return std::max(cell_size * 0x1p-20, rounding); }
   /// The enlarged box of a cell.
   [[nodiscard]] Box box(std::uint32_t index) const {
     const Vec3 from = corner(index), wider(margin());

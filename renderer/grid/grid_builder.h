@@ -335,7 +335,8 @@ class GridBuilder {
         grid_.occupied[i / kBrickCells] |= std::uint64_t{1} << (i % kBrickCells);
     }
     set_cores(0, grid_.cell_size);
-    // Where there are items without end, others matter in all of the box.
+    // An item without end is searched alone outside the core, and with all others inside it. Others may reach the whole
+    // box and lower its field there, so that the core then has to be the box.
     grid_.core = has_endless ? grid_.box : core_box();
   }
 
