@@ -53,7 +53,7 @@ struct Gaussian {
   [[nodiscard]] HWY_INLINE N value(const N& v) const {
     return exp(N(a) - v) - N(cut) * (N(1 + support_) - v);
   }
-  /// An upper bound of value(), a thousandth of the exponential above it at most.
+  /// An upper bound of value(), kExpAbove of the exponential above it at most.
   [[nodiscard]] HWY_INLINE Octet most(const Octet& v) const {
     return exp_above(Octet(a) - v) - Octet(cut) * (Octet(1 + support_) - v);
   }
