@@ -125,7 +125,8 @@ const FieldGroup& ComponentTable::group_of(std::uint32_t component) const {
 
 std::size_t ComponentTable::bytes() const {
   const auto of_rows = [](const auto&... columns) { return ((columns.capacity() * sizeof(columns[0])) + ...); };
-  return of_rows(x, y, z, scale, amplitude, texture, source, branch, maps) + std::apply(of_rows, shapes);
+  return of_rows(x, y, z, scale, amplitude, texture, source, branch, maps) + std::apply(of_rows, shapes) +
+         supports.bytes();
 }
 
 namespace {
@@ -141,7 +142,8 @@ constexpr std::size_t kLargestShape = [] {
 }  // namespace
 
 std::size_t most_table_bytes(const scene::Blob& blob) {
-  constexpr std::size_t kRow = 5 * sizeof(double) + sizeof(scene::TextureId) + 2 * sizeof(std::uint32_t);
+  constexpr std::size_t kRow =
+      5 * sizeof(double) + sizeof(SupportBall) + sizeof(scene::TextureId) + 2 * sizeof(std::uint32_t);
   std::size_t shapes = 0, maps = 0;
   for (const scene::Component& c : blob.components) {
     shapes += c.skeleton != scene::Skeleton::point;
@@ -216,6 +218,7 @@ ComponentTable compile_components(const scene::Database& database, const scene::
     if (table.tree.size() > 0) table.branch.push_back(blob.branch_of[p.source]);
     if (is_point && !p.is_mapped() && table.plain_points == i) ++table.plain_points;
   }
+  table.supports = support_balls(table);
   return table;
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/fields/branches.h"
 #include "renderer/fields/kernels/kernel_constants.h"
 #include "renderer/fields/skeletons/skeletons.h"
+#include "renderer/fields/support_balls.h"
 #include "renderer/scene/database.h"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct ComponentTable {
   std::vector<double> scale;      ///< for a point, v = scale · distance²; for any other skeleton, v = scale · q
   std::vector<double> amplitude;  ///< strength times the kernel's amplitude
   std::vector<scene::TextureId> texture;
+  SupportBalls supports;              ///< of the plain points
   bool has_one_texture = true;        ///< all components have the same
   std::vector<std::uint32_t> source;  ///< index into scene::Blob::components
   bool is_unblended = false;          ///< the blob is the greatest of its fields (scene::Blob::is_unblended)

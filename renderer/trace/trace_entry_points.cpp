@@ -37,7 +37,7 @@ struct ProductSearch {
   static void first_hits(const CompiledBlob& blob, const SolverSettings& settings, TraceMemory& memory,
                          TraceCounters& counters, const OctetBlobRays& rays, std::uint32_t in_use,
                          OctetBlobHits& hits) {
-    PacketSearch(blob, settings, rays, memory.lanes, memory.packet, memory.rays, counters).first_hits(in_use, hits);
+    PacketSearch(blob, settings, rays, memory.lanes, memory.packets, counters).first_hits(in_use, hits);
   }
 };
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "renderer/compiled/compiled_scene.h"
-#include "renderer/fields/packet/ray_packet.h"
 #include "renderer/fields/point/blob_point.h"
 #include "renderer/fields/ray/lane_memory.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/ray.h"
 #include "renderer/rays/trace_counters.h"
+#include "renderer/solvers/certified/packet_memory.h"
 #include "renderer/solvers/published/paper_memory.h"
 #include "renderer/trace/csg_search.h"
 
@@ -19,8 +19,7 @@ namespace isl::render {
 /// Memory that a thread reuses from ray to ray.
 struct TraceMemory {
   LaneMemory lanes;
-  PacketMemory packet;
-  RayPacket rays;
+  PacketMemory packets;
   PaperMemory paper;
   CsgMemory csg;
   BlobPoint point;

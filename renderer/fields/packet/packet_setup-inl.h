@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/fields/convolutions/curve_field.h"
+#include "renderer/fields/packet/near_fields-inl.h"
 #include "renderer/fields/packet/packet_sums-inl.h"
 #include "renderer/fields/packet/placed_lines-inl.h"
 #include "renderer/fields/packet/ray_packet.h"
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -29,12 +31,11 @@ namespace HWY_NAMESPACE {
 
 class PacketSetup {
  public:
-  using Memory = PacketMemory;
   using Number = Octet;
   using Sums = PacketSums;
 
   /// Sets up for the rays in these lanes only.
-  HWY_INLINE PacketSetup(PacketMemory& memory, const RayPacket& rays, const OctetMask& lanes)
+  HWY_INLINE PacketSetup(LaneMemory& memory, const RayPacket& rays, const OctetMask& lanes)
       : m_(memory), rays_(rays), lanes_(lanes), t0_(load(rays.t0)), t1_(load(rays.t1)) {}
 
   [[nodiscard]] HWY_INLINE Sums gather_list(const ComponentTable& table, const std::uint32_t* items,
@@ -51,6 +52,10 @@ class PacketSetup {
   HWY_INLINE void add_points(const Kernel& kernel, const ListedFields& fields) {
     begin(fields, fields.count);
     const ComponentTable& table = fields.table;
+    std::array<std::uint32_t, kMostTested> kept;
+    std::span<const std::uint32_t> items(fields.items, fields.count);
+    if (items.size() >= kLeastTested && items.size() <= kMostTested)
+      items = {kept.data(), near_fields(table.supports, rays_, lanes_, items, kept.data())};
     const Octet ox = load(rays_.origin[0]), oy = load(rays_.origin[1]), oz = load(rays_.origin[2]);
     const Octet dx = load(rays_.direction[0]), dy = load(rays_.direction[1]), dz = load(rays_.direction[2]);
     const Octet dd = load(rays_.length2), inverse_dd = load(rays_.per_length2), one(1.0);
@@ -70,10 +75,9 @@ class PacketSetup {
     const Octet t0 = t0_, t1 = t1_;
     const Octet infinity(kInfinity), nowhere(-kInfinity);
     Octet count(0.0), peak(0.0), rising_until = infinity, falling_from = nowhere;
-    PacketRow* row = m_.rows.data() + rows_;
+    LaneRow* row = m_.rows.data() + rows_;
     double strength = 0, per_distance = 0;  // of the fields that are added: Σ|a| and Σ|a|√scale
-    for (std::uint32_t i = 0; i < fields.count; ++i) {
-      const std::uint32_t item = fields.items[i];
+    for (const std::uint32_t item : items) {
       const Octet cx = Octet(table.x[item]) - ox, cy = Octet(table.y[item]) - oy, cz = Octet(table.z[item]) - oz;
       const Octet scale(table.scale[item]);
       const Octet middle = (cx * dx + cy * dy + cz * dz) * inverse_dd;
@@ -92,13 +96,13 @@ class PacketSetup {
         rising_until = nowhere;
         falling_from = infinity;
       }
-      row->amplitude[0] = amplitude;
+      store(Octet(amplitude), row->amplitude);
       store_along(along, *row);
       if constexpr (NowhereSteep<Kernel>) {
         strength += std::abs(amplitude);
         per_distance += std::abs(amplitude) * root;
       } else {
-        row->shape[kPointSpread][0] = spread_of((root * reach + beyond) * per_radius);
+        store(Octet(spread_of((root * reach + beyond) * per_radius)), row->shape[kPointSpread]);
       }
       ++row;
     }
@@ -125,7 +129,7 @@ class PacketSetup {
       const Shape shape = fields.table.shape<Shape>(fields.group, item);
       const PlacedLines lines(rays_, fields, item);
       const Placement<Octet> place{lines.start, lines.size + Octet(shape.extent())};
-      PacketRow& row = next_row(Form::along(shape, lines), Form::shape(shape), fields.table.amplitude[item], place);
+      LaneRow& row = next_row(Form::along(shape, lines), Form::shape(shape), fields.table.amplitude[item], place);
       const auto lanes = load_placed<Form>(row);
       const auto bounds = lanes.bounds(t0_, t1_, constants.scale, constants.support);
       if (adds(kernel, lanes.least(bounds), row.amplitude[0])) ++rows_;
@@ -173,7 +177,7 @@ class PacketSetup {
           const double unit = per_support(fields.group.kernel, curve), amplitude = fields.table.amplitude[item];
           const PlacedLines lines(rays_, fields, item);
           const Octet size = Octet(unit) * (lines.size + Octet(curve.extent()));
-          PacketRow& row =
+          LaneRow& row =
               next_row(Form::along(curve, unit, lines), Form::shape(curve, unit), amplitude, {lines.start, size});
           const Octet most = load_placed<Form>(row).most(window, t0_, t1_);
           const OctetMask reaches = (most > Octet(0.0)) & lanes_;
@@ -187,7 +191,6 @@ class PacketSetup {
   }
 
  private:
-  using PacketRow = LaneRow<InLanes::rays>;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   // ---- Pieces
@@ -245,7 +248,7 @@ class PacketSetup {
     const Octet farthest = Octet(c.support_root) + Octet(kPositionError) * c.size;
     const OctetMask holds = and_not(v0 + kappa * near * near >= farthest * farthest, is_there);
     if (none(holds)) return;
-    PacketRow& row = new_row(c.amplitude);
+    LaneRow& row = new_row(c.amplitude);
     store_along(std::array{select(holds, v0, support + support), keep(holds, kappa), keep(holds, middle),
                            select(holds, begin, zero - infinity), select(holds, end, infinity)},
                 row);
@@ -276,7 +279,7 @@ class PacketSetup {
         const double least = std::max(0.0, std::sqrt(v0 + kappa * near * near) - kPositionError * size[lane]);
         if (!(least * least < c.support)) return;
         if (next == rows_) clear(new_row(c.amplitude), 2 * c.support);
-        PacketRow& row = m_.rows[next++];
+        LaneRow& row = m_.rows[next++];
         const double columns[] = {v0, kappa, middle, begin, end};
         for (std::size_t i = 0; i < std::size(columns); ++i) row.along[i][lane] = columns[i];
         row.size[lane] = size[lane];
@@ -285,7 +288,7 @@ class PacketSetup {
     }
   }
   /// Fills a row with pieces on which v = `beyond`, a value beyond the support.
-  static HWY_INLINE void clear(PacketRow& row, double beyond) {
+  static HWY_INLINE void clear(LaneRow& row, double beyond) {
     const Octet zero(0.0);
     store_along(std::array{Octet(beyond), zero, zero, Octet(-kInfinity), Octet(kInfinity)}, row);
     store(zero, row.size);
@@ -320,28 +323,28 @@ class PacketSetup {
     m_.reserve(std::size_t{rows_} + rows);
   }
   template <std::size_t kCount>
-  static HWY_INLINE void store_along(const std::array<Octet, kCount>& along, PacketRow& row) {
+  static HWY_INLINE void store_along(const std::array<Octet, kCount>& along, LaneRow& row) {
     for (std::size_t i = 0; i < kCount; ++i) store(along[i], row.along[i]);
   }
   /// Fills in the row after those in use, which the caller may keep by ++rows_.
   template <std::size_t kAlong, std::size_t kShape>
-  HWY_INLINE PacketRow& next_row(const std::array<Octet, kAlong>& along, const std::array<double, kShape>& shape,
-                                 double amplitude, const Placement<Octet>& place) {
-    PacketRow& row = m_.rows[rows_];
+  HWY_INLINE LaneRow& next_row(const std::array<Octet, kAlong>& along, const std::array<double, kShape>& shape,
+                               double amplitude, const Placement<Octet>& place) {
+    LaneRow& row = m_.rows[rows_];
     store_along(along, row);
-    for (std::size_t i = 0; i < kShape; ++i) row.shape[i][0] = shape[i];
-    row.amplitude[0] = amplitude;
+    for (std::size_t i = 0; i < kShape; ++i) store(Octet(shape[i]), row.shape[i]);
+    store(Octet(amplitude), row.amplitude);
     store(place.start, row.start);
     store(place.size, row.size);
     return row;
   }
-  PacketRow& new_row(double amplitude) {
-    PacketRow& row = m_.rows[rows_++];
-    row.amplitude[0] = amplitude;
+  LaneRow& new_row(double amplitude) {
+    LaneRow& row = m_.rows[rows_++];
+    store(Octet(amplitude), row.amplitude);
     return row;
   }
 
-  PacketMemory& m_;
+  LaneMemory& m_;
   const RayPacket& rays_;
   OctetMask lanes_;
   Octet t0_, t1_;

@@ -24,6 +24,16 @@ struct PacketSums : SetupSums<Octet, Octet> {
 
   HWY_INLINE PacketSums()
       : rising_until(std::numeric_limits<double>::infinity()), falling_from(-std::numeric_limits<double>::infinity()) {}
+
+  /// Takes over the sums of these rays.
+  HWY_INLINE void adopt(const PacketSums& from, const OctetMask& rays) {
+    field_count = select(rays, from.field_count, field_count);
+    peak = select(rays, from.peak, peak);
+    moved = select(rays, from.moved, moved);
+    exponent = from.exponent;
+    rising_until = select(rays, from.rising_until, rising_until);
+    falling_from = select(rays, from.falling_from, falling_from);
+  }
 };
 
 }  // namespace HWY_NAMESPACE

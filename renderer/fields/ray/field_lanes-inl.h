@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace isl::render {
@@ -28,7 +29,6 @@ namespace HWY_NAMESPACE {
 template <class Setup>
 class FieldLanes {
  public:
-  using Memory = typename Setup::Memory;
   using Number = typename Setup::Number;
 
   /// F − T and its derivative along the ray.
@@ -43,7 +43,7 @@ class FieldLanes {
     Number value, slope;
   };
 
-  explicit FieldLanes(Memory& memory) : m_(memory) {}
+  explicit FieldLanes(LaneMemory& memory) : m_(memory) {}
 
   /// Gathers the fields of a cell's list that reach the stretch; `where` are the setup's arguments: the ray or rays and
   /// their stretches.
@@ -110,6 +110,39 @@ class FieldLanes {
 
   // ---- For packets only ---------------------------------------------------------------------------------------------
 
+  /// Takes out all fields, so that rays may be adopted.
+  void clear() { m_.runs.clear(); }
+  /// True if rays of that layout may be adopted: all its fields are points of one group, as are those here.
+  [[nodiscard]] bool may_adopt(const FieldLanes& from) const {
+    const std::vector<LaneRun>&own = m_.runs, &runs = from.m_.runs;
+    return runs.size() == 1 && runs[0].form == LaneForm::points && (own.empty() || own[0].kernel == runs[0].kernel);
+  }
+  /// Adds the fields of these rays as they are laid out there, the n-th field of each ray to the n-th row. So rays that
+  /// meet different cells can be searched together. A ray may be adopted once.
+  HWY_INLINE void adopt(const FieldLanes& from, const OctetMask& rays) {
+    const LaneRun& run = from.m_.runs[0];
+    if (m_.runs.empty()) {
+      m_.runs.push_back(run);
+      m_.runs[0].last = 0;
+      threshold_ = from.threshold_;
+    }
+    m_.reserve(run.last);
+    std::uint32_t& rows = m_.runs[0].last;
+    for (; rows < run.last; ++rows) put_beyond(run, m_.rows[rows]);
+    const auto replace = [&](const double(&x)[kOctet], double(&of)[kOctet])
+                             HWY_ATTR { store(select(rays, load(x), load(of)), of); };
+    for (std::uint32_t i = 0; i < run.last; ++i) {
+      const LaneRow& row = from.m_.rows[i];
+      LaneRow& own = m_.rows[i];
+      for (std::size_t k = 0; k < QuadraticLanes::kAlong; ++k) replace(row.along[k], own.along[k]);
+      replace(row.shape[kPointSpread], own.shape[kPointSpread]);
+      replace(row.amplitude, own.amplitude);
+    }
+    sums_.adopt(from.sums_, rays);
+    relative_noise_ = select(rays, from.relative_noise_, relative_noise_);
+    threshold_noise_ = select(rays, from.threshold_noise_, threshold_noise_);
+  }
+
   /// The first t behind t0 at which each ray comes in where a component alone is the threshold; infinite if there is
   /// none. It is not asked for where many fields overlap: there no component has a surface alone.
   [[nodiscard]] HWY_INLINE Octet first_alone(const Octet& t0) const {
@@ -166,6 +199,14 @@ class FieldLanes {
   [[nodiscard]] HWY_NOINLINE FieldRange bend_range(double t0, double t1) const { return total_of(LaneBend(t0, t1)); }
 
  private:
+  /// Fills a row with a point that no ray reaches.
+  static HWY_INLINE void put_beyond(const LaneRun& run, LaneRow& row) {
+    const Octet zero(0.0);
+    store(Octet(2 * run.kernel->support), row.along[0]);
+    for (std::size_t k = 1; k < QuadraticLanes::kAlong; ++k) store(zero, row.along[k]);
+    store(zero, row.shape[kPointSpread]);
+    store(zero, row.amplitude);
+  }
   HWY_INLINE void keep(const ComponentTable& table, const std::uint32_t* items, std::uint32_t count, const Vec3& origin,
                        const Vec3& direction, double /*t0*/, double /*t1*/) {
     laid_out_ = {&table, items, count, origin, direction};
@@ -181,7 +222,7 @@ class FieldLanes {
     return bounds.total();
   }
 
-  Memory& m_;
+  LaneMemory& m_;
   double threshold_ = 0;
   typename Setup::Sums sums_;
   Number relative_noise_, threshold_noise_;

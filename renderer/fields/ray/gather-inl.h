@@ -34,8 +34,8 @@ struct ListedFields {
 ///   add_shapes<Shape>(kernel, fields)
 ///   add_curves(fields)
 /// and makes a run of the rows that the call adds.
-template <class Setup, class Memory>
-HWY_INLINE void gather_fields(Setup& setup, Memory& memory, const ComponentTable& table, const std::uint32_t* items,
+template <class Setup>
+HWY_INLINE void gather_fields(Setup& setup, LaneMemory& memory, const ComponentTable& table, const std::uint32_t* items,
                               std::uint32_t count) {
   memory.runs.clear();
   for (std::uint32_t next = 0; next < count;) {

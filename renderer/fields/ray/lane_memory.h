@@ -1,6 +1,6 @@
 // The memory in which the fields of a cell are laid out for the inner loops: one for each thread. It grows to
 // the longest list and is reused, so that tracing does not allocate. A row is an octet: eight fields along one
-// ray, or one field along eight rays (a packet).
+// ray, or a field along each of eight rays (a packet).
 #pragma once
 
 #include "renderer/fields/kernels/kernel_constants.h"
@@ -12,20 +12,16 @@
 
 namespace isl::render {
 
-/// The contents of an octet's lanes: fields along one ray, or rays for one field.
-enum class InLanes : std::uint8_t { fields, rays };
-
 /// The members of a form (skeletons/ray_form-inl.h): `along` depends on field and ray, `shape` and `amplitude` on the
 /// field. `start` and `size` are those of PlacedLanes (lane_rows-inl.h); pieces have `size` only, points neither.
-template <InLanes kWhat>
 struct alignas(64) LaneRow {
-  static constexpr std::size_t kLanes = 8, kFields = kWhat == InLanes::fields ? kLanes : 1;
+  static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kMostAlong = 6, kMostShape = 3;
 
   double along[kMostAlong][kLanes];
   double start[kLanes], size[kLanes];
-  double shape[kMostShape][kFields];
-  double amplitude[kFields];
+  double shape[kMostShape][kLanes];
+  double amplitude[kLanes];
 };
 
 /// The form of a row: quadratics of points, which hold everywhere; quadratics of pieces, which have borders; the ray
@@ -41,17 +37,13 @@ struct LaneRun {
   double surface_alone;  ///< that of the group
 };
 
-template <InLanes kWhat>
-struct FieldMemory {
-  std::vector<LaneRow<kWhat>> rows;  ///< as many as were ever needed; `runs` tells which are in use
+struct LaneMemory {
+  std::vector<LaneRow> rows;  ///< as many as were ever needed; `runs` tells which are in use
   std::vector<LaneRun> runs;
 
   void reserve(std::size_t count) {
     if (count > rows.size()) rows.resize(2 * count);
   }
 };
-
-using LaneMemory = FieldMemory<InLanes::fields>;
-using PacketMemory = FieldMemory<InLanes::rays>;
 
 }  // namespace isl::render

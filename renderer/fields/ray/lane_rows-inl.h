@@ -1,4 +1,4 @@
-// Octets read back from FieldMemory: quadratics v = v₀ + κ(t − t₀)², of points and of the pieces of other skeletons,
+// Octets read back from LaneMemory: quadratics v = v₀ + κ(t − t₀)², of points and of the pieces of other skeletons,
 // and the lanes of ray forms and of convolved curves.
 #if defined(ISL_RENDERER_FIELDS_RAY_LANE_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef ISL_RENDERER_FIELDS_RAY_LANE_ROWS_INL_H_
@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isl::render {
 namespace HWY_NAMESPACE {
 
-static_assert(LaneRow<InLanes::fields>::kLanes == kOctet);
+static_assert(LaneRow::kLanes == kOctet);
 
 struct QuadraticLanes {
   static constexpr std::size_t kAlong = 3, kShape = 0;
@@ -29,18 +29,13 @@ struct QuadraticLanes {
   Octet amplitude;
 };
 
-/// Loads a member that depends on the field alone: one number for each lane, or one for all.
-[[nodiscard]] HWY_INLINE Octet of_fields(const double (&x)[kOctet]) { return load(x); }
-[[nodiscard]] HWY_INLINE Octet of_fields(const double (&x)[1]) { return Octet(x[0]); }
-
-template <class Form, InLanes kWhat, std::size_t... kA, std::size_t... kS>
-[[nodiscard]] HWY_INLINE Form load_columns(const LaneRow<kWhat>& row, std::index_sequence<kA...>,
-                                           std::index_sequence<kS...>) {
-  static_assert(sizeof...(kA) <= LaneRow<kWhat>::kMostAlong && sizeof...(kS) <= LaneRow<kWhat>::kMostShape);
-  return {load(row.along[kA])..., of_fields(row.shape[kS])..., of_fields(row.amplitude)};
+template <class Form, std::size_t... kA, std::size_t... kS>
+[[nodiscard]] HWY_INLINE Form load_columns(const LaneRow& row, std::index_sequence<kA...>, std::index_sequence<kS...>) {
+  static_assert(sizeof...(kA) <= LaneRow::kMostAlong && sizeof...(kS) <= LaneRow::kMostShape);
+  return {load(row.along[kA])..., load(row.shape[kS])..., load(row.amplitude)};
 }
-template <class Form, InLanes kWhat>
-[[nodiscard]] HWY_INLINE Form load_lanes(const LaneRow<kWhat>& row) {
+template <class Form>
+[[nodiscard]] HWY_INLINE Form load_lanes(const LaneRow& row) {
   return load_columns<Form>(row, std::make_index_sequence<Form::kAlong>(), std::make_index_sequence<Form::kShape>());
 }
 
@@ -88,8 +83,8 @@ struct PlacedLanes : Form {
   }
 };
 
-template <class Form, InLanes kWhat>
-[[nodiscard]] HWY_INLINE PlacedLanes<Form> load_placed(const LaneRow<kWhat>& row) {
+template <class Form>
+[[nodiscard]] HWY_INLINE PlacedLanes<Form> load_placed(const LaneRow& row) {
   return {load_lanes<Form>(row), load(row.start), load(row.size)};
 }
 
@@ -103,9 +98,8 @@ struct Everywhere {
 };
 /// The column of `shape` for the spreads of points, which have no other shape.
 inline constexpr std::size_t kPointSpread = 0;
-template <InLanes kWhat>
-[[nodiscard]] HWY_INLINE Everywhere everywhere(const LaneRow<kWhat>& row, const KernelConstants& kernel) {
-  return {of_fields(row.shape[kPointSpread]), kernel.scale};
+[[nodiscard]] HWY_INLINE Everywhere everywhere(const LaneRow& row, const KernelConstants& kernel) {
+  return {load(row.shape[kPointSpread]), kernel.scale};
 }
 /// The domain of the quadratics of pieces, [begin, end), and the greatest coordinate that they are computed from, as √v
 /// at that distance.
@@ -117,8 +111,7 @@ struct PieceBorders {
   }
 };
 inline constexpr std::size_t kPieceBegin = QuadraticLanes::kAlong, kPieceEnd = kPieceBegin + 1;
-template <InLanes kWhat>
-[[nodiscard]] HWY_INLINE PieceBorders borders_of(const LaneRow<kWhat>& row) {
+[[nodiscard]] HWY_INLINE PieceBorders borders_of(const LaneRow& row) {
   return {load(row.along[kPieceBegin]), load(row.along[kPieceEnd]), load(row.size)};
 }
 

@@ -27,7 +27,6 @@ namespace HWY_NAMESPACE {
 
 class LaneSetup {
  public:
-  using Memory = LaneMemory;
   using Number = double;
   using Sums = SetupSums<std::uint32_t, double>;
 
@@ -74,7 +73,7 @@ class LaneSetup {
       // Lanes that do not reach the stretch are kept: they add nothing, since v is beyond the support all along it. (To
       // compact the others costs more than it saves, since lists are short.) Lanes past the list's end are put out of
       // reach.
-      LaneRow<InLanes::fields>& row = m_.rows[rows_++];
+      LaneRow& row = m_.rows[rows_++];
       store(select(listed, v0, kernel.support() + kernel.support()), row.along[0]);
       store(keep(listed, kappa), row.along[1]);
       store(middle, row.along[2]);
@@ -209,7 +208,7 @@ class LaneSetup {
   template <std::size_t kAlong, std::size_t kShape>
   void put(const std::array<double, kAlong>& along, const std::array<double, kShape>& shape, double amplitude,
            const Placement<double>& place) {
-    LaneRow<InLanes::fields>& row = m_.rows[rows_];
+    LaneRow& row = m_.rows[rows_];
     for (std::size_t i = 0; i < kAlong; ++i) row.along[i][lane_] = along[i];
     for (std::size_t i = 0; i < kShape; ++i) row.shape[i][lane_] = shape[i];
     row.amplitude[lane_] = amplitude;

@@ -21,9 +21,9 @@ namespace HWY_NAMESPACE {
 
 /// Visits the rows of convolved curves. It is out of line, so that scenes without such curves do not pay for it. The
 /// visitor is passed and returned by value, so that the caller can keep it in registers.
-template <InLanes kWhat, class Visitor>
-[[nodiscard]] HWY_NOINLINE Visitor visit_curves(const LaneRun& run, const LaneRow<kWhat>* row,
-                                                const LaneRow<kWhat>* end, Visitor visitor) {
+template <class Visitor>
+[[nodiscard]] HWY_NOINLINE Visitor visit_curves(const LaneRun& run, const LaneRow* row, const LaneRow* end,
+                                                Visitor visitor) {
   with_window(*run.kernel, [&](const auto& window) HWY_ATTR {
     with_curve_form(run.skeleton, [&](auto type) HWY_ATTR {
       using Form = typename CurveFormOf<typename decltype(type)::type>::type;
@@ -33,11 +33,11 @@ template <InLanes kWhat, class Visitor>
   return visitor;
 }
 
-template <InLanes kWhat, class Visitor>
-HWY_INLINE void visit_lanes(const FieldMemory<kWhat>& memory, Visitor& visitor) {
+template <class Visitor>
+HWY_INLINE void visit_lanes(const LaneMemory& memory, Visitor& visitor) {
   for (const LaneRun& run : memory.runs) {
-    const LaneRow<kWhat>* row = memory.rows.data() + run.first;
-    const LaneRow<kWhat>* const end = memory.rows.data() + run.last;
+    const LaneRow* row = memory.rows.data() + run.first;
+    const LaneRow* const end = memory.rows.data() + run.last;
     if (run.form == LaneForm::curves) {
       visitor = visit_curves(run, row, end, visitor);
       continue;

@@ -115,6 +115,8 @@ class PacketSolver {
   static constexpr double kAfterRoot = 4;
   /// The same after any other clear interval. Of 1, 1.5, 2 and 3, flakes are traced fastest with 1.5, by 1 to 3 %.
   static constexpr double kAfterClear = 1.5;
+  /// The least part of an interval that is split off because F rises there.
+  static constexpr double kLeastRise = 1.0 / 8;
   /// How far behind a guessed root the first interval ends, as a share of the way there: so that F is certainly above
   /// its noise. Shares from 1/50 to 1/5 take the same time.
   static constexpr double kBeyondGuess = 1.0 / 16;
@@ -205,6 +207,9 @@ class PacketSolver {
     const Octet size = max(max(abs(a.value), abs(b.value)), max(abs(b1), abs(b2)));
     const Octet share = select(e.value > Octet(16.0) * size, Octet(0.125), Octet(0.25));
     v.split = a.t + h * select(e.value > size, share, Octet(0.5));
+    // Up to where the first field begins to fall the ends decide.
+    const Octet top = fields_.rising_until();
+    v.split = select((top > a.t + Octet(kLeastRise) * h) & (top < b.t), top, v.split);
     v.bend = Octet(6.0) * max(abs(d1 - d0), abs(d2 - d1)) + Octet(HermiteSolver::kBendBand) * e.value +
              Octet(12.0) * noise + Octet(6.0) * h * slope_noise;
     v.undecided = and_not(may_split, unclear);
