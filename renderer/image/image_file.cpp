@@ -22,29 +22,56 @@ class PlaneSet {
   /// Adds a plane with `value_of(pixel)` for every pixel, in the given type.
   template <class ValueOf>
   void add(std::string name, IslSampleType type, const ValueOf& value_of) {
-    names_.push_back(std::move(name));
     switch (type) {
-      case ISL_UINT8: fill<std::uint8_t>(type, value_of); break;
-      case ISL_UINT16: fill<std::uint16_t>(type, value_of); break;
-      case ISL_UINT32: fill<std::uint32_t>(type, value_of); break;
+      case ISL_UINT8: fill<std::uint8_t>(std::move(name), type, value_of); break;
+      case ISL_UINT16: fill<std::uint16_t>(std::move(name), type, value_of); break;
+      case ISL_UINT32: fill<std::uint32_t>(std::move(name), type, value_of); break;
       case ISL_HALF:
-      case ISL_FLOAT: fill<float>(type, value_of); break;
+      case ISL_FLOAT: fill<float>(std::move(name), type, value_of); break;
     }
+  }
+
+  /// Adds red, green and blue in one pass over the picture. `values_of(pixel)` gives all three; it is called once for
+  /// pixels in a row of which each is `like(pixel)` the one before, since much of a picture may be of one colour.
+  template <class Value, class ValuesOf, class Like>
+  void add_colours(IslSampleType type, const ValuesOf& values_of, const Like& like) {
+    const std::array<Value*, 3> planes{add_plane<Value>("R", type), add_plane<Value>("G", type),
+                                       add_plane<Value>("B", type)};
+    for_each_part([&](std::size_t begin, std::size_t end) {
+      auto values = values_of(begin);
+      for (std::size_t pixel = begin; pixel < end; ++pixel) {
+        if (pixel > begin && !like(pixel)) values = values_of(pixel);
+        for (std::size_t channel = 0; channel < planes.size(); ++channel)
+          planes[channel][pixel] = static_cast<Value>(values[channel]);
+      }
+    });
   }
 
   [[nodiscard]] const std::vector<IslPlane>& planes() const { return planes_; }
 
  private:
   template <class Value, class ValueOf>
-  void fill(IslSampleType type, const ValueOf& value_of) {
+  void fill(std::string name, IslSampleType type, const ValueOf& value_of) {
+    Value* values = add_plane<Value>(std::move(name), type);
+    for_each_part([&](std::size_t begin, std::size_t end) {
+      for (std::size_t pixel = begin; pixel < end; ++pixel) values[pixel] = static_cast<Value>(value_of(pixel));
+    });
+  }
+
+  template <class Value>
+  Value* add_plane(std::string name, IslSampleType type) {
+    names_.push_back(std::move(name));
     std::vector<unsigned char>& memory = memory_.emplace_back(pixels_ * sizeof(Value));
     Value* values = reinterpret_cast<Value*>(memory.data());
-    parallel_for((pixels_ + kTogether - 1) / kTogether, [&](std::size_t part) {
-      const std::size_t end = std::min((part + 1) * kTogether, pixels_);
-      for (std::size_t pixel = part * kTogether; pixel < end; ++pixel)
-        values[pixel] = static_cast<Value>(value_of(pixel));
-    });
     planes_.push_back({names_.back().c_str(), type, values});
+    return values;
+  }
+
+  /// Calls `use(begin, end)` for parts of the pixels, on all threads.
+  template <class Use>
+  void for_each_part(const Use& use) const {
+    parallel_for((pixels_ + kTogether - 1) / kTogether,
+                 [&](std::size_t part) { use(part * kTogether, std::min((part + 1) * kTogether, pixels_)); });
   }
 
   /// Pixels that one task converts: enough that its start does not count.
@@ -62,12 +89,19 @@ constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
 void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
   const int most = type == ISL_UINT8 ? 255 : 65535;
   const DisplayCodes codes(most);
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    planes.add(kColourNames[channel], type, [&](std::size_t pixel) {
-      const double* rgba = &image.rgba[4 * pixel];
-      const double linear = with_alpha && rgba[3] > 0 ? rgba[channel] / rgba[3] : rgba[channel];
-      return codes(linear);
-    });
+  const auto codes_of = [&](std::size_t pixel) {
+    const double* rgba = &image.rgba[4 * pixel];
+    const auto code = [&](double value) { return codes(with_alpha && rgba[3] > 0 ? value / rgba[3] : value); };
+    return std::array{code(rgba[0]), code(rgba[1]), code(rgba[2])};
+  };
+  const auto is_like_the_last = [&](std::size_t pixel) {
+    const double* rgba = &image.rgba[4 * pixel];
+    return std::equal(rgba, rgba + 4, rgba - 4);
+  };
+  if (type == ISL_UINT8) {
+    planes.add_colours<std::uint8_t>(type, codes_of, is_like_the_last);
+  } else {
+    planes.add_colours<std::uint16_t>(type, codes_of, is_like_the_last);
   }
   if (!with_alpha) return;
   planes.add(kColourNames[3], type, [&](std::size_t pixel) {
