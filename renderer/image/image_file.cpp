@@ -14,6 +14,8 @@
 namespace isl::render {
 namespace {
 
+constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
+
 /// The planes of a file, and the memory that they point into.
 class PlaneSet {
  public:
@@ -35,8 +37,9 @@ class PlaneSet {
   /// pixels in a row of which each is `like(pixel)` the one before, since much of a picture may be of one colour.
   template <class Value, class ValuesOf, class Like>
   void add_colours(IslSampleType type, const ValuesOf& values_of, const Like& like) {
-    const std::array<Value*, 3> planes{add_plane<Value>("R", type), add_plane<Value>("G", type),
-                                       add_plane<Value>("B", type)};
+    std::array<Value*, 3> planes;
+    for (std::size_t channel = 0; channel < planes.size(); ++channel)
+      planes[channel] = add_plane<Value>(kColourNames[channel], type);
     for_each_part([&](std::size_t begin, std::size_t end) {
       auto values = values_of(begin);
       for (std::size_t pixel = begin; pixel < end; ++pixel) {
@@ -82,8 +85,6 @@ class PlaneSet {
   std::deque<std::vector<unsigned char>> memory_;
   std::vector<IslPlane> planes_;
 };
-
-constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
 
 /// Adds code values of a display, with the colour divided by alpha if there is alpha.
 void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {

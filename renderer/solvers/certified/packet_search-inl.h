@@ -127,6 +127,7 @@ class PacketSearch {
                              const Octet& leave) {
     OctetMask lanes = met;
     if (meets_last_cell_) {
+      // Rays that go on pass the rest of the cell that they have been searched in.
       lanes = met & (load(last_cell_) != Octet(index));
       reached_ = select(and_not(lanes, met), leave, reached_);
       if (none(lanes)) return lanes;
