@@ -171,7 +171,7 @@ class CameraReader {
     check(sky_, "sky");
   }
 
-  /// The angle of a view with straight rays. As in POV-Ray, a missing angle is the same as 0.
+  /// The angle of a view with straight rays. As in POV-Ray, an angle of 0 leaves `direction` as it is.
   void apply_angle() {
     if (angle_degrees_ && *angle_degrees_ < 0)
       context_.fail(angle_span_, fmt::format("`angle` must be at least 0, found {:g}", *angle_degrees_));
@@ -188,11 +188,10 @@ class CameraReader {
     if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
   }
 
-  /// A parallel view without a size of its own, or with an angle, shows at look_at the same section as a perspective
-  /// one.
+  /// A parallel view without a size of its own, or with an angle, be it 0, shows at look_at the same section as a
+  /// perspective one.
   void apply_orthographic_size() {
-    const bool has_angle = angle_degrees_ && *angle_degrees_ != 0;
-    if (is_copy_ || (has_size_ && !has_angle)) return;
+    if (is_copy_ || (has_size_ && !angle_degrees_)) return;
     const double distance = (look_at_.value_or(kDefaultLookAt) - camera_.location).length();
     if (!(distance > 0)) return;
     camera_.right *= distance / camera_.direction.length();
