@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace isl::interpreter {
 namespace {
@@ -106,6 +109,30 @@ bool read_cutaway_textures(ElementStream& stream, ObjectDraft& draft) {
 
 // ---- clipped_by and bounded_by --------------------------------------------------------------------------------------
 
+/// Reads the rest of a block: objects, and transforms behind them that move all of them.
+std::vector<Object> read_moved_objects(ElementStream& stream) {
+  Context& context = stream.context();
+  std::vector<Object> objects;
+  bool is_empty = true;
+  for (Element next = stream.peek(); const Ref<ObjectValue> object = read_child(stream); next = stream.peek()) {
+    if (next.is(ElementKind::value)) count_copy(context, *object, next.span);
+    if (object->object.shape != scene::kNone) objects.push_back(placed(context, *object));
+    is_empty = false;
+  }
+  if (is_empty) fail_expected(stream, "an object");
+  scene::Transform moved;
+  std::string_view expected = "an object or a transform";
+  while (!stream.peek().is(ElementKind::end)) {
+    const SourceSpan span = stream.peek().span;
+    const std::optional<scene::Transform> transform = read_transform(stream);
+    if (!transform) fail_expected(stream, expected);
+    moved = then_placed(context, span, moved, *transform);
+    expected = "a transform";
+  }
+  for (Object& object : objects) object.parent_from_object = scene::then(object.parent_from_object, moved);
+  return objects;
+}
+
 /// `clipped_by { Object… }` adds to the present clipping objects; `clipped_by { bounded_by }` clips by the bounding
 /// ones. `bounded_by` works in the same way.
 void read_clip(ElementStream& stream, const ObjectDraft& draft, scene::GroupId& clip, scene::GroupId other,
@@ -126,20 +153,10 @@ void read_clip(ElementStream& stream, const ObjectDraft& draft, scene::GroupId& 
   scene::Group group{.operation = scene::Operation::intersect};
   if (clip != scene::kNoGroup) group.children = context.database.groups[index(clip)].children;
   const scene::Transform object_from_parent = draft.object.parent_from_object.inverted();
-  bool is_empty = true;
-  while (!inner.peek().is(ElementKind::end)) {
-    const Element next = inner.peek();
-    const Ref<ObjectValue> child = read_child(inner);
-    if (!child) fail_expected(inner, "an object");
-    if (next.is(ElementKind::value)) count_copy(context, *child, next.span);
-    if (child->object.shape != scene::kNone) {
-      Object object = placed(context, *child);
-      object.parent_from_object = scene::then(object.parent_from_object, object_from_parent);
-      group.children.push_back(object);
-    }
-    is_empty = false;
+  for (Object& object : read_moved_objects(inner)) {
+    object.parent_from_object = scene::then(object.parent_from_object, object_from_parent);
+    group.children.push_back(object);
   }
-  if (is_empty) fail_expected(inner, "an object");
   clip = add_group(inner, std::move(group));
 }
 

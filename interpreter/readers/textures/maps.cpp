@@ -203,6 +203,10 @@ scene::PigmentMapId read_pigment_list(ElementStream& stream, scene::PatternKind 
   Context& context = stream.context();
   PigmentMap list = default_pigment_list(kind);
   ISL_CHECK(static_cast<int>(list.size()) == count, "{} default colours for {} items", list.size(), count);
+  // As in POV-Ray, what is missing behind a colour is the pattern's own, and behind a pigment the default pigment.
+  if (stream.peek().is_block(word::kw_pigment)) {
+    for (auto& entry : list) entry.pigment = context.default_texture.pigment;
+  }
   const int read = read_items(
       stream, count, [&](int i) { return read_pigment_item(stream, list[static_cast<std::size_t>(i)].pigment); });
   if (read == 0) return default_pigment_list_id(context, kind);
