@@ -297,13 +297,25 @@ class CsgSearch {
     return is_seen(event) && memory_.state.shows(event.leaf) ? hit_of(event) : CsgHit{};
   }
 
-  /// If the whole changes, the hit is the first leaf that changed with it; if not, it is a surface that shows both
-  /// before and after, as within a union.
+  /// True if of two coinciding faces that of leaf a is seen. As in POV-Ray, it is that of the later child of an
+  /// intersection or difference, and that of the earlier child of a union.
+  [[nodiscard]] bool is_preferred(std::uint32_t a, std::uint32_t b) const {
+    std::uint32_t node = tree_.leaves[a].parent, other = tree_.leaves[b].parent;
+    while (node != other) {  // parents come before their children
+      std::uint32_t& lower = node > other ? node : other;
+      lower = tree_.nodes[lower].parent;
+    }
+    return tree_.nodes[node].kind == CsgNode::Kind::all ? a > b : a < b;
+  }
+
+  /// If the whole changes, the hit is the leaf to be preferred among those that changed with it; if not, it is a
+  /// surface that shows both before and after, as within a union.
   CsgHit pass_group() {
     CsgState& state = memory_.state;
     std::vector<CsgEvent>& group = memory_.group;
-    // The tree's order decides, so that which of several coinciding faces is seen does not depend on rounding.
-    std::stable_sort(group.begin(), group.end(), [](const CsgEvent& a, const CsgEvent& b) { return a.leaf < b.leaf; });
+    // The tree decides, so that which of several coinciding faces is seen does not depend on rounding.
+    std::stable_sort(group.begin(), group.end(),
+                     [this](const CsgEvent& a, const CsgEvent& b) { return is_preferred(a.leaf, b.leaf); });
     memory_.shown.clear();
     for (const CsgEvent& event : group) memory_.shown.push_back(is_seen(event) && state.shows(event.leaf) ? 1 : 0);
     state.remember();

@@ -127,6 +127,34 @@ TEST(Coincidence, of_two_boxes_side_by_side_merges_without_a_wall) {
   }
 }
 
+/// The leaf of `root` that a ray along z meets at z = 0. Leaves are counted in the order in which they stand there.
+std::uint32_t leaf_met(CsgScene& scene, const Object& root) {
+  scene.database.objects = {root};
+  const Tracer tracer(scene.database, {});
+  const Ray ray{.origin = {0.1, 0.2, -5}, .direction = {0, 0, 1}};
+  Hit hit;
+  TraceCounters counters;
+  tracer.first_hits({&ray, 1}, {&hit, 1}, counters, RayKind::image);
+  EXPECT_NEAR(hit.t, 5, 1e-9);
+  return hit.leaf;
+}
+
+TEST(Coincidence, shows_the_later_child_of_an_intersection_and_the_earlier_one_of_a_union_within) {
+  CsgScene scene;
+  const Object wide = scene.solid(box({-2, -2, 0}, {2, 2, 1})), tall = scene.solid(box({-1, -3, 0}, {1, 3, 2}));
+  const Object deep = scene.solid(box({-3, -3, -1}, {3, 3, 5}));
+  Object turned_tall = tall;
+  turned_tall.parent_from_object = affine(scene::Matrix().setAxisAngle(Vec3(0, 0, 1), 0.3));
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {wide, tall})), 1u);
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {wide, turned_tall})), 1u);
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {wide, tall, deep})), 1u);
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::merge, {wide, tall})), 0u);
+  const Object both = scene.group(Operation::unite, {wide, turned_tall});
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {both, deep})), 0u);
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {deep, both})), 1u);
+  EXPECT_EQ(leaf_met(scene, scene.group(Operation::intersect, {both, wide})), 2u);
+}
+
 TEST(Coincidence, of_touching_spheres_keeps_parity) {
   CsgScene scene;
   scene.database.objects = {
