@@ -90,7 +90,7 @@ struct ArcLine {
     // roundings of 2⁻⁵³. A coordinate of the point has one of its step, which is at most 2 extent, and one of itself; f
     // changes by at most 2 (√square + inset) times the distance, 2·3√3 (√square + inset) extent ≤ 11 (square + inset² +
     // extent²). 32 of the sum of all hold both, and what inset and height are rounded by.
-    node.noise = 0x1p-48 * (square + arc.inset * arc.inset + arc.radius * arc.radius + extent * extent);
+    node.noise = node.rounding = 0x1p-48 * (square + arc.inset * arc.inset + arc.radius * arc.radius + extent * extent);
     return node;
   }
 };

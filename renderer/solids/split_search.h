@@ -5,6 +5,7 @@
 // ends of an interval follow bounds of u and v, hence of h, and h′ ∈ [min u′ − max v′, max u′ − min v′] with the
 // extremes at the ends.
 //   h bounded away from the other sign            no crossing (by the bounds of u and v, or by the mean value theorem)
+//   h within its rounding everywhere              the line lies in the surface, and nothing can be known of it
 //   h′ of one sign                                h is monotone: at most one crossing, told by the ends
 //   otherwise                                     halve the interval; bounds shrink quadratically, slopes linearly
 // down to 2⁻⁵⁰ of the whole, where the ends decide. A slope may be infinite at an end (a root of a distance): the
@@ -25,6 +26,7 @@ struct SplitNode {
   double t;
   double u, v, slope_u, slope_v;
   double value, noise;
+  double rounding;  ///< where |h| is no more than this, its sign is not certain
 
   [[nodiscard]] int sign() const { return value > noise ? 1 : (value < -noise ? -1 : 0); }
 };
@@ -45,7 +47,7 @@ class SplitSearch {
     FunctionAt certain{a, left.value};
     if (sign_ == 0 && !a_is_root) sign_ = left.sign();
     SplitNode ends[kMostHalvings + 1];
-    int top = 0;
+    int top = 0, halvings = 0;
     ends[0] = node(b);
     while (top >= 0) {
       const SplitNode& right = ends[top];
@@ -54,13 +56,16 @@ class SplitSearch {
       const bool is_monotone = slope.low > 0 || slope.high < 0;
       bool is_decided = is_monotone || !(width > shortest);
       if (is_monotone && a_is_root) sign_ = slope.low > 0 ? 1 : -1;
-      if (!is_decided && !a_is_root && sign_ != 0) {
+      if (!is_decided) {
         const Range range = bounds_of(left, right, slope, u_bends, v_bends);
-        is_decided = sign_ > 0 ? range.low > 0 : range.high < 0;
+        const double rounding = std::max(left.rounding, right.rounding);
+        const bool is_clear = (sign_ > 0 && range.low > 0) || (sign_ < 0 && range.high < 0);
+        is_decided = (is_clear && !a_is_root) || (range.low >= -rounding && range.high <= rounding);
       }
       if (!is_decided) {
         const double middle = left.t + 0.5 * width;
-        if (top < kMostHalvings && middle > left.t && middle < right.t) {
+        if (top < kMostHalvings && middle > left.t && middle < right.t && halvings < kMostInAll) {
+          ++halvings;
           ends[++top] = node(middle);
           continue;
         }
@@ -85,6 +90,9 @@ class SplitSearch {
 
  private:
   static constexpr int kMostHalvings = 60;
+  /// Of a million searches at random none took 256 halvings. One that takes this many follows the surface within its
+  /// noise, or numbers that have overflowed, and would not end.
+  static constexpr int kMostInAll = 10000;
   /// Rounding moves a value by about this share of its bound.
   static constexpr double kRoundingOfNoise = 1.0 / 64;
 

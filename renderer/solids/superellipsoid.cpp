@@ -83,6 +83,7 @@ class OctantLine {
     node.noise = kPower * (1 + ring_power + w);
     if (own.r > 0) node.noise += kPosition * q_ * ring_power / own.r;
     if (point.z > 0) node.noise += kPosition * q_ * w / point.z;
+    node.rounding = kPower * (own.r + node.v) + kPosition;
     return node;
   }
 

@@ -119,7 +119,7 @@ SplitNode spindle_node(const scene::Solid& solid, const Vec3& origin, const Vec3
   // On the axis the norm has a kink; 0 lies between its slopes on both sides.
   node.slope_v = rho > 0 ? 2 * big * (p.x * direction.x + p.z * direction.z) / rho : 0;
   node.value = node.u - node.v;
-  node.noise = 0x1p-49 * (square + big * big + small * small);
+  node.noise = node.rounding = 0x1p-49 * (square + big * big + small * small);
   return node;
 }
 

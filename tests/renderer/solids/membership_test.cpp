@@ -323,14 +323,19 @@ TEST(Spindle, is_met_along_its_axis_and_nowhere_within) {
   EXPECT_NEAR(found.t[1], 5 + std::sqrt(0.75), 1e-12);
 }
 
+scene::Solid superellipsoid(double e, double n) {
+  scene::Solid solid;
+  solid.kind = SolidKind::superellipsoid;
+  solid.radius_a = e;
+  solid.radius_b = n;
+  return solid;
+}
+
 TEST(Superellipsoid, poles_are_met_along_the_axes) {
   for (const double e : {0.05, 0.3, 1.0, 2.0, 3.0}) {
     for (const double n : {0.05, 0.3, 1.0, 2.0, 3.0}) {
       for (int axis = 0; axis < 3; ++axis) {
-        scene::Solid solid;
-        solid.kind = SolidKind::superellipsoid;
-        solid.radius_a = e;
-        solid.radius_b = n;
+        const scene::Solid solid = superellipsoid(e, n);
         Vec3 direction(0);
         direction[axis] = 1;
         const Crossings found = crossings(solid, direction * -3, direction, kNoPart);
@@ -338,6 +343,31 @@ TEST(Superellipsoid, poles_are_met_along_the_axes) {
         EXPECT_NEAR(found.t[0], 2, 1e-12);
         EXPECT_NEAR(found.t[1], 4, 1e-12);
       }
+    }
+  }
+}
+
+TEST(Superellipsoid, lets_lines_go_that_lie_in_its_even_sides) {
+  // On such a line F is within its rounding nearly all the way, and no halving of it would tell more. A crossing may be
+  // found where it is left, but in pairs.
+  const scene::Solid can = superellipsoid(1, 0.01), block = superellipsoid(0.01, 0.01);
+  for (const std::uint32_t start : {kNoPart, 0U}) {  // from far away, and from its only surface
+    const double from = start == kNoPart ? -5 : 0;
+    EXPECT_EQ(crossings(can, {1, 0, from}, {0, 0, 1}, start).count % 2, 0);
+    EXPECT_EQ(crossings(can, {0.6, 0.8, from}, {0, 0, 1}, start).count % 2, 0);
+    EXPECT_EQ(crossings(block, {1, 0.3, from}, {0, 0, 1}, start).count % 2, 0);
+    EXPECT_EQ(crossings(block, {from, 1, 0.2}, {1, 0, 1e-4}, start).count % 2, 0);
+    EXPECT_EQ(crossings(block, {1 - 1e-15, 0.3, from}, {0, 0.01, 1}, start).count % 2, 0);
+  }
+}
+
+TEST(Superellipsoid, comes_to_an_end_where_numbers_overflow) {
+  const scene::Solid solid = superellipsoid(0.25, 0.25);
+  for (const double huge : {1e100, 1e200, 1e300}) {
+    for (const double tiny : {1 / huge, 1e-308, 1e-320}) {
+      EXPECT_LE(crossings(solid, {-0.5, -0.25, -0.125}, {tiny, huge, 0.3 * huge}, kNoPart).count, 2);
+      EXPECT_LE(crossings(solid, {huge, -0.25, tiny}, {-huge, tiny, 0.1}, kNoPart).count, 2);
+      EXPECT_LE(crossings(solid, {tiny, -tiny, 0.5}, {tiny, tiny, tiny}, kNoPart).count, 2);
     }
   }
 }
