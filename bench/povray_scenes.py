@@ -57,7 +57,7 @@ class Comparison:
         self.written = os.path.join(options.work, 'written')
         os.makedirs(self.written, exist_ok=True)
         if not os.path.isdir(self.scenes):
-            shutil.copytree(options.folder, self.scenes)
+            shutil.copytree(options.folder, self.scenes, ignore_dangling_symlinks=True)
 
     def names(self):
         found = sorted(os.path.relpath(os.path.join(place, name), self.scenes)

@@ -211,7 +211,8 @@ struct Deprecation {
 };
 
 /// `#declare target = value` / `#local`. `value` is one expression, block, array, function or directive; a run of
-/// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions.
+/// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions. Before it
+/// there may be other declarations, with their semicolons.
 /// A semicolon after it is an item of its own in the enclosing list.
 /// `#declare deprecated once "remark" target = value` is a node of its own kind and of this type.
 struct Declare : Node {

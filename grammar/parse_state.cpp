@@ -198,6 +198,13 @@ TreeList ParseState::join(Tree first, const TreeList& rest) {
   return list;
 }
 
+TreeList ParseState::join(Tree first, SourceSpan semicolon, const TreeList& rest) {
+  TreeList list;
+  list.push(first);
+  const Tree second = this->semicolon(semicolon, list);
+  return join(first, join(second, rest));
+}
+
 ArgumentList ParseState::with_argument(ArgumentList list, const TreeList& argument) {
   list.arguments.push_back(arena_.copy(argument.nodes));
   list.height = std::max(list.height, argument.height);

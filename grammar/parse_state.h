@@ -93,6 +93,8 @@ class ParseState {
   // Lists.
   TreeList pair(Tree first, Tree second);
   TreeList join(Tree first, const TreeList& rest);
+  /// `first`, a semicolon and the rest.
+  TreeList join(Tree first, SourceSpan semicolon, const TreeList& rest);
   ArgumentList with_argument(ArgumentList list, const TreeList& argument);
   /// `clause` is the parenthesis, or the token that ends it.
   CaseList with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body);
