@@ -64,7 +64,10 @@ struct MacroValue final : Shared {
 
 /// The look of objects, their drafts and materials.
 struct Surface {
-  std::optional<scene::Texture> texture;           ///< in the object's space
+  std::optional<scene::Texture> texture;  ///< in the object's space
+  /// How the pigment of `texture` was moved while it was a plain colour, in the object's space (read_pigment). Null:
+  /// not at all.
+  std::shared_ptr<const scene::Transform> plain_moved;
   std::optional<scene::Texture> interior_texture;  ///< of the inside of the surface, if it differs
   scene::InteriorId interior = scene::kNoInterior;
   bool uv_mapping = false;  ///< `uv_mapping` precedes the textures: all of them are evaluated at (u, v)
@@ -80,8 +83,10 @@ struct ObjectValue final : Shared {
 };
 
 struct PigmentValue final : Shared {
-  explicit PigmentValue(const scene::Pigment& pigment_) : pigment(pigment_) {}
+  PigmentValue(const scene::Pigment& pigment_, const scene::Transform& plain_moved_)
+      : pigment(pigment_), plain_moved(plain_moved_) {}
   const scene::Pigment pigment;
+  const scene::Transform plain_moved;  ///< as in Surface, in the pigment's space
 };
 
 struct FinishValue final : Shared {
@@ -90,8 +95,10 @@ struct FinishValue final : Shared {
 };
 
 struct TextureValue final : Shared {
-  explicit TextureValue(const scene::Texture& texture_) : texture(texture_) {}
+  TextureValue(const scene::Texture& texture_, const scene::Transform& plain_moved_)
+      : texture(texture_), plain_moved(plain_moved_) {}
   const scene::Texture texture;
+  const scene::Transform plain_moved;  ///< as in Surface, in the texture's space
 };
 
 struct NormalValue final : Shared {

@@ -300,10 +300,10 @@ class BlobReader {
 
   /// Returns the rotation that was baked into the component.
   scene::Turn read_modifiers(ElementStream& stream, Component& component) {
-    std::optional<scene::Texture> texture;
+    Surface look;
     std::optional<scene::Transform> blob_from_component;
     while (!stream.peek().is(ElementKind::end)) {
-      if (read_texture_modifier(stream, texture, blob_from_component.value_or(scene::Transform()))) continue;
+      if (read_texture_modifier(stream, look, blob_from_component.value_or(scene::Transform()))) continue;
       const SourceSpan span = stream.peek().span;
       if (const std::optional<scene::Transform> next = read_transform(stream)) {
         blob_from_component = blob_from_component ? then_placed(context_, span, *blob_from_component, *next) : *next;
@@ -311,10 +311,8 @@ class BlobReader {
         refuse(stream, known_words());
       }
     }
-    if (texture && blob_from_component) {
-      texture = moved(context_, *texture, *blob_from_component);
-    }
-    if (texture) component.texture = texture_id(context_, *texture);
+    if (look.texture && blob_from_component) look.texture = moved(context_, *look.texture, *blob_from_component);
+    if (look.texture) component.texture = texture_id(context_, *look.texture);
     return blob_from_component ? move(context_, component, *blob_from_component) : scene::Turn();
   }
 

@@ -103,6 +103,22 @@ int read_one_of(ElementStream& stream, std::string_view what, std::initializer_l
   return *found;
 }
 
+/// An `image_map` must have one of these types. As in POV-Ray, any other picture with an unknown one lies flat.
+void read_map_type(ElementStream& stream, Image& image) {
+  constexpr int kMapTypes[] = {0, 1, 2, 5};
+  const SourceSpan span = stream.peek().span;
+  const double number = read_number(stream, "`map_type`");
+  const auto* const found = std::ranges::find(kMapTypes, std::trunc(number));
+  if (found != std::end(kMapTypes)) {
+    image.map_type = *found;
+    return;
+  }
+  std::string what = fmt::format("`map_type` must be one of {}, found {:g}", fmt::join(kMapTypes, ", "), number);
+  if (stream.word() == word::kw_image_map) stream.context().fail(span, std::move(what));
+  stream.context().warn(span, std::move(what), "the picture lies flat, as with 0");
+  image.map_type = 0;
+}
+
 void read_repeat(ElementStream& stream, Image& image) {
   const SourceSpan span = stream.peek().span;
   const scene::Vec3 repeat = read_vector(stream, "a vector after `repeat`");
@@ -179,7 +195,7 @@ bool read_image_item(ElementStream& stream, Image& image) {
       return true;
     case word::kIndex_map_type:
       stream.drop();
-      image.map_type = read_one_of(stream, "`map_type`", {0, 1, 2, 5});
+      read_map_type(stream, image);
       return true;
     case word::kIndex_interpolate:
       stream.drop();

@@ -39,8 +39,12 @@ Pigment with_record(Context& context, PatternedPigment&& record) {
 
 class PigmentReader {
  public:
-  PigmentReader(ElementStream& stream, const Pigment& base)
-      : stream_(stream), context_(stream.context()), pigment_(base) {}
+  /// `plain_moved`: how `base` was moved while it was a plain colour.
+  PigmentReader(ElementStream& stream, const Pigment& base, const scene::Transform& plain_moved)
+      : stream_(stream), context_(stream.context()), pigment_(base), plain_moved_(plain_moved) {}
+
+  /// How the result was moved, if it is a plain colour.
+  [[nodiscard]] const scene::Transform& plain_moved() const { return plain_moved_; }
 
   Pigment read() {
     bool has_type = read_identifier();
@@ -66,6 +70,7 @@ class PigmentReader {
     if (value.kind() == ValueKind::pigment) {
       const bool uv_mapping = record_ && draft_.pattern.uv_mapping;
       pigment_ = value.as<PigmentValue>().pigment;
+      plain_moved_ = value.as<PigmentValue>().plain_moved;
       is_declared_on_surface_ =
           !pigment_.is_plain() && context_.database.pigments[index(pigment_.pattern)].pattern.uv_mapping;
       record_.reset();
@@ -102,7 +107,12 @@ class PigmentReader {
 
   bool read_modifier(bool has_type) {
     // A plain colour is the same after every transform.
-    if (!record_ && pigment_.is_plain() && read_transform(stream_)) return true;
+    if (!record_ && pigment_.is_plain()) {
+      if (const std::optional<scene::Transform> transform = read_transform(stream_)) {
+        plain_moved_ = scene::then(plain_moved_, *transform);
+        return true;
+      }
+    }
     const Element next = stream_.peek();
     if (is_map_block(next)) {
       stream_.drop();
@@ -161,6 +171,7 @@ class PigmentReader {
     record_ = pigment_.is_plain() ? PatternedPigment{.colour = pigment_.colour}
                                   : context_.database.pigments[index(pigment_.pattern)];
     draft_ = draft_of(context_, record_->pattern);
+    if (pigment_.is_plain() && plain_moved_ != scene::Transform()) move(context_, draft_, plain_moved_);
     return *record_;
   }
 
@@ -184,22 +195,35 @@ class PigmentReader {
   ElementStream& stream_;
   Context& context_;
   Pigment pigment_;
+  scene::Transform plain_moved_;
   bool is_declared_on_surface_ = false;  ///< the pigment began with a declared one that has `uv_mapping`
   std::optional<PatternedPigment> record_;
   PatternDraft draft_;  ///< of the record's pattern, if there is a record
 };
 
-}  // namespace
-
-Pigment read_pigment_body(ElementStream& stream, const Pigment& base) {
-  const Pigment pigment = PigmentReader(stream, base).read();
+Pigment read_body(ElementStream& stream, const Pigment& base, scene::Transform& plain_moved) {
+  PigmentReader reader(stream, base, plain_moved);
+  const Pigment pigment = reader.read();
+  plain_moved = reader.plain_moved();
   stream.context().check_value_depth(stream.span(), stream.context().depths.of(pigment));
   return pigment;
 }
 
+}  // namespace
+
+Pigment read_pigment_body(ElementStream& stream, const Pigment& base) {
+  scene::Transform unmoved;
+  return read_body(stream, base, unmoved);
+}
+
 Pigment read_pigment(Context& context, const Element& block, const Pigment& base) {
+  scene::Transform unmoved;
+  return read_pigment(context, block, base, unmoved);
+}
+
+Pigment read_pigment(Context& context, const Element& block, const Pigment& base, scene::Transform& plain_moved) {
   ElementStream stream(context, block);
-  return read_pigment_body(stream, base);
+  return read_body(stream, base, plain_moved);
 }
 
 scene::PigmentId patterned_pigment(Context& context, const Pigment& pigment) {

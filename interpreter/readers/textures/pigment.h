@@ -7,6 +7,10 @@ namespace isl::interpreter {
 
 /// Starts from `base`, or from the identifier that the block begins with.
 [[nodiscard]] scene::Pigment read_pigment(Context& context, const Element& block, const scene::Pigment& base);
+/// The same if `base` was moved while it was a plain colour: as in POV-Ray, a pattern that takes its place is moved in
+/// the same way. Replaces `plain_moved` by what is true of the result.
+[[nodiscard]] scene::Pigment read_pigment(Context& context, const Element& block, const scene::Pigment& base,
+                                          scene::Transform& plain_moved);
 /// The same up to the end of the stream: the entry of a map has no braces of its own.
 [[nodiscard]] scene::Pigment read_pigment_body(ElementStream& stream, const scene::Pigment& base);
 

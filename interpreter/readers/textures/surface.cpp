@@ -27,17 +27,26 @@ void add_layer(Context& context, std::optional<Texture>& texture, const Texture&
   texture = texture ? layered(context, *texture, top, span) : top;
 }
 
+/// Keeps, in the object's space, how its pigment was moved while it was a plain colour. `plain_moved` is how it looks
+/// at the object's present place.
+void keep_moved(Surface& surface, const Transform& plain_moved, const Transform& space) {
+  const bool is_unmoved = plain_moved == space;
+  surface.plain_moved = is_unmoved ? nullptr : std::make_shared<const Transform>(then(plain_moved, space.inverted()));
+}
+
 /// pigment, normal and finish change the topmost layer, as it looks at the object's present place.
-void read_part(Context& context, const Element& block, std::optional<Texture>& texture, const Transform& space) {
-  const bool is_own = texture.has_value();
-  Texture top = texture.value_or(context.default_texture);
+void read_part(Context& context, const Element& block, Surface& surface, const Transform& space) {
+  const bool is_own = surface.texture.has_value();
+  Texture top = surface.texture.value_or(context.default_texture);
+  Transform plain_moved;
+  if (is_own) plain_moved = surface.plain_moved ? then(*surface.plain_moved, space) : space;
   if (top.pattern != scene::kNoTexturePattern) {
     context.fail(block.word_span,
                  fmt::format("`{}` cannot be used with a texture that has a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
     const scene::Pigment base = is_own ? moved(context, top.pigment, space) : top.pigment;
-    const scene::Pigment pigment = read_pigment(context, block, base);
+    const scene::Pigment pigment = read_pigment(context, block, base, plain_moved);
     top.pigment = pigment.is_plain() ? pigment : taken_back(context, pigment, space);
   } else if (block.word == word::kw_normal) {
     const scene::NormalId base = is_own ? moved(context, top.normal, space) : top.normal;
@@ -45,7 +54,8 @@ void read_part(Context& context, const Element& block, std::optional<Texture>& t
   } else {
     top.finish = finish_id(context, read_finish(context, block, finish_of(context, top)));
   }
-  texture = top;
+  surface.texture = top;
+  keep_moved(surface, plain_moved, space);
 }
 
 /// POV-Ray 3.0 had the ior in the finish; an object without an interior gets one from there.
@@ -62,7 +72,10 @@ void take_old_interior(Context& context, Surface& surface) {
 
 /// The material's texture is laid over the object's; its interior replaces the object's.
 void apply(Context& context, const Surface& material, Surface& surface, const Transform& space, SourceSpan span) {
-  if (material.texture) add_layer(context, surface.texture, taken_back(context, *material.texture, space), span);
+  if (material.texture) {
+    add_layer(context, surface.texture, taken_back(context, *material.texture, space), span);
+    keep_moved(surface, {}, space);
+  }
   if (material.interior_texture) {
     add_layer(context, surface.interior_texture, taken_back(context, *material.interior_texture, space), span);
   }
@@ -90,19 +103,21 @@ void read_interior_texture(Context& context, const Element& block, Surface& surf
 
 }  // namespace
 
-bool read_texture_modifier(ElementStream& stream, std::optional<Texture>& texture, const Transform& space) {
+bool read_texture_modifier(ElementStream& stream, Surface& surface, const Transform& space) {
   const Element& next = stream.peek();
   if (!next.is(ElementKind::block)) return false;
   Context& context = stream.context();
   if (next.word == word::kw_texture) {
     const Element block = stream.take();
-    const Texture top = read_texture(context, block, context.default_texture);
-    add_layer(context, texture, top.is_plain() ? top : taken_back(context, top, space), block.word_span);
+    Transform plain_moved;
+    const Texture top = read_texture(context, block, context.default_texture, plain_moved);
+    add_layer(context, surface.texture, top.is_plain() ? top : taken_back(context, top, space), block.word_span);
+    keep_moved(surface, plain_moved, space);
     return true;
   }
   if (next.word == word::kw_pigment || next.word == word::kw_normal || next.word == word::kw_finish) {
     const Element block = stream.take();
-    read_part(context, block, texture, space);
+    read_part(context, block, surface, space);
     return true;
   }
   return false;
@@ -116,7 +131,7 @@ bool read_surface_modifier(ElementStream& stream, Surface& surface, const Transf
     return surface.uv_mapping = true;
   }
   if (!stream.peek().is(ElementKind::block)) return false;
-  if (read_texture_modifier(stream, surface.texture, surface.uv_mapping ? Transform() : space)) {
+  if (read_texture_modifier(stream, surface, surface.uv_mapping ? Transform() : space)) {
     if (surface.uv_mapping) surface.texture = uv_mapped(context, *surface.texture);
     take_old_interior(context, surface);
     return true;

@@ -14,8 +14,8 @@ namespace isl::interpreter {
 [[nodiscard]] bool read_surface_modifier(ElementStream& stream, Surface& surface,
                                          const scene::Transform& parent_from_object = {});
 
-/// Reads pigment, normal, finish or texture alone, for a component and for #default.
-[[nodiscard]] bool read_texture_modifier(ElementStream& stream, std::optional<scene::Texture>& texture,
+/// Reads pigment, normal, finish or texture alone into the surface, for a component and for #default.
+[[nodiscard]] bool read_texture_modifier(ElementStream& stream, Surface& surface,
                                          const scene::Transform& parent_from_object = {});
 
 /// Reads the whole of `material { … }`: the identifier it begins with, textures, an interior, transforms.

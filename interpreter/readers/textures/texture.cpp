@@ -48,6 +48,9 @@ class TextureReader {
     return uv_mapping ? uv_mapped(context_, texture_) : texture_;
   }
 
+  /// How the pigment was moved while it was a plain colour.
+  [[nodiscard]] const scene::Transform& plain_moved() const { return plain_moved_; }
+
  private:
   bool accept_uv_mapping() {
     const bool is_next = stream_.peek().is_word(word::kw_uv_mapping);
@@ -64,10 +67,14 @@ class TextureReader {
       switch (value.kind()) {
         case ValueKind::texture:
           texture_ = value.as<TextureValue>().texture;
+          plain_moved_ = value.as<TextureValue>().plain_moved;
           texture_.named_at = context_.origin(span);
           is_texture = true;
           break;
-        case ValueKind::pigment: texture_.pigment = value.as<PigmentValue>().pigment; break;
+        case ValueKind::pigment:
+          texture_.pigment = value.as<PigmentValue>().pigment;
+          plain_moved_ = value.as<PigmentValue>().plain_moved;
+          break;
         case ValueKind::normal: texture_.normal = value.as<NormalValue>().id; break;
         case ValueKind::finish: {
           scene::Finish finish = value.as<FinishValue>().finish;
@@ -86,7 +93,8 @@ class TextureReader {
     if (next.is_block(word::kw_pigment) || next.is_block(word::kw_normal) || next.is_block(word::kw_finish)) {
       check_plain(next);
       stream_.drop();
-      if (next.word == word::kw_pigment) texture_.pigment = read_pigment(context_, next, texture_.pigment);
+      if (next.word == word::kw_pigment)
+        texture_.pigment = read_pigment(context_, next, texture_.pigment, plain_moved_);
       if (next.word == word::kw_normal) texture_.normal = read_normal(context_, next, texture_.normal);
       if (next.word == word::kw_finish)
         texture_.finish = finish_id(context_, read_finish(context_, next, finish_of(context_, texture_)));
@@ -101,8 +109,10 @@ class TextureReader {
                     "put the pattern of a `texture` first, before its other items");
     }
     const std::optional<scene::Transform> transform = read_transform(stream_);
-    if (transform) texture_ = moved(context_, texture_, *transform);
-    return transform.has_value();
+    if (!transform) return false;
+    texture_ = moved(context_, texture_, *transform);
+    plain_moved_ = scene::then(plain_moved_, *transform);
+    return true;
   }
 
   /// A texture that a pattern chooses has no pigment, normal or finish of its own.
@@ -201,22 +211,35 @@ class TextureReader {
   ElementStream& stream_;
   Context& context_;
   Texture texture_;
+  scene::Transform plain_moved_;
   bool no_bump_scale_ = false;
   PatternDraft draft_{{}, stream_.context().database.transforms.size()};
   scene::TextureMapId map_ = scene::kNoTextureMap;
 };
 
-}  // namespace
-
-Texture read_texture_body(ElementStream& stream, const Texture& base) {
-  const Texture texture = TextureReader(stream, base).read();
+Texture read_body(ElementStream& stream, const Texture& base, scene::Transform& plain_moved) {
+  TextureReader reader(stream, base);
+  const Texture texture = reader.read();
+  plain_moved = reader.plain_moved();
   stream.context().check_value_depth(stream.span(), stream.context().depths.of(texture));
   return texture;
 }
 
+}  // namespace
+
+Texture read_texture_body(ElementStream& stream, const Texture& base) {
+  scene::Transform plain_moved;
+  return read_body(stream, base, plain_moved);
+}
+
 Texture read_texture(Context& context, const Element& block, const Texture& base) {
+  scene::Transform plain_moved;
+  return read_texture(context, block, base, plain_moved);
+}
+
+Texture read_texture(Context& context, const Element& block, const Texture& base, scene::Transform& plain_moved) {
   ElementStream stream(context, block);
-  return read_texture_body(stream, base);
+  return read_body(stream, base, plain_moved);
 }
 
 }  // namespace isl::interpreter

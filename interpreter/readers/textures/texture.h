@@ -8,6 +8,9 @@ namespace isl::interpreter {
 
 /// Starts from `base`, or from the identifier that the block begins with.
 [[nodiscard]] scene::Texture read_texture(Context& context, const Element& block, const scene::Texture& base);
+/// The same. Sets `plain_moved` to how its pigment was moved while it was a plain colour (read_pigment).
+[[nodiscard]] scene::Texture read_texture(Context& context, const Element& block, const scene::Texture& base,
+                                          scene::Transform& plain_moved);
 /// The same up to the end of the stream: the entry of a map has no braces of its own.
 [[nodiscard]] scene::Texture read_texture_body(ElementStream& stream, const scene::Texture& base);
 

@@ -33,8 +33,9 @@ struct BlockRow {
 };
 
 Value pigment_value(Context& context, const Element& block) {
-  const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment);
-  return {ValueKind::pigment, make_shared_value<PigmentValue>(pigment)};
+  scene::Transform plain_moved;
+  const scene::Pigment pigment = read_pigment(context, block, context.default_texture.pigment, plain_moved);
+  return {ValueKind::pigment, make_shared_value<PigmentValue>(pigment, plain_moved)};
 }
 
 Value normal_value(Context& context, const Element& block) {
@@ -48,8 +49,9 @@ Value finish_value(Context& context, const Element& block) {
 }
 
 Value texture_value(Context& context, const Element& block) {
-  const scene::Texture texture = read_texture(context, block, context.default_texture);
-  return {ValueKind::texture, make_shared_value<TextureValue>(texture)};
+  scene::Transform plain_moved;
+  const scene::Texture texture = read_texture(context, block, context.default_texture, plain_moved);
+  return {ValueKind::texture, make_shared_value<TextureValue>(texture, plain_moved)};
 }
 
 Value material_value(Context& context, const Element& block) {
@@ -151,9 +153,10 @@ Value read_declared(ElementStream& stream) {
   Context& context = stream.context();
   while (stream.peek().is_block(word::kw_texture)) {
     const Element layer = stream.take();
-    const scene::Texture top = read_texture(context, layer, context.default_texture);
+    scene::Transform plain_moved;
+    const scene::Texture top = read_texture(context, layer, context.default_texture, plain_moved);
     const scene::Texture texture = layered(context, value.as<TextureValue>().texture, top, layer.word_span);
-    value = Value(ValueKind::texture, make_shared_value<TextureValue>(texture));
+    value = Value(ValueKind::texture, make_shared_value<TextureValue>(texture, plain_moved));
   }
   return value;
 }

@@ -112,7 +112,8 @@ void read_scene(Context& context, const grammar::Unit& unit) {
 
 void read_default(Context& context, grammar::Items items, SourceSpan span) {
   ElementStream stream(context, items, span);
-  std::optional<scene::Texture> texture = context.default_texture;
+  Surface look;
+  look.texture = context.default_texture;
   while (!stream.peek().is(ElementKind::end)) {
     const Element next = stream.peek();
     if (next.is_block(word::kw_camera)) {
@@ -121,17 +122,17 @@ void read_default(Context& context, grammar::Items items, SourceSpan span) {
     } else if (next.is_block(word::kw_texture)) {
       // The texture is not a layer: it replaces the default.
       stream.drop();
-      texture = read_texture(context, next, context.default_texture);
-      if (texture->pattern != scene::kNoTexturePattern || texture->below != scene::kNoTexture) {
+      look.texture = read_texture(context, next, context.default_texture);
+      if (look.texture->pattern != scene::kNoTexturePattern || look.texture->below != scene::kNoTexture) {
         context.fail(next.word_span, "the default texture cannot have layers");
       }
-    } else if (!read_texture_modifier(stream, texture)) {
+    } else if (!read_texture_modifier(stream, look)) {
       static constexpr grammar::Symbol kKnown[] = {word::kw_texture, word::kw_pigment, word::kw_normal, word::kw_finish,
                                                    word::kw_camera};
       refuse(stream, kKnown);
     }
   }
-  context.default_texture = *texture;
+  context.default_texture = *look.texture;
   context.has_default_texture = true;
 }
 

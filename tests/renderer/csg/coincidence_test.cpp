@@ -131,7 +131,9 @@ TEST(Coincidence, of_two_boxes_side_by_side_merges_without_a_wall) {
 std::uint32_t leaf_met(CsgScene& scene, const Object& root) {
   scene.database.objects = {root};
   const Tracer tracer(scene.database, {});
-  const Ray ray{.origin = {0.1, 0.2, -5}, .direction = {0, 0, 1}};
+  Ray ray;
+  ray.origin = {0.1, 0.2, -5};
+  ray.direction = {0, 0, 1};
   Hit hit;
   TraceCounters counters;
   tracer.first_hits({&ray, 1}, {&hit, 1}, counters, RayKind::image);
