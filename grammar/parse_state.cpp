@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -71,7 +70,8 @@ Tree ParseState::binary(SourceSpan span, BinaryOp op, SourceSpan op_span, Tree l
 }
 
 Tree ParseState::conditional(std::uint32_t end, const ChoiceList& choices, Tree no) {
-  for (const auto& [begin, condition, yes] : std::views::reverse(choices)) {
+  for (auto choice = choices.rbegin(); choice != choices.rend(); ++choice) {
+    const auto& [begin, condition, yes] = *choice;
     no = make<Conditional>(NodeKind::conditional, {begin, end}, highest({condition.height, yes.height, no.height}),
                            condition.node, yes.node, no.node);
   }
