@@ -37,6 +37,16 @@ Pigment with_record(Context& context, PatternedPigment&& record) {
   return {.pattern = add_record<scene::PigmentId>(context, context.database.pigments, std::move(record))};
 }
 
+/// How the pattern is moved, apart from its warps and turbulence.
+scene::Transform transforms_of(const Context& context, const scene::Pattern& pattern) {
+  scene::Transform total;
+  for (const scene::Warp& warp : pattern.warps) {
+    if (const auto* const transform = std::get_if<scene::TransformId>(&warp))
+      total = scene::then(total, context.database.transforms[index(*transform)]);
+  }
+  return total;
+}
+
 class PigmentReader {
  public:
   /// `plain_moved`: how `base` was moved while it was a plain colour.
@@ -161,6 +171,8 @@ class PigmentReader {
       draft_.pattern.said_at = place;
       record_->colour = colour;
     } else {
+      if (!pigment_.is_plain())
+        plain_moved_ = transforms_of(context_, context_.database.pigments[index(pigment_.pattern)].pattern);
       pigment_ = Pigment{.colour = colour, .said_at = place};
     }
   }
@@ -179,6 +191,7 @@ class PigmentReader {
     if (!record_) return pigment_;
     PatternedPigment& record = *record_;
     const PatternKind kind = draft_.pattern.kind;
+    if (kind == PatternKind::plain) plain_moved_ = transforms_of(context_, draft_.pattern);
     if (kind == PatternKind::plain && !record.quick_colour)
       return Pigment{.colour = record.colour, .said_at = draft_.pattern.said_at};
     if (is_mean(kind) && record.map == scene::kNoPigmentMap) {

@@ -11,3 +11,5 @@ sphere { 0, 1 texture { Look } pigment { checker } }
 #declare Ball = sphere { 0, 1 pigment { rgb 1 } translate 7*z }
 object { Ball pigment { checker } }
 object { Ball texture { pigment { checker } } }  // a texture of its own is not
+#declare Red_ball = object { sphere { 0, 1 pigment { bozo scale 3 } } pigment { rgb x } scale 2 }
+object { Red_ball pigment { checker } }  // six times as large
