@@ -38,24 +38,27 @@ void keep_moved(Surface& surface, const Transform& plain_moved, const Transform&
 void read_part(Context& context, const Element& block, Surface& surface, const Transform& space) {
   const bool is_own = surface.texture.has_value();
   Texture top = surface.texture.value_or(context.default_texture);
-  Transform plain_moved;
-  if (is_own) plain_moved = surface.plain_moved ? then(*surface.plain_moved, space) : space;
   if (top.pattern != scene::kNoTexturePattern) {
     context.fail(block.word_span,
                  fmt::format("`{}` cannot be used with a texture that has a pattern", context.text(block.word)));
   }
   if (block.word == word::kw_pigment) {
+    Transform plain_moved;
+    if (is_own) plain_moved = surface.plain_moved ? then(*surface.plain_moved, space) : space;
     const scene::Pigment base = is_own ? moved(context, top.pigment, space) : top.pigment;
     const scene::Pigment pigment = read_pigment(context, block, base, plain_moved);
     top.pigment = pigment.is_plain() ? pigment : taken_back(context, pigment, space);
-  } else if (block.word == word::kw_normal) {
-    const scene::NormalId base = is_own ? moved(context, top.normal, space) : top.normal;
-    top.normal = taken_back(context, read_normal(context, block, base), space);
+    keep_moved(surface, plain_moved, space);
   } else {
-    top.finish = finish_id(context, read_finish(context, block, finish_of(context, top)));
+    if (block.word == word::kw_normal) {
+      const scene::NormalId base = is_own ? moved(context, top.normal, space) : top.normal;
+      top.normal = taken_back(context, read_normal(context, block, base), space);
+    } else {
+      top.finish = finish_id(context, read_finish(context, block, finish_of(context, top)));
+    }
+    if (!is_own) keep_moved(surface, {}, space);
   }
   surface.texture = top;
-  keep_moved(surface, plain_moved, space);
 }
 
 /// POV-Ray 3.0 had the ior in the finish; an object without an interior gets one from there.
