@@ -77,8 +77,8 @@ void evaluate_declared(Context& context, const grammar::Declare& node, Value& va
     }
   } else {
     if (node.value.size() > 1 && node.value[0]->kind == NodeKind::declare) {
-      context.warn(node.target->span, "the value of this declaration comes only after others",
-                   "if it is to have another one, write it here");
+      context.warn(node.target->span, "the value of this declaration stands behind other declarations",
+                   "write the value directly after `=`");
     }
     ElementStream stream(context, node.value, node.span);
     value = read_to_end(stream, terminated);

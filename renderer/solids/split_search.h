@@ -90,8 +90,8 @@ class SplitSearch {
 
  private:
   static constexpr int kMostHalvings = 60;
-  /// Of a million searches at random none took 256 halvings. One that takes this many follows the surface within its
-  /// noise, or numbers that have overflowed, and would not end.
+  /// The tests make a million searches, and none of them needs 256 halvings. A search that reaches this limit follows
+  /// the surface within its noise, or computes with numbers that have overflowed, and would never end.
   static constexpr int kMostInAll = 10000;
   /// Rounding moves a value by about this share of its bound.
   static constexpr double kRoundingOfNoise = 1.0 / 64;

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
+#include <string>
 
 namespace isl::interpreter {
 namespace {
@@ -91,32 +93,18 @@ void read_transparency(ElementStream& stream, std::optional<double>& all,
   entries.push_back(entry);
 }
 
-/// A whole number, of which fractions are cut off, among those that are allowed.
-int read_one_of(ElementStream& stream, std::string_view what, std::initializer_list<int> allowed) {
+/// A whole number, of which fractions are cut off, among those that are allowed. Any other number is an error, or, with
+/// a warning, is taken as `otherwise`.
+int read_one_of(ElementStream& stream, std::string_view what, std::initializer_list<int> allowed,
+                std::optional<int> otherwise = std::nullopt) {
   const SourceSpan span = stream.peek().span;
   const double number = read_number(stream, what);
   const auto* const found = std::ranges::find(allowed, std::trunc(number));
-  if (found == allowed.end()) {
-    stream.context().fail(span,
-                          fmt::format("{} must be one of {}, found {:g}", what, fmt::join(allowed, ", "), number));
-  }
-  return *found;
-}
-
-/// An `image_map` must have one of these types. As in POV-Ray, any other picture with an unknown one lies flat.
-void read_map_type(ElementStream& stream, Image& image) {
-  constexpr int kMapTypes[] = {0, 1, 2, 5};
-  const SourceSpan span = stream.peek().span;
-  const double number = read_number(stream, "`map_type`");
-  const auto* const found = std::ranges::find(kMapTypes, std::trunc(number));
-  if (found != std::end(kMapTypes)) {
-    image.map_type = *found;
-    return;
-  }
-  std::string what = fmt::format("`map_type` must be one of {}, found {:g}", fmt::join(kMapTypes, ", "), number);
-  if (stream.word() == word::kw_image_map) stream.context().fail(span, std::move(what));
-  stream.context().warn(span, std::move(what), "the picture lies flat, as with 0");
-  image.map_type = 0;
+  if (found != allowed.end()) return *found;
+  std::string message = fmt::format("{} must be one of {}, found {:g}", what, fmt::join(allowed, ", "), number);
+  if (!otherwise) stream.context().fail(span, std::move(message));
+  stream.context().warn(span, std::move(message), fmt::format("it is taken as {}", *otherwise));
+  return *otherwise;
 }
 
 void read_repeat(ElementStream& stream, Image& image) {
@@ -195,7 +183,9 @@ bool read_image_item(ElementStream& stream, Image& image) {
       return true;
     case word::kIndex_map_type:
       stream.drop();
-      read_map_type(stream, image);
+      // As in POV-Ray, a picture that is not an `image_map` lies flat if its type is unknown.
+      image.map_type = read_one_of(stream, "`map_type`", {0, 1, 2, 5},
+                                   stream.word() == word::kw_image_map ? std::nullopt : std::optional(0));
       return true;
     case word::kIndex_interpolate:
       stream.drop();
