@@ -61,7 +61,7 @@ struct CsgBuilder::Above {
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
-  Box within = kEverywhere;  ///< nothing is left beyond it, in the tree's space
+  Box within = kEverywhere;  ///< beyond it the state of what is added changes nothing, in the tree's space
 };
 
 /// A group with what it inherits. As soon as it is open it hands `above` on to its children, and has a node if it needs
@@ -183,9 +183,7 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   tree.nodes.push_back({above.is_inverse ? CsgNode::Kind::merge : CsgNode::Kind::all, above.parent, 0});
   Above of_clip = own;
   of_clip.is_seen = false;
-  if (!above.is_inverse) {
-    own.within = common_box(own.within, widened(box_through(own.group_from_parent, extents_.inside_of(object.clip))));
-  }
+  own.within = common_box(own.within, widened(box_through(own.group_from_parent, extents_.inside_of(object.clip))));
   own.is_inverse ^= object.inverse;
   open_.push_back({&database_.groups[index(object.clip)], of_clip});  // below the shape in the list, so after it
   add_shape(tree, object, own);
@@ -211,7 +209,7 @@ void CsgBuilder::open_group(CsgTree& tree, Level& level) {
   const CsgNode::Kind kind = kind_of(operation, level.is_inverse);
   // A difference whose first object is a difference is one difference, and so on. So a chain of them, however long, is
   // one node, and an event does not climb it.
-  if (kind == CsgNode::Kind::all && !level.is_inverse) {
+  if (operation == Operation::intersect || operation == Operation::subtract) {
     const auto id = scene::GroupId{static_cast<std::uint32_t>(&group - database_.groups.data())};
     level.above.within =
         common_box(level.above.within, widened(box_through(level.above.group_from_parent, extents_.inside_of(id))));
@@ -240,7 +238,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   if (leaf.texture.id == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));
-  if (leaf.kind == Object::Kind::solid) leaf.box = common_box(leaf.box, above.within);
+  leaf.box = common_box(leaf.box, above.within);
   leaf.size = shape_size(database_, leaf.kind, leaf.shape);
   Spread spread = spread_of_shape(leaf.size);
   if (leaf.is_placed) spread = spread_through(leaf.group_from_leaf, spread);

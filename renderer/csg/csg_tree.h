@@ -57,8 +57,8 @@ struct CsgLeaf {
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
-  /// In the group's space: beyond it the leaf is outside, or, if it is a solid, nothing is left of what it is
-  /// intersected with. Sides may be infinite.
+  /// In the group's space: beyond it the leaf is outside, or changes nothing, because something that it is intersected
+  /// with is outside. Sides may be infinite.
   Imath::Box3d box;
   double size = 0;  ///< the largest coordinate in its own space that its surface is computed from
 };

@@ -79,7 +79,7 @@ struct FirstCrossings {
 
 [[nodiscard]] HWY_INLINE FirstCrossings first_of_roots(const scene::Solid& solid, const SolidDetails& details,
                                                        const OctetLines& lines, const Octet& start_part) {
-  const OctetStretch all{Octet(0.0), Octet(kInfinity)};
+  const OctetStretch all{Octet(0.0), Octet(kInfinity), Octet(kInfinity)};
   const OctetRoots roots = roots_of_solid(solid, details, lines, start_part, all, 1);
   FirstCrossings result;
   result.t = roots.t[0];

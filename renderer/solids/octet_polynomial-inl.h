@@ -118,22 +118,23 @@ template <int n>
   return in_x;
 }
 
-/// The part of each of eight lines in which crossings count.
+/// As Stretch, of eight lines.
 struct OctetStretch {
-  Octet from, to;
+  Octet from, to, wanted_to;
 };
 
 /// Precondition: the polynomial is of this order.
 template <int order>
 class OctetPolynomial {
  public:
-  /// Finds the first `most` crossings beyond t = 0; with a stretch, those outside of it may be left out.
+  /// Finds the first `most` crossings beyond t = 0. Those may be left out that boundary() may leave out.
   HWY_INLINE OctetPolynomial(const PreparedPolynomial& polynomial, const OctetLines& lines, const Octet& start_part,
                              const OctetStretch& stretch, std::size_t most)
       : polynomial_(polynomial),
         lines_(lines),
+        wanted_to_(stretch.wanted_to),
         most_(most),
-        open_(stretch.from < stretch.to),
+        open_((stretch.from < stretch.to) & (stretch.wanted_to > Octet(0.0))),
         deflates_(equal(start_part, Octet(kSide))),
         sign_(0.0) {
     const auto& [origin, direction] = lines_;
@@ -245,7 +246,11 @@ class OctetPolynomial {
   }
 
   template <class TimeAt>
-  HWY_INLINE void follow(const Bernstein& p, const Octet& band, const OctetMask& lanes, const TimeAt& time_at) {
+  HWY_INLINE void follow(const Bernstein& p, const Octet& band, OctetMask lanes, const TimeAt& time_at) {
+    // Beyond what is wanted only an unknown sign is looked for.
+    const OctetMask ended = and_not(equal(sign_, Octet(0.0)), lanes & (time_at(Octet(0.0)) >= wanted_to_));
+    open_ = and_not(ended, open_);
+    lanes = and_not(ended, lanes);
     const OctetMask deflates = lanes & deflates_, others = and_not(deflates_, lanes);
     deflates_ = and_not(deflates, deflates_);
     if (!none(deflates)) find(over_u(p), band * Octet(order), deflates, time_at);
@@ -263,10 +268,13 @@ class OctetPolynomial {
     const OctetChanges changes = changes_of(p, band, is_known, most_, sign_);
     leave(and_not(is_known, lanes) | changes.alone);
     for (std::size_t k = 0; k < most_ && !none(changes.are_there[k]); ++k) {
-      const OctetMask& there = changes.are_there[k];
+      const OctetMask ended = changes.are_there[k] & (time_at(changes.low[k]) >= wanted_to_);
+      open_ = and_not(ended, open_);
+      const OctetMask there = changes.are_there[k] & open_;
+      if (none(there)) break;
       OctetBernstein<n> falling = p;
       for (Octet& b : falling.b) b = b * sign;
-      append(time_at(root_between(falling, changes.low[k], changes.high[k], 0, there)), there & open_);
+      append(time_at(root_between(falling, changes.low[k], changes.high[k], 0, there)), there);
       sign = zero - sign;
     }
     if (most_ < OctetRoots::kMost) open_ = open_ & equal(roots_.t[most_ - 1], Octet(kInfinity));
@@ -291,6 +299,7 @@ class OctetPolynomial {
 
   const PreparedPolynomial& polynomial_;
   const OctetLines& lines_;
+  Octet wanted_to_;
   std::size_t most_;
   OctetRoots roots_;
   OctetMask open_;      ///< lines that are still followed

@@ -73,6 +73,7 @@ class PolynomialLine {
 
   /// Follows the stretch alone if it can, else the whole line.
   void follow(const Stretch& stretch) {
+    wanted_to_ = stretch.wanted_to;
     switch (polynomial_.order) {
       case 2: follow_as<FixedBernstein<2>>(stretch); break;
       case 3: follow_as<FixedBernstein<3>>(stretch); break;
@@ -104,14 +105,14 @@ class PolynomialLine {
       Polynomial before = p.from_infinity(-1);
       keep_from(before, first);
       follow(before, band, [&](double u) { return foot_ - near_ / (first + u * (1 - first)); });
-      if (taker_.is_done()) return;
+      if (is_done_) return;
     }
     if (begin < 1) {
       Polynomial middle = p.on_part();
       keep_from(middle, 0.5 * (begin + 1));
       const double from = std::max(0.0, foot_ - near_), to = foot_ + near_;
       follow(middle, band, [&](double u) { return from + u * (to - from); });
-      if (taker_.is_done()) return;
+      if (is_done_) return;
     }
     const double last = begin > 1 ? 1 / begin : 1;
     Polynomial beyond = p.from_infinity(1);
@@ -173,19 +174,32 @@ class PolynomialLine {
 
   template <class Polynomial, class TimeAt>
   void follow(const Polynomial& p, double band, const TimeAt& time_at) {
-    const auto add = [&](double u) { return taker_.add(time_at(u)); };
-    if (!deflates_) return sign_.follow(p, band, add);
+    if (!deflates_) return take_crossings(p, band, time_at);
     deflates_ = false;
-    sign_.follow(over_u(p), band * p.degree, add);
+    take_crossings(over_u(p), band * p.degree, time_at);
+  }
+  template <class Polynomial, class TimeAt>
+  void take_crossings(const Polynomial& p, double band, const TimeAt& time_at) {
+    // Beyond what is wanted only an unknown sign is looked for.
+    if (sign_.sign() != 0 && time_at(0) >= wanted_to_) {
+      is_done_ = true;
+      return;
+    }
+    sign_.bracket(p, band, [&](double low, double high) {
+      is_done_ = time_at(low) >= wanted_to_ || !taker_.add(time_at(sign_.root_between(p, low, high)));
+      return !is_done_;
+    });
   }
 
   const PreparedPolynomial& polynomial_;
   Vec3 origin_, direction_;
   bool deflates_;  ///< the next piece begins with the known root
   double foot_, h_, near_;
+  double wanted_to_ = std::numeric_limits<double>::infinity();
   SignFollower sign_{0};
   Crossings& result_;
   CrossingsTaker taker_;
+  bool is_done_ = false;  ///< no more crossings are wanted
 };
 
 }  // namespace

@@ -30,9 +30,17 @@ namespace HWY_NAMESPACE {
 
 class CsgPacket {
  public:
-  /// `index` is the number of the instance as which the tree is met.
-  CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetLines& world_lines, const OctetStarts& starts)
-      : instance_(scene.instances[index]), tree_(scene.trees[instance_.shape]), starts_(starts) {
+  /// `index` is the number of the instance as which the tree is met. Hits are wanted of the rays with a bit in `open`,
+  /// before `limit`.
+  CsgPacket(const CompiledScene& scene, std::uint32_t index, const OctetLines& world_lines, const OctetStarts& starts,
+            const Octet& limit, std::uint32_t open)
+      : instance_(scene.instances[index]),
+        tree_(scene.trees[instance_.shape]),
+        starts_(starts),
+        limit_(limit),
+        is_open_(mask_of(open)) {
+    // What lies this far behind the limit may coincide with what lies before it.
+    wanted_to_ = keep(is_open_, limit + Octet(8.0) * starts.nearness(instance_.spread, limit));
     const OctetLines lines =
         instance_.is_placed ? mapped(world_lines, instance_.world_from_object.inverse) : world_lines;
     const OctetMask starts_here = equal(starts.instance, Octet(index));
@@ -59,18 +67,16 @@ class CsgPacket {
     }
   }
 
-  /// The first hit of each ray before `limit`; t is `limit` where there is none. Rays without a bit in `open` may get
-  /// any answer.
-  [[nodiscard]] OctetCrossings first_hits(const Octet& limit, std::uint32_t open) {
-    best_.t = limit;
+  /// The first hit of each ray; t is the limit where there is none. Rays that are not open may get any answer.
+  [[nodiscard]] OctetCrossings first_hits() {
+    best_.t = limit_;
     best_.leaf = best_.part = Octet(0.0);
     best_.is_there = best_.from_inside = no_lane();
     first_close_ = Octet(kInfinity);
-    const OctetMask is_open = mask_of(open);
     for (std::uint32_t i = 0; i < tree_.leaves.size(); ++i) {
       for (const OctetIntervals& inside : leaves_[i].stretches()) {
-        cross(i, inside.low, inside.low_part, tree_.leaves[i].is_inverse, is_open);
-        cross(i, inside.high, inside.high_part, !tree_.leaves[i].is_inverse, is_open);
+        cross(i, inside.low, inside.low_part, tree_.leaves[i].is_inverse);
+        cross(i, inside.high, inside.high_part, !tree_.leaves[i].is_inverse);
       }
     }
     best_.alone = alone_ | ((first_close_ <= best_.t) & (first_close_ < Octet(kInfinity)));
@@ -83,7 +89,7 @@ class CsgPacket {
     const Octet* const origin[] = {&lines.origin.x, &lines.origin.y, &lines.origin.z};
     const Octet* const direction[] = {&lines.direction.x, &lines.direction.y, &lines.direction.z};
     const Octet zero(0.0);
-    OctetStretch stretch{zero, Octet(kInfinity)};
+    OctetStretch stretch{zero, Octet(kInfinity), wanted_to_};
     OctetMask misses = no_lane();
     for (std::size_t i = 0; i < 3; ++i) {
       const auto axis = static_cast<int>(i);
@@ -98,7 +104,7 @@ class CsgPacket {
     const auto nearness = [&](const Octet& t) HWY_ATTR { return starts_.nearness(instance_.spread, t); };
     const OctetMask begins_at_start = starts_here | (stretch.from <= zero);
     const Octet from = select(begins_at_start, zero, stretch.from - nearness(stretch.from));
-    return {select(misses, zero, from), select(misses, zero, stretch.to + nearness(stretch.to))};
+    return {select(misses, zero, from), select(misses, zero, stretch.to + nearness(stretch.to)), wanted_to_};
   }
 
   struct Leaf {
@@ -116,8 +122,8 @@ class CsgPacket {
   };
 
   /// Takes the crossings of a leaf at t.
-  void cross(std::uint32_t index, const Octet& t, const Octet& part, bool from_inside, const OctetMask& is_open) {
-    const OctetMask ahead = is_open & (t > Octet(0.0)) & (t < best_.t);
+  void cross(std::uint32_t index, const Octet& t, const Octet& part, bool from_inside) {
+    const OctetMask ahead = is_open_ & (t > Octet(0.0)) & (t < best_.t);
     if (none(ahead)) return;
     const Leaf& own = leaves_[index];
     const Octet near = starts_.nearness(instance_.spread, t);
@@ -188,6 +194,9 @@ class CsgPacket {
   const Instance& instance_;
   const CsgTree& tree_;
   const OctetStarts& starts_;
+  Octet limit_;
+  OctetMask is_open_;
+  Octet wanted_to_;  ///< the end of the crossings that may matter
   Leaf leaves_[kMostOctetLeaves];
   OctetMask alone_;
   Octet first_close_;  ///< the nearest crossing that is close to another

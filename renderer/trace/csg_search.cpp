@@ -17,8 +17,8 @@
 // Planes that cut the whole (CsgTree::cutting_planes) leave one stretch of the ray. Nothing is seen outside it, so only
 // the planes at its ends are asked, and leaves only up to its end. All other planes hold on the whole stretch.
 //
-// A solid returns all its crossings at once. A blob is asked for one crossing at a time, only as far as the ray goes,
-// and each search starts on the root before.
+// A solid returns all its crossings at once. A blob is asked for one crossing at a time, in its box and only as far as
+// the ray goes: each search starts on the root before, once nothing is seen there.
 #include "renderer/trace/csg_search.h"
 
 #include "renderer/solids/solid.h"
@@ -63,6 +63,9 @@ class CsgSearch {
     while (take_group()) {
       const CsgHit hit = memory_.group.size() == 1 ? pass_one() : pass_group();
       if (!hit.is_miss()) return hit;
+      for (const CsgEvent& passed : memory_.group) {
+        if (tree_.leaves[passed.leaf].kind == scene::Object::Kind::blob) follow_blob(passed);
+      }
     }
     return {};
   }
@@ -128,7 +131,7 @@ class CsgSearch {
   void enter_next() {
     const CsgEntry entry = memory_.entries[next_++];
     if (tree_.leaves[entry.leaf].kind == scene::Object::Kind::blob) {
-      enter_blob(entry.leaf, entry.leaf == ray_.start_leaf);
+      enter_blob(entry, entry.leaf == ray_.start_leaf);
     } else {
       enter_solid(entry, entry.leaf == ray_.start_leaf);
     }
@@ -176,14 +179,17 @@ class CsgSearch {
     return event.t * face_at(event, 0).slope(ray_.direction) <= face.rounding;
   }
 
-  /// The stretch in which a solid's crossings count, with room for rounding: what is within the leaf's box. It does not
-  /// depend on what else the ray meets, so that a crossing has the same bits in whatever order objects are met, and for
-  /// eight rays at once (csg_packet-inl.h).
+  /// The stretch in which a solid's crossings count, with room for rounding: what is within the leaf's box. Its ends do
+  /// not depend on what else the ray meets, so that a crossing has the same bits in whatever order objects are met, and
+  /// for eight rays at once (csg_packet-inl.h).
   [[nodiscard]] Stretch stretch_of(const CsgLeaf& leaf, bool is_start) const {
     if (!gains_by_stretch(scene_.solids[leaf.shape])) return {};
-    const auto [from, to] = stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity());
-    if (std::isinf(from)) return {0, 0};
-    return {is_start || from <= 0 ? 0 : from - most_rounding_at(from), to + most_rounding_at(to)};
+    const Stretch in_box =
+        stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity());
+    if (std::isinf(in_box.from)) return {0, 0};
+    return {.from = is_start || in_box.from <= 0 ? 0 : in_box.from - most_rounding_at(in_box.from),
+            .to = in_box.to + most_rounding_at(in_box.to),
+            .wanted_to = last_};
   }
 
   /// What a solid does before its box begins is of no account, save the state in which that leaves it.
@@ -211,13 +217,15 @@ class CsgSearch {
     if (is_inside && !leaf.is_open_surface) memory_.state.toggle(index);
   }
 
-  /// The blob's first crossing beyond t, or a miss.
+  /// The blob's first crossing in its box beyond t, or a miss.
   [[nodiscard]] BlobHit next_of_blob(std::uint32_t index, double t, bool starts_on_surface) const {
     const CsgLeaf& leaf = tree_.leaves[index];
     const LocalRay ray = local(leaf);
     BlobRay part;
     part.origin = ray.origin + ray.direction * t;
     part.direction = ray.direction;
+    const double leave = stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity()).to;
+    part.t_max = std::max(0.0, std::min(last_, leave + most_rounding_at(leave)) - t);
     part.starts_on_surface = starts_on_surface;
     part.path_length = ray_.path_length + t;
     part.may_go_in = true;
@@ -226,8 +234,10 @@ class CsgSearch {
     return hit;
   }
 
-  void enter_blob(std::uint32_t index, bool is_start) {
-    BlobHit hit = next_of_blob(index, 0, is_start);
+  void enter_blob(const CsgEntry& entry, bool is_start) {
+    const std::uint32_t index = entry.leaf;
+    const double begin = is_start ? 0 : std::max(0.0, entry.enter - most_rounding_at(entry.enter));
+    BlobHit hit = next_of_blob(index, begin, is_start);
     bool is_inside = hit.from_inside;
     CsgEvent event{hit.t, index, hit.cell, 0};
     if (!hit.is_miss() && (!(event.t > 0) || is_at_start(event))) {
@@ -255,7 +265,6 @@ class CsgSearch {
       std::pop_heap(events.begin(), events.end(), is_later);
       events.pop_back();
       memory_.group.push_back(next);
-      if (tree_.leaves[next.leaf].kind == scene::Object::Kind::blob) follow_blob(next);
     }
     return !memory_.group.empty();
   }

@@ -200,9 +200,8 @@ class PacketTrace {
 
   std::uint32_t meet_csg(std::uint32_t index, std::uint32_t open) {
     const Octet limits = load(hits_.limits());
-    CsgPacket packet(scene_, index, octets_.lines, starts());
-    const OctetCrossings found =
-        packet.first_hits(limits + starts().nearness(scene_.instances[index].spread, limits), open);
+    const Octet end = limits + starts().nearness(scene_.instances[index].spread, limits);
+    const OctetCrossings found = CsgPacket(scene_, index, octets_.lines, starts(), end, open).first_hits();
     return take(index, found, starts().nearness(scene_.instances[index].spread, found.t), open);
   }
 
