@@ -14,13 +14,14 @@ namespace {
 using scene::Outline;
 
 /// A form on a curve.
-using OnCurve = BernsteinUpTo<kMostPoints - 1>;
+template <std::size_t kPoints>
+using OnCurve = FixedBernstein<static_cast<int>(kPoints) - 1>;
 
 int sign_of(double value, double band) { return value > band ? 1 : (value < -band ? -1 : 0); }
 
-OnCurve on_curve(const LinearForm& form, Curve curve, double& band) {
-  OnCurve values;
-  values.degree = static_cast<int>(curve.size()) - 1;
+template <std::size_t kPoints>
+OnCurve<kPoints> on_curve(const LinearForm& form, CurveOf<kPoints> curve, double& band) {
+  OnCurve<kPoints> values;
   double size = 0;
   for (int i = 0; i <= values.degree; ++i) {
     const PlanePoint& p = curve[static_cast<std::size_t>(i)];
@@ -38,8 +39,8 @@ int sign_at(const LinearForm& form, const PlanePoint& p) {
 /// The only root on [0, 1] of a line or quadratic whose ends have opposite signs. With x = w/(1 − w) the quadratic is
 /// b₂x² + 2b₁x + b₀, and b₁² − b₀b₂ is a sum of two positive numbers: nothing cancels. NaN if that sum overflows or
 /// loses digits to underflow.
-double root_between_ends(const OnCurve& p) {
-  if (p.degree == 1) return p[0] / (p[0] - p[1]);
+double root_between_ends(const FixedBernstein<1>& p) { return p[0] / (p[0] - p[1]); }
+double root_between_ends(const FixedBernstein<2>& p) {
   const double square = p[1] * p[1] - p[0] * p[2];
   if (!(square > 0x1p-960 && square < 0x1p1000)) return std::numeric_limits<double>::quiet_NaN();
   const double q = p[1] + std::copysign(std::sqrt(square), p[1]);
@@ -49,27 +50,29 @@ double root_between_ends(const OnCurve& p) {
 }
 
 /// Follows the form along one curve; crossed(crossing) for each change of sign.
-template <class Crossed>
-void follow_curve(SignFollower& follower, const LinearForm& form, Curve curve, Crossed&& crossed) {
+template <std::size_t kPoints, class Crossed>
+void follow_curve(SignFollower& follower, const LinearForm& form, CurveOf<kPoints> curve, Crossed&& crossed) {
   double band = 0;
-  const OnCurve values = on_curve(form, curve, band);
+  const OnCurve<kPoints> values = on_curve(form, curve, band);
   const auto at = [&](double w) { crossed(OutlineCrossing{.point = point_at(curve, w), .turn = -follower.sign()}); };
-  // Most crossings are of this kind.
-  const int last = sign_of(values[values.degree], band);
-  if (values.degree <= 2 && last != 0 && follower.sign() == -last && sign_of(values[0], band) == -last) {
-    if (const double w = root_between_ends(values); w >= 0 && w <= 1) {
-      at(w);
-      follower = SignFollower(last);
-      return;
+  if constexpr (kPoints <= 3) {
+    // Most crossings are of this kind.
+    const int last = sign_of(values[values.degree], band);
+    if (last != 0 && follower.sign() == -last && sign_of(values[0], band) == -last) {
+      if (const double w = root_between_ends(values); w >= 0 && w <= 1) {
+        at(w);
+        follower = SignFollower(last);
+        return;
+      }
     }
   }
   follower.follow(values, band, at);
 }
 
 /// Splits at w: `p` becomes the part below it, the result is that above.
-OnCurve split(OnCurve& p, double w) {
-  OnCurve above;
-  const int n = above.degree = p.degree;
+template <int n>
+FixedBernstein<n> split(FixedBernstein<n>& p, double w) {
+  FixedBernstein<n> above;
   above[n] = p[n];
   for (int level = 1; level <= n; ++level) {
     for (int i = n; i >= level; --i) p[i] = p[i - 1] * (1 - w) + p[i] * w;
@@ -81,10 +84,9 @@ OnCurve split(OnCurve& p, double w) {
 /// The quotient of p, which is 0 at w, by the distance from there. Its coefficients follow from
 /// n bᵢ = i (1 − w) hᵢ₋₁ − (n − i) w hᵢ, from the end that is farther from w: then no coefficient is divided by less
 /// than ½, and an error E of those of p becomes at most (2ⁿ⁺¹ − 2) E.
-OnCurve over_distance(const OnCurve& p, double w) {
-  OnCurve h;
-  const int n = p.degree;
-  h.degree = n - 1;
+template <int n>
+FixedBernstein<n - 1> over_distance(const FixedBernstein<n>& p, double w) {
+  FixedBernstein<n - 1> h;
   if (w <= 0.5) {
     double known = 0;
     for (int i = n; i > 0; --i) h[i - 1] = known = (n * p[i] + (n - i) * w * known) / (i * (1 - w));
@@ -98,10 +100,10 @@ OnCurve over_distance(const OnCurve& p, double w) {
 /// Follows the form along a curve with a known zero. The form is the distance from there times a quotient, so that its
 /// signs are those of the quotient, turned before the zero. If both sides have the same sign next to the zero, it is a
 /// touch, or one of two zeros that are closer than rounding: both are left out.
-template <class Crossed>
-void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curve, const OutlinePlace& zero,
+template <std::size_t kPoints, class Crossed>
+void follow_from_zero(SignFollower& follower, const LinearForm& form, CurveOf<kPoints> curve, const OutlinePlace& zero,
                       Crossed&& crossed) {
-  if (curve.size() == 2) {  // the quotient is the line's slope
+  if (kPoints == 2) {  // the quotient is the line's slope
     const PlanePoint along = curve[1] - curve[0];
     const int sign = sign_of(form.along(along), rounding_of_order(1) * form.size_along(along));
     if (sign != 0 && follower.sign() != sign) {
@@ -111,8 +113,8 @@ void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curv
     }
   }
   // Values relative to the zero keep their digits near it.
-  OnCurve values;
-  const int n = values.degree = static_cast<int>(curve.size()) - 1;
+  OnCurve<kPoints> values;
+  constexpr int n = static_cast<int>(kPoints) - 1;
   double size = 0;
   for (int i = 0; i <= n; ++i) {
     const PlanePoint step = curve[static_cast<std::size_t>(i)] - zero.point;
@@ -120,8 +122,8 @@ void follow_from_zero(SignFollower& follower, const LinearForm& form, Curve curv
     size = std::max(size, form.size_along(step));
   }
   const double band = rounding_of_order(n) * size * ((2 << n) - 2);
-  OnCurve below = over_distance(values, zero.w);
-  const OnCurve above = split(below, zero.w);
+  FixedBernstein<n - 1> below = over_distance(values, zero.w);
+  const FixedBernstein<n - 1> above = split(below, zero.w);
   for (int i = 0; i < n; ++i) below[i] = -below[i];
   const auto at = [&](double w, int turn) { crossed(OutlineCrossing{.point = point_at(curve, w), .turn = turn}); };
   follower.follow(below, band, [&](double u) { at(u * zero.w, -follower.sign()); });
@@ -187,11 +189,13 @@ void find_crossings(const PreparedOutline& outline, const LinearForm& form, std:
             crossing.node = i;
             crossed(crossing);
           };
-          if (start && start->node == i) {
-            follow_from_zero(follower, form, curve, *start, crossed_here);
-          } else {
-            follow_curve(follower, form, curve, crossed_here);
-          }
+          with_order(curve, [&](auto of_order) {
+            if (start && start->node == i) {
+              follow_from_zero(follower, form, of_order, *start, crossed_here);
+            } else {
+              follow_curve(follower, form, of_order, crossed_here);
+            }
+          });
         }
         ++i;
       }
@@ -210,8 +214,8 @@ void find_crossings(const Outline& outline, const LinearForm& form, std::vector<
     const auto walk = [&](SignFollower& follower, auto&& crossed) {
       end_point = first_point;
       for (std::size_t i = first_curve; i < first_curve + count; ++i) {
-        follow_curve(follower, form, std::span(outline.points).subspan(end_point, outline.orders[i] + std::size_t{1}),
-                     crossed);
+        const Curve curve = std::span(outline.points).subspan(end_point, outline.orders[i] + std::size_t{1});
+        with_order(curve, [&](auto of_order) { follow_curve(follower, form, of_order, crossed); });
         end_point += outline.orders[i];
       }
     };

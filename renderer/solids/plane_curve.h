@@ -23,14 +23,32 @@ using Curve = std::span<const PlanePoint>;
 
 inline constexpr int kMostPoints = 4;
 
+/// The control points of a curve whose order the compiler knows, so that loops over them are none.
+template <std::size_t kPoints>
+using CurveOf = std::span<const PlanePoint, kPoints>;
+
+/// Calls use(CurveOf) and returns its result.
+template <class Use>
+decltype(auto) with_order(Curve curve, const Use& use) {
+  if (curve.size() == 2) return use(curve.first<2>());
+  if (curve.size() == 3) return use(curve.first<3>());
+  return use(curve.first<4>());
+}
+
 /// The points of de Casteljau's scheme at w where it has two left; they are on the tangent.
-[[nodiscard]] inline std::array<PlanePoint, 2> last_two(Curve curve, double w) {
-  std::array<PlanePoint, kMostPoints> points;
+template <std::size_t kPoints>
+[[nodiscard]] std::array<PlanePoint, 2> last_two(CurveOf<kPoints> curve, double w) {
+  std::array<PlanePoint, kPoints> points;
   std::ranges::copy(curve, points.begin());
-  for (std::size_t left = curve.size() - 1; left > 1; --left) {
+#pragma GCC unroll 4
+  for (std::size_t left = kPoints - 1; left > 1; --left) {
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < left; ++i) points[i] = points[i] * (1 - w) + points[i + 1] * w;
   }
   return {points[0], points[1]};
+}
+[[nodiscard]] inline std::array<PlanePoint, 2> last_two(Curve curve, double w) {
+  return with_order(curve, [w](auto of_order) { return last_two(of_order, w); });
 }
 
 [[nodiscard]] inline PlanePoint point_at(Curve curve, double w) {
@@ -76,19 +94,20 @@ void for_each_foot(Curve curve, const PlanePoint& p, At&& at) {
 
 /// The w in [0, 1] that is nearest to p on a line, or on a curve that passes through p up to rounding; none for other
 /// points, and where Gauss's and Newton's steps along the tangent do not end in a few.
-[[nodiscard]] inline std::optional<double> foot_on_curve(Curve curve, const PlanePoint& p) {
+template <std::size_t kPoints>
+[[nodiscard]] std::optional<double> foot_on_curve(CurveOf<kPoints> curve, const PlanePoint& p) {
   const PlanePoint chord = curve.back() - curve.front();
   const double square = dot(chord, chord);
   if (!(square > 0)) return std::nullopt;
   double w = std::clamp(dot(p - curve.front(), chord) / square, 0.0, 1.0);
-  if (curve.size() == 2) return w;
+  if (kPoints == 2) return w;
   constexpr int kMostSteps = 6;
   constexpr double kLastStep = 0x1p-50;  // below which w has no digits left
   // Points that are computed as lying on the curve are off by some units of 2⁻⁵², with transforms by some more.
   const double near = 0x1p-44 * (std::abs(p.u) + std::abs(p.v));
   for (int i = 0; i < kMostSteps; ++i) {
     const auto [a, b] = last_two(curve, w);
-    const PlanePoint tangent = (b - a) * static_cast<double>(curve.size() - 1), from = a * (1 - w) + b * w - p;
+    const PlanePoint tangent = (b - a) * static_cast<double>(kPoints - 1), from = a * (1 - w) + b * w - p;
     const double step = dot(from, tangent) / dot(tangent, tangent);
     w -= step;
     if (!(w >= 0 && w <= 1)) return std::nullopt;
@@ -98,6 +117,10 @@ void for_each_foot(Curve curve, const PlanePoint& p, At&& at) {
     }
   }
   return std::nullopt;
+}
+
+[[nodiscard]] inline std::optional<double> foot_on_curve(Curve curve, const PlanePoint& p) {
+  return with_order(curve, [&](auto of_order) { return foot_on_curve(of_order, p); });
 }
 
 /// Calls at(w) where direction · P may be greatest: at both ends, and where its slope changes its sign.
