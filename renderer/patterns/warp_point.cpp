@@ -43,11 +43,12 @@ Vec3 centre_near(const scene::BlackHoleWarp& warp, const Vec3& p) {
   Vec3 centre = warp.centre, block(0);
   for (int i = 0; i < 3; ++i) {
     if (warp.repeat[i] < kLeastRepeat) continue;
-    // The block is enlarged to contain the whole black hole.
-    const double room = 2 * warp.radius + (warp.is_turbulent ? warp.turbulence[i] : 0);
+    // The black hole is moved and the block enlarged until it contains the whole of it.
+    centre[i] = std::max(centre[i], warp.radius);
+    const double room = centre[i] + warp.radius + (warp.is_turbulent ? warp.turbulence[i] : 0);
     const double size = std::max(warp.repeat[i], room);
     block[i] = std::floor(p[i] / size);
-    centre[i] = std::max(centre[i], warp.radius) + size * block[i];
+    centre[i] += size * block[i];
   }
   if (!warp.is_turbulent) return centre;
   const double* const random = random_cubes().of(cube_of(block));

@@ -213,16 +213,13 @@ void crackle_near(const PatternPoint& at, std::span<const Vec3> points, std::spa
   for (std::size_t i = 0; i < points.size(); ++i) values[i] = crackle_of(at, metric, find_nearest(points[i], metric));
 }
 
-/// The size of facets in space (coords) or of the normal. Exactly one of the two is above 0; the last word in the scene
-/// decides.
+/// `size` is that of facets: in space if `coords` is above 0, which is how far they turn, else of the normal.
 struct Facets {
   double coords = 0;
-  double size = 0;
+  double size = 0.1;
 };
-void read_coords(scene::OperandReader& reader, Facets& facets) noexcept {
-  facets = {.coords = reader.number("`coords`")};
-}
-void read_size(scene::OperandReader& reader, Facets& facets) noexcept { facets = {.size = reader.number("`size`")}; }
+void read_coords(scene::OperandReader& reader, Facets& facets) noexcept { facets.coords = reader.number("`coords`"); }
+void read_size(scene::OperandReader& reader, Facets& facets) noexcept { facets.size = reader.number("`size`"); }
 constexpr scene::OperandField kFacets[] = {
     scene::modifier<&Facets::coords>("coords").read_by<read_coords>().dumped_with<&Facets::coords>(),
     scene::modifier<&Facets::size>("size").read_by<read_size>().dumped_with<&Facets::size>()};
@@ -232,12 +229,10 @@ constexpr scene::OperandField kFacets[] = {
 Vec3 bend_by_facets(const PatternPoint& at, const Vec3& normal, double /*size*/) noexcept {
   const Facets& facets = at.operands<Facets>();
   const Metric metric(2, 0);
-  constexpr double kDefaultSize = 0.1;
-  if (!(facets.coords > 0)) {
-    const double size = facets.size > 0 ? facets.size : kDefaultSize;
-    return find_nearest(normal / size, metric).point;
-  }
-  const Vec3 push = values::vector_noise(find_nearest(at.point / kDefaultSize, metric).point);
+  constexpr double kLeastSize = 1e-6;  // as in POV-Ray
+  const double size = std::max(facets.size, kLeastSize);
+  if (!(facets.coords > 0)) return find_nearest(normal / size, metric).point;
+  const Vec3 push = values::vector_noise(find_nearest(at.point / size, metric).point);
   return normal + (push - normal * push.dot(normal)) * facets.coords;
 }
 

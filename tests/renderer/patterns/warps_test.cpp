@@ -50,6 +50,16 @@ TEST(Warps, ABlackHoleReachesAsFarAsItsRadius) {
   expect_near(warped_by(inverse, {2, 0, 0}), {1.5, 0, 0});
 }
 
+TEST(Warps, ABlackHoleIsMovedIntoItsBlockAndTheBlockGrowsAroundIt) {
+  // The centre moves to 0.5, and in z the block ends behind the hole, at 1.12.
+  const scene::BlackHoleWarp hole{
+      .centre = {0.1, 0.5, 0.62}, .radius = 0.5, .strength = 1, .falloff = 1, .repeats = true, .repeat = {1, 1, 1}};
+  const Vec3 within(0.75, 0.5, 0.62);
+  expect_near(warped_by(hole, within), {0.875, 0.5, 0.62});
+  for (const Vec3& block : {Vec3(1, 0, 0), Vec3(0, -2, 0), Vec3(0, 0, 1.12), Vec3(-3, 1, -2.24)})
+    expect_near(warped_by(hole, within + block), Vec3(0.875, 0.5, 0.62) + block);
+}
+
 TEST(Warps, AroundASphereIsLongitudeLatitudeAndDistance) {
   const MappingWarp sphere{.shape = MappingWarp::Shape::sphere};
   expect_near(warped_by(sphere, {0, 0, 2}), {0.25, 0.5, 2});
