@@ -33,7 +33,7 @@ enum class FinishItem : std::uint8_t {
 /// How a scene writes an item.
 enum class FinishForm : std::uint8_t {
   plain,     ///< its word, then its value
-  albedo,    ///< `albedo` may stand before the value; a flag of the record says whether it does
+  albedo,    ///< `albedo` may stand before the value; the record has the peak
   amount,    ///< the value may be missing, and is 1 then
   positive,  ///< as `plain`, and the value must be above 0
   part,      ///< nothing: another item's reader sets it
@@ -56,6 +56,9 @@ struct Finish {
 #define ISL_FINISH_FLAG(word, form, dump) bool word = false;
 #include "renderer/scene/finish.def"
   bool fresnel = false;  ///< reflection by Fresnel's formula with the interior's ior
+
+  /// The power of a highlight's cosine that `roughness` stands for.
+  [[nodiscard]] double specular_exponent() const { return roughness == 0 ? 0 : 1 / roughness; }
 
  private:
   struct Flags {

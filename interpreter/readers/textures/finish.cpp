@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <variant>
 
@@ -41,11 +42,28 @@ const FinishRow* row_of(std::string_view word) {
   return row == std::end(kFinishRows) || row->form == FinishForm::part ? nullptr : row;
 }
 
-/// The flag of an item's `albedo`.
-bool Finish::*albedo_of(std::string_view word) {
-  return std::get<bool Finish::*>(
-      std::ranges::find(kFinishRows, fmt::format("{}_albedo", word), &FinishRow::word)->value);
-}
+/// The items that a block gives as `albedo`: the share of all light that is reflected into the half-space, instead of
+/// the peak.
+struct Albedos {
+  bool diffuse = false, phong = false, specular = false;
+
+  [[nodiscard]] bool& of(FinishItem item) {
+    return item == FinishItem::diffuse ? diffuse : item == FinishItem::phong ? phong : specular;
+  }
+
+  /// Makes peaks of them, by POV-Ray's factors. As there, what blocks after this one say of brilliance, phong_size and
+  /// roughness leaves the peaks alone.
+  void apply(Finish& finish) const {
+    if (diffuse) {
+      const double factor = (finish.brilliance + 1) / 2;
+      finish.diffuse *= factor;
+      finish.diffuse_back *= factor;
+    }
+    if (phong) finish.phong *= (finish.phong_size + 1) / 2;
+    const double exponent = finish.specular_exponent();
+    if (specular) finish.specular *= (exponent + 2) / (4 * (2 - std::exp2(-exponent / 2)));
+  }
+};
 
 /// Items that are not rows of finish.def.
 constexpr ItemWord<FinishItem> kBlockPlaces[] = {{word::kw_reflection, FinishItem::reflection},
@@ -87,9 +105,10 @@ double read_number_in_form(ElementStream& stream, std::string_view word, FinishF
   return form == FinishForm::amount ? read_optional_number(stream, what, 1) : read_number(stream, what);
 }
 
-void read_finish_number(ElementStream& stream, Finish& finish, const FinishRow& row, double Finish::*value) {
+void read_finish_number(ElementStream& stream, Finish& finish, Albedos& albedos, const FinishRow& row,
+                        double Finish::*value) {
   if (row.form == FinishForm::albedo) {
-    bool& is_albedo = finish.*albedo_of(row.word);
+    bool& is_albedo = albedos.of(row.item);
     is_albedo = stream.peek().is_word(word::kw_albedo);
     if (is_albedo) stream.drop();
   }
@@ -101,14 +120,14 @@ void read_finish_number(ElementStream& stream, Finish& finish, const FinishRow& 
     finish.diffuse_back = read_number(stream, "a number for the light from behind");
 }
 
-bool read_row(ElementStream& stream, Finish& finish) {
+bool read_row(ElementStream& stream, Finish& finish, Albedos& albedos) {
   const Element next = stream.peek();
   const FinishRow* const row = row_of(stream.context().text(next.word));
   if (!row) return false;
   finish.said_at[row->item] = place_of(stream.context(), next);
   stream.drop();
   if (const auto* const number = std::get_if<double Finish::*>(&row->value)) {
-    read_finish_number(stream, finish, *row, *number);
+    read_finish_number(stream, finish, albedos, *row, *number);
   } else if (const auto* const flag = std::get_if<bool Finish::*>(&row->value)) {
     finish.** flag = read_optional_truth(stream);
   } else {
@@ -200,7 +219,7 @@ bool read_old_item(ElementStream& stream, Finish& finish) {
   return true;
 }
 
-bool read_item(ElementStream& stream, Finish& finish) {
+bool read_item(ElementStream& stream, Finish& finish, Albedos& albedos) {
   Context& context = stream.context();
   const Element next = stream.peek();
   if (next.is_block(word::kw_reflection)) {
@@ -214,7 +233,7 @@ bool read_item(ElementStream& stream, Finish& finish) {
     return true;
   }
   if (!next.is(ElementKind::word)) return false;
-  if (read_row(stream, finish) || read_old_item(stream, finish)) return true;
+  if (read_row(stream, finish, albedos) || read_old_item(stream, finish)) return true;
   switch (static_cast<word::Index>(next.word)) {
     case word::kIndex_reflection:
       stream.drop();
@@ -249,12 +268,14 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
     finish = value.as<FinishValue>().finish;
     finish.named_at = context.origin(span);
   }
+  Albedos albedos;
   while (!stream.peek().is(ElementKind::end)) {
     if (is_finish(context, stream.peek()))
       context.fail(stream.peek().span, "put the name of a declared finish first in its block");
     note_place(context, stream.peek(), kBlockPlaces, finish.said_at);
-    if (!read_item(stream, finish)) refuse(stream, finish_words(context));
+    if (!read_item(stream, finish, albedos)) refuse(stream, finish_words(context));
   }
+  albedos.apply(finish);
   return finish;
 }
 
