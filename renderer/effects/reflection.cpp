@@ -26,20 +26,26 @@ double weighed(const scene::Finish& finish, const Rgb& share) {
   return finish.fresnel ? largest(share) : largest_reflectivity(finish);
 }
 
+/// The cosines between a surface's normal and the ways from the eye and on. They differ where a mirror image would lie
+/// behind the surface (mirrored).
+struct MirrorCosines {
+  double in, out;
+};
+
 /// The reflectivity of some of a point's textures for the path. Layers that adc_bailout ends are left out.
 Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture> textures, const FilmLight& film,
-                          double cosine, double weight, double least_weight, EndedPaths& ended) {
+                          const MirrorCosines& cosines, double weight, double least_weight, EndedPaths& ended) {
   Reflectivity sum;
   for (const LitTexture& texture : textures) {
     const scene::Finish& finish = *texture.material->finish;
     if (!reflects(finish)) continue;
-    Rgb share = reflectivity_at(finish, cosine, point.ior_ratio, texture.colour);
+    Rgb share = reflectivity_at(finish, cosines.in, point.ior_ratio, texture.colour);
     const double factor = weighed(finish, share) * largest(texture.let_through);
     if (weight * factor < least_weight) {
       ++ended.by_weight;
       continue;
     }
-    if (finish.irid != 0) share *= film_factor(finish, film, point.position, cosine, cosine);
+    if (finish.irid != 0) share *= film_factor(finish, film, point.position, cosines.out, cosines.in);
     sum.share += share * texture.weight;
     sum.weight = std::max(sum.weight, factor);
   }
@@ -91,13 +97,14 @@ class ReflectionStage final : public Stage<SpawnWork> {
   void mirror(SpawnWork& work, std::uint32_t at, const ShadingPoint& point,
               std::span<const LitTexture> textures) const {
     const Vec3& normal = work.block.normal_of(point, textures.front());
-    const double cosine = -point.view.dot(normal);
+    const Vec3 direction = mirrored(point.view, normal, point.normal);
+    const MirrorCosines cosines{-point.view.dot(normal), direction.dot(normal)};
     const Reflectivity sum =
-        reflectivity(point, textures, film_, cosine, work.batch.entries[at].weight, least_weight_, work.ended);
-    if (sum.share != Rgb(0)) push(work, at, point, normal, sum, exponent_of(textures.front()));
+        reflectivity(point, textures, film_, cosines, work.batch.entries[at].weight, least_weight_, work.ended);
+    if (sum.share != Rgb(0)) push(work, at, point, direction, sum, exponent_of(textures.front()));
   }
 
-  static void push(SpawnWork& work, std::uint32_t at, const ShadingPoint& point, const Vec3& normal,
+  static void push(SpawnWork& work, std::uint32_t at, const ShadingPoint& point, const Vec3& direction,
                    const Reflectivity& reflectivity, double exponent) {
     const Ray& ray = work.batch.rays[at];
     const Hit& hit = work.batch.hits[at];
@@ -112,7 +119,7 @@ class ReflectionStage final : public Stage<SpawnWork> {
     child.kind = RayKind::reflection;
     Ray reflected;
     reflected.origin = point.position;
-    reflected.direction = mirrored(point.view, normal, point.normal);
+    reflected.direction = direction;
     reflected.path_length = ray.path_length + hit.t;
     reflected.start = hit.start();
     work.children.push(reflected, child);
