@@ -101,15 +101,15 @@ class Flattener {
       return;
     }
     const bool is_placed = own.world_from_parent.matrix != scene::Matrix();
-    const bool is_sheet = object.kind == scene::Object::Kind::solid && !is_csg && is_alone_a_sheet(object);
+    const std::uint32_t shape = is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape;
     compiled_.instances.push_back({is_csg ? scene::Object::Kind::group : object.kind,
                                    own.hidden_from,
                                    is_placed,
                                    own.is_inverse && !is_csg,
                                    own.is_lit_from_both_sides,
                                    own.is_hollow,
-                                   is_sheet,
-                                   is_csg ? csg_.tree_of(object, above.is_inverse) : object.shape,
+                                   own.is_inverse || (is_csg ? csg_.is_open(shape) : alone_is_open(object)),
+                                   shape,
                                    own.texture,
                                    own.interior_texture,
                                    own.interior,
@@ -121,9 +121,10 @@ class Flattener {
   }
 
   /// A disc bounds a half-space in combinations of solids alone.
-  [[nodiscard]] bool is_alone_a_sheet(const scene::Object& object) const {
+  [[nodiscard]] bool alone_is_open(const scene::Object& object) const {
+    if (object.kind != scene::Object::Kind::solid) return false;
     const scene::Solid& solid = database_.solids[object.shape];
-    return is_open_surface(solid) || is_part_of_plane(solid);
+    return solid.open || is_open_surface(solid) || is_part_of_plane(solid);
   }
 
   /// The lights of the innermost group count. Whether those of the world do is decided by the outermost, as in POV-Ray.

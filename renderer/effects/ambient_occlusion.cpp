@@ -35,7 +35,7 @@ class OcclusionStage final : public Stage<AroundWork> {
       if (light == Rgb(0)) continue;
       const UnitPoint place = sample.point(SampleUse::occlusion, share, work.turn, path.level);
       const Vec3 direction = cosine_direction(place, point.normal);
-      work.rays.push(path.sample, ray_from(work.batch, at, point, direction, rays_.reach()), light / share);
+      work.rays.push(path, ray_from(work.batch, at, point, direction, rays_.reach()), light / share);
     }
   }
 

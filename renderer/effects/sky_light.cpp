@@ -48,7 +48,7 @@ class SkyLightStage final : public Stage<AroundWork> {
       const Rgb colour = colours[i] * work.light[i];
       if (colour == Rgb(0)) continue;
       const std::uint32_t at = work.block.paths[i];
-      work.rays.push(work.batch.entries[at].sample,
+      work.rays.push(work.batch.entries[at],
                      ray_from(work.batch, at, work.block.points[i], directions[i], rays_.reach()), colour);
     }
   }

@@ -168,10 +168,10 @@ class Integrator {
   /// Sets all of the ray from a lit point to the light.
   static void set_way(const PathBatch& batch, const LitPoint& lit, const SurfaceBlock& block, Ray& ray);
   /// Queues the ray to a point of an area light; `to_light` leads to its centre.
-  void push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
+  void push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, const PathEntry& path,
                 const Rgb& colour, PathMemory& memory) const;
   /// Queues the rays to all points of an area light.
-  void push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
+  void push_area(const scene::Light& light, const Ray& to_light, const PathEntry& path, const Rgb& colour,
                  PathMemory& memory) const;
   /// True if the one sample that takes all points of a jittered light's grid may take fewer, as `adaptive` says.
   [[nodiscard]] static bool takes_adaptive_grid(const PlacedLight& placed, const PathBatch& batch,
@@ -228,6 +228,7 @@ class Integrator {
   Rgb background_{0};
   double background_alpha_ = 1;
   bool camera_in_solid_ = false;
+  std::vector<Body> camera_bodies_;  ///< the open ones in which paths begin
 };
 
 }  // namespace isl::render

@@ -182,17 +182,17 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
       continue;
     }
     if (!light.area) [[likely]] {
-      set_way(batch, lit, memory.block, memory.shadows.add(path.sample, colour));
+      set_way(batch, lit, memory.block, memory.shadows.add(path, colour));
       continue;
     }
     Ray to_light;
     set_way(batch, lit, memory.block, to_light);
     if (is_even) {
-      push_area(light, to_light, path.sample, colour, memory);
+      push_area(light, to_light, path, colour, memory);
     } else {
       // The strengths of the points of a light with `area_illumination` are in the colour already.
       const double strength = has_area_illumination(light) ? 1 : lit.light.strength;
-      AreaTarget target{&light, path.sample, colour, light_colour * strength, to_light};
+      AreaTarget target{&light, path.sample, path.bodies, colour, light_colour * strength, to_light};
       if (placed.scattered)
         target.jitter_seed =
             memory.pixel_sample(path.sample).own_seed(SampleUse::light_area, path.level, placed.number);
@@ -229,7 +229,7 @@ void Integrator::set_area_points(const PathBatch& batch, const PlacedLight& plac
   memory.set_points();
 }
 
-void Integrator::push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, std::uint32_t sample,
+void Integrator::push_ray(const scene::Light& light, const Vec3& source, const Ray& to_light, const PathEntry& path,
                           const Rgb& colour, PathMemory& memory) const {
   const LightSample way = sample_light_from(light, source, to_light.origin);
   Ray ray = to_light;
@@ -239,7 +239,7 @@ void Integrator::push_ray(const scene::Light& light, const Vec3& source, const R
     windows_->trim(light, std::span(&ray, 1));
     if (ray.t_max < 0) return;
   }
-  memory.shadows.push(sample, ray, colour);
+  memory.shadows.push(path, ray, colour);
 }
 
 void Integrator::push_scattered(const PathBatch& batch, const PlacedLight& placed, std::span<const LitPoint> lit_points,
@@ -263,22 +263,22 @@ void Integrator::push_scattered(const PathBatch& batch, const PlacedLight& place
       Ray to_light;
       set_way(batch, lit, memory.block, to_light);
       const AreaEdges edges = edges_of(*placed.light.area, to_light.direction);
-      push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, memory.points[i]), to_light,
-               path.sample, colour, memory);
+      push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, memory.points[i]), to_light, path,
+               colour, memory);
     }
     trace_long_queues(memory);
     if (is_over()) return;
   }
 }
 
-void Integrator::push_area(const scene::Light& light, const Ray& to_light, std::uint32_t sample, const Rgb& colour,
+void Integrator::push_area(const scene::Light& light, const Ray& to_light, const PathEntry& path, const Rgb& colour,
                            PathMemory& memory) const {
   const scene::AreaLight& area = *light.area;
   const AreaEdges edges = edges_of(area, to_light.direction);
   const auto& [weights_a, weights_b] = memory.area_weights;
   for (int u = 0; u < area.count_a; ++u) {
     for (int v = 0; v < area.count_b; ++v) {
-      push_ray(light, light.location + area_offset(area, edges, u, v), to_light, sample,
+      push_ray(light, light.location + area_offset(area, edges, u, v), to_light, path,
                colour * (weights_a[static_cast<std::size_t>(u)] * weights_b[static_cast<std::size_t>(v)]), memory);
     }
     trace_long_queues(memory);
@@ -294,7 +294,8 @@ void Integrator::trace_long_queues(PathMemory& memory) const {
 
 void Integrator::resolve(ShadowQueue& queue, std::uint64_t& count, PathMemory& memory) const {
   if (shadow_filter_) {
-    queue.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.shadow_filter, memory.counters);
+    queue.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.bodies, memory.shadow_filter,
+                  memory.counters);
   } else {
     queue.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
   }
@@ -306,8 +307,12 @@ void Integrator::trace_shadows(PathMemory& memory) const {
   resolve(memory.shadows, memory.counts.shadow, memory);
   resolve(memory.around, memory.counts.around, memory);
   if (memory.area_shadows.is_empty()) return;
-  const ShadowTracer tracer{tracer_, shadow_filter_ ? &*shadow_filter_ : nullptr, windows_ ? &*windows_ : nullptr,
-                            memory.shadow_filter, memory.counters};
+  const ShadowTracer tracer{tracer_,
+                            shadow_filter_ ? &*shadow_filter_ : nullptr,
+                            windows_ ? &*windows_ : nullptr,
+                            memory.bodies,
+                            memory.shadow_filter,
+                            memory.counters};
   memory.counts.shadow += memory.area_shadows.resolve(tracer, memory.colours, memory.certainties);
 }
 

@@ -12,9 +12,16 @@
 namespace isl::render {
 
 struct Body {
-  InstanceId instance;
+  InstanceId instance;  ///< kNone of an open one that has an interior
   scene::InteriorId interior;
   bool is_hollow;
+
+  /// What a surface of the instance bounds. Open surfaces (Instance::is_open) bound one body if they share an interior,
+  /// as the triangles of a union do.
+  [[nodiscard]] static Body of(InstanceId instance, scene::InteriorId interior, bool is_hollow, bool is_open) {
+    const bool is_shared = is_open && interior != scene::kNoInterior;
+    return {is_shared ? scene::kNone : instance, interior, is_hollow};
+  }
 
   [[nodiscard]] bool is_same(const Body& other) const {
     return instance == other.instance && interior == other.interior;

@@ -5,7 +5,8 @@
 
 namespace isl::render {
 
-Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& memory, TraceCounters& counters) const {
+Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, std::uint32_t& list, Bodies& bodies,
+                           ShadowFilterMemory& memory, TraceCounters& counters) const {
   SurfacePoint& surface = memory.surface;
   tracer_.surface_at(ray, hit, surface, counters);
   memory.textures.clear();
@@ -29,17 +30,25 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& m
     }
     share += passing;
   }
-  const bool leaves = surface.normal.dot(ray.direction) > 0;
+  bool leaves = surface.normal.dot(ray.direction) > 0;
+  if (surface.is_open) {
+    const Body body = Body::of(hit.instance, surface.interior, surface.is_hollow, true);
+    const std::optional<std::uint32_t> rest = bodies.left(list, body);
+    leaves = rest.has_value();
+    list = leaves ? *rest : bodies.entered(list, body);
+  }
   return leaves && medium.fade_power > 0 ? share * medium.left_after(hit.t) : share;
 }
 
-void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> shares, std::span<Certainty> certainties,
+void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<const std::uint32_t> begin_in,
+                       std::span<Rgb> shares, std::span<Certainty> certainties, Bodies& bodies,
                        ShadowFilterMemory& memory, TraceCounters& counters) const {
   // Most rays end at an opaque object, whatever they meet before it, or meet nothing.
   memory.occluded.resize(rays.size());
   tracer_.occlusions(rays, memory.occluded, counters, with(kind, kOnlyOpaque));
   memory.rays.clear();
   memory.numbers.clear();
+  memory.bodies_of.clear();
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
     shares[i] = Rgb(memory.occluded[i] == kOccluded ? 0 : 1);
     if (memory.occluded[i] == kOccluded) continue;
@@ -47,6 +56,7 @@ void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> s
     if (!tracer_.may_meet_clear(rays[i])) continue;
     memory.rays.push_back(rays[i]);
     memory.numbers.push_back(i);
+    memory.bodies_of.push_back(begin_in[i]);
   }
   // Every step takes all rays that have not ended past one more surface.
   while (!memory.rays.empty()) {
@@ -62,7 +72,8 @@ void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> s
         continue;
       }
       Ray ray = memory.rays[i];
-      shares[number] *= share_at(ray, hit, memory, counters);
+      std::uint32_t list = memory.bodies_of[i];
+      shares[number] *= share_at(ray, hit, list, bodies, memory, counters);
       if (shares[number] == Rgb(0)) continue;
       lower(certainties[number], hit.certainty);
       ray.origin = memory.surface.position;
@@ -70,6 +81,7 @@ void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> s
       ray.path_length += hit.t;
       ray.start = hit.start();
       memory.rays[left] = ray;
+      memory.bodies_of[left] = list;
       memory.numbers[left++] = number;
     }
     memory.rays.resize(left);

@@ -2,6 +2,7 @@
 // its way through bodies.
 #pragma once
 
+#include "renderer/paths/bodies.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/shading/interiors.h"
 #include "renderer/shading/point_refusals.h"
@@ -20,6 +21,7 @@ struct ShadowFilterMemory {
   std::vector<std::uint8_t> occluded;
   std::vector<Hit> hits;
   std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> bodies_of;  ///< by ray, the list of those that it is in
   SurfacePoint surface;
   std::vector<LitTexture> textures;
   std::vector<Vec3> normals;
@@ -34,12 +36,15 @@ class ShadowFilter {
       : interiors_(database), tracer_(tracer), textures_(textures), refusals_(refusals), has_bumps_(has_bumps) {}
 
   /// shares[i] becomes the share of light that comes along rays[i], and certainties[i] falls where that is undecided.
-  void run(std::span<const Ray> rays, RayKind kind, std::span<Rgb> shares, std::span<Certainty> certainties,
-           ShadowFilterMemory& memory, TraceCounters& counters) const;
+  /// The rays begin in the bodies of the lists `begin_in` of `bodies`, to which others may be added.
+  void run(std::span<const Ray> rays, RayKind kind, std::span<const std::uint32_t> begin_in, std::span<Rgb> shares,
+           std::span<Certainty> certainties, Bodies& bodies, ShadowFilterMemory& memory, TraceCounters& counters) const;
 
  private:
-  /// The share of light that passes the surface, after its way to it.
-  [[nodiscard]] Rgb share_at(const Ray& ray, const Hit& hit, ShadowFilterMemory& memory, TraceCounters& counters) const;
+  /// The share of light that passes the surface, after its way to it in the bodies of `list`, which becomes the list
+  /// behind it.
+  [[nodiscard]] Rgb share_at(const Ray& ray, const Hit& hit, std::uint32_t& list, Bodies& bodies,
+                             ShadowFilterMemory& memory, TraceCounters& counters) const;
 
   Interiors interiors_;
   const Tracer& tracer_;

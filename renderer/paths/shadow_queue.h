@@ -20,20 +20,21 @@ class ShadowQueue {
 
   void clear() { size_ = 0; }
 
-  /// Queues light `colour` for a sample. It counts if nothing lies on `ray`, which leads from a surface to the light.
-  void push(std::uint32_t sample, const Ray& ray, const Rgb& colour) { add(sample, colour) = ray; }
+  /// Queues light `colour` for the sample of a path. It counts if nothing lies on `ray`, which leads to the light from
+  /// the surface where the path ends.
+  void push(const PathEntry& path, const Ray& ray, const Rgb& colour) { add(path, colour) = ray; }
   /// The same; all of the ray is for the caller to fill, which is quicker than to copy one that has just been made.
-  [[nodiscard]] Ray& add(std::uint32_t sample, const Rgb& colour) {
+  [[nodiscard]] Ray& add(const PathEntry& path, const Rgb& colour) {
     if (size_ == rays_.size()) grow();
-    lights_[size_] = {colour, sample};
+    lights_[size_] = {colour, path.sample, path.bodies};
     return rays_[size_++];
   }
 
   /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do
   /// not depend on the order in which the tracer works. certainties[sample] falls where a ray is undecided.
   void resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties, TraceCounters& counters);
-  /// The same where surfaces filter light.
-  void resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties,
+  /// The same where surfaces filter light. `bodies` has the lists of the paths.
+  void resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties, Bodies& bodies,
                ShadowFilterMemory& memory, TraceCounters& counters);
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -42,6 +43,7 @@ class ShadowQueue {
   struct Light {
     Rgb colour;
     std::uint32_t sample;
+    std::uint32_t bodies;  ///< PathEntry::bodies
   };
 
   void grow();
@@ -58,6 +60,7 @@ class ShadowQueue {
   std::vector<Ray> sorted_rays_;
   std::vector<std::uint8_t> sorted_occluded_;
   std::vector<Rgb> shares_;
+  std::vector<std::uint32_t> bodies_;
   std::vector<Certainty> certainties_;
 };
 

@@ -57,7 +57,7 @@ struct SurfacePoint {
   Vec3 normal;                                      ///< outward, unit length, in world space
   bool is_lit_from_both_sides = false;              ///< the object has `double_illuminate`
   bool is_hollow = false;                           ///< media around the object fill it too
-  bool is_sheet = false;                            ///< the surface is one without an inside, as of a triangle
+  bool is_open = false;                             ///< the surface closes no inside, as Instance::is_open
   scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
   bool is_refuted = false;                          ///< a check shows that no surface lies here, within the tolerance
   std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point

@@ -33,7 +33,7 @@ struct ShadingPoint {
   ShadingPoint(const Vec3& position_, const Vec3& normal_, const Vec3& view_,
                std::span<const LitTexture> textures_ = {}, bool is_lit_from_both_sides_ = false,
                bool from_inside_ = false, bool is_hollow_ = false, double ior_ratio_ = 1,
-               scene::InteriorId interior_ = scene::kNoInterior)
+               scene::InteriorId interior_ = scene::kNoInterior, bool is_open_ = false)
       : position(position_),
         normal(normal_),
         view(view_),
@@ -41,6 +41,7 @@ struct ShadingPoint {
         is_lit_from_both_sides(is_lit_from_both_sides_),
         from_inside(from_inside_),
         is_hollow(is_hollow_),
+        is_open(is_open_),
         ior_ratio(ior_ratio_),
         interior(interior_) {}
 
@@ -51,6 +52,7 @@ struct ShadingPoint {
   bool is_lit_from_both_sides;           ///< `double_illuminate`
   bool from_inside;                      ///< the path comes from within the body
   bool is_hollow;                        ///< of the object
+  bool is_open;                          ///< as SurfacePoint::is_open
   double ior_ratio;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`
   scene::InteriorId interior;  ///< the medium on the inner side
 };

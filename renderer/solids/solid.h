@@ -90,8 +90,8 @@ struct Stretch {
 };
 
 /// For set operations on solids: every change between inside and outside, with kUnseen ones. For an open surface
-/// (is_open_surface), which has no inside, the result is that of crossings(). Crossings outside of the stretch, and those
-/// from `wanted_to` on, may be left out; `ends_inside` is then the state behind the last one that is not.
+/// (is_open_surface), which has no inside, the result is that of crossings(). Crossings outside of the stretch, and
+/// those from `wanted_to` on, may be left out; `ends_inside` is then the state behind the last one that is not.
 [[nodiscard]] Crossings boundary(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
                                  std::uint32_t start_part, const SolidDetails& details = kNoDetails,
                                  const Stretch& stretch = {}) noexcept;

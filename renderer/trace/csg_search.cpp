@@ -184,8 +184,7 @@ class CsgSearch {
   /// for eight rays at once (csg_packet-inl.h).
   [[nodiscard]] Stretch stretch_of(const CsgLeaf& leaf, bool is_start) const {
     if (!gains_by_stretch(scene_.solids[leaf.shape])) return {};
-    const Stretch in_box =
-        stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity());
+    const Stretch in_box = stretch_in(leaf.box, ray_.origin, ray_.direction, std::numeric_limits<double>::infinity());
     if (std::isinf(in_box.from)) return {0, 0};
     return {.from = is_start || in_box.from <= 0 ? 0 : in_box.from - most_rounding_at(in_box.from),
             .to = in_box.to + most_rounding_at(in_box.to),

@@ -237,6 +237,16 @@ bool Tracer::may_meet_clear(const Ray& ray) const {
   return may_meet(impl_->scene.clear_bounds, ray.origin, ray.direction, ray.t_max);
 }
 
+std::vector<scene::InteriorId> Tracer::interiors_of_open() const {
+  std::vector<scene::InteriorId> interiors;
+  for (const Instance& instance : impl_->scene.instances) {
+    if (instance.is_open && instance.interior != scene::kNoInterior) interiors.push_back(instance.interior);
+  }
+  std::ranges::sort(interiors);
+  interiors.erase(std::unique(interiors.begin(), interiors.end()), interiors.end());
+  return interiors;
+}
+
 void Tracer::set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hits, std::span<const std::uint32_t> which,
                              std::span<BlobFields> fields, TraceCounters& counters) const {
   if (!impl_->some_are_told_by_fields) return;
@@ -280,7 +290,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields
   point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
-  point.is_sheet = instance.is_sheet;
+  point.is_open = instance.is_open;
   point.is_refuted = false;
   point.textures.resize(1);
   TextureShare& texture = point.textures.front();

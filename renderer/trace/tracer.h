@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace isl::render {
 
@@ -47,6 +48,8 @@ class Tracer {
 
   /// False if the ray meets nothing that may let light through, which costs little to tell.
   [[nodiscard]] bool may_meet_clear(const Ray& ray) const;
+  /// The interiors of instances that are open, each once.
+  [[nodiscard]] std::vector<scene::InteriorId> interiors_of_open() const;
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;

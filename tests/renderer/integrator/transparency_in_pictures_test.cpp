@@ -111,6 +111,20 @@ TEST(Refraction, enters_a_single_face_whatever_way_its_corners_go) {
     expect_exit(0, fmt::format("triangle {{ {} interior {{ ior 1.5 }} }} ", corners), -.2903, .9570);
 }
 
+TEST(Refraction, enters_what_is_open_where_it_is_met_first) {
+  // The ray comes in through the hole and meets the far half of the sphere from within.
+  const std::string ball = "sphere { 0, 1 ", far_half = ball + "clipped_by { plane { -z, 0 } } ",
+                    near_half = ball + "clipped_by { plane { z, 0 } } ", glass = "interior { ior 1.5 } } ";
+  expect_exit(.5, far_half + glass, .18273, .98316);
+  expect_exit(.5, "cylinder { -y, y, 1 open " + glass, -.35931, .93322);
+  // The halves of a union are one body.
+  expect_exit(4 / 8.5, "union { " + near_half + "} " + far_half + "} " + glass, -.3351, .9422);
+  expect_exit(4 / 8.5, "merge { " + near_half + "} " + far_half + "} " + glass, -.3351, .9422);
+  expect_exit(4 / 8.5, "sphere { 0, 1 inverse " + glass, -.3351, .9422);
+  // The camera is in the body.
+  expect_exit(3.5, "sphere { 0, 7 clipped_by { plane { y, 3 } } " + glass, -.3188, .94782);
+}
+
 TEST(Refraction, films_colour_what_is_reflected_totally) {
   // The same prism: light comes and goes at 45 degrees to the film, whose thickness is 0.4.
   const auto film = [](double wavelength) {
@@ -134,6 +148,22 @@ TEST(Shadows, of_what_lets_light_through_are_coloured_as_povrays) {
   expect_middle(shadow("sphere { -5*z, 1 pigment { rgbf <.2, .4, .6, .5> } }"), .01, .04, .09);
   expect_middle(shadow("sphere { -5*z, 1 pigment { rgbf <.2, .4, .6, .5> } interior { caustics 1 } }"), .04, .16, .36);
   expect_middle(shadow("disc { -5*z, z, 1 pigment { rgb 1 } }"), 0, 0, 0);
+}
+
+TEST(Shadows, of_what_is_open_fade_between_its_faces) {
+  const std::string fading = "pigment { rgbt 1 } interior { fade_distance 1 fade_power 1001 fade_color 0 } } ",
+                    disc = "disc { -5*z, z, 1 ";
+  const auto lit = [](const std::string& what) {
+    return "camera { location <0, 0, -1> direction z right .001*x up .001*y } light_source { -100*z rgb 1 } plane "
+           "{ -z, -1 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
+           what;
+  };
+  expect_middle(lit(disc + fading), 1, 1, 1);
+  const double faded = std::exp(-2);
+  expect_middle(lit("union { " + disc + "} " + disc + "translate -2*z } " + fading), faded, faded, faded);
+  // The eye has gone in through the sheet before it, so light comes out of the body behind it.
+  const double seen = std::exp(-1.5);
+  expect_middle(lit("union { " + disc + "} disc { -.5*z, -z, 1 } " + fading), seen, seen, seen);
 }
 
 }  // namespace
