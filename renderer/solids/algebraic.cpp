@@ -106,9 +106,15 @@ constexpr SolidType with_support(double (*support)(const scene::Database&, const
           .terms_over_gradient = terms_of_algebraic};
 }
 
+/// The crossings of nearly all lines with a quadric have a closed form, which no stretch makes shorter.
+constexpr SolidType without_stretch(SolidType type) {
+  type.boundary_in_stretch = nullptr;
+  return type;
+}
+
 }  // namespace
 
-constinit const SolidType kinds::quadric = with_support(quadric_support);
+constinit const SolidType kinds::quadric = without_stretch(with_support(quadric_support));
 constinit const SolidType kinds::cubic = with_support(unknown_support);
 constinit const SolidType kinds::quartic = with_support(unknown_support);
 constinit const SolidType kinds::poly = with_support(unknown_support);
