@@ -39,7 +39,7 @@ class CsgPacket {
         starts_(starts),
         limit_(limit),
         is_open_(mask_of(open)) {
-    // What lies this far behind the limit may coincide with what lies before it.
+    // A crossing that lies no farther than this behind the limit may coincide with one before it.
     wanted_to_ = keep(is_open_, limit + Octet(8.0) * starts.nearness(instance_.spread, limit));
     const OctetLines lines =
         instance_.is_placed ? mapped(world_lines, instance_.world_from_object.inverse) : world_lines;

@@ -89,7 +89,7 @@ TEST(Albedo, is_povrays) {
   const std::string view = std::string(kStraight);
   expect_middle(view + light_at(60) + plane("diffuse albedo .8 brilliance 2"), .06, .12, .18);
   expect_middle(view + light_at(30) + plane("phong albedo .1 phong_size 10"), .13051, .13051, .13051);
-  // What later blocks say of brilliance leaves the peak alone, which is 0.8 here.
+  // The first block sets the peak to 0.8, and the brilliance of a later block does not change it.
   expect_middle(view + light_at(60) +
                     "#declare F = finish { ambient 0 diffuse albedo .8 } "
                     "plane { -z, 0 pigment { rgb <.2, .4, .6> } finish { F brilliance 2 } } ",
