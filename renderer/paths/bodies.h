@@ -16,8 +16,8 @@ struct Body {
   scene::InteriorId interior;
   bool is_hollow;
 
-  /// The body that a surface of the instance bounds. Open surfaces (Instance::is_open) that have the same interior bound
-  /// one body together, such as the triangles of a union.
+  /// The body that a surface of the instance bounds. Open surfaces (Instance::is_open) that have the same interior
+  /// bound one body together, such as the triangles of a union.
   [[nodiscard]] static Body of(InstanceId instance, scene::InteriorId interior, bool is_hollow, bool is_open) {
     const bool is_shared = is_open && interior != scene::kNoInterior;
     return {is_shared ? scene::kNone : instance, interior, is_hollow};
