@@ -34,6 +34,8 @@ enum class NodeKind : std::uint8_t {
   // Other elements.
   word,
   block,
+  block_begin,
+  block_end,
   entry,
   array,
   function,
@@ -45,7 +47,6 @@ enum class NodeKind : std::uint8_t {
   undef,
   if_,
   ifdef,
-  if_block,
   while_,
   for_,
   switch_,
@@ -175,6 +176,13 @@ struct Block : Node {
   Items items;
 };
 
+/// `word {` whose brace is closed in another branch of an `#if` or `#switch`, or outside it: the block's items are what
+/// is executed from here on until a `block_end`, a plain node.
+struct BlockBegin : Node {
+  Symbol word;
+  SourceSpan word_span;
+};
+
 /// `[ items ]`, an entry of a map.
 struct Entry : Node {
   Items items;
@@ -240,17 +248,6 @@ struct Ifdef : Node {
   const Node* target;
   Items then;
   Items otherwise;
-};
-
-/// `#if (c) prelude… merge { #else prelude… union { #end items }`: the one unbalanced idiom that libraries use.
-/// Executes one prelude, then yields a block named by the word of the branch taken, over `items`.
-struct IfBlock : Node {
-  const Node* condition;
-  Items then_prelude;
-  Symbol then_word;
-  Items else_prelude;
-  Symbol else_word;
-  Items items;
 };
 
 struct While : Node {

@@ -127,6 +127,8 @@ void TreeDump::element(const Node& node) {
       const Block& block = as<Block>(node);
       return list(block.word == kNoSymbol ? "block" : fmt::format("block {}", text(block.word)), block.items);
     }
+    case NodeKind::block_begin: return line(fmt::format("block {} begins", text(as<BlockBegin>(node).word)));
+    case NodeKind::block_end: return line("block ends");
     case NodeKind::entry: return list("entry", as<Entry>(node).items);
     case NodeKind::array:
       return tree("array", [&] {
@@ -206,15 +208,6 @@ void TreeDump::conditional_directive(const Node& node) {
         list("then", as<Ifdef>(node).then);
         if (!as<Ifdef>(node).otherwise.empty()) list("else", as<Ifdef>(node).otherwise);
       });
-    case NodeKind::if_block: {
-      const IfBlock& choice = as<IfBlock>(node);
-      return tree("if block", [&] {
-        part("condition", choice.condition);
-        list(fmt::format("then {}", text(choice.then_word)), choice.then_prelude);
-        list(fmt::format("else {}", text(choice.else_word)), choice.else_prelude);
-        list("items", choice.items);
-      });
-    }
     case NodeKind::while_:
       return tree("while", [&] {
         part("condition", as<While>(node).condition);

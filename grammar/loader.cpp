@@ -5,6 +5,7 @@
 #include "grammar/lexer.h"
 #include "grammar/parse_state.h"
 #include "grammar/parser.hh"
+#include "grammar/parted_braces.h"
 #include "grammar/similar_file.h"
 #include "grammar/text_file.h"
 #include "grammar/token_stream.h"
@@ -65,29 +66,47 @@ const Unit* Loader::parse(std::string name, fs::path file, std::string text, Sou
   AccessProblem problem;
   const std::optional<SourceSpan> span = keep_text(std::move(name), std::move(text), problem);
   if (!span) return fail(LoadError::too_large, where, std::move(problem.message), std::move(problem.hint));
-  const auto max_height = std::min<std::size_t>(options_.max_nesting, std::numeric_limits<std::uint32_t>::max() / 8);
-  Complaints complaints(complaints_, arena_);
-  ParseState state(map_, arena_, complaints, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
+  const std::size_t known_complaints = complaints_.size();
   try {
-    try {
-      DiagnosticSink scanned;
-      Lexer lexer(map_.text(*span), span->begin, symbols_, arena_, scanned);
-      TokenStream tokens(lexer, scanned, symbols_, complaints, options_.max_nesting, options_.run.stop);
-      if (Parser(tokens, state).parse() != 0) state.abandon(*span);
-    } catch (const ScannerFailure& failure) {
-      state.failure(*span, fmt::format("the text cannot be read: {}", failure.what()));
-      state.finish({});
+    Parsed parsed = parse(*span, {});
+    if (parsed.has_unmatched_brace) {
+      DiagnosticSink known;
+      Lexer lexer(map_.text(*span), span->begin, symbols_, arena_, known);
+      const std::vector<std::uint32_t> parted = find_parted_braces(lexer, options_.max_nesting);
+      if (!parted.empty()) {
+        complaints_.resize(known_complaints);
+        parsed = parse(*span, parted);
+      }
     }
+    last_error_ = parsed.errors.empty() ? LoadError::none : LoadError::syntax;
+    return &units_.emplace_back(Unit{*span, parsed.items, std::move(file), std::move(parsed.errors)});
   } catch (const std::bad_alloc&) {
     return fail(LoadError::too_large, where,
                 fmt::format("`{}` takes more memory than the limit of the scene", map_.position(span->begin).file),
                 std::string(kMoreMemory));
   }
-  std::vector<const Complaint*> errors = complaints.outside();
-  errors.insert(errors.end(), complaints.certain().begin(), complaints.certain().end());
-  if (errors.size() > DiagnosticSink::kMaxErrors) errors.resize(DiagnosticSink::kMaxErrors);
-  last_error_ = errors.empty() ? LoadError::none : LoadError::syntax;
-  return &units_.emplace_back(Unit{*span, state.items(), std::move(file), std::move(errors)});
+}
+
+Loader::Parsed Loader::parse(SourceSpan span, std::span<const std::uint32_t> parted_braces) {
+  const auto max_height = std::min<std::size_t>(options_.max_nesting, std::numeric_limits<std::uint32_t>::max() / 8);
+  Complaints complaints(complaints_, arena_);
+  ParseState state(map_, arena_, complaints, static_cast<std::uint32_t>(max_height * kHeightPerNesting));
+  Parsed parsed;
+  try {
+    DiagnosticSink scanned;
+    Lexer lexer(map_.text(span), span.begin, symbols_, arena_, scanned);
+    TokenStream tokens(lexer, scanned, symbols_, complaints, options_.max_nesting, parted_braces, options_.run.stop);
+    if (Parser(tokens, state).parse() != 0) state.abandon(span);
+    parsed.has_unmatched_brace = tokens.has_unmatched_brace();
+  } catch (const ScannerFailure& failure) {
+    state.failure(span, fmt::format("the text cannot be read: {}", failure.what()));
+    state.finish({});
+  }
+  parsed.items = state.items();
+  parsed.errors = complaints.outside();
+  parsed.errors.insert(parsed.errors.end(), complaints.certain().begin(), complaints.certain().end());
+  if (parsed.errors.size() > DiagnosticSink::kMaxErrors) parsed.errors.resize(DiagnosticSink::kMaxErrors);
+  return parsed;
 }
 
 std::optional<SourceSpan> Loader::keep_text(std::string name, std::string text, AccessProblem& problem) {

@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -134,6 +135,13 @@ class Loader {
 
   const Unit* fail(LoadError error, SourceSpan where, std::string message, std::string hint = {});
   const Unit* parse(std::string name, std::filesystem::path file, std::string text, SourceSpan where);
+  struct Parsed {
+    Items items;
+    std::vector<const Complaint*> errors;  ///< as Unit::errors
+    bool has_unmatched_brace = false;
+  };
+  /// Parses a text of the map; `parted_braces` as in TokenStream.
+  Parsed parse(SourceSpan span, std::span<const std::uint32_t> parted_braces);
   const Unit* load_file(const FoundFile& file, SourceSpan where);
   [[nodiscard]] FoundFile find_include(std::string_view name, const Unit& from) const;
   /// Records that a file was read. `name` is its portable name; a file without one is not recorded.

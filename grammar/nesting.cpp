@@ -95,12 +95,6 @@ const Opening* Nesting::innermost_directive() const {
   return directive == open_.rend() ? nullptr : &*directive;
 }
 
-/// True if the last tokens are `word {` and the grammar takes them for the beginning of an item; a value after `=` is
-/// not one.
-bool Nesting::has_just_opened_block() const {
-  return previous_ == Kind::TOK_LEFT_BRACE && before_previous_ == Kind::TOK_KEYWORD && third_last_ != Kind::TOK_EQUAL;
-}
-
 void Nesting::push(const Token& token) {
   const bool starts_function = token.kind == Kind::TOK_LEFT_BRACE && std::exchange(function_pending_, false);
   // Blocks within a function (`pattern {}`) follow the ordinary rules again; parentheses and directives do not change
@@ -157,28 +151,13 @@ Verdict Nesting::reach_directive(const Token& token) {
   if (directive == open_.rend()) return {.unclosed = {}, .stray = true};
   const auto brackets = directive - open_.rbegin();
   const bool misplaced = !can_divide(token.kind, *directive);
-  if (token.kind == Kind::TOK_ELSEIF) directive->has_elseif = true;
   if (token.kind == Kind::TOK_ELSE) directive->has_else = true;
-  const bool opens_block =
-      brackets == 1 && directive->kind == Kind::TOK_IF && !directive->has_elseif && has_just_opened_block();
-  if (opens_block && token.kind == Kind::TOK_ELSE && !directive->is_split()) {
-    directive->split_brace = open_.back().span;
-    directive->split_else = token.span;
-    open_.pop_back();
-    return {};
-  }
-  if (opens_block && token.kind == Kind::TOK_END && directive->is_split()) {
-    bodies_ -= directive->has_head ? 1 : 0;
-    open_.erase(std::prev(open_.end(), 2));  // the `#if` ends, the brace that both branches opened stays open
-    return {};
-  }
   Verdict verdict;
   verdict.misplaced = misplaced;
   std::copy(open_.rbegin(), directive, std::back_inserter(verdict.unclosed));
   open_.resize(open_.size() - static_cast<std::size_t>(brackets));
   if (token.kind == Kind::TOK_END) {
     verdict.ended = open_.back();
-    verdict.half_split = open_.back().is_split();
     bodies_ -= open_.back().has_head ? 1 : 0;
     open_.pop_back();
   }
@@ -206,7 +185,7 @@ Verdict Nesting::follow(const Token& token) {
       default: break;
     }
   }
-  third_last_ = std::exchange(before_previous_, std::exchange(previous_, token.kind));
+  previous_ = token.kind;
   return verdict;
 }
 

@@ -21,14 +21,8 @@ struct Opening {
   SourceSpan span;
   bool in_function = false;  ///< within the braces of a `function {}`: other precedences apply
   Symbol name = kNoSymbol;   ///< name of a `#macro`
-  bool has_elseif = false;   ///< an `#if` had its `#elseif`
   bool has_else = false;     ///< a directive had its `#else`
   bool has_head = false;     ///< a directive's parenthesis was closed
-  SourceSpan split_brace =
-      {};  ///< the brace, for an `#if` whose first branch opens a block: `#if (c) merge { #else union { #end … }`
-  SourceSpan split_else = {};  ///< the `#else` after that brace
-
-  [[nodiscard]] bool is_split() const { return !split_brace.empty(); }
 };
 
 /// The steps that are necessary before a token may be passed on.
@@ -43,8 +37,6 @@ struct Verdict {
   bool stray = false;
   /// The directive that it ends, if it is `#end`.
   std::optional<Opening> ended = std::nullopt;
-  /// True if the first branch of the `#if` that it ends opened a block, and the second did not.
-  bool half_split = false;
 };
 
 class Nesting {
@@ -69,15 +61,12 @@ class Nesting {
 
  private:
   void push(const Token& token);
-  [[nodiscard]] bool has_just_opened_block() const;
   Verdict close_bracket(TokenKind opener);
   Verdict reach_directive(const Token& token);
 
   std::vector<Opening> open_;
   std::size_t bodies_ = 0;  ///< open directives whose parenthesis was closed
   TokenKind previous_ = Parser::token::TOK_END_OF_FILE;
-  TokenKind before_previous_ = Parser::token::TOK_END_OF_FILE;
-  TokenKind third_last_ = Parser::token::TOK_END_OF_FILE;
   bool function_pending_ = false;  ///< `function` was seen, its brace not yet
 };
 

@@ -129,14 +129,6 @@ Tree ParseState::ifdef(SourceSpan span, bool negated, Tree target, const TreeLis
                      target.node, arena_.copy(then.nodes), arena_.copy(otherwise.nodes));
 }
 
-Tree ParseState::if_block(SourceSpan span, Tree condition, const OpenBranch& then, const OpenBranch& otherwise,
-                          const TreeList& items) {
-  return make<IfBlock>(NodeKind::if_block, span,
-                       highest({condition.height, then.prelude.height, otherwise.prelude.height, items.height}),
-                       condition.node, arena_.copy(then.prelude.nodes), then.word, arena_.copy(otherwise.prelude.nodes),
-                       otherwise.word, arena_.copy(items.nodes));
-}
-
 Tree ParseState::while_(SourceSpan span, Tree condition, const TreeList& body) {
   return make<While>(NodeKind::while_, span, highest({condition.height, body.height}), condition.node,
                      arena_.copy(body.nodes));

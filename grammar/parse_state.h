@@ -18,12 +18,6 @@
 
 namespace isl::grammar {
 
-/// A branch of `#if (c) … merge { #else … union { #end`.
-struct OpenBranch {
-  TreeList prelude;
-  Symbol word;
-};
-
 class ParseState {
  public:
   /// Trees higher than `max_height` are errors.
@@ -61,6 +55,10 @@ class ParseState {
   Tree array(SourceSpan span, const TreeList& dimensions, bool initialised, const TreeList& items);
   Tree function(SourceSpan span, const FunctionHead& head, const TreeList& body);
   Tree function(SourceSpan span, const TreeList& size, const TreeList& body);
+  Tree block_begin(SourceSpan span, Symbol word, SourceSpan word_span) {
+    return make<BlockBegin>(NodeKind::block_begin, span, 0, word, word_span);
+  }
+  Tree block_end(SourceSpan span) { return mark(NodeKind::block_end, span); }
   Tree comma(SourceSpan span) { return mark(NodeKind::comma, span); }
   /// The semicolon that follows these items.
   Tree semicolon(SourceSpan span, const TreeList& before) {
@@ -73,8 +71,6 @@ class ParseState {
   Tree undef(SourceSpan span, Tree target) { return make<Undef>(NodeKind::undef, span, target.height, target.node); }
   Tree if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise);
   Tree ifdef(SourceSpan span, bool negated, Tree target, const TreeList& then, const TreeList& otherwise);
-  Tree if_block(SourceSpan span, Tree condition, const OpenBranch& then, const OpenBranch& otherwise,
-                const TreeList& items);
   Tree while_(SourceSpan span, Tree condition, const TreeList& body);
   Tree for_(SourceSpan span, Symbol variable, Tree start, Tree end, Tree step, const TreeList& body);
   Tree switch_(SourceSpan span, Tree subject, const TreeList& before, const CaseList& cases, bool has_default,

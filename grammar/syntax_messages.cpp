@@ -138,6 +138,8 @@ std::vector<std::string> fold(std::span<const SymbolKind> expected) {
     if (kind == Symbols::S_SEMICOLON && has_directive) continue;
     // rarely known, and hardly ever the intended token
     if (kind == Symbols::S_DEPRECATED || kind == Symbols::S_ONCE) continue;
+    // spelt like the braces that are told anyway
+    if (kind == Symbols::S_BLOCK_BEGIN || kind == Symbols::S_BLOCK_END) continue;
     // An operator within `function {}` is a token of its own with the same spelling.
     if (std::string idea = describe(kind); std::ranges::find(ideas, idea) == ideas.end())
       ideas.push_back(std::move(idea));

@@ -78,12 +78,13 @@ DiagnosticNote note_of_misspelt(const Token& directive) {
 }  // namespace
 
 TokenStream::TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
-                         std::size_t max_nesting, const StopFlag* stop)
+                         std::size_t max_nesting, std::span<const std::uint32_t> parted, const StopFlag* stop)
     : lexer_(lexer),
       scanned_(scanned),
       symbols_(symbols),
       complaints_(complaints),
       max_nesting_(max_nesting),
+      parted_(parted),
       steps_(StepCounter::kUnlimited, stop) {}
 
 // ---- From the text --------------------------------------------------------------------------------------------------
@@ -103,9 +104,13 @@ Token TokenStream::scan() {
   return token;
 }
 
-/// `#declare deprecated once Name`: words with this meaning only here.
 Token TokenStream::take() {
   Token token = scan();
+  if (!parted_.empty() && token.span.begin == parted_.front()) {
+    token.kind = token.kind == Kind::TOK_LEFT_BRACE ? Kind::TOK_BLOCK_BEGIN : Kind::TOK_BLOCK_END;
+    parted_ = parted_.subspan(1);
+  }
+  // `#declare deprecated once Name`: words with this meaning only here.
   const bool may_be_deprecated = taken_ == Kind::TOK_DECLARE || taken_ == Kind::TOK_LOCAL;
   if (may_be_deprecated && token.symbol == word::kw_deprecated)
     token = {.kind = Kind::TOK_DEPRECATED, .span = token.span};
@@ -177,9 +182,11 @@ bool TokenStream::is_too_deep(const Token& token) {
 void TokenStream::follow(Token token) {
   depth_before_ = nesting_.depth();
   const Verdict verdict = nesting_.follow(token);
+  const bool has_open_brace = std::any_of(verdict.unclosed.begin(), verdict.unclosed.end(),
+                                          [](const Opening& opening) { return opening.kind == Kind::TOK_LEFT_BRACE; });
+  if (has_open_brace || (verdict.stray && token.kind == Kind::TOK_RIGHT_BRACE)) has_unmatched_brace_ = true;
   if (verdict.stray) return complain_stray(token);
   if (!verdict.unclosed.empty()) close_all(verdict.unclosed, complain_unclosed(verdict, token));
-  if (verdict.half_split) complain_half_split(*verdict.ended);
   begins_stretch_ = shapes_directive(token.kind);
   if (nesting_.in_function()) token.kind = in_function(token.kind);
   arranged_.push_back({token, false, verdict.closed, verdict.misplaced});
@@ -275,15 +282,6 @@ const Complaint* TokenStream::complain_unclosed(const Verdict& verdict, const To
     diagnostic.notes.push_back(note_to_close(unclosed[i]));
   }
   return complaints_.report(std::move(diagnostic));
-}
-
-/// `#if (c) merge { #else sphere { 0, 1 } #end`: a mistake of the first branch alone.
-void TokenStream::complain_half_split(const Opening& directive) {
-  Diagnostic diagnostic;
-  diagnostic.span = directive.split_else;
-  diagnostic.message = "expected `}` before `#else`";
-  diagnostic.notes.emplace_back(directive.split_brace, "to close this `{`");
-  complaints_.report(std::move(diagnostic));
 }
 
 void TokenStream::complain_stray(const Token& token) {

@@ -17,15 +17,17 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace isl::grammar {
 
 class TokenStream {
  public:
-  /// `lexer` reports to `scanned`, from which its complaints are moved on. `stop` ends the text early; it may be null.
+  /// `lexer` reports to `scanned`, from which its complaints are moved on. Braces at the places `parted` are no
+  /// brackets (parted_braces.h). `stop` ends the text early; it may be null.
   TokenStream(Lexer& lexer, DiagnosticSink& scanned, const SymbolTable& symbols, Complaints& complaints,
-              std::size_t max_nesting, const StopFlag* stop = nullptr);
+              std::size_t max_nesting, std::span<const std::uint32_t> parted = {}, const StopFlag* stop = nullptr);
 
   /// The next token; brackets and directives always match. Ends early after too many errors. Throws ScannerFailure.
   [[nodiscard]] Token next();
@@ -45,6 +47,9 @@ class TokenStream {
     in_doubt_ = false;
   }
 
+  /// True if a directive ended before a brace within it was closed, or a brace was closed that is not open there.
+  [[nodiscard]] bool has_unmatched_brace() const { return has_unmatched_brace_; }
+
   /// True if the last token was inserted and is not in the text: the mistake there was reported.
   [[nodiscard]] bool is_mending() const { return last_.mended; }
   /// The complaint that the last token represents; may be null.
@@ -61,7 +66,6 @@ class TokenStream {
   [[nodiscard]] bool is_too_deep(const Token& token);
   void close_all(const std::vector<Opening>& openings, const Complaint* complaint);
   [[nodiscard]] const Complaint* complain_unclosed(const Verdict& verdict, const Token& found);
-  void complain_half_split(const Opening& directive);
   void complain_stray(const Token& token);
   [[nodiscard]] std::string name_of(const Opening& macro) const;
 
@@ -77,6 +81,7 @@ class TokenStream {
   const SymbolTable& symbols_;
   Complaints& complaints_;
   std::size_t max_nesting_;
+  std::span<const std::uint32_t> parted_;  ///< places of those braces from here on, in the order of the text
   StepCounter steps_;
   Nesting nesting_;
   TokenKind taken_ = Parser::token::TOK_END_OF_FILE;  ///< kind of the last token of the text
@@ -94,6 +99,7 @@ class TokenStream {
   std::size_t skipping_from_ = 0;                     ///< depth of the bracket whose rest is being skipped; 0 for none
   bool skipped_ = false;                              ///< the rest of the bracket with the last mistake was skipped
   bool too_deep_ = false;
+  bool has_unmatched_brace_ = false;
 };
 
 }  // namespace isl::grammar

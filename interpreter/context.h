@@ -57,6 +57,10 @@ class Context {
   MemoryAccount& memory;
   Scopes scopes;
   std::vector<Frame> frames;
+  static constexpr std::size_t kNoStream = SIZE_MAX;
+  /// Index of the bottom frame of the ElementStream that is being read.
+  std::size_t stream_base = kNoStream;
+  std::size_t abandoned_blocks = 0;   ///< after errors: blocks that no stream reads and whose `}` is still to come
   std::vector<Slot*> argument_slots;  ///< for macro calls whose arguments are being evaluated
   RandomStreams random;
   OpenFiles files;

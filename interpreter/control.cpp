@@ -3,6 +3,7 @@
 #include "interpreter/deprecated_names.h"
 #include "interpreter/expressions.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isl::interpreter {
@@ -90,12 +91,6 @@ bool is_declared(Context& context, const Node& target) {
   push_branch(context, node, is_declared(context, *node.target) != node.negated ? node.then : node.otherwise);
 }
 
-[[gnu::noinline]] void start_if_block(Context& context, const grammar::IfBlock& node) {
-  const bool taken = evaluate_condition(context, *node.condition);
-  const Items prelude = taken ? node.then_prelude : node.else_prelude;
-  context.push(Frame::Kind::if_block, prelude, &node, node.span).condition = taken;
-}
-
 [[gnu::noinline]] void start_while(Context& context, const grammar::While& node) {
   if (!evaluate_condition(context, *node.condition)) return;
   context.count_turn(node.span);
@@ -109,7 +104,6 @@ void start_control(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::if_: return start_if(context, as<grammar::If>(node));
     case NodeKind::ifdef: return start_ifdef(context, as<grammar::Ifdef>(node));
-    case NodeKind::if_block: return start_if_block(context, as<grammar::IfBlock>(node));
     case NodeKind::while_: return start_while(context, as<grammar::While>(node));
     case NodeKind::for_: return start_for(context, as<grammar::For>(node));
     case NodeKind::switch_: return start_switch(context, as<grammar::Switch>(node));
@@ -136,6 +130,13 @@ bool continue_frame(Context& context, Frame& frame) {
     case Frame::Kind::case_: return continue_switch(frame);
     default: return false;
   }
+}
+
+void skip_abandoned(Context& context) {
+  Frame& frame = context.frames.back();
+  frame.next = std::find_if(frame.next, frame.end, [](const Node* item) {
+    return item->kind == NodeKind::block_end || item->kind >= NodeKind::declare;
+  });
 }
 
 void break_out(Context& context, std::size_t base, const Node& node) {

@@ -5,11 +5,15 @@
 
 namespace isl::interpreter {
 
-/// Starts an #if, #ifdef, #while, #for, #switch or an IfBlock: pushes the frame that it leads to, or none.
+/// Starts an #if, #ifdef, #while, #for or #switch: pushes the frame that it leads to, or none.
 void start_control(Context& context, const grammar::Node& node);
 
 /// Called at the end of a frame's items: true if it goes on (a loop's next turn, the next case of a #switch).
 [[nodiscard]] bool continue_frame(Context& context, Frame& frame);
+
+/// After an error in a block whose end is no part of it (grammar::BlockBegin): skips its items as far as they can be
+/// told, up to its end, or a directive that may hold that.
+void skip_abandoned(Context& context);
 
 /// `#break`: leaves the innermost loop or #switch, or returns from a macro; `base` is the bottom frame of the stream
 /// that met it.

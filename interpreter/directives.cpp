@@ -41,6 +41,7 @@ bool begins_statement(const Node& item) {
 /// The rest of a statement with a mistake, such as the braces in `= dictionary { … };`, must not cause a second error.
 /// If another statement begins before a semicolon, the first one has none, and nothing is skipped.
 void skip_rest(Context& context) {
+  if (context.abandoned_blocks > 0) return skip_abandoned(context);
   Frame& frame = context.frames.back();
   const auto* const stop = std::find_if(frame.next, frame.end, [](const Node* item) {
     return item->kind == NodeKind::semicolon || begins_statement(*item);
@@ -226,7 +227,6 @@ void execute(Context& context, const Node& node) {
   switch (node.kind) {
     case NodeKind::if_:
     case NodeKind::ifdef:
-    case NodeKind::if_block:
     case NodeKind::while_:
     case NodeKind::for_:
     case NodeKind::switch_: return start_control(context, node);

@@ -6,6 +6,9 @@
 #include "interpreter/macro_calls.h"
 #include "interpreter/spare_semicolons.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace isl::interpreter {
 
 using grammar::as;
@@ -22,23 +25,41 @@ namespace {
 ElementStream::ElementStream(Context& context, const Element& block)
     : context_(context),
       nesting_(context, block.span, kStreamUnits),
-      base_(context.frames.size()),
+      base_(block.opened_in == Element::kClosed ? context.frames.size() : block.opened_in),
+      outer_base_(std::exchange(context.stream_base, base_)),
+      own_from_(context.frames.size()),
+      is_open_(block.opened_in != Element::kClosed),
       word_(block.word),
       span_(block.span) {
-  context_.push(Frame::Kind::block, block.items, nullptr, block.span);
+  if (is_open_) {
+    --context_.abandoned_blocks;
+  } else {
+    context_.push(Frame::Kind::block, block.items, nullptr, block.span);
+  }
 }
 
 ElementStream::ElementStream(Context& context, grammar::Items items, SourceSpan span)
-    : context_(context), nesting_(context, span, kStreamUnits), base_(context.frames.size()), span_(span) {
+    : context_(context),
+      nesting_(context, span, kStreamUnits),
+      base_(context.frames.size()),
+      outer_base_(std::exchange(context.stream_base, base_)),
+      span_(span) {
   context_.push(Frame::Kind::value, items, nullptr, span);
 }
 
 ElementStream::ElementStream(Context& context, const grammar::Call& call, const MacroValue& macro)
-    : context_(context), nesting_(context, call.span, kStreamUnits), base_(context.frames.size()), span_(call.span) {
+    : context_(context),
+      nesting_(context, call.span, kStreamUnits),
+      base_(context.frames.size()),
+      outer_base_(std::exchange(context.stream_base, base_)),
+      span_(call.span) {
   push_macro(context, call, macro);
 }
 
 ElementStream::~ElementStream() {
+  context_.stream_base = outer_base_;
+  if (is_open_ && element_.kind != ElementKind::end) ++context_.abandoned_blocks;
+  if (is_open_ || is_handed_over_) return;
   while (context_.frames.size() > base_) context_.pop();
 }
 
@@ -52,6 +73,7 @@ void ElementStream::recover() {
   auto& frames = context_.frames;
   while (frames.size() > base_ + 1 && frames.back().kind != Frame::Kind::include) context_.pop();
   ready_ = false;
+  if (context_.abandoned_blocks > 0) skip_abandoned(context_);
 }
 
 void ElementStream::yield(ElementKind kind, const Node& node, grammar::Symbol word) {
@@ -59,6 +81,7 @@ void ElementStream::yield(ElementKind kind, const Node& node, grammar::Symbol wo
   element_.word = word;
   element_.span = node.span;
   element_.node = &node;
+  element_.opened_in = Element::kClosed;
   ready_ = true;
 }
 
@@ -73,31 +96,66 @@ void ElementStream::take_call(const grammar::Call& call) {
   yield(ElementKind::value, call);
 }
 
+void ElementStream::end(SourceSpan span) {
+  element_ = {.kind = ElementKind::end, .span = span};
+  ready_ = true;
+}
+
+/// Yields a block whose items are still to come.
+void ElementStream::begin_block(const grammar::BlockBegin& node) {
+  yield(ElementKind::block, node, node.word);
+  element_.word_span = node.word_span;
+  const bool is_value = !is_open_ && context_.frames[base_].kind == Frame::Kind::value;
+  const bool is_declared = is_value && outer_base_ != Context::kNoStream;
+  element_.opened_in = is_declared ? outer_base_ : base_;
+  is_handed_over_ = is_declared;
+  ++context_.abandoned_blocks;  // until a stream reads it
+}
+
+void ElementStream::end_block(const Node& node) {
+  if (is_open_) {
+    // What follows the branch, such as the semicolon of a declaration, is next.
+    auto& frames = context_.frames;
+    while (frames.back().kind == Frame::Kind::branch && frames.back().next == frames.back().end) context_.pop();
+    return end(node.span);
+  }
+  if (context_.abandoned_blocks == 0) {
+    context_.fail(node.span, "unmatched `}`", "its `{` stands in a branch that was not executed");
+  }
+  --context_.abandoned_blocks;
+}
+
+/// An open block goes on after the branch that it began in, and after the declaration whose value it is, but not after
+/// a loop, a macro or a block around it.
+void ElementStream::leave_outer_frame() {
+  const Frame::Kind kind = context_.frames.back().kind;
+  const bool is_bottom = context_.frames.size() == base_ + 1;
+  const bool is_left = kind == Frame::Kind::branch || kind == Frame::Kind::case_ || kind == Frame::Kind::value;
+  if (is_bottom || !is_left) {
+    context_.fail(span_, "no `}` closes this block", "its `}` stands in a branch that was not executed");
+  }
+  own_from_ = context_.frames.size() - 1;
+}
+
 /// Leaves the innermost frame, or starts it again if it is a loop with turns to go. Returns false at the stream's end.
 bool ElementStream::finish_frame() {
+  if (is_open_ && context_.frames.size() <= own_from_) leave_outer_frame();
   Frame& frame = context_.frames.back();
-  if (frame.kind > Frame::Kind::if_block && continue_frame(context_, frame)) return true;
-  if (frame.kind == Frame::Kind::if_block) {
-    const auto& node = as<grammar::IfBlock>(*frame.node);
-    yield(ElementKind::block, node, frame.condition ? node.then_word : node.else_word);
-    element_.word_span = node.span;
-    element_.items = node.items;
-    context_.pop();
-    return true;
-  }
+  if (frame.kind >= Frame::Kind::while_ && continue_frame(context_, frame)) return true;
   if (context_.frames.size() == base_ + 1) return false;
   context_.pop();
   return true;
 }
 
 void ElementStream::advance() {
+  if (is_handed_over_) return end(span_);
   while (!ready_) {
+    // A `#break`, or an open block within this one, may have ended frames around it.
+    if (is_open_) own_from_ = std::min(own_from_, context_.frames.size());
     Frame& frame = context_.frames.back();
     if (frame.next == frame.end) {
       if (finish_frame()) continue;
-      element_ = {.kind = ElementKind::end, .span = span_};
-      ready_ = true;
-      return;
+      return end(span_);
     }
     const Node& node = **frame.next++;
     switch (node.kind) {
@@ -125,6 +183,8 @@ void ElementStream::advance() {
         element_.word_span = as<grammar::Block>(node).word_span;
         element_.items = as<grammar::Block>(node).items;
         break;
+      case NodeKind::block_begin: begin_block(as<grammar::BlockBegin>(node)); break;
+      case NodeKind::block_end: end_block(node); break;
       case NodeKind::entry:
         yield(ElementKind::entry, node);
         element_.items = as<grammar::Entry>(node).items;

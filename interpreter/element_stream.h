@@ -2,6 +2,10 @@
 // pull machine follows them in order, on the explicit stack Context::frames, and yields the elements: values (not yet
 // evaluated), words, blocks, entries, commas. So a macro may yield half an argument list, three modifiers or several
 // objects, and the readers of constructs (readers/) need not know which text an element came from.
+//
+// A block whose `}` stands in another branch of an `#if` is no list of items (grammar/parted_braces.h). Its stream goes
+// on with the frames of the stream around it until the `}` is executed; if the block is a declared value, `#declare A =
+// union {`, these are the frames around the declaration.
 #pragma once
 
 #include "grammar/ast.h"
@@ -15,7 +19,7 @@ enum class ElementKind : std::uint8_t {
   value,    ///< an expression, array or function; evaluated by take_value()
   unknown,  ///< an undeclared name (or a call of one): a contextual word, or a mistake
   word,     ///< a reserved word that stands alone
-  block,    ///< `word { items }`
+  block,    ///< `word { items }`, or `word {` alone whose items follow in the stream that yielded it
   entry,    ///< `[ items ]`
   comma,
   semicolon,
@@ -28,6 +32,9 @@ struct Element {
   SourceSpan word_span = {};            ///< block: its word
   const grammar::Node* node = nullptr;  ///< value and unknown: the expression
   grammar::Items items = {};            ///< block and entry
+  std::size_t opened_in = kClosed;      ///< block without its `}`: index of the bottom frame whose items may close it
+
+  static constexpr std::size_t kClosed = SIZE_MAX;
 
   [[nodiscard]] bool is(ElementKind k) const { return kind == k; }
   [[nodiscard]] bool is_word(grammar::Symbol w) const { return kind == ElementKind::word && word == w; }
@@ -83,12 +90,22 @@ class ElementStream {
  private:
   void advance();
   bool finish_frame();
+  void begin_block(const grammar::BlockBegin& node);
+  void end_block(const grammar::Node& node);
+  void end(SourceSpan span);
+  void leave_outer_frame();
   void take_call(const grammar::Call& call);
   void yield(ElementKind kind, const grammar::Node& node, grammar::Symbol word = grammar::kNoSymbol);
 
   Context& context_;
   NestingGuard nesting_;
-  std::size_t base_;  ///< index of the stream's bottom frame
+  std::size_t base_;  ///< index of the stream's bottom frame; of an open block, that of the stream around it
+  std::size_t outer_base_;
+  std::size_t own_from_ = 0;  ///< of an open block: index of the first frame that it began itself
+  /// Items of an open block are those of the stream around it, up to a `BlockEnd`.
+  bool is_open_ = false;
+  /// The value ended with an open block, which has taken over its frames.
+  bool is_handed_over_ = false;
   grammar::Symbol word_ = grammar::kNoSymbol;
   SourceSpan span_;
   bool ready_ = false;

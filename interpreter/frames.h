@@ -22,7 +22,6 @@ struct Frame {
     branch,  ///< of an #if
     macro,
     // In the kinds from here on, something follows the last item.
-    if_block,  ///< a prelude of grammar::IfBlock, before the block itself
     while_,
     for_,
     case_,  ///< of a #switch; falls through to the next
@@ -43,7 +42,6 @@ struct Frame {
   };
 
   Kind kind;
-  bool condition;                    ///< if_block: the branch that was taken
   std::uint32_t call;                ///< index of the innermost macro or include frame, this one included
   const grammar::Node* const* next;  ///< the first of the remaining items
   const grammar::Node* const* end;

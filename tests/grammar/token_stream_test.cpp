@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace isl::grammar {
 namespace {
@@ -14,8 +18,8 @@ using testing::HasSubstr;
 /// All tokens that the parser would see, as their kinds' names.
 class Stream {
  public:
-  explicit Stream(std::string_view text)
-      : lexer_(text, 1, symbols_, arena_, scanned_), tokens_(lexer_, scanned_, symbols_, complaints_, 100) {}
+  explicit Stream(std::string_view text, std::span<const std::uint32_t> parted = {})
+      : lexer_(text, 1, symbols_, arena_, scanned_), tokens_(lexer_, scanned_, symbols_, complaints_, 100, parted) {}
 
   std::string kinds() {
     std::string result;
@@ -26,6 +30,7 @@ class Stream {
       result += Parser::symbol_name(static_cast<Parser::symbol_kind_type>(token.kind));
     }
   }
+  [[nodiscard]] bool has_unmatched_brace() const { return tokens_.has_unmatched_brace(); }
   /// All complaints until now.
   [[nodiscard]] const std::deque<Complaint>& said() const { return said_; }
 
@@ -71,10 +76,24 @@ TEST(TokenStream, DoesNotLetABracketCloseAcrossADirective) {
   EXPECT_EQ(stream.said().size(), 1u);
 }
 
-TEST(TokenStream, AllowsABlockThatBothBranchesOpen) {
-  Stream stream("#if ( ) union { #else merge { #end }");
-  EXPECT_EQ(stream.kinds(), "#if ( ) word { #else word { #end }");
+TEST(TokenStream, TakesPartedBracesForNoBrackets) {
+  const std::string text = "#if ( ) union { #else merge { #end { } }";
+  const std::vector<std::uint32_t> parted = {15, 29, 40};
+  Stream stream(text, parted);
+  EXPECT_EQ(stream.kinds(), "#if ( ) word { of a branch #else word { of a branch #end { } } of a branch");
   EXPECT_TRUE(stream.said().empty());
+}
+
+TEST(TokenStream, TellsOfBracesWithoutPartners) {
+  for (const auto& [text, is_told] : std::vector<std::pair<std::string, bool>>{{"{ } #if ( ) { } #end", false},
+                                                                               {"#if ( ) { #end", true},
+                                                                               {"{ #if ( ) } #end", true},
+                                                                               {"#if ( ) ( #end", false},
+                                                                               {"#if ( ) ) #end", false}}) {
+    Stream stream(text);
+    static_cast<void>(stream.kinds());
+    EXPECT_EQ(stream.has_unmatched_brace(), is_told) << text;
+  }
 }
 
 TEST(TokenStream, GivesOperatorsOfAFunctionTheirOwnKinds) {
@@ -101,7 +120,7 @@ TEST(TokenStream, ClosesAMacrosParametersWithinIt) {
 
 TEST(TokenStream, LetsOneBranchAloneOpenABlock) {
   Stream stream("#if ( ) union { #else C #end D");
-  EXPECT_EQ(stream.kinds(), "#if ( ) word { #else identifier #end identifier");
+  EXPECT_EQ(stream.kinds(), "#if ( ) word { unclosed bracket } #else identifier #end identifier");
   ASSERT_EQ(stream.said().size(), 1u);
   EXPECT_EQ(stream.said()[0].diagnostic.message, "expected `}` before `#else`");
 }
