@@ -51,6 +51,8 @@ struct Instance {
   PlacedTexture texture;
   PlacedTexture interior_texture;  ///< of the surface seen from inside, if it differs
   scene::InteriorId interior;      ///< of all of it; parts of a CSG tree may have their own
+  std::uint32_t holder;  ///< number of the placed object or union that has that interior; if none has, of the outermost
+  const scene::Object* object;  ///< in the database
   scene::Transform world_from_object;
   OriginId origin;
   std::uint32_t light_group;  ///< index into CompiledScene::light_groups, or kNone

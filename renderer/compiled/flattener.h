@@ -40,6 +40,7 @@ class Flattener {
     bool is_lit_from_both_sides = false;
     bool is_hollow = false;
     scene::InteriorId interior = scene::kNoInterior;
+    std::uint32_t holder = scene::kNone;
     std::uint32_t light_group = scene::kNone;
   };
 
@@ -79,6 +80,7 @@ class Flattener {
                   above.is_lit_from_both_sides || object.double_illuminate,
                   above.is_hollow || object.hollow,
                   object.interior == scene::kNoInterior ? above.interior : object.interior,
+                  object.interior == scene::kNoInterior && above.holder != scene::kNone ? above.holder : holders_++,
                   above.light_group};
     const bool is_csg = needs_csg(database_, object, above.is_inverse);
     const bool is_union = object.kind == scene::Object::Kind::group && !is_csg;
@@ -113,6 +115,8 @@ class Flattener {
                                    own.texture,
                                    own.interior_texture,
                                    own.interior,
+                                   own.holder,
+                                   &object,
                                    own.world_from_parent,
                                    object.origin,
                                    own.light_group,
@@ -146,6 +150,7 @@ class Flattener {
   CompiledScene& compiled_;
   CsgBuilder csg_;
   std::vector<OpenUnion> open_;
+  std::uint32_t holders_ = 0;  ///< of interiors, until now
 };
 
 }  // namespace isl::render

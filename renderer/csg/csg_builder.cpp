@@ -58,6 +58,7 @@ struct CsgBuilder::Above {
   scene::Transform group_from_parent{};
   PlacedTexture texture{}, interior_texture{};
   scene::InteriorId interior = scene::kNoInterior;
+  std::uint32_t holder = 0;
   std::uint32_t cutaway = scene::kNone;
   bool is_inverse = false;
   bool is_seen = true;
@@ -168,7 +169,10 @@ void CsgBuilder::add(CsgTree& tree, const Object& object, const Above& above) {
   if (!meter_.goes_on()) return;
   Above own = above;
   own.group_from_parent = then(object.parent_from_object, above.group_from_parent);
-  if (object.interior != scene::kNoInterior) own.interior = object.interior;
+  if (object.interior != scene::kNoInterior) {
+    own.interior = object.interior;
+    own.holder = ++tree.holders;
+  }
   const auto take = [&](scene::TextureId id, PlacedTexture& texture) {
     if (id == scene::kNoTexture) return true;
     texture = {id, kOwnSpace};
@@ -243,6 +247,7 @@ void CsgBuilder::add_leaf(CsgTree& tree, const Object& object, const Above& abov
   leaf.texture = above.texture;
   leaf.interior_texture = above.interior_texture;
   leaf.interior = above.interior;
+  leaf.holder = above.holder;
   if (leaf.texture.id == scene::kNoTexture) leaf.cutaway = above.cutaway;
   leaf.group_from_leaf = above.group_from_parent;
   leaf.box = widened(box_of_leaf(leaf));

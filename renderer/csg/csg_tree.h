@@ -54,6 +54,7 @@ struct CsgLeaf {
   PlacedTexture texture;
   PlacedTexture interior_texture;                   ///< likewise: of the surface seen from inside
   scene::InteriorId interior = scene::kNoInterior;  ///< its own, or that of the nearest group in the tree that has one
+  std::uint32_t holder = 0;  ///< number of the leaf or group that has the interior, from 1; 0 if there is none
   /// The nearest group above with `cutaway_textures`, if the leaf has no texture from within that group; else kNone.
   std::uint32_t cutaway = scene::kNone;
   scene::Transform group_from_leaf;
@@ -84,6 +85,7 @@ struct CsgTree {
   std::vector<std::uint32_t> endless_leaves;  ///< all others
   Imath::Box3d bounds;                        ///< bounds of the surface; sides may be infinite
   Spread spread;                              ///< covers every leaf
+  std::uint32_t holders = 0;                  ///< leaves and groups with an interior of their own
   /// True if there are few leaves, all of them solids whose stretches inside are found for eight rays at once.
   bool is_met_by_octets = false;
 

@@ -51,7 +51,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
         if (!lets_through) continue;
         if (!found) {
           const std::uint32_t path = work.block.paths[i];
-          const Body body = Body::of(work.batch.hits[path].instance, point.interior, point.is_hollow, point.is_open);
+          const Body body{point.body, point.interior, point.is_hollow};
           found = behind(interiors_, work.bodies, work.batch.entries[path], body, point.from_inside);
         }
         if (const int colours = found->colours();

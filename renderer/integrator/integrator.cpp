@@ -1,8 +1,7 @@
 #include "renderer/integrator/integrator.h"
 
-#include "renderer/extents/extents.h"
+#include "renderer/integrator/camera_place.h"
 #include "renderer/paths/behind.h"
-#include "renderer/queries/inside.h"
 
 #include <algorithm>
 
@@ -15,51 +14,6 @@ constexpr std::size_t kMostLevels = 512;
 
 /// The weights by which POV-Ray reduces a colour to one number.
 double gray(const Rgb& colour) { return 0.297 * colour.x + 0.589 * colour.y + 0.114 * colour.z; }
-
-/// Tells which objects the camera stands in. As in POV-Ray, an object holds nothing beyond the box around its surface,
-/// if that is finite. Otherwise each disc, which bounds a half-space in combinations of solids, would keep the air out
-/// of half of the world.
-class CameraPlace {
- public:
-  CameraPlace(const scene::Database& database, StepCounter& steps)
-      : insides_(database),
-        extents_(database),
-        eye_(database.camera.value_or(scene::Camera{}).location),
-        steps_(steps) {}
-
-  [[nodiscard]] bool is_in(const scene::Object& object) {
-    if (!insides_.is_inside(object, eye_, steps_)) return false;
-    const Imath::Box3d box = extents_.of(object);
-    return !is_finite(box) || box.intersects(eye_);
-  }
-
- private:
-  PatternInsides insides_;
-  Extents extents_;
-  scene::Vec3 eye_;
-  StepCounter& steps_;
-};
-
-/// True if the camera stands in something that keeps media out. Precondition: there are some.
-bool is_in_solid(const scene::Database& database, StepCounter& steps) {
-  CameraPlace place(database, steps);
-  return std::ranges::any_of(database.objects,
-                             [&](const scene::Object& object) { return !object.hollow && place.is_in(object); });
-}
-
-/// The open bodies that the camera stands in; a path comes out of all others where their normals say so. Objects within
-/// unions are left out.
-std::vector<Body> bodies_around_camera(const scene::Database& database, std::span<const scene::InteriorId> interiors,
-                                       StepCounter& steps) {
-  std::vector<Body> bodies;
-  if (interiors.empty()) return bodies;
-  CameraPlace place(database, steps);
-  for (const scene::Object& object : database.objects) {
-    if (std::ranges::find(interiors, object.interior) == interiors.end() || !place.is_in(object)) continue;
-    bodies.push_back(Body::of(scene::kNone, object.interior, object.hollow, true));
-  }
-  return bodies;
-}
 
 bool is_replaced(const Effect& effect, const Plan& plan) {
   return std::ranges::any_of(plan.called_for,
@@ -107,8 +61,8 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
   }
   if (passing_) shadow_filter_.emplace(database, tracer, textures_, refusals_, bumps_);
   StepCounter steps(run.steps_at_point, run.stop);
-  if (!along_.empty()) camera_in_solid_ = is_in_solid(database, steps);
-  if (passing_) camera_bodies_ = bodies_around_camera(database, tracer.interiors_of_open(), steps);
+  if (!along_.empty()) camera_in_solid_ = is_camera_in_solid(database, steps);
+  if (passing_) camera_bodies_ = bodies_around_camera(database, tracer, steps);
   if (steps.is_spent()) refusals_.report_camera();
   const scene::Colour& background = database.settings.background;
   if (transparent_background) {
@@ -261,18 +215,16 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     const std::size_t first = memory.textures.size();
     lists.normal = turned_to_viewer(surface.normal, ray.direction);
     lists.view = ray.direction;
-    const Body body = Body::of(batch.hits[i].instance, surface.interior, surface.is_hollow, surface.is_open);
-    // The normal of an open surface does not tell whether a path comes from within. As in POV-Ray, the path
-    // enters where it meets the body first, from whichever side.
-    const bool from_inside =
-        surface.is_open ? memory.bodies.holds(batch.entries[i].bodies, body) : surface.normal.dot(ray.direction) > 0;
+    const Body body{surface.body, surface.interior, surface.is_hollow};
+    // As in POV-Ray, a path enters a body that it meets first, from whichever side; normals have no say.
+    const bool from_inside = memory.bodies.holds(batch.entries[i].bodies, body.id);
     if (interiors_) lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
     if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     const ShadingPoint& point = memory.block.points.emplace_back(
         surface.position, lists.normal, ray.direction, std::span(memory.textures).subspan(first),
         surface.is_lit_from_both_sides, from_inside, surface.is_hollow, lists.ior_ratio, surface.interior,
-        surface.is_open);
+        surface.body);
     if (observer) observer->see(i, batch.hits[i], surface, point);
   }
   memory.block.textures = memory.textures.data();

@@ -16,6 +16,7 @@
 #include "renderer/paths/place_order.h"
 #include "renderer/paths/shadow_queue.h"
 #include "renderer/paths/soft_points.h"
+#include "renderer/shading/area_grid.h"
 
 #include <array>
 #include <cstdint>
@@ -33,6 +34,14 @@ inline constexpr std::size_t kBatchSize = 1024;
 /// Points that are shaded together: their textures and the light they get from one light source fit the first-level
 /// cache.
 inline constexpr std::size_t kBlockSize = 64;
+
+/// What rays from a lit point to the points of an area light have in common.
+struct TowardsArea {
+  const PathEntry* path = nullptr;
+  Rgb colour{0};    ///< for each of them
+  Ray middle;       ///< to the light's centre
+  AreaEdges edges;  ///< as the lit point sees them
+};
 
 /// Memory of one thread.
 struct PathMemory {
@@ -52,6 +61,7 @@ struct PathMemory {
   ShadowQueue around{RayKind::around};
   AreaShadows area_shadows;
   std::array<std::vector<double>, 2> area_weights;  ///< of the present light's grid, along both edges
+  std::vector<TowardsArea> towards_area;            ///< of the lit points that are asked for together
   SurfaceBlock block;
   BentLight bent;
   std::size_t samples_counted = kBatchSize;  ///< of these samples the memory is charged, or need not be
@@ -228,7 +238,7 @@ class Integrator {
   Rgb background_{0};
   double background_alpha_ = 1;
   bool camera_in_solid_ = false;
-  std::vector<Body> camera_bodies_;  ///< the open ones in which paths begin
+  std::vector<Body> camera_bodies_;  ///< in which paths begin
 };
 
 }  // namespace isl::render

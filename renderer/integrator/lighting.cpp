@@ -254,17 +254,20 @@ void Integrator::push_scattered(const PathBatch& batch, const PlacedLight& place
   for (std::size_t first = 0; first < lit_points.size(); first += together) {
     const std::span<const LitPoint> some = lit_points.subspan(first, std::min(together, lit_points.size() - first));
     set_area_points(batch, placed, some, share, memory);
+    memory.towards_area.resize(some.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      TowardsArea& towards = memory.towards_area[i];
+      towards.path = &batch.entries[memory.block.paths[some[i].point]];
+      towards.colour = towards.path->factor * (some[i].colour * light_colour) / share;
+      set_way(batch, some[i], memory.block, towards.middle);
+      towards.edges = edges_of(*placed.light.area, towards.middle.direction);
+    }
     for (const std::uint32_t i :
          may_sort ? memory.by_place.of(memory.points) : memory.by_place.unsorted(memory.points)) {
-      const LitPoint& lit = some[i / share];
-      const PathEntry& path = batch.entries[memory.block.paths[lit.point]];
-      const Rgb colour = path.factor * (lit.colour * light_colour) / share;
-      if (colour == Rgb(0)) continue;
-      Ray to_light;
-      set_way(batch, lit, memory.block, to_light);
-      const AreaEdges edges = edges_of(*placed.light.area, to_light.direction);
-      push_ray(placed.light, placed.light.location + placed.scattered->offset(edges, memory.points[i]), to_light, path,
-               colour, memory);
+      const TowardsArea& towards = memory.towards_area[i / share];
+      if (towards.colour == Rgb(0)) continue;
+      push_ray(placed.light, placed.light.location + placed.scattered->offset(towards.edges, memory.points[i]),
+               towards.middle, *towards.path, towards.colour, memory);
     }
     trace_long_queues(memory);
     if (is_over()) return;

@@ -26,7 +26,7 @@ struct Behind {
   }
 };
 
-/// `body` is what the surface bounds, and `from_inside` tells on which side of it the path comes.
+/// `body` is what the surface bounds; `from_inside` tells whether the path is in it.
 [[nodiscard]] inline Behind behind(const Interiors& interiors, Bodies& bodies, const PathEntry& path, const Body& body,
                                    bool from_inside) {
   const auto medium = [&](const Body* of) { return &interiors[of ? of->interior : scene::kNoInterior]; };
@@ -40,12 +40,10 @@ struct Behind {
   const Body* const last = bodies.last(path.bodies);
   const Medium* const before = medium(last);
   if (!from_inside) return between(before, own, bodies.entered(path.bodies, body), path.in_solid || !body.is_hollow);
-  // A path that began within the body has it not in its list.
-  const bool is_last = !last || last->is_same(body);
-  const std::optional<std::uint32_t> rest = bodies.left(path.bodies, body);
-  const std::uint32_t list = rest.value_or(path.bodies);
+  const bool is_last = last->id == body.id;
+  const std::uint32_t list = *bodies.left(path.bodies, body.id);
   const bool in_solid = !bodies.all_are_hollow(list);
-  if (is_last || !rest) return between(own, medium(bodies.last(list)), list, in_solid);
+  if (is_last) return between(own, medium(bodies.last(list)), list, in_solid);
   return {.bodies = list, .in_solid = in_solid};
 }
 

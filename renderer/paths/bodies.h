@@ -2,7 +2,7 @@
 // any.
 #pragma once
 
-#include "renderer/rays/ray.h"
+#include "renderer/rays/surface_point.h"
 #include "renderer/scene/ids.h"
 
 #include <cstdint>
@@ -12,20 +12,9 @@
 namespace isl::render {
 
 struct Body {
-  InstanceId instance;  ///< kNone of an open one that has an interior
+  BodyId id;
   scene::InteriorId interior;
   bool is_hollow;
-
-  /// The body that a surface of the instance bounds. Open surfaces (Instance::is_open) that have the same interior
-  /// bound one body together, such as the triangles of a union.
-  [[nodiscard]] static Body of(InstanceId instance, scene::InteriorId interior, bool is_hollow, bool is_open) {
-    const bool is_shared = is_open && interior != scene::kNoInterior;
-    return {is_shared ? scene::kNone : instance, interior, is_hollow};
-  }
-
-  [[nodiscard]] bool is_same(const Body& other) const {
-    return instance == other.instance && interior == other.interior;
-  }
 };
 
 /// The lists of a batch of paths. A list is a number and is never changed: lists that begin with the same bodies share
@@ -42,16 +31,16 @@ class Bodies {
     return static_cast<std::uint32_t>(nodes_.size() - 1);
   }
   /// The list without the last of the entries that are this body; nothing if there is none.
-  [[nodiscard]] std::optional<std::uint32_t> left(std::uint32_t list, const Body& body) {
+  [[nodiscard]] std::optional<std::uint32_t> left(std::uint32_t list, const BodyId& body) {
     if (list == 0) return std::nullopt;
     const Node node = nodes_[list];
-    if (node.body.is_same(body)) return node.below;
+    if (node.body.id == body) return node.below;
     const std::optional<std::uint32_t> below = left(node.below, body);
     return below ? std::optional(entered(*below, node.body)) : std::nullopt;
   }
-  [[nodiscard]] bool holds(std::uint32_t list, const Body& body) const {
+  [[nodiscard]] bool holds(std::uint32_t list, const BodyId& body) const {
     for (; list != 0; list = nodes_[list].below) {
-      if (nodes_[list].body.is_same(body)) return true;
+      if (nodes_[list].body.id == body) return true;
     }
     return false;
   }

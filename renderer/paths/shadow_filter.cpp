@@ -30,13 +30,10 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, std::uint32_t& list, 
     }
     share += passing;
   }
-  bool leaves = surface.normal.dot(ray.direction) > 0;
-  if (surface.is_open) {
-    const Body body = Body::of(hit.instance, surface.interior, surface.is_hollow, true);
-    const std::optional<std::uint32_t> rest = bodies.left(list, body);
-    leaves = rest.has_value();
-    list = leaves ? *rest : bodies.entered(list, body);
-  }
+  if (surface.interior == scene::kNoInterior) return share;
+  const std::optional<std::uint32_t> rest = bodies.left(list, surface.body);
+  const bool leaves = rest.has_value();
+  list = leaves ? *rest : bodies.entered(list, {surface.body, surface.interior, surface.is_hollow});
   return leaves && medium.fade_power > 0 ? share * medium.left_after(hit.t) : share;
 }
 

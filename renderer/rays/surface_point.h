@@ -52,6 +52,16 @@ struct TextureShare {
   SurfacePlace surface{};
 };
 
+/// What holds the interior of a surface: an object or group, as it is placed, or a part of a placed combination. As in
+/// POV-Ray, surfaces of one holder bound one body together, such as the children of a union that has an interior. Where
+/// nothing holds one, the object of the world does, with all within it.
+struct BodyId {
+  std::uint32_t holder = 0;  ///< Instance::holder
+  std::uint32_t part = 0;    ///< CsgLeaf::holder
+
+  friend bool operator==(const BodyId&, const BodyId&) = default;
+};
+
 struct SurfacePoint {
   Vec3 position;
   Vec3 normal;                                      ///< outward, unit length, in world space
@@ -59,6 +69,7 @@ struct SurfacePoint {
   bool is_hollow = false;                           ///< media around the object fill it too
   bool is_open = false;                             ///< the surface closes no inside, as Instance::is_open
   scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
+  BodyId body;                                      ///< what the surface bounds
   bool is_refuted = false;                          ///< a check shows that no surface lies here, within the tolerance
   std::vector<TextureShare> textures;  ///< never empty; reused by the caller, so that nothing is allocated per point
 };

@@ -40,7 +40,9 @@ struct AreaEdges {
     constexpr double kBesideTheMiddle = 0.001;
     a += kBesideTheMiddle;
     b += kBesideTheMiddle;
-    const double scale = std::max(std::abs(a), std::abs(b)) / std::hypot(a, b);
+    const auto [shorter, longer] = std::minmax({std::abs(a), std::abs(b)});
+    const double slope = shorter / longer;
+    const double scale = 1 / std::sqrt(1 + slope * slope);
     a *= scale;
     b *= scale;
   }

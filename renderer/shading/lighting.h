@@ -17,6 +17,7 @@
 #pragma once
 
 #include "renderer/numerics/power.h"
+#include "renderer/rays/surface_point.h"
 #include "renderer/shading/material.h"
 
 #include <cmath>
@@ -33,7 +34,7 @@ struct ShadingPoint {
   ShadingPoint(const Vec3& position_, const Vec3& normal_, const Vec3& view_,
                std::span<const LitTexture> textures_ = {}, bool is_lit_from_both_sides_ = false,
                bool from_inside_ = false, bool is_hollow_ = false, double ior_ratio_ = 1,
-               scene::InteriorId interior_ = scene::kNoInterior, bool is_open_ = false)
+               scene::InteriorId interior_ = scene::kNoInterior, BodyId body_ = {})
       : position(position_),
         normal(normal_),
         view(view_),
@@ -41,9 +42,9 @@ struct ShadingPoint {
         is_lit_from_both_sides(is_lit_from_both_sides_),
         from_inside(from_inside_),
         is_hollow(is_hollow_),
-        is_open(is_open_),
         ior_ratio(ior_ratio_),
-        interior(interior_) {}
+        interior(interior_),
+        body(body_) {}
 
   Vec3 position;
   Vec3 normal;                           ///< unit, turned to the viewer
@@ -52,9 +53,9 @@ struct ShadingPoint {
   bool is_lit_from_both_sides;           ///< `double_illuminate`
   bool from_inside;                      ///< the path comes from within the body
   bool is_hollow;                        ///< of the object
-  bool is_open;                          ///< as SurfacePoint::is_open
   double ior_ratio;  ///< the index of refraction before the surface over that behind it; known if there is `fresnel`
   scene::InteriorId interior;  ///< the medium on the inner side
+  BodyId body;                 ///< what the surface bounds
 };
 
 /// `normal` or its opposite, whichever faces the eye that looks along `view`. It is left alone if it is perpendicular

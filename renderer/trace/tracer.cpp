@@ -237,14 +237,14 @@ bool Tracer::may_meet_clear(const Ray& ray) const {
   return may_meet(impl_->scene.clear_bounds, ray.origin, ray.direction, ray.t_max);
 }
 
-std::vector<scene::InteriorId> Tracer::interiors_of_open() const {
-  std::vector<scene::InteriorId> interiors;
+void Tracer::visit_objects(const std::function<void(const PlacedObject&)>& visit) const {
   for (const Instance& instance : impl_->scene.instances) {
-    if (instance.is_open && instance.interior != scene::kNoInterior) interiors.push_back(instance.interior);
+    scene::Object object = *instance.object;
+    object.parent_from_object = instance.world_from_object;
+    // The tree of a combination holds what it inherits of that, which its object does not know.
+    if (instance.kind != scene::Object::Kind::group) object.inverse = instance.is_inverse;
+    visit({object, {instance.holder, 0}, instance.interior, instance.is_hollow});
   }
-  std::ranges::sort(interiors);
-  interiors.erase(std::unique(interiors.begin(), interiors.end()), interiors.end());
-  return interiors;
 }
 
 void Tracer::set_blob_fields(std::span<const Ray> rays, std::span<const Hit> hits, std::span<const std::uint32_t> which,
@@ -290,6 +290,7 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields
   point.is_lit_from_both_sides = instance.is_lit_from_both_sides;
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
+  point.body = {instance.holder, 0};
   point.is_open = instance.is_open;
   point.is_refuted = false;
   point.textures.resize(1);
@@ -301,7 +302,10 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields
   if (instance.kind == scene::Object::Kind::group) {
     const CsgLeaf& leaf = impl_->scene.trees[instance.shape].leaves[hit.leaf];
     const CsgTree& tree = impl_->scene.trees[instance.shape];
-    if (leaf.interior != scene::kNoInterior) point.interior = leaf.interior;
+    if (leaf.interior != scene::kNoInterior) {
+      point.interior = leaf.interior;
+      point.body.part = leaf.holder;
+    }
     if (leaf.texture.id != scene::kNoTexture) {
       set_texture(texture, leaf.texture, instance, tree, leaf, local);
     } else {

@@ -13,6 +13,7 @@
 #include "renderer/scene/refusal.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,14 @@
 namespace isl::render {
 
 struct Face;  // trace/face.h
+
+/// An object, or a part of a union, in the world.
+struct PlacedObject {
+  scene::Object object;
+  BodyId body;
+  scene::InteriorId interior;
+  bool is_hollow;
+};
 
 /// A database made ready to be traced. Immutable; every member may be called from many threads.
 class Tracer {
@@ -48,8 +57,8 @@ class Tracer {
 
   /// False if the ray meets nothing that may let light through, which costs little to tell.
   [[nodiscard]] bool may_meet_clear(const Ray& ray) const;
-  /// The interiors of instances that are open, each once.
-  [[nodiscard]] std::vector<scene::InteriorId> interiors_of_open() const;
+  /// Tells of all objects, in the order of the scene.
+  void visit_objects(const std::function<void(const PlacedObject&)>& visit) const;
 
   /// Normal and materials where `ray` meets `hit`. Precondition: the hit is not a miss.
   void surface_at(const Ray& ray, const Hit& hit, SurfacePoint& point, TraceCounters& counters) const;

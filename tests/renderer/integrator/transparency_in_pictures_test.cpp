@@ -96,9 +96,35 @@ TEST(Refraction, follows_snell_through_bodies_within_bodies) {
   expect_exit(kPixel11, "sphere { 0, 1 interior { ior 1.5 } } sphere { 0, .7 interior { ior 1.33 } } ", -.1537, .9881);
   // A sphere of the same medium within another changes nothing.
   expect_exit(kPixel12, "sphere { 0, 1 interior { ior 1.5 } } sphere { 0, .7 interior { ior 1.5 } } ", -.3351, .9422);
-  // The parts of a merged body are one; those of a union overlap, and the medium is the same in both.
-  const double straight = 0;
-  expect_exit(0, "union { sphere { -.5*z, 1 } sphere { .5*z, 1 } interior { ior 1.5 } } ", straight, 1);
+}
+
+TEST(Refraction, is_of_interiors_as_povrays) {
+  // Two boxes, the second turned by 20 degrees, whose front lies within the first.
+  const std::string boxes = "{ box { <-9, -9, 0>, <9, 9, 2> } box { <-9, -9, 1>, <9, 9, 9> rotate 20*y } ",
+                    glass = "interior { ior 1.5 } } ";
+  // Parts of a union that share an interior are entered and left in turns; those of a merged body are one.
+  expect_exit(0, "union " + boxes + glass, -.39591, .91829);
+  expect_exit(0, "merge " + boxes + glass, -.18852, .98207);
+  // What bounds a part with an interior of its own is entered through that part alone.
+  expect_exit(0, "intersection { plane { -z, 0 " + glass + "plane { z, 2 rotate 30*y interior { ior 1.2 } } }", -.15095,
+              .98854);
+  expect_exit(0, "intersection { plane { -z, 0 } plane { z, 2 rotate 30*y } " + glass, -.3188, .94782);
+}
+
+TEST(Refraction, leaves_the_bodies_that_the_camera_stands_in) {
+  const std::string tilted = "box { -9, <9, 9, 2> rotate 20*y interior { ior 1.2 } } ",
+                    behind = "plane { z, 9 interior { ior 1.5 } } ", far = "sphere { <0, 90, 0>, 1 } ";
+  expect_exit(0, tilted, -.07379, .99727);
+  // In the order of the scene the plane was entered last: what is left before it bends nothing.
+  expect_exit(0, tilted + behind, 0, 1);
+  expect_exit(0, behind + tilted, .10778, .99417);
+  // With three objects or more, what goes on without end was entered first.
+  expect_exit(0, tilted + behind + far, .10778, .99417);
+  // What has no interior is a body as well, and so is what nothing passes through.
+  expect_exit(0, tilted + "sphere { 0, 50 pigment { rgb 1 } clipped_by { plane { z, 40 } } } ", 0, 1);
+  // Boxes along an axis, here z, in the order of their middles.
+  expect_exit(0, tilted + "box { <-30, -30, -60>, <30, 30, 9> interior { ior 1.5 } } sphere { -90*z, 1 } ", .10778,
+              .99417);
 }
 
 TEST(Refraction, is_total_beyond_the_critical_angle) {
