@@ -99,10 +99,10 @@ class ElementStream {
 
   Context& context_;
   NestingGuard nesting_;
-  std::size_t base_;  ///< index of the stream's bottom frame; of an open block, that of the stream around it
-  std::size_t outer_base_;
+  std::size_t base_;          ///< index of the stream's bottom frame; of an open block, that of the stream around it
+  std::size_t outer_base_;    ///< the bottom frame of the stream that was read before
   std::size_t own_from_ = 0;  ///< of an open block: index of the first frame that it began itself
-  /// Items of an open block are those of the stream around it, up to a `BlockEnd`.
+  /// Items of an open block are those of the stream around it, up to a `block_end`.
   bool is_open_ = false;
   /// The value ended with an open block, which has taken over its frames.
   bool is_handed_over_ = false;
