@@ -49,8 +49,8 @@ struct Brace {
   bool is_block = true;
 };
 
-/// What a text leaves over: braces that it closes without having opened them, then those that it opens without closing
-/// them, outermost first.
+/// The braces of a text that have no partner in it: those that close a block come first, then those that open one,
+/// outermost first.
 struct Rest {
   std::vector<Brace> closed;
   std::vector<Brace> open;
@@ -115,7 +115,7 @@ class Finder {
     } while (!failed_ && end_ != Kind::TOK_END);
     const bool has_branches = kind != Kind::TOK_WHILE && kind != Kind::TOK_FOR && kind != Kind::TOK_MACRO;
     if (!has_branches || failed_) return;
-    // What stands in a `#switch` before its first `#case` is never executed.
+    // The text of a `#switch` before its first `#case` is never executed.
     if (kind == Kind::TOK_SWITCH) branches.erase(branches.begin());
     if (only_even_ && !(has_else && std::ranges::all_of(branches, [&](const Rest& branch) {
                           return branch.closed.size() == branches[0].closed.size() &&

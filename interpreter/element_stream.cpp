@@ -114,7 +114,7 @@ void ElementStream::begin_block(const grammar::BlockBegin& node) {
 
 void ElementStream::end_block(const Node& node) {
   if (is_open_) {
-    // What follows the branch, such as the semicolon of a declaration, is next.
+    // The branch is over, so that a declaration finds its semicolon behind it.
     auto& frames = context_.frames;
     while (frames.back().kind == Frame::Kind::branch && frames.back().next == frames.back().end) context_.pop();
     return end(node.span);

@@ -46,7 +46,6 @@ struct Instance {
   bool is_inverse;              ///< normals point inwards; false for a CSG tree, whose leaves know it
   bool is_lit_from_both_sides;  ///< `double_illuminate`
   bool is_hollow;               ///< media around it fill it too
-  bool is_open;  ///< its surface closes no inside: of a triangle, an open tube, what is clipped or inverse
   std::uint32_t shape;
   PlacedTexture texture;
   PlacedTexture interior_texture;  ///< of the surface seen from inside, if it differs

@@ -6,7 +6,6 @@
 #include "renderer/csg/csg_builder.h"
 #include "renderer/csg/expansion.h"
 #include "renderer/rays/ray.h"
-#include "renderer/solids/solid.h"
 
 #include <cstdint>
 #include <vector>
@@ -110,7 +109,6 @@ class Flattener {
                                    own.is_inverse && !is_csg,
                                    own.is_lit_from_both_sides,
                                    own.is_hollow,
-                                   own.is_inverse || (is_csg ? csg_.is_open(shape) : alone_is_open(object)),
                                    shape,
                                    own.texture,
                                    own.interior_texture,
@@ -122,13 +120,6 @@ class Flattener {
                                    own.light_group,
                                    0,
                                    {}});
-  }
-
-  /// A disc bounds a half-space in combinations of solids alone.
-  [[nodiscard]] bool alone_is_open(const scene::Object& object) const {
-    if (object.kind != scene::Object::Kind::solid) return false;
-    const scene::Solid& solid = database_.solids[object.shape];
-    return solid.open || is_open_surface(solid) || is_part_of_plane(solid);
   }
 
   /// The lights of the innermost group count. Whether those of the world do is decided by the outermost, as in POV-Ray.

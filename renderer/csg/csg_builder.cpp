@@ -122,14 +122,6 @@ std::uint32_t CsgBuilder::tree_of(const Object& object, bool is_inverse) {
   return place->second;
 }
 
-bool CsgBuilder::is_open(std::uint32_t tree) const {
-  if (tree >= trees_.size()) return false;  // there was no memory for it
-  return std::ranges::any_of(trees_[tree].leaves, [this](const CsgLeaf& leaf) {
-    return !leaf.is_seen || leaf.is_open_surface ||
-           (leaf.kind == Object::Kind::solid && database_.solids[leaf.shape].open);
-  });
-}
-
 bool CsgBuilder::fits_octets(const CsgTree& tree) const {
   return tree.leaves.size() <= kMostOctetLeaves && tree.nodes.size() <= kMostOctetNodes &&
          std::ranges::all_of(tree.leaves, [this](const CsgLeaf& leaf) {

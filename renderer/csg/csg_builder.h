@@ -23,9 +23,6 @@ class CsgBuilder {
   /// transform and texture.
   [[nodiscard]] std::uint32_t tree_of(const scene::Object& object, bool is_inverse);
 
-  /// True if the tree has a leaf whose surface is not all there, by the number that tree_of() returned.
-  [[nodiscard]] bool is_open(std::uint32_t tree) const;
-
   [[nodiscard]] std::vector<CsgTree> take_trees() { return std::move(trees_); }
 
  private:

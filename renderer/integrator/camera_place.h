@@ -1,5 +1,5 @@
-// What the camera stands in: water, glass, a room. Rays that begin there leave these bodies without having entered
-// them.
+// Finds the bodies around the camera, such as water or the air of a room. A path that begins there leaves these bodies
+// without having entered them.
 #pragma once
 
 #include "renderer/paths/bodies.h"

@@ -35,7 +35,7 @@ inline constexpr std::size_t kBatchSize = 1024;
 /// cache.
 inline constexpr std::size_t kBlockSize = 64;
 
-/// What rays from a lit point to the points of an area light have in common.
+/// The common data of all rays that go from one lit point to the points of an area light.
 struct TowardsArea {
   const PathEntry* path = nullptr;
   Rgb colour{0};    ///< for each of them

@@ -52,9 +52,9 @@ struct TextureShare {
   SurfacePlace surface{};
 };
 
-/// What holds the interior of a surface: an object or group, as it is placed, or a part of a placed combination. As in
-/// POV-Ray, surfaces of one holder bound one body together, such as the children of a union that has an interior. Where
-/// nothing holds one, the object of the world does, with all within it.
+/// A body is bounded by all surfaces whose interior comes from the same object, group or part of a combination, as in
+/// POV-Ray: the children of a union that has an interior bound one body. All parts of an object without an interior
+/// bound one body, too.
 struct BodyId {
   std::uint32_t holder = 0;  ///< Instance::holder
   std::uint32_t part = 0;    ///< CsgLeaf::holder
@@ -67,7 +67,6 @@ struct SurfacePoint {
   Vec3 normal;                                      ///< outward, unit length, in world space
   bool is_lit_from_both_sides = false;              ///< the object has `double_illuminate`
   bool is_hollow = false;                           ///< media around the object fill it too
-  bool is_open = false;                             ///< the surface closes no inside, as Instance::is_open
   scene::InteriorId interior = scene::kNoInterior;  ///< the medium on the inner side
   BodyId body;                                      ///< what the surface bounds
   bool is_refuted = false;                          ///< a check shows that no surface lies here, within the tolerance

@@ -291,7 +291,6 @@ void Tracer::surface_at(const Ray& ray, const Hit& hit, const BlobFields& fields
   point.is_hollow = instance.is_hollow;
   point.interior = instance.interior;
   point.body = {instance.holder, 0};
-  point.is_open = instance.is_open;
   point.is_refuted = false;
   point.textures.resize(1);
   TextureShare& texture = point.textures.front();

@@ -105,7 +105,7 @@ TEST(Refraction, is_of_interiors_as_povrays) {
   // Parts of a union that share an interior are entered and left in turns; those of a merged body are one.
   expect_exit(0, "union " + boxes + glass, -.39591, .91829);
   expect_exit(0, "merge " + boxes + glass, -.18852, .98207);
-  // What bounds a part with an interior of its own is entered through that part alone.
+  // A part that has an interior of its own is a body of its own: its surface lets the ray in.
   expect_exit(0, "intersection { plane { -z, 0 " + glass + "plane { z, 2 rotate 30*y interior { ior 1.2 } } }", -.15095,
               .98854);
   expect_exit(0, "intersection { plane { -z, 0 } plane { z, 2 rotate 30*y } " + glass, -.3188, .94782);
@@ -120,7 +120,7 @@ TEST(Refraction, leaves_the_bodies_that_the_camera_stands_in) {
   expect_exit(0, behind + tilted, .10778, .99417);
   // With three objects or more, what goes on without end was entered first.
   expect_exit(0, tilted + behind + far, .10778, .99417);
-  // What has no interior is a body as well, and so is what nothing passes through.
+  // An object without an interior is a body as well, even if it is opaque.
   expect_exit(0, tilted + "sphere { 0, 50 pigment { rgb 1 } clipped_by { plane { z, 40 } } } ", 0, 1);
   // Boxes along an axis, here z, in the order of their middles.
   expect_exit(0, tilted + "box { <-30, -30, -60>, <30, 30, 9> interior { ior 1.5 } } sphere { -90*z, 1 } ", .10778,
