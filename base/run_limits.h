@@ -11,12 +11,17 @@
 
 namespace isl {
 
+/// The default bound of what one ray takes in one blob: about 5 ms.
+inline constexpr std::uint64_t kStepsOfRay = std::uint64_t{1} << 21;
+
 /// Everything pointed to outlives the work. Null: without that limit.
 struct RunLimits {
   Budget* budget = nullptr;
   const StopFlag* stop = nullptr;
   /// The greatest number of steps that patterns and functions may take at one point (base/stop_flag.h).
   std::uint64_t steps_at_point = StepCounter::kUnlimited;
+  /// The greatest number of steps that one ray may take in one blob (renderer/rays/ray_steps.h).
+  std::uint64_t steps_of_ray = kStepsOfRay;
 };
 
 /// Tells work on several threads whether it may go on: until the budget does not have what a thread asks for, or the

@@ -67,6 +67,9 @@ class StepCounter {
     is_spent_ = true;
   }
 
+  /// Steps that may still be taken.
+  [[nodiscard]] std::uint64_t left() const noexcept { return left_ + until_look_; }
+
   /// True once a step was refused, because the limit was reached or the flag was set.
   [[nodiscard]] bool is_spent() const noexcept { return is_spent_; }
 

@@ -68,7 +68,7 @@ class Rendering {
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
                             options.width, options.height),
-                 options.alpha, film_, options.run, images),
+                 {0, 0, options.width, options.height}, options.alpha, film_, options.run, images),
         progress_(options.progress) {}
 
   void run() {

@@ -157,6 +157,11 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add(app, "--max-time", "SECONDS", "Time of the run; a picture's finished part is written when it is over [no limit]",
       number_from(0, kUnbounded), [&scene](double v) { scene.max_seconds = v; })
       ->group(limits);
+  add(app, "--max-ray-steps", "N",
+      fmt::format("Steps of one ray in one blob; a ray that takes them all is undecided [{}]", kStepsOfRay),
+      number_from(1, kUnbounded),
+      [&scene](double v) { scene.steps_of_ray = static_cast<std::uint64_t>(std::min(v, 1e18)); })
+      ->group(limits);
   add(app, "--max-include-depth", "N", "Nested includes [32]", integer_from(1, 1000), [&limit](std::int64_t v) {
     limit.max_include_depth = static_cast<std::size_t>(v);
   })->group(limits);

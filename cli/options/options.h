@@ -41,7 +41,8 @@ struct SceneOptions {
   std::vector<std::filesystem::path> write_folders;  ///< --allow-write
   std::vector<Define> defines;
   interpreter::Limits limits;
-  std::optional<double> max_seconds;  ///< --max-time, of the whole run
+  std::optional<double> max_seconds;         ///< --max-time, of the whole run
+  std::uint64_t steps_of_ray = kStepsOfRay;  ///< --max-ray-steps
   bool lenient = false;
   std::vector<std::string> without;  ///< effects to leave out, each known
   double clock = 0;

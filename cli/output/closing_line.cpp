@@ -24,8 +24,9 @@ std::string uncertain_line(const render::RenderStatistics& statistics) {
   if (all == 0) return {};
   return fmt::format(
       "{} {} could be off by more than the tolerance ({} undecided, {} refuted); `--aov uncertified` shows "
-      "which",
-      all, all == 1 ? "pixel" : "pixels", undecided, refuted);
+      "which{}",
+      all, all == 1 ? "pixel" : "pixels", undecided, refuted,
+      statistics.counters.spent_rays > 0 ? ", and a greater `--max-ray-steps` may decide them" : "");
 }
 
 std::string noisy_line(const render::RenderStatistics& statistics) {

@@ -20,7 +20,7 @@ namespace isl::cli {
 Session::Session(const SceneOptions& options)
     : options_(options),
       budget_(options.limits.max_memory_bytes),
-      limits_{&budget_, &stop_flag(), interpreter::steps_at_point(options.limits)},
+      limits_{&budget_, &stop_flag(), interpreter::steps_at_point(options.limits), options.steps_of_ray},
       loader_(sources_, symbols_, arena_, sink_,
               {.include_paths = include_search_path(options.include_paths, options.system_libraries),
                .write_folders = options.write_folders,

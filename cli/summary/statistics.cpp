@@ -45,6 +45,8 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                         {"field_evaluations", render.counters.field_evaluations},
                         {"shading_evaluations", render.counters.shading_evaluations},
                         {"uncertified_steps", render.counters.uncertified_steps},
+                        {"most_ray_steps", render.counters.most_ray_steps},
+                        {"spent_rays", render.counters.spent_rays},
                         {"undecided_pixels", render.undecided_pixels},
                         {"refuted_pixels", render.refuted_pixels}};
   document["memory"] = {

@@ -1,5 +1,7 @@
 #include "renderer/integrator/sampler.h"
 
+#include <algorithm>
+
 namespace isl::render {
 namespace {
 
@@ -29,7 +31,7 @@ bool Sampler::bend(std::span<const CameraSample> samples, std::span<Ray> rays) c
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (rays[i].direction == Vec3(0)) continue;
     if (bumps_->bend(camera_.bent_at(samples[i].x, samples[i].y), rays[i].direction)) continue;
-    integrator_.refuse("the camera", camera_origin_);
+    quick_.refuse("the camera", camera_origin_);
     return false;
   }
   return true;
@@ -48,9 +50,15 @@ void Sampler::set_blurred(std::span<const CameraSample> samples, Workspace& work
 
 bool Sampler::trace(std::span<const CameraSample> samples, std::span<const PixelSample> places, Workspace& workspace,
                     SampleObserver* observer) const {
-  PathMemory& paths = workspace.paths;
-  std::vector<Ray>& rays = paths.camera_rays();
-  paths.pixel_samples.assign(places.begin(), places.end());
+  workspace.paths.pixel_samples.assign(places.begin(), places.end());
+  LayerKeeper keeper(samples, working_space_, film_);
+  if (!trace_paths(samples, workspace, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
+  add(samples, workspace.paths, observer);
+  return true;
+}
+
+bool Sampler::set_rays(std::span<const CameraSample> samples, Workspace& workspace) const {
+  std::vector<Ray>& rays = workspace.paths.camera_rays();
   rays.resize(samples.size());
   if (lens_) {
     set_blurred(samples, workspace);
@@ -58,11 +66,40 @@ bool Sampler::trace(std::span<const CameraSample> samples, std::span<const Pixel
     RecurringAngles angles;
     for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);
   }
-  if (bumps_ && !bend(samples, rays)) return false;
-  LayerKeeper keeper(samples, working_space_, film_);
-  if (!integrator_.trace(paths, film_.keeps_surfaces() ? &keeper : nullptr)) return false;
-  add(samples, paths, observer);
-  return true;
+  return !bumps_ || bend(samples, rays);
+}
+
+bool Sampler::trace_paths(std::span<const CameraSample> samples, Workspace& workspace,
+                          SurfaceObserver* observer) const {
+  PathMemory& paths = workspace.paths;
+  const PathCounts counts = paths.counts;
+  const TraceCounters counters = paths.counters;
+  if (!set_rays(samples, workspace) || !quick_.trace(paths, observer)) return false;
+  if (paths.counters.spent_rays == counters.spent_rays) return true;
+  const Integrator* const whole =
+      whole_.integrator([this](const Integrator& integrator) { return is_hard(integrator); });
+  if (whole == nullptr) return true;
+  paths.counts = counts;
+  paths.counters = counters;
+  return set_rays(samples, workspace) && whole->trace(paths, observer);
+}
+
+bool Sampler::is_hard(const Integrator& whole) const {
+  constexpr int kEvery = 31, kAllowed = 1000;
+  constexpr std::size_t kTogether = 64;  // so that a hard picture is told after few rays
+  std::vector<CameraSample> lattice;
+  for (int y = kEvery / 2; y < picture_.y1; y += kEvery) {
+    for (int x = kEvery / 2; x < picture_.x1; x += kEvery) lattice.push_back({x + 0.5, y + 0.5});
+  }
+  const auto workspace = std::make_unique<Workspace>();
+  const std::uint64_t& in_vain = workspace->paths.counters.vain_rays;
+  for (std::size_t first = 0; first < lattice.size() && in_vain * kAllowed <= lattice.size(); first += kTogether) {
+    const std::span<const CameraSample> part =
+        std::span(lattice).subspan(first, std::min(kTogether, lattice.size() - first));
+    if (whole.is_soft() || lens_) workspace->paths.pixel_samples.assign(part.size(), {0, 0, 1});
+    if (!set_rays(part, *workspace) || !whole.trace(workspace->paths, nullptr)) return true;
+  }
+  return in_vain * kAllowed > lattice.size();
 }
 
 void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const {

@@ -10,6 +10,7 @@
 #include "renderer/film/tiles.h"
 #include "renderer/image/transfer.h"
 #include "renderer/integrator/integrator.h"
+#include "renderer/integrator/whole_bound.h"
 #include "renderer/paths/soft_points.h"
 
 #include <array>
@@ -50,10 +51,17 @@ struct Workspace {
 /// Immutable except for the film. Everything that it refers to must outlive it.
 class Sampler {
  public:
+  /// `picture` is the whole picture, of which the film may be a part.
   Sampler(const scene::Database& database, const Tracer& tracer, const Plan& plan, const CameraRays& camera,
-          bool transparent_background, Film& film, const RunLimits& run = {}, const ImageTable* images = nullptr)
-      : integrator_(database, tracer, plan, transparent_background, run, images),
+          const PixelRect& picture, bool transparent_background, Film& film, const RunLimits& run = {},
+          const ImageTable* images = nullptr)
+      : quick_tracer_(tracer.with_ray_steps(tenth_of(tracer.ray_steps()))),
+        quick_(database, quick_tracer_, plan, transparent_background, run, images),
+        whole_([&, transparent_background, run, images] {
+          return std::make_unique<Integrator>(database, tracer, plan, transparent_background, run, images);
+        }),
         camera_(camera),
+        picture_(picture),
         camera_origin_(database.camera.value_or(scene::Camera{}).origin),
         working_space_(database.settings),
         blank_alpha_(transparent_background ? 0 : 1),
@@ -69,18 +77,31 @@ class Sampler {
                            Workspace& workspace, SampleObserver* observer = nullptr) const;
 
   [[nodiscard]] bool has_lens() const { return lens_.has_value(); }
-  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const { return integrator_.refusal(); }
+  [[nodiscard]] const std::optional<scene::Refusal>& refusal() const {
+    return quick_.refusal() ? quick_.refusal() : whole_.refusal();
+  }
 
  private:
+  /// Sets the camera rays of the samples; false if the camera's bumps take too many steps.
+  [[nodiscard]] bool set_rays(std::span<const CameraSample> samples, Workspace& workspace) const;
   /// Bends the rays of the samples by the camera's bumps; false if that takes too many steps.
   [[nodiscard]] bool bend(std::span<const CameraSample> samples, std::span<Ray> rays) const;
+  /// Traces the camera rays, with a tenth of their bound or, if that is not enough, with all of it.
+  [[nodiscard]] bool trace_paths(std::span<const CameraSample> samples, Workspace& workspace,
+                                 SurfaceObserver* observer) const;
+  /// True if more than a thousandth as many rays take more than a tenth of their bound in vain as a lattice over the
+  /// whole picture has pixels, every 31st in both directions.
+  [[nodiscard]] bool is_hard(const Integrator& whole) const;
   /// Adds what the samples of memory.camera_rays() see to the film.
   void add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const;
   /// Sets the rays of the samples, whose places among those of their pixels are known, through points of the lens.
   void set_blurred(std::span<const CameraSample> samples, Workspace& workspace) const;
 
-  Integrator integrator_;
+  Tracer quick_tracer_;
+  Integrator quick_;  ///< its rays take a tenth of their bound
+  WholeBound whole_;
   CameraRays camera_;
+  PixelRect picture_;
   OriginId camera_origin_;
   std::optional<CameraBumps> bumps_;  ///< if the camera has a `normal`
   std::optional<Lens> lens_;          ///< if it has focal blur

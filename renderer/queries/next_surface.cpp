@@ -1,5 +1,6 @@
 #include "renderer/queries/next_surface.h"
 
+#include "renderer/rays/ray_steps.h"
 #include "renderer/trace/face.h"
 
 #include <span>
@@ -12,7 +13,7 @@ constexpr double kStart = 4, kLeast = 16;
 class Walk {
  public:
   Walk(const Tracer& tracer, const scene::Transform& parent_from_object, const Vec3& origin, const Vec3& direction)
-      : tracer_(tracer), place_(parent_from_object), start_(origin) {
+      : tracer_(tracer), place_(parent_from_object), start_(origin), steps_(tracer.ray_steps()) {
     ray_.origin = origin;
     ray_.direction = direction;
   }
@@ -20,7 +21,7 @@ class Walk {
   NextSurface next() {
     while (true) {
       const Hit hit = hit_of(ray_);
-      if (hit.is_miss()) return {ray_, hit, is_certain_};
+      if (hit.is_miss() || steps_.is_spent()) return {ray_, hit, is_certain_ && !steps_.is_spent()};
       const Vec3 point = point_of(ray_, hit);
       const Face face = face_at(hit, point);
       const double size = face.rounding / kRounding;
@@ -41,11 +42,15 @@ class Walk {
   /// A ray is taken up again to make its coordinates about as small as those of the hit, which takes one turn, or two.
   /// A surface through the origin is approached by 2⁻⁵⁰ each time, until it is reached.
   static constexpr int kMostTakingUp = 32;
+  /// Of the bound of a ray (rays/ray_steps.h), for tracing it once and placing its hit. Where no digits tell whether
+  /// the ray has left a surface, it may be met again and again at the same place.
+  static constexpr std::uint64_t kStepsOfTurn = 256;
 
   [[nodiscard]] Hit hit_of(const Ray& ray) {
     Hit hit;
-    TraceCounters unread;
-    tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), unread, RayKind::query);
+    TraceCounters counters;
+    tracer_.first_hits(std::span(&ray, 1), std::span(&hit, 1), counters, RayKind::query);
+    static_cast<void>(steps_.take(kStepsOfTurn + counters.most_ray_steps));
     if (hit.certainty != Certainty::certified) is_certain_ = false;
     return hit;
   }
@@ -102,7 +107,7 @@ class Walk {
     const double least = kLeast * face.rounding;
     NextSurface back{beyond(ray_, hit), {}};
     double left = least / kGrazing;
-    while (left > 0) {
+    while (left > 0 && !steps_.is_spent()) {
       back.ray.t_max = left;
       back.hit = hit_of(back.ray);
       if (back.hit.is_miss()) return std::nullopt;
@@ -127,6 +132,7 @@ class Walk {
   bool has_left_ = false;  ///< the start is too far behind to be met
   Hit passed_;             ///< the crossing at the ray's origin, if a way back through the surface ended there
   int taken_up_ = 0;
+  RaySteps steps_;  ///< of the whole walk
   bool is_certain_ = true;
 };
 

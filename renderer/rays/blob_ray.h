@@ -3,6 +3,7 @@
 // be normalised.
 #pragma once
 
+#include "renderer/rays/ray_steps.h"
 #include "renderer/rays/tracer_options.h"
 #include "renderer/scene/ids.h"
 #include "renderer/scene/transform.h"
@@ -49,7 +50,9 @@ struct SolverSettings {
   PaperSwitches paper;
   Tolerance step{1, true};
   double relaxation = 1;
-  bool packets = true;  ///< for the product's solver: traces eight rays at once where it can
+  bool packets = true;                    ///< for the product's solver: traces eight rays at once where it can
+  std::uint64_t ray_steps = kStepsOfRay;  ///< the bound of what a ray takes in a blob
+  const StopFlag* stop = nullptr;         ///< ends every search; its answer is then open
 
   /// The tolerance along the ray, in scene units; 0 for `exact`.
   [[nodiscard]] LengthByDistance tolerance_along_ray() const {

@@ -65,7 +65,7 @@ struct TracerOptions {
   double pixel_angle = 1e-3;  ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool packets = true;        ///< for the product's solver: rays in packets of eight, not one by one
   bool unblended = false;     ///< every blob is drawn unblended (scene::Blob::is_unblended)
-  RunLimits run;              ///< of compiling the scene; its flag also ends the tracing of a batch early
+  RunLimits run;  ///< of compiling the scene and of each ray; its flag also ends the tracing of a batch early
   /// Limit of the cells and lists of all grids. A smaller grid is right and slower to trace.
   std::size_t most_grid_bytes = std::numeric_limits<std::size_t>::max();
   std::string simd;  ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")

@@ -6,7 +6,7 @@
 
 namespace isl::render {
 
-bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found) {
+bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found, RaySteps steps) {
   const double magnitude = std::abs(blob.components.threshold) + found.magnitude;
   // Nearly all hits pass this test: F is as near to the threshold as the step and the rounding of its terms explain.
   // Its 2⁻⁴⁰ is generous, since the rare hit that fails is judged by a proof.
@@ -18,7 +18,7 @@ bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFie
     const ItemList list = grid.list(cell, i);
     const LaidOutFields fields{&blob.components, grid.items.data() + list.first, list.count, place.point - place.step,
                                place.step * 2};
-    if (may_cross(fields, 0, 1)) return false;
+    if (may_cross(fields, 0, 1, steps)) return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "renderer/compiled/compiled_scene.h"
 #include "renderer/rays/blob_fields.h"
+#include "renderer/rays/ray_steps.h"
 
 #include <cstdint>
 
@@ -16,7 +17,8 @@ struct FoundPlace {
   std::uint32_t cell;
 };
 
-/// True if it is certain that no surface lies between place.point ± place.step.
-[[nodiscard]] bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found);
+/// True if it is certain that no surface lies between place.point ± place.step. The proof takes `steps` at most.
+[[nodiscard]] bool is_refuted(const CompiledBlob& blob, const FoundPlace& place, const BlobFields& found,
+                              RaySteps steps);
 
 }  // namespace isl::render

@@ -35,16 +35,24 @@ struct Tracer::Impl {
   const TraceEntryPoints* entry_points = nullptr;
   const TraceLoops* loops = nullptr;     ///< the loops of entry_points, or a baseline's
   bool some_are_told_by_fields = false;  ///< of the instances
-  const StopFlag* stop = nullptr;
-  std::size_t rays_between_looks = 0;  ///< at the flag; a multiple of the rays in a packet
+  std::size_t rays_between_looks = 0;    ///< at the flag; a multiple of the rays in a packet
 
-  /// Calls trace(first, count) for all rays, in parts between which the flag is looked at. The published solver keeps
-  /// records of a whole batch, which therefore is not divided.
+  /// Calls trace(settings, first, count) for all rays, in parts between which the flag is looked at. The published
+  /// solver keeps records of a whole batch, which therefore is not divided.
   template <class Trace>
-  void in_parts(std::size_t rays, const Trace& trace) const {
-    if (stop == nullptr || is_published(settings.name)) return trace(0, rays);
-    for (std::size_t first = 0; first < rays && !stop->is_set(); first += rays_between_looks)
-      trace(first, std::min(rays_between_looks, rays - first));
+  void in_parts(std::uint64_t ray_steps, std::size_t rays, const Trace& trace) const {
+    SolverSettings bounded = settings;
+    bounded.ray_steps = ray_steps;
+    if (settings.stop == nullptr || is_published(settings.name)) return trace(bounded, 0, rays);
+    for (std::size_t first = 0; first < rays && !settings.stop->is_set(); first += rays_between_looks)
+      trace(bounded, first, std::min(rays_between_looks, rays - first));
+  }
+
+  /// True if it is certain that the surface is not where it was found.
+  [[nodiscard]] bool is_wrong(const CompiledBlob& blob, const TextureFrame& own, const Ray& ray, const Hit& hit,
+                              const Vec3& local, const BlobFields& fields) const {
+    return is_refuted(blob, {local, own.enter_vector(step(ray, hit)), hit.cell}, fields,
+                      RaySteps(settings.ray_steps, settings.stop));
   }
 
   /// How far a hit may be off along its ray: by the tolerance and by the rounding of its coordinates, 2⁻⁴⁸ of them with
@@ -71,7 +79,7 @@ struct Tracer::Impl {
   Vec3 shape_of_fields(const Instance& instance, const TextureFrame& own, const Ray& ray, const Hit& hit,
                        const Vec3& local, const BlobFields& fields, SurfacePoint& surface) const {
     const CompiledBlob& blob = scene.blobs[instance.shape];
-    surface.is_refuted = is_refuted(blob, {local, own.enter_vector(step(ray, hit)), hit.cell}, fields);
+    surface.is_refuted = is_wrong(blob, own, ray, hit, local, fields);
     TextureShare& share = surface.textures.front();
     share.surface = {instance.kind, instance.shape, 0, local};
     if (const scene::TextureId texture = blob.components.texture.front(); texture != scene::kNoTexture) {
@@ -100,8 +108,7 @@ struct Tracer::Impl {
       entry_points->paper_point(scene.blobs[shape], hit.cell, records, settings.paper.eq10, local, rule, blob);
     } else {
       entry_points->blob_point(scene.blobs[shape], hit.cell, local, rule, blob);
-      surface.is_refuted =
-          is_refuted(scene.blobs[shape], {local, own.enter_vector(step(ray, hit)), hit.cell}, blob.fields);
+      surface.is_refuted = is_wrong(scene.blobs[shape], own, ray, hit, local, blob.fields);
     }
     counters.shading_evaluations += blob.evaluations;
     double total = 0;
@@ -183,34 +190,39 @@ void set_texture(TextureShare& share, const PlacedTexture& texture, const Instan
 
 }  // namespace
 
-Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : impl_(std::make_unique<Impl>()) {
-  impl_->settings = {options.solver, options.interpolants, options.tolerance,  options.pixel_angle,
-                     options.paper,  options.step,         options.relaxation, options.packets};
+Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : ray_steps_(options.run.steps_of_ray) {
+  const auto impl = std::make_shared<Impl>();
+  impl->settings = {
+      options.solver, options.interpolants, options.tolerance, options.pixel_angle,      options.paper,
+      options.step,   options.relaxation,   options.packets,   options.run.steps_of_ray, options.run.stop};
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
-  impl_->scene = compile(
+  impl->scene = compile(
       database,
       {.cells = cells, .unblended = options.unblended, .most_grid_bytes = options.most_grid_bytes, .run = options.run});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
-    for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
+    for (CompiledBlob& blob : impl->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
   }
-  if (!is_published(options.solver)) impl_->find_told_by_fields();
-  impl_->stop = options.run.stop;
-  impl_->rays_between_looks = rays_between_looks(impl_->scene);
-  impl_->entry_points = trace_entry_points(options.simd);
-  ISL_CHECK(impl_->entry_points != nullptr, "no vector target '{}'", options.simd);
-  impl_->loops = &impl_->entry_points->loops;
+  if (!is_published(options.solver)) impl->find_told_by_fields();
+  impl->rays_between_looks = rays_between_looks(impl->scene);
+  impl->entry_points = trace_entry_points(options.simd);
+  ISL_CHECK(impl->entry_points != nullptr, "no vector target '{}'", options.simd);
+  impl->loops = &impl->entry_points->loops;
   if (is_rival(options.solver)) {
     const RivalLoops rivals = rival_loops(options.simd);
     ISL_CHECK(rivals.loops != nullptr, "{}", rivals.error);
-    impl_->loops = rivals.loops;
+    impl->loops = rivals.loops;
   }
+  impl_ = impl;
 }
 
+Tracer::Tracer(std::shared_ptr<Impl> impl, std::uint64_t ray_steps) : impl_(std::move(impl)), ray_steps_(ray_steps) {}
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
+
+Tracer Tracer::with_ray_steps(std::uint64_t most) const { return {impl_, most}; }
 
 std::string Tracer::problem_of(SolverName solver) { return is_rival(solver) ? rival_loops("").error : ""; }
 
@@ -218,18 +230,18 @@ bool Tracer::has_simd_target(const std::string& name) { return trace_entry_point
 
 void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
-  impl_->in_parts(rays.size(), [&](std::size_t first, std::size_t count) {
-    impl_->loops->first_hits(impl_->scene, impl_->settings, kind, rays.subspan(first, count),
-                             hits.subspan(first, count), thread_memory(), counters);
+  impl_->in_parts(ray_steps_, rays.size(), [&](const SolverSettings& settings, std::size_t first, std::size_t count) {
+    impl_->loops->first_hits(impl_->scene, settings, kind, rays.subspan(first, count), hits.subspan(first, count),
+                             thread_memory(), counters);
   });
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
                         RayKind kind) const {
   ISL_CHECK(occluded.size() == rays.size(), "{} {}", occluded.size(), rays.size());
-  impl_->in_parts(rays.size(), [&](std::size_t first, std::size_t count) {
-    impl_->loops->occlusions(impl_->scene, impl_->settings, kind, rays.subspan(first, count),
-                             occluded.subspan(first, count), thread_memory(), counters);
+  impl_->in_parts(ray_steps_, rays.size(), [&](const SolverSettings& settings, std::size_t first, std::size_t count) {
+    impl_->loops->occlusions(impl_->scene, settings, kind, rays.subspan(first, count), occluded.subspan(first, count),
+                             thread_memory(), counters);
   });
 }
 

@@ -41,6 +41,10 @@ class Tracer {
   ~Tracer();
   Tracer(Tracer&&) noexcept;
 
+  /// The same compiled scene with another bound of what a ray takes in a blob.
+  [[nodiscard]] Tracer with_ray_steps(std::uint64_t most) const;
+  [[nodiscard]] std::uint64_t ray_steps() const { return ray_steps_; }
+
   /// The reason why the scene takes more memory than the run allows; null if it does not. A scene that is refused, or
   /// whose run was stopped while it was compiled, has nothing in it.
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const;
@@ -102,7 +106,10 @@ class Tracer {
   void set_interior_texture(const Hit& hit, const Vec3& local, SurfacePoint& point) const;
 
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Tracer(std::shared_ptr<Impl> impl, std::uint64_t ray_steps);
+
+  std::shared_ptr<Impl> impl_;
+  std::uint64_t ray_steps_;  ///< in the place of those of the settings
 };
 
 }  // namespace isl::render

@@ -1,7 +1,7 @@
 // The long proofs of the reference against the product, as long as you like. Every blob has a seed of its own, which is
 // printed with every disagreement, so that it can be repeated. Exit code 1 after a disagreement.
 //
-//   soak [FIRST_SEED [RAYS]]        (1, 1000000) as `soak blobs`
+//   soak [FIRST_SEED [RAYS [STEPS]]]  (1, 1000000, the bound of a ray) as `soak blobs`
 //   soak blobs FIRST_SEED RAYS      first hits and shadow rays of random blobs
 //   soak scales FIRST_SEED RAYS     first hits of random blobs of several scales, every other of one scale
 //   soak walks FIRST_SEED LINES     lines walked through random blobs by `trace`
@@ -41,9 +41,11 @@ using namespace isl::reference;
 
 struct Totals {
   std::uint64_t rays = 0, hits = 0, excused = 0, wrong = 0, undecided = 0, uncertified = 0;
-  std::uint64_t flagged = 0;        ///< rays that the solver says it did not decide
-  std::uint64_t wrong_flagged = 0;  ///< those of them that are wrong, which `wrong` does not count
-  std::uint64_t needless = 0;       ///< those of them for which the reference sees no reason, in `scales` alone
+  std::uint64_t bound = kStepsOfRay;        ///< of the steps of a ray
+  std::uint64_t most_steps = 0, spent = 0;  ///< the greatest number that a ray took; rays whose bound ended them
+  std::uint64_t flagged = 0;                ///< rays that the solver says it did not decide
+  std::uint64_t wrong_flagged = 0;          ///< those of them that are wrong, which `wrong` does not count
+  std::uint64_t needless = 0;               ///< those of them for which the reference sees no reason, in `scales` alone
   /// `scales`: rays and flagged rays by the exponent of the extent over the detail, 0 for blobs of one scale.
   std::map<int, std::pair<std::uint64_t, std::uint64_t>> by_exponent;
 };
@@ -61,13 +63,17 @@ void add_uncertified(const TracerUnderTest& tracer, std::uint64_t seed, Totals& 
   const std::uint64_t steps = tracer.uncertified_steps();
   if (steps > 0) std::cout << "seed " << seed << ": " << steps << " uncertified steps\n";
   totals.uncertified += steps;
+  totals.most_steps = std::max(totals.most_steps, tracer.most_ray_steps());
+  totals.spent += tracer.spent_rays();
 }
 
 void soak_blob(std::uint64_t seed, Totals& totals) {
   RandomSource random(seed);
   const SoakCase made = soak_case(random);
   const ReferenceScene scene(made.database);
-  const TracerUnderTest tracer(made.database, with(render::SolverName::hermite, made.tolerance));
+  render::TracerOptions options = with(render::SolverName::hermite, made.tolerance);
+  options.run.steps_of_ray = totals.bound;
+  const TracerUnderTest tracer(made.database, options);
   judge(compare_first_hits(scene, tracer.trace(), made.rays, tracer.comparison()), "first hits", seed, totals);
 
   const std::vector<render::Ray> shadows = shadow_rays(tracer, made.rays, made.scale, random);
@@ -96,6 +102,7 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
   auto& [rays_here, flagged_here] = totals.by_exponent[exponent];
   render::TracerOptions options;
   options.pixel_angle = pixel_angle;
+  options.run.steps_of_ray = totals.bound;
   const TracerUnderTest tracer(database, options);
   const std::vector<render::Ray> rays = camera_rays(lines);
   const std::vector<render::Hit> hits = tracer.hits(rays);
@@ -203,13 +210,15 @@ int main(int argc, char** argv) {
     return 2;
   }
   Totals totals;
+  totals.bound = number(2, kStepsOfRay);
   for (; totals.rays < count; ++seed) what == "blobs" ? soak_blob(seed, totals) : soak_scale(seed, totals);
   const std::string needless = what == "scales" ? fmt::format(", {} without a reason", totals.needless) : "";
   std::cout << fmt::format(
       "seeds {} to {}: {} rays, {} hits, {} refuted, {} undecided by the reference, {} lost in rounding, {} "
-      "uncertified steps, {} rays flagged as undecided, {} of them wrong{}; {:.0f} s\n",
+      "uncertified steps, {} steps of a ray at most, {} rays at the bound, {} rays flagged as undecided, {} of them "
+      "wrong{}; {:.0f} s\n",
       first, seed - 1, totals.rays, totals.hits, totals.wrong, totals.undecided, totals.excused, totals.uncertified,
-      totals.flagged, totals.wrong_flagged, needless, seconds());
+      totals.most_steps, totals.spent, totals.flagged, totals.wrong_flagged, needless, seconds());
   for (const auto& [exponent, counts] : totals.by_exponent) {
     const std::string scale = exponent == 0 ? "one scale" : fmt::format("1e-{}", exponent);
     std::cout << fmt::format("  {}: {} flagged of {} rays\n", scale, counts.second, counts.first);

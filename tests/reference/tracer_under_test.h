@@ -81,6 +81,9 @@ class TracerUnderTest {
   [[nodiscard]] const AgreementOptions& comparison() const { return comparison_; }
   /// The sum over all rays until now.
   [[nodiscard]] std::uint64_t uncertified_steps() const { return counters_.uncertified_steps; }
+  /// The greatest number of steps that a ray took, and the number of rays whose bound ended them.
+  [[nodiscard]] std::uint64_t most_ray_steps() const { return counters_.most_ray_steps; }
+  [[nodiscard]] std::uint64_t spent_rays() const { return counters_.spent_rays; }
   [[nodiscard]] std::uint64_t field_evaluations() const { return counters_.field_evaluations; }
 
  private:

@@ -50,7 +50,7 @@ class Bisection : public RivalSolver {
         const double h = b.t - a.t, t = middle_of(a, b);
         const bool may_halve =
             h > (a_is_root ? shortest_at_start : shortest) && top < kMostHalvings && t > a.t && t < b.t;
-        if (may_halve && ++steps <= kMostSteps) {
+        if (may_halve && ++steps <= kMostSteps && !steps_.is_spent()) {
           ends[++top] = middle ? *middle : node(t);
           continue;
         }

@@ -34,7 +34,7 @@ class ClimbSolver : public RivalSolver {
     const double least = (last.t - a.t) / kMostSteps;
     delta_ = std::max(step(a.t), least) / 1024;
     if (!a_is_root) a.slope = rise(a);
-    while (a.t < last.t) {
+    while (a.t < last.t && !gives_up()) {
       const double t = a.t + std::max(step(a.t), least);
       if (a_is_root && !(t < last.t)) break;
       Node b = t < last.t ? node(t) : last;

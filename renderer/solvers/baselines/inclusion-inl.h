@@ -40,7 +40,7 @@ class InclusionSolver : public RivalSolver {
     const double share = kLeastShare * (last.t - a.t);
     double least = std::max(a_is_root ? 0 : lengths_.shortest.by_tolerance, share);
     double ahead = last.t - a.t;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMostSteps && !steps_.is_spent(); ++i) {
       if (!a_is_root && a.value > a.noise) return a.t;
       least = std::max(least, 0x1p-51 * std::abs(a.t));  // a step of at least one double
       ahead = std::min(std::max(ahead, 2 * least), last.t - a.t);

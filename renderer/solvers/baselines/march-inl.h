@@ -30,7 +30,7 @@ class MarchSolver : public RivalSolver {
   [[nodiscard]] std::optional<double> first_root(Node a, const Node& last, bool a_is_root, bool any) {
     if (!a_is_root && a.value > a.noise) return a.t;
     const double least = (last.t - a.t) / kMostSteps;
-    while (a.t < last.t) {
+    while (a.t < last.t && !gives_up()) {
       const double t = a.t + std::max(step(a.t), least);
       if (a_is_root && !(t < last.t)) break;
       const Node b = t < last.t ? node(t) : last;

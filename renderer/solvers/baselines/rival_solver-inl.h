@@ -58,23 +58,28 @@ class RivalSolver {
     return {shortest, &settings, distance};
   }
 
-  RivalSolver(const Fields& fields, double side, const Lengths& lengths, TraceCounters& counters)
-      : fields_(fields), side_(side), lengths_(lengths), counters_(counters) {}
+  RivalSolver(const Fields& fields, double side, const Lengths& lengths, RaySteps& steps, TraceCounters& counters)
+      : fields_(fields), side_(side), lengths_(lengths), steps_(steps), counters_(counters) {}
 
   void turn_inside() { side_ = -1; }
 
   [[nodiscard]] Node node(double t) {
     const FieldAt f = fields_.at(t);
-    counters_.field_evaluations += fields_.field_count();
+    count_evaluation();
     const double noise = fields_.noise(t, f);
     return {t, side_ * f.value, side_ * f.slope, noise, fields_.slope_noise(f), fields_.doubt(noise, f)};
   }
 
  protected:
   /// The most intervals or steps of one search, so that it ends for a ray that hugs a surface. Any other ray takes far
-  /// fewer.
+  /// fewer. A search also ends where the ray's own steps are spent.
   static constexpr int kMostSteps = 1 << 16;
 
+  /// True once the steps of the ray are spent: the rest of the search is given up, and counted as undecided.
+  [[nodiscard]] bool gives_up() {
+    if (steps_.is_spent()) give_up_step();
+    return steps_.is_spent();
+  }
   /// Counts an interval that is left undecided.
   void give_up_step() {
     ++counters_.uncertified_steps;
@@ -88,7 +93,7 @@ class RivalSolver {
 
   /// The range of F on the interval, by interval arithmetic.
   [[nodiscard]] FieldRange values(double t0, double t1) {
-    counters_.field_evaluations += fields_.field_count();
+    count_evaluation();
     return seen(fields_.range(t0, t1));
   }
   [[nodiscard]] FieldRange slopes(double t0, double t1) const { return seen(fields_.slope_range(t0, t1)); }
@@ -142,9 +147,14 @@ class RivalSolver {
   const Fields& fields_;
   double side_;
   Lengths lengths_;
+  RaySteps& steps_;
   TraceCounters& counters_;
 
  private:
+  void count_evaluation() {
+    counters_.field_evaluations += fields_.field_count();
+    static_cast<void>(steps_.take(kStepsOfInterval + fields_.field_count()));
+  }
   [[nodiscard]] FieldRange seen(const FieldRange& f) const { return side_ > 0 ? f : FieldRange{-f.high, -f.low}; }
 };
 

@@ -36,7 +36,7 @@ class SegmentSolver : public RivalSolver {
     }
     if (a.value > a.noise) return a.t;
     double segment = last.t - a.t;
-    for (int i = 0; i < kMostSegments; ++i) {
+    for (int i = 0; i < kMostSegments && !steps_.is_spent(); ++i) {
       segment = std::min(segment, last.t - a.t);
       const double free = std::abs(a.value) / size(slopes(a.t, a.t + segment));
       const double step = std::max(free < segment ? free : segment, tolerance(a.t));

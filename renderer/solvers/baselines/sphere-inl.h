@@ -43,7 +43,7 @@ class SphereSolver : public RivalSolver {
       a = node(a.t + tolerance(a.t));
     }
     if (a.value > a.noise) return a.t;
-    for (int i = 0; i < kMostSpheres; ++i) {
+    for (int i = 0; i < kMostSpheres && !steps_.is_spent(); ++i) {
       const double radius = std::abs(a.value) / steepest, least = tolerance(a.t);
       double step = std::max(omega * radius, least);
       Node b = last;

@@ -14,6 +14,7 @@
 #include "renderer/fields/ray/ray_lanes-inl.h"
 #include "renderer/grid/grid_walk-inl.h"
 #include "renderer/rays/blob_ray.h"
+#include "renderer/rays/ray_steps.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cells/extended_search.h"
 #include "renderer/solvers/cells/maximum-inl.h"
@@ -75,6 +76,7 @@ class CellSearch {
     ray_ = &ray;
     side_ = Side::unknown;
     hit_ = {};
+    steps_ = RaySteps(settings_.ray_steps, settings_.stop);
     undecided_from_ = start_doubt_ = std::numeric_limits<double>::infinity();
   }
   /// Moves to the start of the stretch in the grid: from here on t counts from there.
@@ -198,10 +200,19 @@ class CellSearch {
   /// The same of a cell in which the search has something to find.
   bool solve_in(const CellStretch& stretch) {
     const std::uint64_t undecided_before = counters_.undecided_steps;
+    const bool was_spent = steps_.is_spent(), was_in_vain = is_in_vain();
     const bool crosses = find_in(stretch);
+    counters_.most_ray_steps = std::max(counters_.most_ray_steps, steps_.taken());
     if (counters_.undecided_steps != undecided_before)
       undecided_from_ = std::min(undecided_from_, base_ + stretch.enter);
+    if (steps_.is_spent() && !was_spent) ++counters_.spent_rays;
+    if (is_in_vain() && !was_in_vain) ++counters_.vain_rays;
     return crosses;
+  }
+
+  /// True if the ray has taken many steps and is undecided all the same.
+  [[nodiscard]] bool is_in_vain() const {
+    return undecided_from_ < std::numeric_limits<double>::infinity() && steps_.are_many();
   }
 
   /// True if the ray crosses in the cell.
@@ -212,7 +223,7 @@ class CellSearch {
     is_node_valid_ = is_on_surface_ = false;
     const MaximumQuery query{origin_, direction_, t0, t1, starts_here, ray_->any};
     const std::optional<double> t =
-        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, counters_).first_crossing(side_);
+        MaximumSolver<Solver>(blob_, cell, query, lengths_, fields_, steps_, counters_).first_crossing(side_);
     return t && cross(*t, index);
   }
 
@@ -224,7 +235,7 @@ class CellSearch {
       side_ = Side::outside;
       return false;
     }
-    Solver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, lengths_, counters_);
+    Solver solver(fields_, side_ == Side::inside ? -1.0 : 1.0, lengths_, steps_, counters_);
     Node a = is_node_valid_ ? node_ : solver.node(t0);
     if (side_ == Side::unknown) {
       side_ = (starts_here ? leaves_inwards(fields_, a) : starts_inside(a)) ? Side::inside : Side::outside;
@@ -251,7 +262,7 @@ class CellSearch {
 
   [[nodiscard]] bool starts_inside(const Node& a) {
     if (std::abs(a.value) > a.doubt) return a.value > 0;
-    if (const std::optional<bool> inside = is_inside(fields_.laid_out(), a.t)) return *inside;
+    if (const std::optional<bool> inside = is_inside(fields_.laid_out(), a.t, steps_)) return *inside;
     ++counters_.undecided_steps;
     return a.value > a.noise;
   }
@@ -262,6 +273,7 @@ class CellSearch {
   TraceCounters& counters_;
 
   const BlobRay* ray_ = nullptr;
+  RaySteps steps_;
   Vec3 origin_, direction_;
   double base_ = 0;
   typename Solver::Lengths lengths_{};

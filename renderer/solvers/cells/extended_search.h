@@ -1,10 +1,12 @@
 // The last resort of the certified solver: a stretch of a ray that double precision cannot decide is searched again by
-// interval arithmetic (renderer/reference), on the same list of components: in long double and, if that does not decide
+// interval arithmetic (renderer/extended), on the same list of components: in long double and, if that does not decide
 // it either, with 113 bits. Where even that does not tell the sign, but on no longer a stretch than rounding moves the
-// ray's own points, there is no surface: such is the very middle of a hard component.
+// ray's own points, there is no surface: such is the very middle of a hard component. A question ends when the ray's
+// steps are spent; it is then open.
 #pragma once
 
 #include "renderer/fields/laid_out_fields.h"
+#include "renderer/rays/ray_steps.h"
 
 #include <cmath>
 #include <optional>
@@ -25,16 +27,17 @@ struct OpenStretch {
 }
 
 struct ExtendedAnswer {
-  bool is_certain = false;         ///< if not, F stays within the rounding of all digits at hand on some stretch
+  /// If not, F stays within the rounding of all digits at hand on some stretch, or the ray's steps are spent.
+  bool is_certain = false;
   std::optional<double> crossing;  ///< the first t in [t0, t1] at which the ray changes sides, if it is certain
 };
 
-[[nodiscard]] ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch);
+[[nodiscard]] ExtendedAnswer search_extended(const LaidOutFields& fields, const OpenStretch& stretch, RaySteps& steps);
 
 /// True if F > T at t, false if F < T; nothing if rounding hides which.
-[[nodiscard]] std::optional<bool> is_inside(const LaidOutFields& fields, double t);
+[[nodiscard]] std::optional<bool> is_inside(const LaidOutFields& fields, double t, RaySteps& steps);
 
 /// True unless it is certain that F has the same sign all along the ray from t0 to t1.
-[[nodiscard]] bool may_cross(const LaidOutFields& fields, double t0, double t1);
+[[nodiscard]] bool may_cross(const LaidOutFields& fields, double t0, double t1, RaySteps& steps);
 
 }  // namespace isl::render

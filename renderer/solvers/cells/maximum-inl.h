@@ -52,8 +52,15 @@ template <class Solver>
 class MaximumSolver {
  public:
   MaximumSolver(const CompiledBlob& blob, const Cell& cell, const MaximumQuery& query,
-                const typename Solver::Lengths& lengths, typename Solver::Fields& fields, TraceCounters& counters)
-      : blob_(blob), cell_(cell), query_(query), lengths_(lengths), fields_(fields), counters_(counters) {}
+                const typename Solver::Lengths& lengths, typename Solver::Fields& fields, RaySteps& steps,
+                TraceCounters& counters)
+      : blob_(blob),
+        cell_(cell),
+        query_(query),
+        lengths_(lengths),
+        fields_(fields),
+        steps_(steps),
+        counters_(counters) {}
 
   /// The t in (t0, t1] at which the ray changes sides, or t0 if the ray is not on the given side there. Sets an unknown
   /// side.
@@ -84,7 +91,7 @@ class MaximumSolver {
   /// The node of a sum at t. Leaves the sum's fields laid out.
   [[nodiscard]] Node node_of(std::uint32_t i, double t) {
     lay_out(i);
-    return Solver(fields_, 1, lengths_, counters_).node(t);
+    return Solver(fields_, 1, lengths_, steps_, counters_).node(t);
   }
   [[nodiscard]] Greatest greatest_at(double t) {
     Greatest greatest;
@@ -108,7 +115,7 @@ class MaximumSolver {
       if (has_left(i)) continue;
       const Node node = node_of(i, t);
       if (!(node.value > -node.doubt)) continue;
-      const std::optional<bool> inside = is_inside(fields_.laid_out(), t);
+      const std::optional<bool> inside = is_inside(fields_.laid_out(), t, steps_);
       // A sum has just left the surface at this t. If another one falls here and no digits tell its sign, it leaves
       // within the same rounding of t.
       if (!inside && !left_.empty() && node.slope < -node.slope_noise) continue;
@@ -138,7 +145,7 @@ class MaximumSolver {
       const bool is_start = is_on_surface(i);
       lay_out(i);
       if (fields_.upper_bound() < 0 && !is_start) continue;
-      Solver solver(fields_, 1, lengths_, counters_);
+      Solver solver(fields_, 1, lengths_, steps_, counters_);
       Node from = solver.node(query_.t0);
       if (is_start) from.value = 0;
       Node last = solver.node(end);
@@ -166,8 +173,12 @@ class MaximumSolver {
     std::optional<std::uint32_t> followed = query_.starts_here ? first_entered() : inside_at(t);
     bool is_start = query_.starts_here;
     while (followed) {
+      if (!steps_.take(cell_.count())) {
+        ++counters_.undecided_steps;
+        return t;
+      }
       lay_out(*followed);
-      Solver solver(fields_, -1, lengths_, counters_);
+      Solver solver(fields_, -1, lengths_, steps_, counters_);
       Node from = solver.node(t);
       // More digits may have told that the ray is inside, where double precision says that it is not.
       from.value = is_start ? 0 : std::min(from.value, 0.0);
@@ -199,6 +210,7 @@ class MaximumSolver {
   const MaximumQuery& query_;
   const typename Solver::Lengths& lengths_;
   typename Solver::Fields& fields_;
+  RaySteps& steps_;
   TraceCounters& counters_;
   Greatest greatest_at_start_;
   std::vector<std::uint32_t> left_;  ///< the sums that fell below the threshold where the ray has come to

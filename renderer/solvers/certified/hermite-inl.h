@@ -17,7 +17,8 @@
 // tolerance needs, or its ends are neighbouring doubles. It is then split where a skeleton's nearest feature changes,
 // because F changes there too beside the core of a hard component. After that, the ranges of the fields may show that F
 // stays on its side. If they do not, the interval is searched again with more digits (extended_search.h). If these do
-// not decide it either, the cubic is all that can be known: its own first root is taken, and counted as undecided.
+// not decide it either, the cubic is all that can be known: its own first root is taken, and counted as undecided. So
+// is the end of a ray whose bound of steps is spent (rays/ray_steps.h).
 //
 // A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the
 // quotient Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R
@@ -64,9 +65,9 @@ class HermiteSolver {
   static constexpr double kBendBand = 43;
   /// The band of c₁ of the quotient by a known root, over E.
   static constexpr double kMiddleBand = 14;
-  /// No search halves more often, so that each ray ends in time. Searches in scenes of ordinary sizes need a few
-  /// hundred; those whose bounds overflow, because a component is larger than 1e77, would never end.
-  static constexpr int kMostSplits = 1 << 16;
+  /// A ray whose steps are spent still splits so many times in every cell that it meets, so that the best answer known
+  /// is that of a coarse search.
+  static constexpr int kSplitsOfSpentRay = 32;
   /// Rounding moves F by no less than this share of its bound: of the n + 16 half units in the last place that the
   /// bound allows, one or two occur in the mean, and n is seldom above 100.
   static constexpr double kRoundingOfNoise = 1.0 / 64;
@@ -76,8 +77,8 @@ class HermiteSolver {
   }
 
   /// `side` is +1 for a ray outside (F < T) and −1 for one inside.
-  HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, TraceCounters& counters)
-      : fields_(fields), side_(side), shortest_(shortest), counters_(counters) {}
+  HermiteSolver(const RayLanes& fields, double side, const Shortest& shortest, RaySteps& steps, TraceCounters& counters)
+      : fields_(fields), side_(side), shortest_(shortest), steps_(steps), counters_(counters) {}
 
   void turn_inside() { side_ = -1; }
 
@@ -98,6 +99,7 @@ class HermiteSolver {
     splits_ = 0;
     Node ends[kMostHalvings + 1];
     int top = 0;
+    int ahead = 0;  // how many ends beyond the next one the next question with more digits goes
     ends[0] = last;
     while (top >= 0) {
       const Node& b = ends[top];
@@ -112,11 +114,14 @@ class HermiteSolver {
         case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
         case Verdict::undecided: {
-          ExtendedAnswer answer = extended_answer(a, b, a_is_root);
+          // Where one interval after the other is undecided, F is flat, and the search asks for longer and longer
+          // stretches at a time.
+          int reached = std::max(0, top - ahead), step = 1;
+          ahead = 2 * ahead + 1;
+          ExtendedAnswer answer = extended_answer(a, ends[reached], a_is_root);
           // An end so close to a root that no digits at hand tell the sign there hides what comes before it. From a
           // farther one a crossing is seen. Intervals are halved, so the next end is nearly always enough.
-          int reached = top;
-          for (int step = 1; !answer.is_certain && reached > 0; step *= 2) {
+          for (; !answer.is_certain && reached > 0; step *= 2) {
             reached = std::max(0, reached - step);
             answer = extended_answer(a, ends[reached], a_is_root);
           }
@@ -137,6 +142,7 @@ class HermiteSolver {
         }
         case Verdict::unclear:
           ++splits_;
+          static_cast<void>(steps_.take(kStepsOfInterval + fields_.field_count()));
           ends[++top] = node(split_);
           break;
       }
@@ -191,8 +197,9 @@ class HermiteSolver {
       split_ = middle;
       // A grazing ray may be back at once, so where it starts the tolerance does not count.
       const double shortest = a_is_root ? least_ : std::max(least_, shortest_.by_tolerance);
-      if (h > shortest && splits_ < kMostSplits) return Verdict::unclear;
-      if (const std::optional<double> border = fields_.border_within(a.t, b.t)) {
+      const bool may_split = !steps_.is_spent() || splits_ < kSplitsOfSpentRay;
+      if (h > shortest && may_split) return Verdict::unclear;
+      if (const std::optional<double> border = fields_.border_within(a.t, b.t); border && may_split) {
         split_ = *border;
         return Verdict::unclear;
       }
@@ -215,7 +222,7 @@ class HermiteSolver {
   }
 
   [[nodiscard]] ExtendedAnswer extended_answer(const Node& a, const Node& b, bool a_is_root) const {
-    return search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root});
+    return search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root}, steps_);
   }
 
   /// Decides by the fields' ranges alone. It serves in the middle of a hard component, where no cubic fits.
@@ -309,6 +316,7 @@ class HermiteSolver {
   double split_ = 0;             ///< where to split an interval that was judged unclear
   double most_bend_ = 0;         ///< an upper bound of h²|F″| on the interval that was judged to have one root
   bool shows_crossing_ = false;  ///< what the cubic shows on an interval that was judged undecided
+  RaySteps& steps_;
   TraceCounters& counters_;
 };
 

@@ -1,0 +1,35 @@
+// φ(q) of one kernel (if convolved: of a plane or an infinite line), straight from its definition (q =
+// squared distance over squared radius), and enclosures of φ and φ′ over ranges of q. Used by extended_component;
+// knows nothing of skeletons or space, and leaves each shape's formulas and constants to its form
+// (kernel_forms.h).
+//
+// For every shape, φ is convex, falls to φ = φ′ = 0 at the end of its support, q = Q, and is zero from there on. If the
+// radius means the surface, φ(1) = 1 and φ′(1) = −hardness. So φ and φ′ are monotone, and their ranges over an interval
+// are their values at its ends. (φ″ may jump: the metaball's does, within its support.)
+#pragma once
+
+#include "renderer/extended/interval.h"
+#include "renderer/extended/kernel_forms.h"
+#include "renderer/scene/database.h"
+
+namespace isl::ISL_EXTENDED {
+
+class ExtendedKernel {
+ public:
+  /// Precondition: only a quartic has the `support` meaning.
+  explicit ExtendedKernel(const scene::Kernel& kernel);
+
+  /// Q, beyond which φ = 0.
+  [[nodiscard]] Interval support() const { return support_; }
+
+  /// φ over q ≥ 0.
+  [[nodiscard]] Interval value(const Interval& q) const;
+  /// dφ/dq over q ≥ 0.
+  [[nodiscard]] Interval slope(const Interval& q) const;
+
+ private:
+  KernelFormHandle form_;
+  Interval support_;
+};
+
+}  // namespace isl::ISL_EXTENDED
