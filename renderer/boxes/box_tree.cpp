@@ -1,8 +1,9 @@
 // Items are divided in two where the surface area heuristic (MacDonald and Booth 1990) expects the least work, by bins
 // of their centres (Wald 2007, On fast Construction of SAH-based Bounding Volume Hierarchies). A node takes eight
-// parts, each found by dividing the part with the largest surface before it.
+// parts, each found by dividing the part with the largest surface before it. (A tree for points is divided by number.)
 #include "renderer/boxes/box_tree.h"
 
+#include "renderer/boxes/point_boxes.h"
 #include "renderer/scene/transform.h"
 
 #include <algorithm>
@@ -24,6 +25,9 @@ double surface(const Box& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
+/// How the items of a node are divided into its children.
+enum class Division : std::uint8_t { by_surface, by_number };
+
 /// A part of the list of items.
 struct Part {
   std::size_t first = 0, last = 0;
@@ -33,8 +37,9 @@ struct Part {
 
 class Builder {
  public:
-  Builder(std::span<const Box> boxes, std::vector<std::uint32_t> items, const std::function<bool()>& may_add)
-      : boxes_(boxes), items_(std::move(items)), may_add_(may_add) {}
+  Builder(std::span<const Box> boxes, std::vector<std::uint32_t> items, const std::function<bool()>& may_add,
+          Division division)
+      : boxes_(boxes), items_(std::move(items)), may_add_(may_add), division_(division) {}
 
   BoxTree run() {
     if (!items_.empty()) add(part(0, items_.size()), 0);
@@ -64,13 +69,15 @@ class Builder {
     std::ranges::fill(empty.children, BoxNode::kItem);
     std::array<Part, kBoxChildren> parts{whole};
     std::size_t count = 1;
+    const std::size_t least = division_ == Division::by_number ? items_of_full_child(whole.size()) : 1;
     for (; count < kBoxChildren; ++count) {
       Part* widest = nullptr;
       for (Part& one : std::span(parts).first(count)) {
-        if (one.size() > 1 && (widest == nullptr || surface(one.bounds) > surface(widest->bounds))) widest = &one;
+        if (one.size() > least && (widest == nullptr || surface(one.bounds) > surface(widest->bounds))) widest = &one;
       }
       if (widest == nullptr) break;
-      const std::size_t middle = depth < kDepthOfHeuristic ? divide(*widest) : halve(*widest);
+      const bool by_surface = division_ == Division::by_surface && depth < kDepthOfHeuristic;
+      const std::size_t middle = by_surface ? divide(*widest) : halve(*widest, least);
       parts[count] = part(middle, widest->last);
       *widest = part(widest->first, middle);
     }
@@ -87,10 +94,18 @@ class Builder {
     return index;
   }
 
-  /// Orders the items by their centres along the longest side, and returns the middle.
-  std::size_t halve(const Part& whole) {
+  /// The items below a child of a node, if all its nodes are full.
+  [[nodiscard]] static std::size_t items_of_full_child(std::size_t items) {
+    std::size_t full = 1;
+    while (full * kBoxChildren < items) full *= kBoxChildren;
+    return full;
+  }
+
+  /// Orders the items by their centres along the longest side, and returns the middle, a multiple of `unit` items from
+  /// the first one.
+  std::size_t halve(const Part& whole, std::size_t unit) {
     const auto axis = static_cast<int>(whole.bounds.majorAxis());
-    const std::size_t middle = whole.first + whole.size() / 2;
+    const std::size_t middle = whole.first + (whole.size() / 2 + unit - 1) / unit * unit;
     const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(whole.first), at(middle), at(whole.last),
                      [&](std::uint32_t a, std::uint32_t b) { return centre(a, axis) < centre(b, axis); });
@@ -128,7 +143,7 @@ class Builder {
     for (int axis = 0; axis < 3; ++axis) {
       if (centres.max[axis] > centres.min[axis]) try_axis(whole, axis, bins_of(centres, axis), best);
     }
-    if (best.axis < 0) return halve(whole);
+    if (best.axis < 0) return halve(whole, 1);
     const Bins bins = bins_of(centres, best.axis);
     const auto begin = items_.begin();
     const auto middle = std::partition(begin + static_cast<std::ptrdiff_t>(whole.first),
@@ -169,6 +184,7 @@ class Builder {
   std::span<const Box> boxes_;
   std::vector<std::uint32_t> items_;
   const std::function<bool()>& may_add_;
+  Division division_;
   BoxTree tree_;
 };
 
@@ -185,7 +201,12 @@ bool fits_in_tree(const Box& box) {
 
 BoxTree build_box_tree(std::span<const Box> boxes, std::vector<std::uint32_t> items,
                        const std::function<bool()>& may_add) {
-  return Builder(boxes, std::move(items), may_add).run();
+  return Builder(boxes, std::move(items), may_add, Division::by_surface).run();
+}
+
+BoxTree build_point_tree(std::span<const Box> boxes, std::vector<std::uint32_t> items,
+                         const std::function<bool()>& may_add) {
+  return Builder(boxes, std::move(items), may_add, Division::by_number).run();
 }
 
 }  // namespace isl::render

@@ -1,7 +1,9 @@
-// Rays through hierarchies of boxes against all boxes one by one, in long double, whose 64 bits decide what 53 cannot.
+// Rays through hierarchies of boxes, and points in them, against all boxes one by one. Rays are followed in long
+// double, whose 64 bits decide what 53 cannot.
 #include "renderer/boxes/box_tree.h"
 
 #include "renderer/boxes/box_walk-inl.h"
+#include "renderer/boxes/point_boxes.h"
 #include "renderer/rays/ray.h"
 
 #include <gtest/gtest.h>
@@ -236,6 +238,27 @@ TEST_F(BoxTrees, tell_eight_rays_the_same) {
       for (std::size_t k = 0; k < rays.size(); ++k) {
         if ((open >> k & 1) != 0) check(list, rays[k], limits[k], met[k]);
       }
+    }
+  }
+}
+
+TEST_F(BoxTrees, tell_a_point_of_all_boxes_around_it) {
+  for (const std::size_t count : {1U, 7U, 60U, 2000U}) {
+    const std::vector<Box> list = boxes(count);
+    const BoxTree made = tree(list);
+    for (int i = 0; i < 2000; ++i) {
+      // Every other point is in a plane, an edge or a corner of a box.
+      Vec3 point(uniform(-1.2, 1.2), uniform(-1.2, 1.2), uniform(-1.2, 1.2));
+      const Box& aim = list[random_() % count];
+      for (int axis = 0; i % 2 == 0 && axis < 3; ++axis) {
+        if (random_() % 2 == 0) point[axis] = random_() % 2 == 0 ? aim.min[axis] : aim.max[axis];
+      }
+      std::set<std::uint32_t> around, expected;
+      visit_boxes_around(made, point, [&](std::uint32_t item) { EXPECT_TRUE(around.insert(item).second); });
+      for (std::uint32_t item = 0; item < count; ++item) {
+        if (list[item].intersects(point)) expected.insert(item);
+      }
+      EXPECT_EQ(around, expected);
     }
   }
 }
