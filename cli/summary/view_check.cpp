@@ -1,6 +1,6 @@
 #include "cli/summary/view_check.h"
 
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ std::string black_line(const scene::Database& database, const render::Image& ima
     if (image.has_alpha || std::any_of(&image.rgba[pixel], &image.rgba[pixel] + 3, is_lit)) return {};
   }
   const scene::Vec3 eye = database.camera.value_or(scene::Camera{}).location;
-  const render::PatternInsides insides(database);
+  const render::Insides insides(database);
   constexpr std::uint64_t kMostSteps = 1'000'000;  // a tenth of a second or two
   StepCounter steps(kMostSteps);
   const bool is_inside = std::ranges::any_of(database.objects, [&](const scene::Object& object) {

@@ -5,7 +5,7 @@
 
 #include "renderer/film/projections.h"
 #include "renderer/patterns/patterns.h"
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 
 namespace isl::render {
 
@@ -16,7 +16,7 @@ class CameraBumps {
   CameraBumps(const scene::Database& database, const RunLimits& run, const ImageTable* images)
       : bumps_(database.normals[index(database.camera->normal)]),
         run_(run),
-        insides_(database),
+        insides_(database, run),
         patterns_(database, &insides_, database.settings.number_of_waves, images),
         noise_generator_(values::noise_generator_of(database.settings.noise_generator)) {}
   CameraBumps(const CameraBumps&) = delete;
@@ -33,7 +33,7 @@ class CameraBumps {
  private:
   const scene::Normal& bumps_;
   RunLimits run_;
-  PatternInsides insides_;
+  Insides insides_;
   Patterns patterns_;
   values::NoiseGenerator noise_generator_;
 };

@@ -2,7 +2,7 @@
 
 #include "renderer/film/recurring_angles.h"
 #include "renderer/patterns/patterns.h"
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@ constexpr std::size_t kBokehCells = 128;
 
 DensityTable brightness(const scene::Pigment& pigment, const scene::Database& database, const RunLimits& run,
                         const ImageTable* images) {
-  const PatternInsides insides(database);
+  const Insides insides(database, run);
   const Patterns patterns(database, &insides, database.settings.number_of_waves, images);
   values::Environment environment(values::noise_generator_of(database.settings.noise_generator), run, &patterns);
   std::vector<double> weights;

@@ -2,7 +2,7 @@
 
 #include "renderer/image/texel_file.h"
 #include "renderer/patterns/patterns.h"
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 
 #include <fmt/format.h>
 
@@ -125,7 +125,7 @@ std::shared_ptr<const Texels> ImageLibrary::sample(const Database& database, con
     return nullptr;
   }
   texels->values.resize(width * height * sizeof(std::uint16_t));
-  const PatternInsides insides(database);
+  const Insides insides(database, run_);
   const Patterns patterns(database, &insides, database.settings.number_of_waves, &table);
   const scene::Function& function = *database.functions[index(image.function)];
   // POV-Ray spans the function's square from the first pixel to the last one.

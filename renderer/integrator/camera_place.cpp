@@ -1,7 +1,7 @@
 #include "renderer/integrator/camera_place.h"
 
 #include "renderer/extents/extents.h"
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,7 +29,7 @@ class CameraPlace {
   [[nodiscard]] Imath::Box3d box_of(const scene::Object& object) { return extents_.of(object); }
 
  private:
-  PatternInsides insides_;
+  Insides insides_;
   Extents extents_;
   scene::Vec3 eye_;
   StepCounter& steps_;

@@ -11,6 +11,8 @@
 
 namespace isl::render {
 
+class BoxIndexes;
+
 /// `point` is in the blob's own space; it is inside if the field reaches the threshold. `kernels` are those of the
 /// database.
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
@@ -20,7 +22,9 @@ namespace isl::render {
 /// (solids/solid.h) hold nothing, inverse or not, as in POV-Ray: of a solid minus a triangle nothing is left but the
 /// triangle. Every object that is asked takes a step, and every few components of a blob do, because groups that hold a
 /// group twice, sixty deep, have more leaves than can be asked. When the steps are spent, the answer is meaningless.
+/// `indexes` may be null: they change no answer.
 [[nodiscard]] bool is_inside(const scene::Database& database, const std::vector<KernelConstants>& kernels,
-                             const scene::Object& object, const scene::Vec3& point, StepCounter& steps);
+                             const scene::Object& object, const scene::Vec3& point, StepCounter& steps,
+                             BoxIndexes* indexes = nullptr);
 
 }  // namespace isl::render

@@ -1,6 +1,5 @@
 #include "renderer/queries/object_queries.h"
 
-#include "renderer/queries/inside.h"
 #include "renderer/queries/next_surface.h"
 #include "renderer/trace/tracer.h"
 
@@ -13,16 +12,15 @@ namespace isl::render {
 ObjectQueries::ObjectQueries(const RunLimits& run) : run_(run) {}
 ObjectQueries::~ObjectQueries() = default;
 
-/// Kernels are added as a scene is read, so only new ones are prepared. Another database means another scene.
+/// Another database means another scene.
 void ObjectQueries::follow(const scene::Database& database) {
   if (database_ != &database) {
     database_ = &database;
-    kernels_.clear();
     shapes_.clear();
+    insides_.emplace(database, run_);
     extents_.emplace(database, BoxRule::povray);
   }
-  for (std::size_t i = kernels_.size(); i < database.kernels.size(); ++i)
-    kernels_.push_back(kernel_constants(database.kernels[i]));
+  insides_->follow();
 }
 
 const Tracer* ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
@@ -50,7 +48,7 @@ bool ObjectQueries::inside(const scene::Database& database, const scene::Object&
   follow(database);
   refusal_.reset();
   StepCounter steps(run_.steps_at_point, run_.stop);
-  const bool is_in = is_inside(database, kernels_, object, point, steps);
+  const bool is_in = insides_->is_inside(object, point, steps);
   if (steps.is_spent()) {
     refusal_ = {fmt::format("this object has parts that take more than {:g} steps to ask",
                             static_cast<double>(run_.steps_at_point)),

@@ -4,7 +4,7 @@
 
 #include "base/run_limits.h"
 #include "renderer/extents/extents.h"
-#include "renderer/fields/kernels/kernel_constants.h"
+#include "renderer/queries/insides.h"
 #include "renderer/queries/object_tracer.h"
 #include "renderer/scene/queries.h"
 
@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <tuple>
-#include <vector>
 
 namespace isl::render {
 
@@ -40,7 +39,7 @@ class ObjectQueries final : public scene::Queries {
   RunLimits run_;
   std::optional<scene::Refusal> refusal_;      ///< of the last question
   const scene::Database* database_ = nullptr;  ///< the database that the rest was made from
-  std::vector<KernelConstants> kernels_;
+  std::optional<Insides> insides_;
   std::optional<Extents> extents_;
   std::map<ShapeKey, std::unique_ptr<const ObjectTracer>> shapes_;
 };

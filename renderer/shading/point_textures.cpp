@@ -58,7 +58,7 @@ PointTextures::PointTextures(const scene::Database& database, const RunLimits& r
       run_(run),
       materials_(database),
       coordinate_textures_(database),
-      insides_(database),
+      insides_(database, run),
       patterns_(database, &insides_, database.settings.number_of_waves, images),
       noise_generator_(values::noise_generator_of(database.settings.noise_generator)),
       is_old_(database.settings.language_version < 3.7) {

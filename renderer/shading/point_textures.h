@@ -4,7 +4,7 @@
 
 #include "base/run_limits.h"
 #include "renderer/patterns/patterns.h"
-#include "renderer/queries/pattern_insides.h"
+#include "renderer/queries/insides.h"
 #include "renderer/rays/surface_point.h"
 #include "renderer/scene/coordinate_textures.h"
 #include "renderer/shading/material.h"
@@ -104,7 +104,7 @@ class PointTextures {
   std::vector<LitTexture> same_everywhere_;
   std::vector<bool> is_one_layer_;  ///< of textures, in the same order: no others, no coordinates of the surface
   scene::CoordinateTextures coordinate_textures_;
-  PatternInsides insides_;
+  Insides insides_;
   Patterns patterns_;
   values::NoiseGenerator noise_generator_;
   bool is_old_;  ///< before version 3.7, dark filters hid less of their own colour
