@@ -25,9 +25,16 @@ void ObjectQueries::follow(const scene::Database& database) {
 
 const Tracer* ObjectQueries::tracer_of(const scene::Database& database, const scene::Object& object) {
   follow(database);
-  std::unique_ptr<const ObjectTracer>& shape = shapes_[{object.kind, object.shape, object.clip, object.inverse}];
-  if (!shape) shape = ObjectTracer::of(database, object, run_, refusal_);
-  return shape ? &shape->tracer() : nullptr;
+  const ShapeKey key{object.kind, object.shape, object.clip, object.inverse};
+  if (const auto known = shapes_.find(key); known != shapes_.end()) return &known->second->tracer();
+  std::unique_ptr<const ObjectTracer> made = ObjectTracer::of(database, object, run_, refusal_);
+  if (!made && !shapes_.empty() && !is_set(run_.stop)) {
+    // What was prepared for earlier questions can be prepared again.
+    shapes_.clear();
+    refusal_.reset();
+    made = ObjectTracer::of(database, object, run_, refusal_);
+  }
+  return made ? &shapes_.emplace(key, std::move(made)).first->second->tracer() : nullptr;
 }
 
 scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const scene::Object& object,

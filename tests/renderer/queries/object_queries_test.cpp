@@ -121,5 +121,35 @@ TEST_F(Trace, FollowsADatabaseThatGrows) {
   expect_near(hit->normal, {0, 0, -1});
 }
 
+TEST_F(Trace, PreparesAgainWhatThereIsNoMemoryToKeep) {
+  database_.kernels.resize(1);
+  for (int copy = 0; copy < 2; ++copy) {
+    scene::Blob& blob = database_.blobs.emplace_back();
+    blob.threshold = 0.25;
+    for (int i = 0; i < 500; ++i) blob.components.push_back({.a = {0.3 * (i % 25), 0.3 * (i / 25), 0}, .radius_a = 1});
+    blob.origins.resize(blob.components.size());
+  }
+  const auto is_answered = [&](ObjectQueries& queries, std::uint32_t blob) {
+    const auto answer = queries.trace(database_, object(Object::Kind::blob, blob), {3, 3, -5}, {0, 0, 1});
+    return !queries.refusal() && answer.point.has_value();
+  };
+  // The least memory for one of them.
+  std::size_t limit = 100'000;
+  while (true) {
+    Budget budget(limit);
+    RunLimits run;
+    run.budget = &budget;
+    ObjectQueries queries(run);
+    if (is_answered(queries, 0)) break;
+    EXPECT_TRUE(queries.refusal());
+    limit += limit / 16;
+  }
+  Budget budget(limit);
+  RunLimits run;
+  run.budget = &budget;
+  ObjectQueries queries(run);
+  for (std::uint32_t i = 0; i < 4; ++i) EXPECT_TRUE(is_answered(queries, i % 2)) << i;
+}
+
 }  // namespace
 }  // namespace isl::render
