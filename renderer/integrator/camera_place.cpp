@@ -72,19 +72,21 @@ std::vector<Body> bodies_around_camera(const scene::Database& database, const Tr
   // With fewer objects POV-Ray makes no tree.
   constexpr std::size_t kFewestOfTree = 3;
   std::vector<Around> around;
-  SortingAxis sorting;
   std::size_t objects = 0;
   CameraPlace place(database, steps);
   tracer.visit_objects([&](const PlacedObject& placed) {
     ++objects;
-    const Imath::Box3d box = place.box_of(placed.object);
-    const bool ends = is_finite(box);
-    if (ends) sorting.add(box);
     if (!place.is_in(placed.object)) return;
+    const Imath::Box3d box = place.box_of(placed.object);
     const scene::Vec3 before_all(-std::numeric_limits<double>::infinity());
-    around.push_back({{placed.body, placed.interior, placed.is_hollow}, ends ? box.center() : before_all});
+    around.push_back({{placed.body, placed.interior, placed.is_hollow}, is_finite(box) ? box.center() : before_all});
   });
-  if (objects >= kFewestOfTree) {
+  // The boxes of all objects take far longer than to find out that the camera is in none or one of them.
+  if (around.size() > 1 && objects >= kFewestOfTree) {
+    SortingAxis sorting;
+    tracer.visit_objects([&](const PlacedObject& placed) {
+      if (const Imath::Box3d box = place.box_of(placed.object); is_finite(box)) sorting.add(box);
+    });
     std::ranges::stable_sort(around, {}, [axis = sorting.axis()](const Around& one) { return one.middle[axis]; });
   }
   std::vector<Body> bodies;
