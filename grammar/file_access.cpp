@@ -1,5 +1,6 @@
 #include "grammar/file_access.h"
 
+#include "base/shell_word.h"
 #include "base/system_message.h"
 #include "grammar/similar_file.h"
 
@@ -32,6 +33,14 @@ std::string names_of(const std::vector<fs::path>& folders) {
   return text;
 }
 
+/// An absolute folder as an argument in a shell: from the current folder, if that is shorter.
+std::string as_typed(const fs::path& folder) {
+  std::error_code error;
+  const fs::path relative = fs::proximate(folder, error);
+  const bool is_shorter = !error && relative.native().size() < folder.native().size();
+  return shell_word((is_shorter ? relative : folder).native());
+}
+
 /// True for the errors that only say that no file has this name.
 bool is_absence(const std::error_code& error) {
   return error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory ||
@@ -46,11 +55,11 @@ std::string shown_name(std::string_view name) {
   return name.size() <= length ? std::string(name) : std::string(name.substr(0, length)) + "…";
 }
 
-FileAccess::FileAccess(std::vector<fs::path> search_path, const std::vector<fs::path>& write_folders,
-                       std::shared_ptr<OutputSet> outputs)
-    : search_path_(std::move(search_path)), outputs_(std::move(outputs)) {
+FileAccess::FileAccess(AllowedFolders allowed, std::shared_ptr<OutputSet> outputs)
+    : search_path_(std::move(allowed.search_path)), outputs_(std::move(outputs)) {
   for (const fs::path& path : search_path_) readable_.add(path);
-  for (const fs::path& path : write_folders) {
+  for (const fs::path& path : allowed.read) readable_.add(path);
+  for (const fs::path& path : allowed.write) {
     if (Folder folder(path); folder.is_open()) write_folders_.push_back(std::move(folder));
   }
 }
@@ -109,7 +118,7 @@ FoundFile FileAccess::judge(const fs::path& candidate) const {
   }
   if (verdict.folder == nullptr) {
     return refuse(fmt::format("`{}` is outside the folders that the scene may read", shown_name(candidate.string())),
-                  "allow its folder with `-I`");
+                  fmt::format("allow its folder with `-I {}`", as_typed(file.canonical.parent_path())));
   }
   if (file.canonical == verdict.folder->path()) {
     return refuse(fmt::format("cannot read `{}`: it is a folder", file.shown.string()));
@@ -227,6 +236,7 @@ WritablePlace FileAccess::judge_place(const fs::path& candidate) const {
   if (!place.folder.is_open()) return refuse(explain(errno));
   // Other programs run the commands that such a folder names.
   if (is_in_version_control(allowed->below(place.canonical))) return refuse("it belongs to version control");
+  if (is_shared_mark(name)) return refuse("it decides which files other scenes may read");
   struct stat status {};
   const bool exists = ::fstatat(place.folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
   if (!exists && errno != ENOENT) return refuse(explain(errno));

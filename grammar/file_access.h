@@ -1,11 +1,11 @@
 // The rules for the files that a scene may read and write, and the lookup from a name to a file. All reading of a scene
 // (`#include`, `#fopen`, images) and all its writing go through this module; it knows nothing of the files' contents.
 //
-// Reading: the scene's folder, its working tree, the folders of the search path, and all that lies below them
-// (readable_folders.h). Writing: below the folders that the user allowed. A name is resolved (links, `..`, absolute
-// paths) before it is judged, and the judged file is the opened one: the walk from the allowed folder follows no link.
-// The text that a scene writes stays in memory, where the scene can read it again, until it has been read without
-// errors; then it joins the run's other outputs (base/files/output_set.h).
+// Reading: the scene's folder, its working tree, the folders of the search path, those that the user allows besides,
+// and all that lies below them (readable_folders.h). Writing: below the folders that the user allowed. A name is
+// resolved (links, `..`, absolute paths) before it is judged, and the judged file is the opened one: the walk from the
+// allowed folder follows no link. The text that a scene writes stays in memory, where the scene can read it again,
+// until it has been read without errors; then it joins the run's other outputs (base/files/output_set.h).
 #pragma once
 
 #include "base/files/output_set.h"
@@ -61,12 +61,18 @@ struct WriteFailure {
   std::string reason;
 };
 
+/// The folders that the user allows a scene, beside its own and its working tree.
+struct AllowedFolders {
+  std::vector<std::filesystem::path> search_path =
+      {};                                         ///< searched after the asking file's and the scene's; read below
+  std::vector<std::filesystem::path> read = {};   ///< files below them may be read; nothing is searched there
+  std::vector<std::filesystem::path> write = {};  ///< files below them may be written
+};
+
 class FileAccess {
  public:
-  /// `search_path`: the folders that are searched after the folder of the asking file and the scene's. `write_folders`:
-  /// files below these may be written. `outputs`: those of the run, and its register of files.
-  FileAccess(std::vector<std::filesystem::path> search_path, const std::vector<std::filesystem::path>& write_folders,
-             std::shared_ptr<OutputSet> outputs = std::make_shared<OutputSet>());
+  /// `outputs`: those of the run, and its register of files.
+  explicit FileAccess(AllowedFolders allowed, std::shared_ptr<OutputSet> outputs = std::make_shared<OutputSet>());
 
   /// Makes the scene's folder readable, and the base of relative names to write. For a scene that is a file there: it
   /// may read the working tree that it lies in.

@@ -42,7 +42,7 @@ Loader::Loader(SourceMap& map, SymbolTable& symbols, Arena& arena, DiagnosticSin
       arena_(arena),
       sink_(sink),
       options_(std::move(options)),
-      access_(options_.include_paths, options_.write_folders, options_.outputs),
+      access_(options_.folders, options_.outputs),
       texts_(options_.run.budget) {
   arena_.set_budget(options_.run.budget);
 }
@@ -271,7 +271,7 @@ bool Loader::exists(std::string_view name, const Unit& from) const {
 }
 
 const LibraryIndex& Loader::library() {
-  if (!library_) library_.emplace(options_.include_paths);
+  if (!library_) library_.emplace(options_.folders.search_path);
   return *library_;
 }
 

@@ -49,11 +49,8 @@ struct UsedFile {
 };
 
 struct LoaderOptions {
-  /// The folders that are searched for files after the folder of the asking file. A scene may read only these folders,
-  /// its own and all that lies below them.
-  std::vector<std::filesystem::path> include_paths = {};
-  /// A scene may write below these folders.
-  std::vector<std::filesystem::path> write_folders = {};
+  /// A scene may read and write only in these folders, and read in its own.
+  AllowedFolders folders = {};
   /// The run's outputs, which those of the scene join, and its register of files.
   std::shared_ptr<OutputSet> outputs = std::make_shared<OutputSet>();
   /// Limit of simultaneously open brackets and directives. Trees are at most four times as high.

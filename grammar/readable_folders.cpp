@@ -31,6 +31,12 @@ bool everybody_may_write(const fs::path& folder) {
   return ::stat(folder.c_str(), &status) != 0 || (status.st_mode & S_IWOTH) != 0;
 }
 
+bool holds(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+}  // namespace
+
 fs::path home_folder() {
   const char* home = std::getenv("HOME");
   if (home == nullptr || *home == '\0') {
@@ -41,12 +47,6 @@ fs::path home_folder() {
   fs::path canonical = fs::canonical(home, error);
   return error ? fs::path() : canonical;
 }
-
-bool holds(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
-}  // namespace
 
 bool may_be_project(const fs::path& folder, const fs::path& home) {
   return folder != folder.root_path() && !holds(folder, home) && !everybody_may_write(folder);
@@ -69,6 +69,8 @@ bool is_in_version_control(const fs::path& relative) {
                                [&](const char* name) { return ::strcasecmp(part.c_str(), name) == 0; });
   });
 }
+
+bool is_shared_mark(const fs::path& name) { return ::strcasecmp(name.c_str(), kSharedFolderMark) == 0; }
 
 void ReadableFolders::add(const fs::path& path) {
   if (Folder folder(path); folder.is_open()) folders_.push_back(std::move(folder));

@@ -9,6 +9,9 @@
 
 namespace isl::grammar {
 
+/// The user's home folder, canonical; empty if there is none.
+[[nodiscard]] std::filesystem::path home_folder();
+
 /// True if a folder (canonical, as `home` is) may be the root of a working tree: it is not `/`, not the home folder or
 /// a parent of it, and not writable by every user (such as `/tmp`, where another user could plant a `.git`). Those
 /// folders hold more than one project.
@@ -21,6 +24,13 @@ namespace isl::grammar {
 /// True if a path below a folder leads into version control's own files: one of its names is `.git`, `.hg` or `.svn`,
 /// in any case of letters. Those hold addresses and passwords of servers, and commands that other programs run.
 [[nodiscard]] bool is_in_version_control(const std::filesystem::path& relative);
+
+/// The name of the file that marks a folder whose files many scenes share (cli/session/shared_folders.h). Its content
+/// has no meaning.
+inline constexpr const char* kSharedFolderMark = "isl.ini";
+
+/// True for the name of that file, in any case of letters.
+[[nodiscard]] bool is_shared_mark(const std::filesystem::path& name);
 
 class ReadableFolders {
  public:

@@ -48,6 +48,7 @@ std::string command_text(const AccuracyCommand& command) {
   if (command.scene.clock != 0) text += fmt::format(" --clock {}", command.scene.clock);
   if (command.scene.frame != 0) text += fmt::format(" --frame {}", command.scene.frame);
   for (const fs::path& folder : command.scene.include_paths) text += fmt::format(" -I {}", folder.string());
+  for (const fs::path& folder : command.scene.read_folders) text += fmt::format(" --allow-read {}", folder.string());
   for (const auto& [name, value] : command.scene.defines) {
     const double* const number = std::get_if<double>(&value);
     text += number != nullptr ? fmt::format(" -D {}={}", name, *number)

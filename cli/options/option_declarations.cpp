@@ -98,6 +98,9 @@ void add_scene_options(CLI::App& app, SceneOptions& scene, std::vector<std::stri
   add_list(app, "-I,--include", "DIR", "Add DIR to the search path; files in other folders cannot be read",
            scene.include_paths)
       ->group(group);
+  add_list(app, "--allow-read", "DIR", "Let the scene read files below DIR, without searching there",
+           scene.read_folders)
+      ->group(group);
   app.add_flag_callback(
          "--no-system-libraries", [&scene] { scene.system_libraries = SystemLibraries::none; },
          "Do not search the system's copy of POV-Ray's include files")

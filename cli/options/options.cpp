@@ -217,6 +217,8 @@ Command parse_command_line(std::span<const std::string> given) {
   if (auto finished = finish_scene_options(command, raw.defines, raw.format, scene)) return *std::move(finished);
   if (command.get_name() == "accuracy" && command.count("--size") == 0) scene.size = kAccuracySize;
   scene.is_size_known = command.count("--size") > 0 || command.get_name() == "render";
+  scene.named_folders = scene.include_paths;
+  scene.named_folders.insert(scene.named_folders.end(), scene.read_folders.begin(), scene.read_folders.end());
   if (auto finished = read_ini_file(command, scene, raw.picture)) return *std::move(finished);
   if (command.get_name() == "check") return CheckCommand{std::move(scene)};
   if (command.get_name() == "plan") return PlanCommand{std::move(scene), raw.plan_quality, raw.plan_measure};

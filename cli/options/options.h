@@ -38,6 +38,8 @@ struct SceneOptions {
   std::optional<IniText> ini;
   std::vector<std::filesystem::path> include_paths;
   SystemLibraries system_libraries = SystemLibraries::after_ours;
+  std::vector<std::filesystem::path> read_folders;   ///< --allow-read
+  std::vector<std::filesystem::path> named_folders;  ///< of -I and --allow-read, without those of the .ini file
   std::vector<std::filesystem::path> write_folders;  ///< --allow-write
   std::vector<Define> defines;
   interpreter::Limits limits;

@@ -1,5 +1,6 @@
 #include "cli/options/povray_switches.h"
 
+#include "base/shell_word.h"
 #include "cli/options/povray_options.h"
 
 #include <fmt/format.h>
@@ -39,10 +40,6 @@ bool takes_next(string_view option) {
          (option.starts_with("--") && option.find('=') == string_view::npos);
 }
 
-std::string shell_quoted(string_view value) {
-  return value.find_first_of(" \t\"'$") == string_view::npos ? std::string(value) : fmt::format("'{}'", value);
-}
-
 /// The extension for a file type; PNG, the default of both programs, for types that isl cannot write.
 string_view extension(string_view type) {
   const string_view known = extension_of_povray_type(type);
@@ -55,7 +52,7 @@ class Translation {
   void add(const PovraySetting& setting, const std::string& argument) {
     const string_view key = setting.option->key;
     if (!setting.option->ours.empty()) {
-      options_ += fmt::format(" {} {}", setting.option->ours, shell_quoted(setting.value));
+      options_ += fmt::format(" {} {}", setting.option->ours, shell_word(setting.value));
     } else if (key == "antialias_threshold") {
       options_ += setting.on ? " --aa " + (setting.value.empty() ? "0.3" : setting.value) : " --samples 1";
     } else if (key == "output_alpha" && setting.on) {
@@ -73,9 +70,9 @@ class Translation {
   [[nodiscard]] const std::string& ignored() const { return ignored_; }
 
   [[nodiscard]] std::string command_line() const {
-    std::string line = "isl render " + (scene_.empty() ? "SCENE" : shell_quoted(scene_));
+    std::string line = "isl render " + (scene_.empty() ? "SCENE" : shell_word(scene_));
     if (!output_.empty()) {
-      line += " -o " + shell_quoted(output_);
+      line += " -o " + shell_word(output_);
     } else if (extension(type_) != ".png") {
       line += fmt::format(" -o NAME{}", extension(type_));
     }

@@ -5,6 +5,7 @@
 #include "cli/output/run_end.h"
 #include "cli/output/stopwatch.h"
 #include "cli/session/search_path.h"
+#include "cli/session/shared_folders.h"
 #include "renderer/queries/faint.h"
 #include "renderer/queries/object_queries.h"
 
@@ -17,13 +18,27 @@
 
 namespace isl::cli {
 
+namespace {
+
+/// Those that the command line names, and the shared folder that the scene lies in.
+std::vector<std::filesystem::path> readable_folders(const SceneOptions& options) {
+  std::vector<std::filesystem::path> folders = options.read_folders;
+  if (options.scene == "-") return folders;
+  if (std::filesystem::path shared = shared_folder_of(options.scene); !shared.empty())
+    folders.push_back(std::move(shared));
+  return folders;
+}
+
+}  // namespace
+
 Session::Session(const SceneOptions& options)
     : options_(options),
       budget_(options.limits.max_memory_bytes),
       limits_{&budget_, &stop_flag(), interpreter::steps_at_point(options.limits), options.steps_of_ray},
       loader_(sources_, symbols_, arena_, sink_,
-              {.include_paths = include_search_path(options.include_paths, options.system_libraries),
-               .write_folders = options.write_folders,
+              {.folders = {.search_path = include_search_path(options.include_paths, options.system_libraries),
+                           .read = readable_folders(options),
+                           .write = options.write_folders},
                .outputs = outputs_,
                .run = limits_}) {
   note_inputs();
@@ -64,19 +79,42 @@ const interpreter::EvaluatedScene& Session::scene() const {
   return *scene_;
 }
 
+bool Session::are_folders(std::string_view option, std::span<const std::filesystem::path> paths) {
+  for (const std::filesystem::path& path : paths) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) continue;
+    sink_.error({}, fmt::format("{}: `{}` is not a folder", option, path.string()));
+    return false;
+  }
+  return true;
+}
+
+void Session::remember() {
+  for (const NewSharedFolder& added : remember_shared_folders(options_.named_folders)) {
+    const std::string found = fmt::format("`{}` has an `{}`", added.folder.string(), grammar::kSharedFolderMark);
+    if (added.trouble.empty()) {
+      sink_.report({Severity::note,
+                    {},
+                    fmt::format("{}: from now on, every scene below it may read it", found),
+                    fmt::format("`{}` lists such folders", shared_folders_list().string()),
+                    {},
+                    {}});
+    } else {
+      sink_.warning({}, fmt::format("{}, but cannot be remembered: {}", found, added.trouble));
+    }
+  }
+}
+
 ExitCode Session::load() {
   if (sink_.has_errors()) return ExitCode::command_line_error;
-  for (const std::filesystem::path& folder : options_.write_folders) {
-    std::error_code error;
-    if (std::filesystem::is_directory(folder, error)) continue;
-    sink_.error({}, fmt::format("--allow-write: `{}` is not a folder", folder.string()));
+  if (!are_folders("--allow-read", options_.read_folders) || !are_folders("--allow-write", options_.write_folders))
     return ExitCode::file_error;
-  }
   for (const std::filesystem::path& folder : options_.include_paths) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
       sink_.warning({}, fmt::format("the search path names `{}`, which is not a folder", folder.string()));
   }
+  remember();
   const Stopwatch stopwatch;
   unit_ = loader_.load_scene(options_.scene);
   parse_seconds_ = stopwatch.seconds();

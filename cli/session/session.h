@@ -13,9 +13,12 @@
 #include "interpreter/evaluate.h"
 #include "renderer/image/image_library.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isl::cli {
@@ -65,6 +68,10 @@ class Session {
  private:
   /// Any code but `done`: the file could not be read, or not be parsed.
   ExitCode load();
+  /// Reports the first of the option's paths that is not a folder.
+  bool are_folders(std::string_view option, std::span<const std::filesystem::path> paths);
+  /// Notes the shared folders that the command line names, and tells that.
+  void remember();
   void tell(const IniText& ini);
   /// The files that the command line names; others are noted when they are read.
   void note_inputs();

@@ -127,7 +127,8 @@ SceneVerdict try_scene(std::string_view text, const std::filesystem::path& folde
     grammar::SymbolTable symbols;
     grammar::Arena arena;
     DiagnosticSink sink;
-    grammar::Loader loader(sources, symbols, arena, sink, {.include_paths = search_path, .run = {&budget, &stop}});
+    grammar::Loader loader(sources, symbols, arena, sink,
+                           {.folders = {.search_path = search_path}, .run = {&budget, &stop}});
     const grammar::Unit* const unit = loader.load_text((folder / "scene.pov").string(), std::string(text));
     if (!unit) return {.trouble = "the text was not read at all"};
     if (!sink.has_errors()) {

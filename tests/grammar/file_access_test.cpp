@@ -30,7 +30,7 @@ class FileAccessTest : public testing::Test {
   FileAccessTest() {
     folder_.write("scenes/inner/a.inc", "A");
     folder_.write("secret/a.inc", "Secret");
-    access_.emplace(std::vector<fs::path>{}, std::vector<fs::path>{path("scenes")}, outputs_);
+    access_.emplace(AllowedFolders{.write = {path("scenes")}}, outputs_);
     access_->set_scene_folder(path("scenes"));
   }
   [[nodiscard]] fs::path path(const fs::path& name) const { return folder_.path() / name; }
@@ -132,7 +132,7 @@ TEST_F(FileAccessTest, PlacesAreCountedOnce) {
 
 TEST_F(FileAccessTest, RelativeNamesGoToAnAllowedFolderWhereTheScenesIsNone) {
   fs::create_directory(path("out"));
-  FileAccess access({}, {path("out")});
+  FileAccess access({.write = {path("out")}});
   access.set_scene_folder(path("scenes"));
   EXPECT_EQ(access.find_writable("x.txt").canonical, path("out/x.txt"));
   EXPECT_EQ(access.find_writable("../x.txt").problem.error, AccessError::refused);
@@ -148,7 +148,7 @@ TEST_F(FileAccessTest, AFolderOfTheWorkingTreeThatBecomesALinkIsNotFollowed) {
   fs::create_directories(path("tree/.git"));
   fs::create_directories(path("tree/scenes"));
   folder_.write("tree/lib/a.inc", "A");
-  FileAccess access({}, {});
+  FileAccess access({});
   access.set_scene_folder(path("tree/scenes"));
   const FoundFile found = access.find("../lib/a.inc", path("tree/scenes"));
   ASSERT_EQ(found.problem.error, AccessError::none) << found.problem.message;
@@ -167,7 +167,7 @@ TEST_F(FileAccessTest, NamesAreTheSameOnEveryMachine) {
   folder_.write("tree/common.inc", "C");
   folder_.write("tree/scenes/inc/a.inc", "A");
   folder_.write("library/sub/b.inc", "B");
-  FileAccess access({path("library")}, {});
+  FileAccess access({.search_path = {path("library")}});
   access.set_scene_folder(path("tree/scenes"));
   const auto name = [&](const fs::path& asked) {
     const FoundFile found = access.find(asked.string(), path("tree/scenes/inc"));

@@ -18,7 +18,7 @@ class LoaderTest : public testing::Test {
   Loader& loader(std::vector<fs::path> include_paths = {}) {
     folder_.write("scenes/scene.isl", "");
     loader_.emplace(map_, symbols_, arena_, sink_,
-                    LoaderOptions{.include_paths = std::move(include_paths), .outputs = outputs_});
+                    LoaderOptions{.folders = {.search_path = std::move(include_paths)}, .outputs = outputs_});
     scene_ = loader_->load_scene(folder_.path() / "scenes/scene.isl");
     return *loader_;
   }
