@@ -69,6 +69,14 @@ Value ElementStream::take_value() {
   return evaluate(context_, *element_.node);
 }
 
+void ElementStream::skip_rest() {
+  while (!peek().is(ElementKind::end)) {
+    const Element element = take();
+    // The items of a block whose `}` is still to come are this stream's, too.
+    if (element.opened_in != Element::kClosed) ElementStream(context_, element).skip_rest();
+  }
+}
+
 void ElementStream::recover() {
   auto& frames = context_.frames;
   while (frames.size() > base_ + 1 && frames.back().kind != Frame::Kind::include) context_.pop();
@@ -83,6 +91,24 @@ void ElementStream::yield(ElementKind kind, const Node& node, grammar::Symbol wo
   element_.node = &node;
   element_.opened_in = Element::kClosed;
   ready_ = true;
+}
+
+void ElementStream::take_block_behind() {
+  auto& frames = context_.frames;
+  std::size_t i = frames.size() - 1;
+  while (i > base_ && frames[i].kind == Frame::Kind::branch && frames[i].next == frames[i].end) --i;
+  if (i == frames.size() - 1) return;
+  const bool is_declared = i == base_ && frames[i].kind == Frame::Kind::value && outer_base_ != Context::kNoStream;
+  if (is_declared && frames[i].next == frames[i].end) --i;
+  Frame& around = frames[i];
+  if (around.next == around.end || (*around.next)->kind != NodeKind::block) return;
+  const auto& block = as<grammar::Block>(**around.next);
+  if (block.word != grammar::kNoSymbol) return;
+  ++around.next;
+  element_.kind = ElementKind::block;
+  element_.word_span = element_.span;
+  element_.span = block.span;
+  element_.items = block.items;
 }
 
 void ElementStream::take_call(const grammar::Call& call) {
@@ -177,7 +203,10 @@ void ElementStream::advance() {
         break;
       }
       case NodeKind::call: take_call(as<grammar::Call>(node)); break;
-      case NodeKind::word: yield(ElementKind::word, node, as<grammar::Word>(node).word); break;
+      case NodeKind::word:
+        yield(ElementKind::word, node, as<grammar::Word>(node).word);
+        if (frame.next == frame.end) take_block_behind();
+        break;
       case NodeKind::block:
         yield(ElementKind::block, node, as<grammar::Block>(node).word);
         element_.word_span = as<grammar::Block>(node).word_span;

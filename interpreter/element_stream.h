@@ -78,6 +78,9 @@ class ElementStream {
   }
   bool accept_comma() { return accept(ElementKind::comma); }
 
+  /// Takes all elements up to the end, and executes the directives among them.
+  void skip_rest();
+
   /// Called after an error: gives up the loops and macro calls in progress, down to the innermost file, and goes on
   /// there.
   void recover();
@@ -94,6 +97,9 @@ class ElementStream {
   void end_block(const grammar::Node& node);
   void end(SourceSpan span);
   void leave_outer_frame();
+  /// `#if (A) merge #else union #end { … }`: the word that ends a branch, which is the present element, names the block
+  /// behind the directive; in a declaration, the block behind the declaration.
+  void take_block_behind();
   void take_call(const grammar::Call& call);
   void yield(ElementKind kind, const grammar::Node& node, grammar::Symbol word = grammar::kNoSymbol);
 

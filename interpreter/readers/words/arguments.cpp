@@ -228,7 +228,11 @@ void refuse(ElementStream& stream, std::span<const Symbol> known) {
   const SourceSpan span = is_named_block ? next.word_span : next.span;
   const std::string where =
       stream.word() == grammar::kNoSymbol ? "here" : fmt::format("in `{}`", context.text(stream.word()));
-  if (is_unsupported(next)) return context.unsupported(span, context.text(next.word));
+  if (is_unsupported(next)) {
+    context.unsupported(span, context.text(next.word));
+    if (next.opened_in != Element::kClosed) ElementStream(context, next).skip_rest();
+    return;
+  }
   const bool is_unknown_block = is_named_block && !grammar::is_reserved(next.word);
   if (next.is(ElementKind::unknown) || is_unknown_block) refuse_name(context, next, known, where);
   if (next.is(ElementKind::comma)) refuse_comma(stream, span, where);
