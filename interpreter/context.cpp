@@ -74,6 +74,12 @@ void Context::fail(SourceSpan span, std::string message, std::string hint) {
   throw Failed{};
 }
 
+void Context::fail_not_finite(SourceSpan span, const std::string& message) {
+  if (left_out.empty()) fail(span, message);
+  warn(span, fmt::format("{}; {} is left out", message, left_out));
+  throw LeftOut{};
+}
+
 void Context::stop(SourceSpan span, std::string message, std::string hint) {
   error(span, std::move(message), std::move(hint));
   throw Stopped{};

@@ -27,6 +27,8 @@
 
 namespace isl::interpreter {
 
+/// Thrown after a warning: a number of an object or component is infinite or not a number, so that it is left out.
+struct LeftOut {};
 /// Thrown after a user error was reported: the statement with the error is given up, and reading goes on after it.
 struct Failed {};
 /// Thrown after an error beyond which reading on makes no sense (a limit, #error, a missing include, too many errors).
@@ -60,8 +62,10 @@ class Context {
   static constexpr std::size_t kNoStream = SIZE_MAX;
   /// Index of the bottom frame of the ElementStream that is being read.
   std::size_t stream_base = kNoStream;
-  std::size_t abandoned_blocks = 0;   ///< after errors: blocks that no stream reads and whose `}` is still to come
-  std::vector<Slot*> argument_slots;  ///< for macro calls whose arguments are being evaluated
+  std::string_view left_out;         ///< what a LeftOut leaves out, in messages; empty if nobody catches it
+  std::size_t abandoned_blocks = 0;  ///< after errors: blocks that no stream reads and whose `}` is still to come
+  const grammar::Node* argument = nullptr;  ///< of a macro call, while it is evaluated (operators.h, TermsApart)
+  std::vector<Slot*> argument_slots;        ///< for macro calls whose arguments are being evaluated
   RandomStreams random;
   OpenFiles files;
   FontShelf fonts;
@@ -85,6 +89,9 @@ class Context {
 
   [[noreturn]] void fail(SourceSpan span, std::string message, std::string hint = {});
   [[noreturn]] void stop(SourceSpan span, std::string message, std::string hint = {});
+  /// `message` tells of a number that is infinite or not a number. In what can be left out it is a warning, and LeftOut
+  /// is thrown.
+  [[noreturn]] void fail_not_finite(SourceSpan span, const std::string& message);
   /// Reports and goes on; throws Stopped when there are too many.
   void error(SourceSpan span, std::string message, std::string hint = {});
   /// Reports once for each place and text: a loop may warn a million times.

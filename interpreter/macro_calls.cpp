@@ -10,6 +10,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isl::interpreter {
@@ -70,6 +71,7 @@ class ArgumentSlots {
 
  private:
   void read(const grammar::Argument& argument);
+  void read_sum(const Node& sum);
   void read_stream(const grammar::Argument& argument);
   /// A new slot's value, for the caller to set.
   [[nodiscard]] Value& push();
@@ -125,8 +127,25 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
   const Node& node = *argument[0];
   if (node.kind == NodeKind::name || node.kind == NodeKind::index) {
     push_reference(find_slot(context_, node));
+  } else if (node.kind == NodeKind::binary) {
+    read_sum(node);
   } else {
     evaluate_into(context_, node, push());
+  }
+}
+
+void ArgumentSlots::read_sum(const Node& sum) {
+  const Node* const outer = std::exchange(context_.argument, &sum);
+  try {
+    evaluate_into(context_, sum, push());
+    context_.argument = outer;
+  } catch (const TermsApart& apart) {
+    context_.argument = outer;
+    context_.argument_slots.back()->value = apart.left;
+    push() = rest_of_terms(context_, sum, apart);
+  } catch (...) {
+    context_.argument = outer;
+    throw;
   }
 }
 

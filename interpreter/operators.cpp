@@ -93,9 +93,24 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return {};
 }
 
+[[nodiscard]] bool is_sign(BinaryOp op) { return op == BinaryOp::add || op == BinaryOp::subtract; }
+
+/// True if the operator is the sign of an argument that has no comma before it (TermsApart).
+[[nodiscard]] bool may_be_apart(const Context& context, const grammar::Binary& node, const Value& left,
+                                const Value& right) {
+  if (!is_sign(node.op) || left.is_numeric() || left.kind() == ValueKind::string || !right.is_numeric()) return false;
+  const Node* term = context.argument;
+  while (term != nullptr && term != &node) {
+    const bool is_sum = term->kind == NodeKind::binary && is_sign(as<grammar::Binary>(*term).op);
+    term = is_sum ? as<grammar::Binary>(*term).left : nullptr;
+  }
+  return term != nullptr;
+}
+
 /// The only operation on operands that are not both numeric is the comparison of two strings.
 [[nodiscard]] Value compare_strings(Context& context, const grammar::Binary& node, const Value& left,
                                     const Value& right) {
+  if (may_be_apart(context, node, left, right)) throw TermsApart{&node, left, right};
   const bool is_comparison = node.op >= BinaryOp::less && node.op <= BinaryOp::not_equal;
   if (is_comparison && left.kind() == ValueKind::string && right.kind() == ValueKind::string) {
     const int order = left.as<StringValue>().text.compare(right.as<StringValue>().text);
@@ -178,6 +193,14 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
 }
 
 }  // namespace
+
+Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) {
+  const auto& node = as<grammar::Binary>(sum);
+  if (&node == apart.node)
+    return node.op == BinaryOp::add ? apart.right : of_values(context, node, Value(0.0), apart.right);
+  const Value left = rest_of_terms(context, *node.left, apart);
+  return of_values(context, node, left, evaluate(context, *node.right));
+}
 
 const double* item_at_hand(Context& context, const grammar::Dot& node) {
   const Value* const base = variable(context, *node.base);

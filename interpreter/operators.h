@@ -22,6 +22,16 @@ namespace isl::interpreter {
   return node.kind == NodeKind::unary ? grammar::as<grammar::Unary>(node).negative : nullptr;
 }
 
+/// Thrown where the terms of a macro call's argument (Context::argument) are two arguments without a comma between
+/// them, as in `Move(Shape() -y)`: the value left of a sign is an object, or another value that has no sum. The
+/// operands of `node` are evaluated.
+struct TermsApart {
+  const grammar::Binary* node;
+  Value left, right;
+};
+/// The second of the two arguments: all of the sum that begins with the sign.
+[[nodiscard]] Value rest_of_terms(Context& context, const grammar::Node& sum, const TermsApart& apart);
+
 // Each is evaluate_into() for one kind of node.
 void evaluate_binary(Context& context, const grammar::Binary& node, Value& result);
 void evaluate_unary(Context& context, const grammar::Unary& node, Value& result);
