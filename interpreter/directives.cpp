@@ -61,6 +61,20 @@ Value read_to_end(ElementStream& stream, bool& terminated) {
   return value;
 }
 
+/// `#declare T = Macro() texture { … }`: over the texture of a macro lie those that are the next items of the list that
+/// holds the declaration.
+Value with_following_layers(Context& context, Value value) {
+  Frame& frame = context.frames.back();
+  const auto* const end = std::find_if_not(frame.next, frame.end, [](const Node* item) {
+    return item->kind == NodeKind::block && as<grammar::Block>(*item).word == grammar::word::kw_texture;
+  });
+  const grammar::Items layers(frame.next, end);
+  if (layers.empty()) return value;
+  frame.next = end;
+  ElementStream stream(context, layers, layers.front()->span);
+  return with_layers(stream, std::move(value));
+}
+
 /// The value of a declaration; `terminated` if a macro's or branch's own semicolon ended it.
 void evaluate_declared(Context& context, const grammar::Declare& node, Value& value, bool& terminated) {
   const Node* const only = node.value.size() == 1 ? node.value[0] : nullptr;
@@ -76,6 +90,7 @@ void evaluate_declared(Context& context, const grammar::Declare& node, Value& va
       ElementStream stream(context, call, callee.as<MacroValue>());
       value = read_to_end(stream, terminated);
     }
+    if (value.kind() == ValueKind::texture && !terminated) value = with_following_layers(context, std::move(value));
   } else {
     if (node.value.size() > 1 && node.value[0]->kind == NodeKind::declare) {
       context.warn(node.target->span, "the value of this declaration stands behind other declarations",

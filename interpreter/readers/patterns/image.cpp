@@ -45,6 +45,9 @@ constexpr TypeRow kTypes[] = {
     {word::kw_tiff, ImageType::tiff, {".tif", ".TIF", ".tiff", ".TIFF"}},
 };
 
+/// Those that a name without a type gets.
+constexpr std::array<std::string_view, 2> kUntypedExtensions{".png", ".PNG"};
+
 /// Larger than any picture.
 constexpr double kMaxSide = 1 << 16;
 
@@ -150,7 +153,7 @@ Image read_image_source(ElementStream& stream) {
   const Element next = stream.peek();
   if (next.is(ElementKind::value) && next.node->kind == grammar::NodeKind::function) return read_function_image(stream);
   Image image;
-  std::span<const std::string_view> extensions;
+  std::span<const std::string_view> extensions = kUntypedExtensions;
   if (next.is(ElementKind::word)) {
     const auto* const row = std::ranges::find(kTypes, next.word, &TypeRow::word);
     if (row == std::end(kTypes)) fail_expected(stream, "a type of picture or the name of a file");

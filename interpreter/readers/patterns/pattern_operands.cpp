@@ -7,12 +7,14 @@
 #include "interpreter/readers/patterns/pattern.h"
 #include "interpreter/readers/textures/pigment.h"
 #include "interpreter/readers/words/arguments.h"
+#include "interpreter/readers/words/transform.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +43,11 @@ scene::ObjectOperands read_object(ElementStream& stream) {
   Context& context = stream.context();
   const Ref<ObjectValue> object = read_child(stream);
   if (!object) fail_expected(stream, "an object");
-  if (object->object.shape == scene::kNone) return {};
-  context.database.pattern_objects.push_back(object->object);
+  scene::Object placed = object->object;
+  while (const std::optional<scene::Transform> next = read_transform(stream))
+    placed.parent_from_object = scene::then(placed.parent_from_object, *next);
+  if (placed.shape == scene::kNone) return {};
+  context.database.pattern_objects.push_back(placed);
   return {static_cast<std::uint32_t>(context.database.pattern_objects.size() - 1)};
 }
 
