@@ -165,6 +165,11 @@ SourceSpan Arguments::span(std::size_t i) const {
   return join(call_.arguments[i].front()->span, call_.arguments[i].back()->span);
 }
 
+const grammar::Node* Arguments::expression(std::size_t i) const {
+  if (i >= call_.arguments.size() || call_.arguments[i].size() != 1) return nullptr;
+  return call_.arguments[i].front();
+}
+
 void Arguments::fail(std::size_t i, std::string message) const {
   context_.fail(span(i), fmt::format("`{}`: {}", context_.text(call_.function), message));
 }

@@ -24,6 +24,8 @@ class Arguments {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   /// The place of argument i, as exactly as it is known.
   [[nodiscard]] SourceSpan span(std::size_t i) const;
+  /// The expression of argument i; null if directives or several items yield the argument.
+  [[nodiscard]] const grammar::Node* expression(std::size_t i) const;
   [[nodiscard]] const Value& operator[](std::size_t i) const { return values_[i]; }
 
   [[nodiscard]] double number(std::size_t i) const;

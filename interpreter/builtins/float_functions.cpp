@@ -1,6 +1,7 @@
 // Functions of numbers. Values outside a function's domain are errors where POV-Ray reports errors, and warnings where
 // it warns.
 #include "interpreter/builtins/builtins.h"
+#include "interpreter/builtins/rounding.h"
 #include "interpreter/expressions.h"
 #include "renderer/values/integer.h"
 
@@ -38,8 +39,14 @@ double divisor(const Arguments& a) {
 }
 
 Value square_root(const Arguments& a) {
-  if (a.number(0) < 0) a.fail(0, fmt::format("expected a number that is not negative, found {:g}", a.number(0)));
-  return Value(std::sqrt(a.number(0)));
+  const double square = a.number(0);
+  if (!(square < 0)) return Value(std::sqrt(square));
+  const grammar::Node* const expression = a.expression(0);
+  if (expression == nullptr || !is_negative_by_rounding(a.context(), *expression, square))
+    a.fail(0, fmt::format("expected a number that is not negative, found {:g}", square));
+  a.context().warn(a.span(0),
+                   fmt::format("the square root of {:g}, negative by rounding alone, is taken as 0", square));
+  return Value(0.0);
 }
 
 /// 0⁰ is an error; any other power that is not a number is a warning.
