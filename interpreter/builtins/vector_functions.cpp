@@ -28,7 +28,7 @@ Value normalise(const Arguments& a) {
 Value rotate_about_axis(const Arguments& a) {
   const Vec3 v = a.vector(0), axis = a.vector(1);
   const double length = std::sqrt(axis.dot(axis));
-  if (length == 0) a.fail(1, "an axis of length zero has no direction");
+  if (length == 0) a.context().warn(a.span(), "an axis of length zero has no direction; the result is not a number");
   const Vec3 n = axis / length;
   const double angle = radians_from_degrees(a.number(2)), c = std::cos(angle), s = std::sin(angle);
   // Rodrigues' formula.

@@ -11,11 +11,15 @@
 //
 // With m the larger and k the smaller of |x|, |y|, ρ = (k/m)ᵖ: r = m (1 + ρ)^(1/p), which neither overflows nor
 // vanishes for any p, and ∂r/∂m = (r/m)/(1 + ρ), ∂r/∂k = (r/k) ρ/(1 + ρ).
+//
+// As in POV-Ray, e may be below 0. Then p < 0, for which r is concave too (it is 0 where x or y is), and m is the
+// smaller and k the larger, so that ρ stays at most 1. The body reaches the faces of the cube and ends there.
 #include "renderer/numerics/power.h"
 #include "renderer/solids/line_interval.h"
 #include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,13 +36,18 @@ struct Ring {
   double r, slope_large, slope_small;
 };
 
-/// ‖(large, small)‖ₚ and its derivatives.
+/// ‖(large, small)‖ₚ and its derivatives. For p < 0, `large` is the smaller of the two.
 Ring ring(double large, double small, double p) {
   if (large == 0) return {0, 1, 0};
   const double rho = power(small / large, p);
   const double r = large * power(1 + rho, 1 / p);
   const double small_slope = small > 0 ? (r / small) * (rho / (1 + rho)) : slope_at_zero(p - 1);
   return {r, r / large / (1 + rho), small_slope};
+}
+
+double norm(double x, double y, double p) {
+  const auto [smaller, larger] = std::minmax(x, y);
+  return p > 0 ? ring(larger, smaller, p).r : ring(smaller, larger, p).r;
 }
 
 /// A line in one octant.
@@ -54,17 +63,18 @@ class OctantLine {
 
   [[nodiscard]] SplitNode operator()(double t) const {
     const Vec3 point = coordinates(t), step = direction_ * mirror_;
-    const bool x_is_larger = point.x >= point.y;
-    const double step_large = x_is_larger ? step.x : step.y, step_small = x_is_larger ? step.y : step.x;
-    const Ring own = ring(std::max(point.x, point.y), std::min(point.x, point.y), p_);
+    const bool x_is_first = (point.x >= point.y) == (p_ > 0);
+    const double step_large = x_is_first ? step.x : step.y, step_small = x_is_first ? step.y : step.x;
+    const Ring own = x_is_first ? ring(point.x, point.y, p_) : ring(point.y, point.x, p_);
     SplitNode node;
     node.t = t;
     node.u = own.r;
     if (own.r > 0) {
       node.slope_u = times(own.slope_large, step_large) + times(own.slope_small, step_small);
+    } else if (p_ < 0 && point.x + point.y > 0) {  // a coordinate plane: r is the distance from it
+      node.slope_u = step_large;
     } else {  // the axis: away from it on both sides
-      const double away =
-          ring(std::max(std::abs(step.x), std::abs(step.y)), std::min(std::abs(step.x), std::abs(step.y)), p_).r;
+      const double away = norm(std::abs(step.x), std::abs(step.y), p_);
       node.slope_u = step.x + step.y < 0 ? -away : away;
     }
     const double w = power(point.z, q_), rest = 1 - w;
@@ -87,6 +97,12 @@ class OctantLine {
     return node;
   }
 
+  /// True if the line, up to the end of its first octant, begins within the body.
+  [[nodiscard]] bool begins_within(double end) {
+    enter_octant_of(origin_ + direction_ * (0.5 * end));
+    return (*this)(0).sign() < 0;
+  }
+
   [[nodiscard]] int u_bends() const { return p_ >= 1 ? 1 : -1; }
   [[nodiscard]] int v_bends() const { return q_ >= 1 ? -1 : 1; }
 
@@ -102,6 +118,11 @@ class OctantLine {
   double p_, q_;
   Vec3 origin_, direction_, mirror_{1};
 };
+
+/// True for a point on the cube, to the rounding of the way there.
+bool is_on_face(const Vec3& point) {
+  return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) >= 1 - 0x1p-40;
+}
 
 template <Wanted wanted>
 Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin, const Vec3& direction,
@@ -136,12 +157,17 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
   }
   cuts[count] = length;
   OctantLine line(solid, begin, direction);
-  SplitSearch search(comes_from_outside ? 1 : 0);
+  const bool enters_by_face = solid.radius_a < 0 && is_on_face(begin) && line.begins_within(cuts[1]);
+  if (enters_by_face && comes_from_outside) {
+    taker.add(base);
+    if (taker.is_done()) return result;
+  }
+  SplitSearch search(enters_by_face ? -1 : (comes_from_outside ? 1 : 0));
   for (int i = 0; i < count; ++i) {
     if (!(cuts[i] < cuts[i + 1])) continue;
     line.enter_octant_of(begin + direction * (0.5 * (cuts[i] + cuts[i + 1])));
-    search.follow(line, cuts[i], cuts[i + 1], line.u_bends(), line.v_bends(), starts_on_surface && i == 0,
-                  [&](double t) { return taker.add(base + t); });
+    search.follow(line, cuts[i], cuts[i + 1], line.u_bends(), line.v_bends(),
+                  starts_on_surface && i == 0 && !enters_by_face, [&](double t) { return taker.add(base + t); });
     if (taker.is_done()) return result;
   }
   // Beyond the cube everything is outside.
@@ -153,7 +179,7 @@ Crossings superellipsoid_crossings(const scene::Solid& solid, const Vec3& origin
 Vec3 superellipsoid_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, const SolidDetails&) noexcept {
   const double p = 2 / solid.radius_a, q = 2 / solid.radius_b;
   const Vec3 size(std::abs(point.x), std::abs(point.y), std::abs(point.z));
-  const double r = ring(std::max(size.x, size.y), std::min(size.x, size.y), p).r;
+  const double r = norm(size.x, size.y, p);
   const auto slope = [](double base, double exponent) {
     return base > 0 ? power(base, exponent) : slope_at_zero(exponent);
   };
@@ -183,11 +209,13 @@ double dual_norm(double x, double y, double exponent) {
 }
 
 double superellipsoid_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  if (solid.radius_a < 0) return std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
   return dual_norm(dual_norm(direction.x, direction.y, solid.radius_a), direction.z, solid.radius_b);
 }
 
 bool is_in_superellipsoid(const scene::Database&, const scene::Solid& solid, const Vec3& point) {
   const double e = solid.radius_a, n = solid.radius_b;
+  if (e < 0 && std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) > 1) return false;
   const double ring = std::pow(std::abs(point.x), 2 / e) + std::pow(std::abs(point.y), 2 / e);
   return std::pow(ring, e / n) + std::pow(std::abs(point.z), 2 / n) <= 1;
 }

@@ -21,7 +21,7 @@ void add_polynomial(ElementStream& stream, ObjectDraft& draft, SolidKind kind, P
   Context& context = stream.context();
   const auto is_zero = [](double c) { return c == 0; };
   if (!std::ranges::all_of(polynomial.coefficients, [](double c) { return std::isfinite(c); }))
-    context.fail(stream.span(), "the coefficients of a polynomial must be finite");
+    context.fail_not_finite(stream.span(), "the coefficients of a polynomial must be finite");
   // The last coefficient is the constant: if all others are zero, the polynomial has the same value everywhere.
   if (std::all_of(polynomial.coefficients.begin(), polynomial.coefficients.end() - 1, is_zero))
     context.warn(stream.span(), "this polynomial is constant: it has no surface");

@@ -60,15 +60,15 @@ class BlobReader {
     while (!stream_.peek().is(ElementKind::end) && !draft_.has_modifiers) {
       if (!read_item()) break;
     }
-    assembly_.set_threshold(threshold_);
+    assembly_.set_threshold(usable_threshold());
   }
 
   /// Completes a blob that is an object of its own.
   void finish() {
     if (is_copy_) return;
     if (assembly_.blob().components.empty()) context_.warn(stream_.span(), "this blob has no components and is empty");
-    check_threshold();
     assembly_.check_choices(stream_.span());
+    if (assembly_.threshold() < 0) turn_inside_out();
     draft_.object.kind = scene::Object::Kind::blob;
     draft_.object.shape = static_cast<std::uint32_t>(context_.database.blobs.size());
     context_.database.blobs.push_back(assembly_.take());
@@ -103,7 +103,6 @@ class BlobReader {
         stream_.drop();
         threshold_span_ = stream_.peek().span;
         threshold_ = read_number(stream_, "a number after `threshold`");
-        check_threshold();
         return true;
       }
       if (next.word == word::kw_component) {
@@ -259,13 +258,20 @@ class BlobReader {
     if (kernel_.is_convolved() && !kernel_.is_ours)
       context_.fail(block.word_span, "a convolution needs a kernel in force", "write `kernel \"quartic\"` before it");
     ElementStream stream(context_, block);
-    Component component =
-        read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
-    read_strength(stream, component);
-    if (stream.peek().is(ElementKind::end)) return add(component, block.span, branch);
-    const scene::Turn turn = read_modifiers(stream, component);
-    add(component, block.span, branch, &turn);
+    Component component;
+    scene::Turn turn;
+    bool has_modifiers = false;
+    const bool is_finite = read_if_finite(stream, "the component", [&] {
+      component = read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
+      read_strength(stream, component);
+      has_modifiers = !stream.peek().is(ElementKind::end);
+      if (has_modifiers) turn = read_modifiers(stream, component);
+    });
+    if (is_finite && has_field(component)) add(component, block.span, branch, has_modifiers ? &turn : nullptr);
   }
+
+  /// False for a component of POV-Ray's with a radius of 0.
+  [[nodiscard]] bool has_field(const Component& component) const { return kernel_.is_ours || component.radius_a > 0; }
 
   /// POV-Ray's components need a strength, and the word is optional; ours may have one, with the word.
   void read_strength(ElementStream& stream, Component& component) {
@@ -282,7 +288,7 @@ class BlobReader {
     const SourceSpan span = stream.peek().span;
     component.strength = read_number(stream, "a strength");
     if (!std::isfinite(component.strength))
-      context_.fail(span, fmt::format("a strength must be finite, found {:g}", component.strength));
+      context_.fail_not_finite(span, fmt::format("a strength must be finite, found {:g}", component.strength));
     if (component.strength == 0) context_.warn(span, "a component of strength zero has no effect");
   }
 
@@ -292,10 +298,10 @@ class BlobReader {
     Component component;
     component.strength = read_number(stream_, "a strength");
     stream_.accept_comma();
-    component.radius_a = component.radius_b = read_positive(stream_, "a radius");
+    component.radius_a = component.radius_b = read_support_radius(stream_);
     stream_.accept_comma();
     component.a = read_vector(stream_, "the centre of the component");
-    add(component, keyword.span, kOwnSum);
+    if (has_field(component)) add(component, keyword.span, kOwnSum);
   }
 
   /// Returns the rotation that was baked into the component.
@@ -333,10 +339,29 @@ class BlobReader {
     assembly_.add(component, context_.origin(span), branch, turn);
   }
 
-  /// Threshold zero is refused: its surface is the end of the fields, which is no surface.
-  void check_threshold() {
-    if (!threshold_ || (*threshold_ > 0 && std::isfinite(*threshold_))) return;
-    context_.fail(threshold_span_, fmt::format("`threshold` must be above 0, found {:g}", *threshold_));
+  /// At the threshold 0 the surface is the end of the fields, where they vanish together with their slopes, and no
+  /// solver finds a sign. A field that falls as (1 − d²/R²)² has the value 2⁻⁴⁰ at 2⁻²¹ R before its end, which is less
+  /// than a pixel of any picture.
+  std::optional<double> usable_threshold() {
+    if (!threshold_) return std::nullopt;
+    if (!std::isfinite(*threshold_))
+      context_.fail(threshold_span_, fmt::format("`threshold` must be finite, found {:g}", *threshold_));
+    if (*threshold_ != 0) return threshold_;
+    context_.warn(threshold_span_, "a `threshold` of 0 puts the surface where the fields end");
+    double strongest = 0;
+    for (const Component& component : assembly_.blob().components)
+      strongest = std::max(strongest, std::abs(component.strength));
+    return strongest > 0 ? 0x1p-40 * strongest : 1;
+  }
+
+  /// Below the threshold 0 everything far away is inside. Strengths and threshold with their signs changed have the
+  /// same surface, and the outside and the inside exchanged.
+  void turn_inside_out() {
+    if (assembly_.has_maxima())
+      context_.fail(threshold_span_, "the `threshold` of a blob with a `union` in it must be above 0");
+    context_.warn(threshold_span_, "with a `threshold` below 0, everything outside the fields is inside the blob");
+    assembly_.change_signs();
+    draft_.object.inverse = !draft_.object.inverse;
   }
 
   ElementStream& stream_;

@@ -152,6 +152,11 @@ void BlobAssembly::set_threshold(std::optional<double> threshold) {
   parts_.clear();
 }
 
+void BlobAssembly::change_signs() {
+  threshold_ = -*threshold_;
+  for (scene::Component& component : blob_.components) component.strength = -component.strength;
+}
+
 void BlobAssembly::check_choices(SourceSpan span) const {
   // The number of choices: for a sum, the product over its maxima; for a maximum, the sum over its branches. Children
   // have greater numbers.

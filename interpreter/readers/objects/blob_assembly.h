@@ -38,6 +38,11 @@ class BlobAssembly {
   /// Sets the blob's threshold. A part keeps the surface that it has alone under its own threshold: its strengths are
   /// multiplied by the blob's threshold over the part's. A part without a threshold has the blob's.
   void set_threshold(std::optional<double> threshold);
+  /// The threshold; 1 if none was set.
+  [[nodiscard]] double threshold() const { return threshold_.value_or(1); }
+  /// Changes the signs of the threshold and of all strengths. Precondition: the threshold is set.
+  void change_signs();
+  [[nodiscard]] bool has_maxima() const { return !blob_.branches.empty(); }
 
   /// Fails if the maxima have more combinations of branches than the renderer can process.
   void check_choices(SourceSpan span) const;

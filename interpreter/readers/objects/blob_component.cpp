@@ -1,6 +1,7 @@
 #include "interpreter/readers/objects/blob_component.h"
 
 #include "interpreter/expressions.h"
+#include "interpreter/readers/objects/solid_draft.h"
 #include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ struct Reading {
   Component& c;
   scene::Blob& blob;  ///< takes what the record has no room for
   SourceSpan span;    ///< of the component's block
+  bool is_povrays;    ///< no kernel is in force
   bool is_convolved;
 
   Vec3 point(const char* what) const { return with_comma(read_vector(stream, what)); }
@@ -40,7 +42,9 @@ struct Reading {
     return with_comma(value);
   }
   /// The radius about the skeleton, which comes last.
-  void radius(const char* what) const { c.radius_a = c.radius_b = read_positive(stream, what); }
+  void radius(const char* what) const {
+    c.radius_a = c.radius_b = is_povrays ? read_support_radius(stream) : read_positive(stream, what);
+  }
 
   // ---- Geometry that has collapsed: generated models hold some, and its limit has a field as good as any ------------
 
@@ -213,6 +217,13 @@ bool is_component_word(grammar::Symbol word) {
 
 std::span<const grammar::Symbol> component_words() { return kComponentWords; }
 
+double read_support_radius(ElementStream& stream) {
+  const SourceSpan span = stream.peek().span;
+  const double radius = read_radius(stream, "a radius");
+  if (radius == 0) stream.context().warn(span, "a component of radius 0 has no field; it is left out");
+  return radius;
+}
+
 Component read_component_shape(ElementStream& stream, const Element& block, const scene::Kernel* kernel,
                                scene::Blob& blob) {
   const Row& row = *std::ranges::find(kRows, block.word, &Row::word);
@@ -224,7 +235,7 @@ Component read_component_shape(ElementStream& stream, const Element& block, cons
   const bool is_convolved = kernel && kernel->mode == scene::FieldMode::convolution;
   if (is_convolved) check_convolution(context, block, row, *kernel);
   Component component;
-  row.read({stream, component, blob, block.span, is_convolved});
+  row.read({stream, component, blob, block.span, kernel == nullptr, is_convolved});
   return component;
 }
 

@@ -94,8 +94,11 @@ Ref<ObjectValue> read_object(Context& context, const Element& block) {
   ElementStream stream(context, block);
   ObjectDraft draft;
   draft.object.origin = context.origin(block.span);
-  reader->read(stream, draft);
-  read_object_modifiers(stream, draft);
+  const bool is_finite = read_if_finite(stream, "the object", [&] {
+    reader->read(stream, draft);
+    read_object_modifiers(stream, draft);
+  });
+  if (!is_finite) return empty_object(stream);
   if (draft.cutaway_textures) cut_textures_away(stream, draft);
   Ref<ObjectValue> value = make_shared_value<ObjectValue>();
   value->word = block.word;

@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 
 namespace isl::interpreter {
 
@@ -18,6 +20,25 @@ struct ObjectDraft : Surface {
 
 [[nodiscard]] bool is_object_word(grammar::Symbol word);
 [[nodiscard]] std::span<const grammar::Symbol> object_words();
+
+/// Calls `read`, which reads the rest of the stream. If a number there is infinite or not a number, reads on to the
+/// end, so that directives are executed, and returns false: the object or component is left out, as POV-Ray meets none.
+template <class Read>
+[[nodiscard]] bool read_if_finite(ElementStream& stream, std::string_view what, Read read) {
+  Context& context = stream.context();
+  struct Restored {
+    std::string_view& place;
+    std::string_view before;
+    ~Restored() { place = before; }
+  } const restored{context.left_out, std::exchange(context.left_out, what)};
+  try {
+    read();
+    return true;
+  } catch (const LeftOut&) {
+    stream.skip_rest();
+    return false;
+  }
+}
 
 /// Reads a whole block whose word is an object's.
 [[nodiscard]] Ref<ObjectValue> read_object(Context& context, const Element& block);

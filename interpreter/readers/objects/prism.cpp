@@ -109,7 +109,8 @@ std::vector<PlanePoint> read_points(ElementStream& stream, const PrismSpline& sp
     make_room_to_append(context, stream.span(), points);
     const SourceSpan place = stream.peek().span;
     const scene::Vec3 point = read_vector(stream, "a point of the prism");
-    if (!std::isfinite(point.x) || !std::isfinite(point.y)) context.fail(place, "a point of a prism must be finite");
+    if (!std::isfinite(point.x) || !std::isfinite(point.y))
+      context.fail_not_finite(place, "a point of a prism must be finite");
     points.push_back({point.x, point.y});
   }
   return points;
@@ -118,7 +119,8 @@ std::vector<PlanePoint> read_points(ElementStream& stream, const PrismSpline& sp
 double read_height(ElementStream& stream) {
   const SourceSpan span = stream.peek().span;
   const double height = read_number(stream, "a height of the prism");
-  if (!std::isfinite(height)) stream.context().fail(span, fmt::format("a height must be finite, found {:g}", height));
+  if (!std::isfinite(height))
+    stream.context().fail_not_finite(span, fmt::format("a height must be finite, found {:g}", height));
   stream.accept_comma();
   return height;
 }

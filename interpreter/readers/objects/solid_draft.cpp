@@ -35,7 +35,8 @@ bool read_copy(ElementStream& stream, ObjectDraft& draft) {
 double read_radius(ElementStream& stream, std::string_view what) {
   const SourceSpan span = stream.peek().span;
   const double radius = std::abs(read_number(stream, what));
-  if (!std::isfinite(radius)) stream.context().fail(span, fmt::format("{} must be finite, found {:g}", what, radius));
+  if (!std::isfinite(radius))
+    stream.context().fail_not_finite(span, fmt::format("{} must be finite, found {:g}", what, radius));
   return radius;
 }
 

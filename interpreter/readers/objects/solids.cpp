@@ -25,6 +25,23 @@ double read_radius_from_zero(ElementStream& stream, std::string_view what) {
   return radius;
 }
 
+/// A corner of a box may lie at infinity, as that of a floor may. POV-Ray sees nothing beyond 1e7, where the box ends
+/// here.
+Vec3 read_corner(ElementStream& stream, std::string_view what) {
+  constexpr double kEnd = 1e7;
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::value)) fail_expected(stream, what);
+  const Value value = stream.take_value();
+  if (!value.is_numeric()) return to_vector(stream, value, next.span, what);
+  Value::Terms terms = value.terms();
+  for (double& term : terms) {
+    if (!std::isinf(term)) continue;
+    stream.context().warn(next.span, fmt::format("an infinite coordinate of a box is taken as {:g}", kEnd));
+    term = std::copysign(kEnd, term);
+  }
+  return to_vector(stream, Value(value.term_count(), terms), next.span, what);
+}
+
 void check_ends(ElementStream& stream, const Vec3& a, const Vec3& b) {
   if ((b - a).length() < kTolerance) stream.context().fail(stream.span(), "both ends are the same point");
 }
@@ -83,9 +100,9 @@ void read_plane(ElementStream& stream, ObjectDraft& draft) {
 
 void read_box(ElementStream& stream, ObjectDraft& draft) {
   if (read_copy(stream, draft)) return;
-  const Vec3 p = read_vector(stream, "a corner of the box");
+  const Vec3 p = read_corner(stream, "a corner of the box");
   stream.accept_comma();
-  const Vec3 q = read_vector(stream, "the opposite corner of the box");
+  const Vec3 q = read_corner(stream, "the opposite corner of the box");
   Solid solid{.kind = SolidKind::box};
   for (int i = 0; i < 3; ++i) {
     solid.a[i] = std::min(p[i], q[i]);
@@ -130,11 +147,13 @@ void read_disc(ElementStream& stream, ObjectDraft& draft) {
   Solid solid{.kind = SolidKind::disc};
   solid.a = read_vector(stream, "the centre of the disc");
   stream.accept_comma();
-  solid.b = read_normal(stream, "the normal of the disc");
+  const Vec3 normal = read_vector(stream, "the normal of the disc");
   stream.accept_comma();
   solid.radius_a = read_radius(stream, "a radius");
   const bool has_hole = stream.accept_comma() || stream.peek().is(ElementKind::value);
   if (has_hole) solid.radius_b = read_radius(stream, "the radius of the hole");
+  if (normal == Vec3(0)) return leave_out(stream, draft, "the normal of this disc has no direction");
+  solid.b = normal / normal.length();
   if (solid.radius_b >= solid.radius_a) return leave_out(stream, draft, "this disc has a hole as large as itself");
   add_solid(stream, draft, solid);
 }
@@ -149,10 +168,18 @@ void read_superellipsoid(ElementStream& stream, ObjectDraft& draft) {
   Solid solid{.kind = SolidKind::superellipsoid};
   solid.radius_a = value.terms()[0];
   solid.radius_b = value.is_number() ? value.number() : value.terms()[1];
-  if (!(solid.radius_a > 0 && solid.radius_b > 0 && std::isfinite(solid.radius_a + solid.radius_b))) {
-    stream.context().fail(
-        next.span, fmt::format("both exponents of a superellipsoid must be above 0 and finite, found <{:g}, {:g}>",
-                               solid.radius_a, solid.radius_b));
+  if (!std::isfinite(solid.radius_a) || !std::isfinite(solid.radius_b)) {
+    stream.context().fail_not_finite(
+        next.span, fmt::format("the exponents of a superellipsoid must be finite, found <{:g}, {:g}>", solid.radius_a,
+                               solid.radius_b));
+  }
+  if (solid.radius_b < 0) return leave_out(stream, draft, "a superellipsoid with its second exponent below 0 is empty");
+  if (solid.radius_a < 0)
+    stream.context().warn(next.span, "a superellipsoid with its first exponent below 0 reaches the faces of its cube");
+  // Edges are sharp at the exponent 0; here they are rounded by 2⁻¹⁷ of the cube, which no picture shows.
+  constexpr double kSharpest = 0x1p-16;
+  for (double* exponent : {&solid.radius_a, &solid.radius_b}) {
+    if (*exponent == 0) *exponent = kSharpest;
   }
   add_solid(stream, draft, solid);
 }

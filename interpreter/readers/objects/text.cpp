@@ -41,7 +41,8 @@ const Font& read_font(ElementStream& stream) {
 double read_depth(ElementStream& stream) {
   const SourceSpan span = stream.peek().span;
   const double depth = read_number(stream, "the depth of the text");
-  if (!std::isfinite(depth)) stream.context().fail(span, fmt::format("a depth must be finite, found {:g}", depth));
+  if (!std::isfinite(depth))
+    stream.context().fail_not_finite(span, fmt::format("a depth must be finite, found {:g}", depth));
   return depth;
 }
 
@@ -64,7 +65,7 @@ void read_text(ElementStream& stream, ObjectDraft& draft) {
   const SourceSpan place = stream.peek().span;
   const scene::Vec3 step = read_vector(stream, "the offset from letter to letter");
   if (!std::isfinite(step.x) || !std::isfinite(step.y) || !std::isfinite(step.z))
-    context.fail(place, "an offset must be finite");
+    context.fail_not_finite(place, "an offset must be finite");
   if (depth == 0) return leave_out(stream, draft, "this text has the depth 0");
 
   // Letters that step along z have heights of their own; all others are one solid.

@@ -99,8 +99,17 @@ bool starts_number(ElementStream& stream) {
   return !is_finish(stream.context(), next);
 }
 
+/// In POV-Ray an exponent of a reflection that is not above 0 bends all light to black or white.
+double read_exponent(ElementStream& stream, std::string_view word) {
+  const SourceSpan span = stream.peek().span;
+  const double exponent = read_number(stream, fmt::format("a number after `{}`", word));
+  if (exponent > 0 && std::isfinite(exponent)) return exponent;
+  stream.context().warn(span, fmt::format("`{}` must be above 0, found {:g}; 1 is taken", word, exponent));
+  return 1;
+}
+
 double read_number_in_form(ElementStream& stream, std::string_view word, FinishForm form) {
-  if (form == FinishForm::positive) return read_positive(stream, fmt::format("`{}`", word));
+  if (form == FinishForm::positive) return read_exponent(stream, word);
   const std::string what = fmt::format("a number after `{}`", word);
   return form == FinishForm::amount ? read_optional_number(stream, what, 1) : read_number(stream, what);
 }
@@ -241,7 +250,7 @@ bool read_item(ElementStream& stream, Finish& finish, Albedos& albedos) {
       return true;
     case word::kIndex_reflection_exponent:
       stream.drop();
-      finish.reflection.exponent = read_positive(stream, "`reflection_exponent`");
+      finish.reflection.exponent = read_exponent(stream, "reflection_exponent");
       return true;
     default: return false;
   }

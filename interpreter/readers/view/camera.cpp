@@ -168,7 +168,8 @@ class CameraReader {
     check(camera_.direction, "direction");
     check(camera_.right, "right");
     check(camera_.up, "up");
-    check(sky_, "sky");
+    if (sky_ == Vec3(0))
+      context_.warn(stream_.span(), "the camera's `sky` has length zero; its `right` is used instead");
   }
 
   /// The angle of a view with straight rays. As in POV-Ray, an angle of 0 leaves `direction` as it is.

@@ -112,15 +112,30 @@ double read_number(ElementStream& stream, std::string_view what) {
   return value.number();
 }
 
+namespace {
+
+std::string range_text(double low, double high) {
+  return std::isinf(high) ? fmt::format("at least {:g}", low) : fmt::format("from {:g} to {:g}", low, high);
+}
+
+}  // namespace
+
 double read_number_in(ElementStream& stream, std::string_view what, double low, double high) {
   const SourceSpan span = stream.peek().span;
   const double value = read_number(stream, what);
-  if (!(value >= low && value <= high)) {
-    const std::string range =
-        std::isinf(high) ? fmt::format("at least {:g}", low) : fmt::format("from {:g} to {:g}", low, high);
-    stream.context().fail(span, fmt::format("{} must be {}, found {:g}", what, range, value));
-  }
+  if (!(value >= low && value <= high))
+    stream.context().fail(span, fmt::format("{} must be {}, found {:g}", what, range_text(low, high), value));
   return value;
+}
+
+double read_nearest_number(ElementStream& stream, std::string_view what, double low, double high) {
+  const SourceSpan span = stream.peek().span;
+  const double value = read_number(stream, what);
+  if (value >= low && value <= high) return value;
+  const double nearest = value > high ? high : low;
+  stream.context().warn(
+      span, fmt::format("{} must be {}, found {:g}; {:g} is taken", what, range_text(low, high), value, nearest));
+  return nearest;
 }
 
 double read_positive(ElementStream& stream, std::string_view what) {
@@ -136,8 +151,8 @@ scene::Vec3 to_vector(ElementStream& stream, const Value& value, SourceSpan span
   const Value::Terms& terms = value.terms();
   const scene::Vec3 vector = value.is_number() ? scene::Vec3(terms[0]) : scene::Vec3(terms[0], terms[1], terms[2]);
   if (!std::isfinite(vector.x) || !std::isfinite(vector.y) || !std::isfinite(vector.z)) {
-    stream.context().fail(span,
-                          fmt::format("expected {}, found <{:g}, {:g}, {:g}>", what, vector.x, vector.y, vector.z));
+    stream.context().fail_not_finite(
+        span, fmt::format("expected {}, found <{:g}, {:g}, {:g}>", what, vector.x, vector.y, vector.z));
   }
   return vector;
 }

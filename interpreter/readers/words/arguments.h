@@ -20,6 +20,8 @@ namespace isl::interpreter {
 [[nodiscard]] double read_number(ElementStream& stream, std::string_view what);
 /// The same for a number in [low, high]; others are errors.
 [[nodiscard]] double read_number_in(ElementStream& stream, std::string_view what, double low, double high);
+/// The same with the nearest bound in place of any other number, which is warned of.
+[[nodiscard]] double read_nearest_number(ElementStream& stream, std::string_view what, double low, double high);
 /// A finite number above zero.
 [[nodiscard]] double read_positive(ElementStream& stream, std::string_view what);
 /// A vector of three terms, promoted: a number fills all three, a shorter vector is padded with zeros.

@@ -56,8 +56,11 @@ Transform read_scale(ElementStream& stream) {
   }
   const Vec3 size(std::abs(factors.x), std::abs(factors.y), std::abs(factors.z));
   const double smallest = std::min({size.x, size.y, size.z});
-  if (!std::isfinite(1 / smallest))
-    stream.context().fail(span, fmt::format("a scale of {:g} has no inverse", smallest));
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!std::isfinite(1 / smallest) || !std::isfinite(largest)) {
+    stream.context().fail_not_finite(
+        span, fmt::format("a scale of {:g} has no inverse", std::isfinite(largest) ? smallest : largest));
+  }
   return scaling(factors);
 }
 
@@ -71,7 +74,14 @@ Transform read_matrix(ElementStream& stream) {
   stream.drop();
   const std::vector<double> m = evaluate_coordinates(context, as<grammar::Vector>(*next.node));
   if (m.size() != 12) context.fail(next.span, fmt::format("`matrix` takes 12 numbers, found {}", m.size()));
-  const scene::Matrix matrix(m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, m[9], m[10], m[11], 1);
+  if (!std::ranges::all_of(m, [](double entry) { return std::isfinite(entry); }))
+    context.fail_not_finite(next.span, "the numbers of `matrix` must be finite");
+  scene::Matrix matrix(m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, m[9], m[10], m[11], 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (matrix[axis][0] != 0 || matrix[axis][1] != 0 || matrix[axis][2] != 0) continue;
+    context.warn(next.span, fmt::format("this `matrix` scales {} by zero; one is taken", "xyz"[axis]));
+    matrix[axis][axis] = 1;
+  }
   return checked(context, matrix, next.span);
 }
 

@@ -133,7 +133,7 @@ class LightReader {
       case word::kIndex_area_light: stream_.drop(); return read_area();
       case word::kIndex_adaptive:
         stream_.drop();
-        area().adaptive = static_cast<int>(read_number_in(stream_, "`adaptive`", 0, 20));
+        area().adaptive = static_cast<int>(read_nearest_number(stream_, "`adaptive`", 0, 20));
         return true;
       case word::kIndex_area_illumination:
         stream_.drop();

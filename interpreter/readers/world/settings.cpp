@@ -69,18 +69,22 @@ void read_adc_bailout(ElementStream& stream, scene::Settings& settings) {
 }
 
 void read_mm_per_unit(ElementStream& stream, scene::Settings& settings) {
-  settings.mm_per_unit = read_positive(stream, "`mm_per_unit`");
+  const SourceSpan span = stream.peek().span;
+  const double length = read_number(stream, "a number after `mm_per_unit`");
+  if (length > 0 && std::isfinite(length)) {
+    settings.mm_per_unit = length;
+  } else {
+    stream.context().warn(span, fmt::format("`mm_per_unit` must be above 0, found {:g}; it is ignored", length));
+  }
 }
 
 void read_max_trace_level(ElementStream& stream, scene::Settings& settings) {
   constexpr double kMost = 256;
   const SourceSpan span = stream.peek().span;
   const double level = std::trunc(read_number(stream, "a number after `max_trace_level`"));
-  if (!(level >= 1))
-    stream.context().fail(span, fmt::format("`max_trace_level` must be from 1 to {:g}, found {:g}", kMost, level));
-  if (level > kMost)
-    stream.context().warn(span, fmt::format("`max_trace_level` must be at most {:g}, found {:g}", kMost, level));
-  settings.max_trace_level = static_cast<int>(std::min(level, kMost));
+  if (!(level >= 1 && level <= kMost))
+    stream.context().warn(span, fmt::format("`max_trace_level` must be from 1 to {:g}, found {:g}", kMost, level));
+  settings.max_trace_level = level >= 1 ? static_cast<int>(std::min(level, kMost)) : 1;
 }
 
 void read_number_of_waves(ElementStream& stream, scene::Settings& settings) {

@@ -40,37 +40,45 @@ void read_declared_name(ElementStream& stream, Statement& statement) {
   statement.record = value.as<StatementValue>().statement.record;
 }
 
-double read_number_of(ElementStream& stream, const StatementField& field) {
+/// Numbers of POV-Ray's statements may be out of bounds, with a warning: the nearest is taken, and in place of a kind
+/// (a whole number) the first. In settings, which are ours, they are errors.
+double read_number_of(ElementStream& stream, const StatementField& field, bool is_setting) {
+  const std::string what = fmt::format("`{}`", field.word);
   const bool is_bounded = std::isfinite(field.low) || std::isfinite(field.high);
-  if (is_bounded) return read_number_in(stream, fmt::format("`{}`", field.word), field.low, field.high);
-  return read_number(stream, fmt::format("a number after `{}`", field.word));
+  if (!is_bounded) return read_number(stream, fmt::format("a number after {}", what));
+  return is_setting ? read_number_in(stream, what, field.low, field.high)
+                    : read_nearest_number(stream, what, field.low, field.high);
 }
 
 /// Precondition: the field has bounds.
-int read_whole_number_of(ElementStream& stream, const StatementField& field) {
+int read_whole_number_of(ElementStream& stream, const StatementField& field, bool is_setting) {
   const SourceSpan span = stream.peek().span;
   const double number = read_number(stream, fmt::format("a number after `{}`", field.word));
   if (number == std::floor(number) && number >= field.low && number <= field.high) return static_cast<int>(number);
   const bool has_two = field.high == field.low + 1;
-  stream.context().fail(
-      span, fmt::format("`{}` must be {}{:g} {} {:g}, found {:g}", field.word, has_two ? "" : "a whole number from ",
-                        field.low, has_two ? "or" : "to", field.high, number));
+  const std::string message =
+      fmt::format("`{}` must be {}{:g} {} {:g}, found {:g}", field.word, has_two ? "" : "a whole number from ",
+                  field.low, has_two ? "or" : "to", field.high, number);
+  if (is_setting) stream.context().fail(span, message);
+  stream.context().warn(span, fmt::format("{}; {:g} is taken", message, field.low));
+  return static_cast<int>(field.low);
 }
 
 /// Reads an item of a field if the next element is one: `operator()` is called with the field's place.
 struct ItemReader {
   ElementStream& stream;
   const StatementField& field;
+  bool is_setting;
 
   bool operator()(double* value) const {
     if (!take_word()) return false;
-    const double number = read_number_of(stream, field);
+    const double number = read_number_of(stream, field, is_setting);
     *value = field.rule == FieldRule::degrees ? number * std::numbers::pi / 180 : number;
     return true;
   }
   bool operator()(int* value) const {
     if (!take_word()) return false;
-    *value = read_whole_number_of(stream, field);
+    *value = read_whole_number_of(stream, field, is_setting);
     return true;
   }
   bool operator()(scene::Vec3* value) const {
@@ -180,7 +188,7 @@ bool read_transform_of(ElementStream& stream, Statement& statement) {
 bool read_statement_item(ElementStream& stream, Statement& statement) {
   if (read_bare_value(stream, statement) || read_transform_of(stream, statement)) return true;
   return std::ranges::any_of(statement.kind->fields, [&](const StatementField& field) {
-    return std::visit(ItemReader{stream, field}, field.place(statement.record));
+    return std::visit(ItemReader{stream, field, statement.kind->is_setting}, field.place(statement.record));
   });
 }
 

@@ -213,7 +213,10 @@ void read_fractal(scene::OperandReader& reader, Fractal& fractal, std::string_vi
     reader.accept_comma();
   }
   constexpr double kMaxIterations = 4294967295.0;  // of POV-Ray's 32 bits
-  fractal.iterations = std::floor(reader.number_in("the number of iterations", 0, kMaxIterations));
+  const double iterations = std::floor(reader.number("the number of iterations"));
+  fractal.iterations = iterations >= 0 ? std::min(iterations, kMaxIterations) : 0;
+  if (fractal.iterations != iterations)
+    reader.warn(fmt::format("the number of iterations must be at least 0, found {:g}", iterations));
 }
 
 /// POV-Ray warns of an exponent that it does not support, and takes 2.

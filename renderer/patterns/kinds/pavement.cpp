@@ -19,6 +19,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string_view>
 
 namespace isl::render {
 namespace {
@@ -312,15 +313,33 @@ void read_sides(scene::OperandReader& reader, Pavement& pavement) noexcept {
     reader.fail(fmt::format("`number_of_sides` must be 3, 4 or 6, found {}", pavement.sides));
 }
 
+/// POV-Ray takes any other number for 0.
+int read_pavement_kind(scene::OperandReader& reader, std::string_view word, int most) noexcept {
+  const double kind = reader.number(fmt::format("`{}`", word));
+  if (kind >= 0 && kind < most + 1) return static_cast<int>(kind);
+  reader.warn(fmt::format("`{}` must be from 0 to {}, found {:g}; 0 is taken", word, most, kind));
+  return 0;
+}
+
+void read_pavement_form(scene::OperandReader& reader, Pavement& pavement) noexcept {
+  pavement.form = read_pavement_kind(reader, "form", 3);
+}
+void read_pavement_interior(scene::OperandReader& reader, Pavement& pavement) noexcept {
+  pavement.interior = read_pavement_kind(reader, "interior", 2);
+}
+void read_pavement_exterior(scene::OperandReader& reader, Pavement& pavement) noexcept {
+  pavement.exterior = read_pavement_kind(reader, "exterior", 2);
+}
+
 constexpr int kMostTiles = 6, kMostPolyforms = 35;
 
 constexpr scene::OperandField kPavement[] = {
     scene::modifier<&Pavement::sides>("number_of_sides").read_by<read_sides>(),
     scene::modifier<&Pavement::tiles>("number_of_tiles").within(1, kMostTiles),
     scene::modifier<&Pavement::pattern>("pattern").within(1, kMostPolyforms).with_key("number"),
-    scene::modifier<&Pavement::form>("form").within(0, 3),
-    scene::modifier<&Pavement::interior>("interior").within(0, 2),
-    scene::modifier<&Pavement::exterior>("exterior").within(0, 2)};
+    scene::modifier<&Pavement::form>("form").read_by<read_pavement_form>(),
+    scene::modifier<&Pavement::interior>("interior").read_by<read_pavement_interior>(),
+    scene::modifier<&Pavement::exterior>("exterior").read_by<read_pavement_exterior>()};
 
 void check_polyform(scene::OperandReader& reader, const Pavement& o) noexcept {
   const int count = polyform_count(o.sides, o.tiles);
