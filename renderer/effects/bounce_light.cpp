@@ -41,7 +41,7 @@ class BounceStage final : public Stage<SpawnWork> {
         child.factor = factor;
         child.kind = RayKind::around;
         ++child.level;
-        work.children.push(ray_from(work.batch, at, point, direction, rays_.reach()), child);
+        work.send(ray_from(work.batch, at, point, direction, rays_.reach()), child);
       }
     }
   }

@@ -122,7 +122,7 @@ class ReflectionStage final : public Stage<SpawnWork> {
     reflected.direction = direction;
     reflected.path_length = ray.path_length + hit.t;
     reflected.start = hit.start();
-    work.children.push(reflected, child);
+    work.send(reflected, child);
   }
 
   FilmLight film_;

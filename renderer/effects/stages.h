@@ -4,7 +4,7 @@
 #pragma once
 
 #include "renderer/paths/bent_light.h"
-#include "renderer/paths/bodies.h"
+#include "renderer/paths/contacts.h"
 #include "renderer/paths/path.h"
 #include "renderer/paths/pixel_sample.h"
 #include "renderer/paths/shadow_queue.h"
@@ -151,12 +151,19 @@ struct SpawnWork {
   const PathBatch& batch;
   const SurfaceBlock& block;
   ChildQueues& children;
-  Bodies& bodies;
+  PathLists& lists;
+  const Tracer& tracer;
   std::span<std::uint8_t>
       is_total;  ///< by point: true if all light is reflected within the surface, whatever it is like
   EndedPaths& ended;
   BentLight& bent;
   SamplePlaces sample_of;  ///< if there is a soft effect
+
+  /// Queues a segment from a surface on.
+  void send(const Ray& ray, PathEntry path) {
+    path.contact = lists.contacts.next(path.contact, ray.direction, path.kind, tracer);
+    children.push(ray, path);
+  }
 };
 
 template <class Work>

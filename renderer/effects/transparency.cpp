@@ -2,8 +2,9 @@
 // reflected within (total reflection). Light that leaves a body has faded along its way through it. The light of
 // shadow rays is filtered by paths/shadow_filter.cpp.
 //
-// A path knows the bodies that it is in; the one that it entered last decides. Whether it enters or leaves is told by
-// the surface's normal; a single face, which has no inside, is entered where it is met first.
+// A path knows the bodies that it is in; the one that it entered last decides. It leaves a body that it is in, and
+// enters any other, whichever way the surface's normal points. Bodies that touch are left and entered one after the
+// other (paths/contacts.h).
 #include "renderer/effects/effect.h"
 #include "renderer/effects/pigment_search.h"
 #include "renderer/paths/behind.h"
@@ -52,7 +53,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
         if (!found) {
           const std::uint32_t path = work.block.paths[i];
           const Body body{point.body, point.interior, point.is_hollow};
-          found = behind(interiors_, work.bodies, work.batch.entries[path], body, point.from_inside);
+          found = behind(interiors_, work.lists.bodies, work.batch.entries[path], body, point.from_inside);
         }
         if (const int colours = found->colours();
             colours > 1 && work.batch.entries[work.block.paths[i]].wave.is_white()) {
@@ -136,7 +137,7 @@ class TransparencyStage final : public Stage<SpawnWork> {
       child.kind = RayKind::reflection;
       next.direction = mirrored(point.view, normal, point.normal);
     }
-    work.children.push(next, child);
+    work.send(next, child);
   }
 
   Interiors interiors_;

@@ -87,13 +87,13 @@ bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
     memory.shadow_filter.texture_bytes = Charge(run_.budget);
     memory.area_shadows.charge_to(Charge(run_.budget));
   }
-  memory.bodies.clear();
-  std::uint32_t camera_bodies = 0;
-  for (const Body& body : camera_bodies_) camera_bodies = memory.bodies.entered(camera_bodies, body);
-  memory.bent.start(memory.camera_rays().size());
   PathBatch& batch = memory.levels.front().batch;
-  // Only what lies along rays changes the entries of the camera's, which are alike in all batches.
-  if (!along_.empty()) batch.entries.clear();
+  // Only what lies along rays, and contacts change the entries of the camera's, which are alike in all batches.
+  if (!along_.empty() || !memory.lists.contacts.is_empty()) batch.entries.clear();
+  memory.lists.clear();
+  std::uint32_t camera_bodies = 0;
+  for (const Body& body : camera_bodies_) camera_bodies = memory.lists.bodies.entered(camera_bodies, body);
+  memory.bent.start(memory.camera_rays().size());
   for (std::size_t i = batch.entries.size(); i < batch.rays.size(); ++i)
     batch.entries.push_back(
         {.sample = static_cast<std::uint32_t>(i), .bodies = camera_bodies, .in_solid = camera_in_solid_});
@@ -108,8 +108,7 @@ bool Integrator::trace(PathMemory& memory, SurfaceObserver* observer) const {
 
 void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const {
   PathBatch& batch = memory.levels[level].batch;
-  batch.hits.assign(batch.size(), Hit{});
-  if (batch.size() != 0) tracer_.first_hits(batch.rays, batch.hits, memory.counters, batch.entries.front().kind);
+  find_hits(batch, memory);
   tell_apart(level, memory);
   // Light from surfaces around comes through clear air, and from nowhere else.
   const bool is_surface_light = is_around(batch);
@@ -127,6 +126,33 @@ void Integrator::run_level(std::size_t level, PathMemory& memory, SurfaceObserve
   if (memory.bent.sample_count() == samples) return;
   memory.bent.finish_from(samples, memory.colours, memory.certainties);
   resize_samples(memory);
+}
+
+void Integrator::find_hits(PathBatch& batch, PathMemory& memory) const {
+  batch.hits.assign(batch.size(), Hit{});
+  if (batch.size() == 0) return;
+  const RayKind kind = batch.entries.front().kind;
+  if (!passing_) return tracer_.first_hits(batch.rays, batch.hits, memory.counters, kind);
+  memory.coinciding.clear();
+  tracer_.first_hits(batch.rays, batch.hits, memory.counters, kind, &memory.coinciding);
+  PathLists& lists = memory.lists;
+  if (!lists.contacts.is_empty()) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (batch.entries[i].contact != 0) batch.hits[i] = lists.contacts.hit_at(batch.entries[i].contact);
+    }
+  }
+  for (std::span<const CoincidingHit> left = memory.coinciding; !left.empty();) {
+    const std::span<const CoincidingHit> hits = of_one_ray(left);
+    left = left.subspan(hits.size());
+    const auto i = static_cast<std::size_t>(hits.front().ray - batch.rays.data());
+    PathEntry& path = batch.entries[i];
+    if (path.contact != 0) continue;
+    const std::vector<CrossedFace> faces = in_order(hits, tracer_, lists.bodies, path.bodies, memory.counters);
+    const Certainty certainty = batch.hits[i].certainty;
+    batch.hits[i] = faces.front().hit;
+    batch.hits[i].certainty = certainty;
+    if (faces.size() > 1) path.contact = lists.contacts.add(faces);
+  }
 }
 
 void Integrator::tell_apart(std::size_t level, PathMemory& memory) {
@@ -217,8 +243,9 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
     lists.view = ray.direction;
     const Body body{surface.body, surface.interior, surface.is_hollow};
     // As in POV-Ray, a path enters a body that it meets first, from whichever side; normals have no say.
-    const bool from_inside = memory.bodies.holds(batch.entries[i].bodies, body.id);
-    if (interiors_) lists.ior_ratio = behind(*interiors_, memory.bodies, batch.entries[i], body, from_inside).ratio;
+    const bool from_inside = memory.lists.bodies.holds(batch.entries[i].bodies, body.id);
+    if (interiors_)
+      lists.ior_ratio = behind(*interiors_, memory.lists.bodies, batch.entries[i], body, from_inside).ratio;
     if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists))
       return refusals_.report("this object", tracer_.origin_of(batch.hits[i]));
     const ShadingPoint& point = memory.block.points.emplace_back(
@@ -251,8 +278,15 @@ void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
   light_from_around(at.batch, memory);
   if (spawn_.empty() || is_around(at.batch)) return;
   memory.is_total.assign(memory.block.points.size(), 0);
-  SpawnWork work{at.batch,        memory.block,        at.children, memory.bodies,
-                 memory.is_total, memory.counts.ended, memory.bent, {memory.pixel_samples, memory.bent}};
+  SpawnWork work{at.batch,
+                 memory.block,
+                 at.children,
+                 memory.lists,
+                 tracer_,
+                 memory.is_total,
+                 memory.counts.ended,
+                 memory.bent,
+                 {memory.pixel_samples, memory.bent}};
   memory.counts.spawned.resize(spawn_.size());
   for (std::size_t i = 0; i < spawn_.size(); ++i) {
     const std::size_t before = at.children.size();

@@ -65,7 +65,8 @@ struct PathMemory {
   SurfaceBlock block;
   BentLight bent;
   std::size_t samples_counted = kBatchSize;  ///< of these samples the memory is charged, or need not be
-  Bodies bodies;                             ///< of the paths of the present camera rays
+  PathLists lists;                           ///< of the paths of the present camera rays
+  std::vector<CoincidingHit> coinciding;     ///< of the present batch
   std::vector<std::uint8_t> is_total;        ///< SpawnWork::is_total
   ShadowFilterMemory shadow_filter;
   std::array<BlobFields, kBlockSize> blob_fields;  ///< of the block's points
@@ -133,6 +134,8 @@ class Integrator {
   void run_level(std::size_t level, PathMemory& memory, SurfaceObserver* observer) const;
   /// Drops the segments and shadow rays that wait, so that the next batch begins without them.
   static void give_up(std::size_t level, PathMemory& memory);
+  /// Finds where the segments end. Those that end at a contact, and do not yet know it, learn of it.
+  void find_hits(PathBatch& batch, PathMemory& memory) const;
   /// Lists the rays of a level that meet something, and the others, and notes how sure their hits are.
   static void tell_apart(std::size_t level, PathMemory& memory);
   /// Makes room for the samples of `bent`, or drops those that are finished.

@@ -192,7 +192,7 @@ void Integrator::light_block(const PathBatch& batch, const PlacedLight& placed, 
     } else {
       // The strengths of the points of a light with `area_illumination` are in the colour already.
       const double strength = has_area_illumination(light) ? 1 : lit.light.strength;
-      AreaTarget target{&light, path.sample, path.bodies, colour, light_colour * strength, to_light};
+      AreaTarget target{&light, path.sample, {path.bodies, path.contact}, colour, light_colour * strength, to_light};
       if (placed.scattered)
         target.jitter_seed =
             memory.pixel_sample(path.sample).own_seed(SampleUse::light_area, path.level, placed.number);
@@ -297,7 +297,7 @@ void Integrator::trace_long_queues(PathMemory& memory) const {
 
 void Integrator::resolve(ShadowQueue& queue, std::uint64_t& count, PathMemory& memory) const {
   if (shadow_filter_) {
-    queue.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.bodies, memory.shadow_filter,
+    queue.resolve(*shadow_filter_, memory.colours, memory.certainties, memory.lists, memory.shadow_filter,
                   memory.counters);
   } else {
     queue.resolve(tracer_, memory.colours, memory.certainties, memory.counters);
@@ -313,7 +313,7 @@ void Integrator::trace_shadows(PathMemory& memory) const {
   const ShadowTracer tracer{tracer_,
                             shadow_filter_ ? &*shadow_filter_ : nullptr,
                             windows_ ? &*windows_ : nullptr,
-                            memory.bodies,
+                            memory.lists,
                             memory.shadow_filter,
                             memory.counters};
   memory.counts.shadow += memory.area_shadows.resolve(tracer, memory.colours, memory.certainties);

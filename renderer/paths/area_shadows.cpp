@@ -69,7 +69,7 @@ void AreaShadows::ask(const ShadowTracer& tracer, const Estimate& estimate, int 
   }
   answer = static_cast<std::uint32_t>(answers_.size() + rays_.size() - 1);
   samples_.push_back(target.sample);
-  bodies_.push_back(target.bodies);
+  begin_in_.push_back(target.begins);
 }
 
 Rgb AreaShadows::share_from(const Estimate& estimate, int u, int v) {
@@ -112,7 +112,7 @@ std::uint64_t AreaShadows::resolve(const ShadowTracer& tracer, std::span<Rgb> co
   while (!parts_.empty()) {
     rays_.clear();
     samples_.clear();
-    bodies_.clear();
+    begin_in_.clear();
     for (const Part& part : parts_) {
       const Estimate& estimate = targets_[part.target];
       ask(tracer, estimate, part.part.u1, part.part.v1);
@@ -123,7 +123,7 @@ std::uint64_t AreaShadows::resolve(const ShadowTracer& tracer, std::span<Rgb> co
     const std::size_t first = answers_.size();
     answers_.resize(first + rays_.size());
     certainties_.resize(rays_.size());
-    tracer.run(rays_, bodies_, std::span(answers_).subspan(first), certainties_, occluded_);
+    tracer.run(rays_, begin_in_, std::span(answers_).subspan(first), certainties_, occluded_);
     for (std::size_t i = 0; i < rays_.size(); ++i) lower(certainties[samples_[i]], certainties_[i]);
     divided_.clear();
     for (const Part& part : parts_) finish(part);

@@ -19,8 +19,8 @@ namespace isl::render {
 struct AreaTarget {
   const scene::Light* light = nullptr;
   std::uint32_t sample = 0;
-  std::uint32_t bodies = 0;  ///< those that the point lies in: a list of Bodies
-  Rgb colour{0};             ///< the light that the sample gets if nothing stands in the way
+  LightBegin begins;
+  Rgb colour{0};  ///< the light that the sample gets if nothing stands in the way
   Rgb arriving{
       0};         ///< the light that then arrives at the point: parts are divided where shadows make a difference in it
   Ray to_centre;  ///< leads from the point to the light's centre
@@ -72,9 +72,10 @@ class AreaShadows {
   std::vector<Estimate> targets_;
   std::vector<std::uint32_t> answers_at_;  ///< by grid point of every target: the number of its ray, if it has one
   std::vector<Part> parts_, divided_;
-  std::vector<Ray> rays_;                        ///< of this round
-  std::vector<Rgb> answers_;                     ///< of all rounds, by ray
-  std::vector<std::uint32_t> samples_, bodies_;  ///< by ray of this round
+  std::vector<Ray> rays_;               ///< of this round
+  std::vector<Rgb> answers_;            ///< of all rounds, by ray
+  std::vector<std::uint32_t> samples_;  ///< by ray of this round
+  std::vector<LightBegin> begin_in_;    ///< likewise
   std::vector<Certainty> certainties_;
   std::vector<std::uint8_t> occluded_;
   Charge charge_;

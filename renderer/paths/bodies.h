@@ -38,11 +38,15 @@ class Bodies {
     const std::optional<std::uint32_t> below = left(node.below, body);
     return below ? std::optional(entered(*below, node.body)) : std::nullopt;
   }
-  [[nodiscard]] bool holds(std::uint32_t list, const BodyId& body) const {
-    for (; list != 0; list = nodes_[list].below) {
-      if (nodes_[list].body.id == body) return true;
+  /// The number of bodies that were entered after this one; nothing if the list does not hold it.
+  [[nodiscard]] std::optional<std::uint32_t> entered_after(std::uint32_t list, const BodyId& body) const {
+    for (std::uint32_t number = 0; list != 0; list = nodes_[list].below, ++number) {
+      if (nodes_[list].body.id == body) return number;
     }
-    return false;
+    return std::nullopt;
+  }
+  [[nodiscard]] bool holds(std::uint32_t list, const BodyId& body) const {
+    return entered_after(list, body).has_value();
   }
   [[nodiscard]] bool all_are_hollow(std::uint32_t list) const {
     for (; list != 0; list = nodes_[list].below) {

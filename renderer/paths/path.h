@@ -22,7 +22,10 @@ struct PathEntry {
   RayKind kind = RayKind::image;
   Wave wave{};               ///< white until dispersion parts the light
   std::uint32_t bodies = 0;  ///< the bodies that the segment runs in: a list of Bodies
-  bool in_solid = false;     ///< the segment runs in something that is not `hollow`, which keeps media out
+  /// The face of a contact (contacts.h) where the segment ends; 0 if it ends elsewhere. It is known before the segment
+  /// is traced if that has no length.
+  std::uint32_t contact = 0;
+  bool in_solid = false;  ///< the segment runs in something that is not `hollow`, which keeps media out
 };
 
 /// Segments of one kind that are traced together; hits[i] is where rays[i] ends.

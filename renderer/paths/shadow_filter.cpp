@@ -37,8 +37,30 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, std::uint32_t& list, 
   return leaves && medium.fade_power > 0 ? share * medium.left_after(hit.t) : share;
 }
 
-void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<const std::uint32_t> begin_in,
-                       std::span<Rgb> shares, std::span<Certainty> certainties, Bodies& bodies,
+Rgb ShadowFilter::share_at_contact(const Ray& ray, std::span<const CoincidingHit> hits, std::uint32_t& list,
+                                   Bodies& bodies, ShadowFilterMemory& memory, TraceCounters& counters) const {
+  const std::vector<CrossedFace> faces = in_order(hits, tracer_, bodies, list, counters);
+  Rgb share = share_at(ray, faces.front().hit, list, bodies, memory, counters);
+  const Ray beyond = continued(ray, faces.front().hit);
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    Hit at_once = faces[i].hit;
+    at_once.t = 0;
+    share *= share_at(beyond, at_once, list, bodies, memory, counters);
+  }
+  return share;
+}
+
+Rgb ShadowFilter::share_at_begin(const Ray& ray, RayKind kind, ContactFace begin, std::uint32_t& list, PathLists& lists,
+                                 ShadowFilterMemory& memory, TraceCounters& counters) const {
+  Rgb share(1);
+  const auto next = [&](ContactFace face) { return lists.contacts.next(face, ray.direction, kind, tracer_); };
+  for (ContactFace face = next(begin); face != 0; face = next(face))
+    share *= share_at(ray, lists.contacts.hit_at(face), list, lists.bodies, memory, counters);
+  return share;
+}
+
+void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<const LightBegin> begin_in,
+                       std::span<Rgb> shares, std::span<Certainty> certainties, PathLists& lists,
                        ShadowFilterMemory& memory, TraceCounters& counters) const {
   // Most rays end at an opaque object, whatever they meet before it, or meet nothing.
   memory.occluded.resize(rays.size());
@@ -46,20 +68,26 @@ void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<const 
   memory.rays.clear();
   memory.numbers.clear();
   memory.bodies_of.clear();
+  const RayKind clear = with(kind, kOnlyClear);
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
     shares[i] = Rgb(memory.occluded[i] == kOccluded ? 0 : 1);
     if (memory.occluded[i] == kOccluded) continue;
     if (memory.occluded[i] == kUndecidedOcclusion) lower(certainties[i], Certainty::undecided);
+    std::uint32_t list = begin_in[i].bodies;
+    if (begin_in[i].contact != 0)
+      shares[i] = share_at_begin(rays[i], clear, begin_in[i].contact, list, lists, memory, counters);
     if (!tracer_.may_meet_clear(rays[i])) continue;
     memory.rays.push_back(rays[i]);
     memory.numbers.push_back(i);
-    memory.bodies_of.push_back(begin_in[i]);
+    memory.bodies_of.push_back(list);
   }
   // Every step takes all rays that have not ended past one more surface.
   while (!memory.rays.empty()) {
     memory.hits.assign(memory.rays.size(), Hit{});
-    tracer_.first_hits(memory.rays, memory.hits, counters, with(kind, kOnlyClear));
+    memory.coinciding.clear();
+    tracer_.first_hits(memory.rays, memory.hits, counters, clear, &memory.coinciding);
     if (refusals_.is_set()) return;
+    std::span<const CoincidingHit> coinciding = memory.coinciding;
     std::size_t left = 0;
     for (std::size_t i = 0; i < memory.rays.size(); ++i) {
       const Hit& hit = memory.hits[i];
@@ -70,7 +98,13 @@ void ShadowFilter::run(std::span<const Ray> rays, RayKind kind, std::span<const 
       }
       Ray ray = memory.rays[i];
       std::uint32_t list = memory.bodies_of[i];
-      shares[number] *= share_at(ray, hit, list, bodies, memory, counters);
+      if (!coinciding.empty() && coinciding.front().ray == &memory.rays[i]) {
+        const std::span<const CoincidingHit> hits = of_one_ray(coinciding);
+        coinciding = coinciding.subspan(hits.size());
+        shares[number] *= share_at_contact(ray, hits, list, lists.bodies, memory, counters);
+      } else {
+        shares[number] *= share_at(ray, hit, list, lists.bodies, memory, counters);
+      }
       if (shares[number] == Rgb(0)) continue;
       lower(certainties[number], hit.certainty);
       ray.origin = memory.surface.position;

@@ -34,13 +34,13 @@ void ShadowQueue::resolve(const Tracer& tracer, std::span<Rgb> colours, std::spa
 }
 
 void ShadowQueue::resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties,
-                          Bodies& bodies, ShadowFilterMemory& memory, TraceCounters& counters) {
+                          PathLists& lists, ShadowFilterMemory& memory, TraceCounters& counters) {
   if (size_ == 0) return;
-  bodies_.clear();
-  for (std::size_t i = 0; i < size_; ++i) bodies_.push_back(lights_[i].bodies);
+  begin_in_.clear();
+  for (std::size_t i = 0; i < size_; ++i) begin_in_.push_back(lights_[i].begins);
   shares_.resize(size_);
   certainties_.assign(size_, Certainty::certified);
-  filter.run(std::span(rays_).first(size_), kind_, bodies_, shares_, certainties_, bodies, memory, counters);
+  filter.run(std::span(rays_).first(size_), kind_, begin_in_, shares_, certainties_, lists, memory, counters);
   for (std::size_t i = 0; i < size_; ++i) {
     const std::uint32_t sample = lights_[i].sample;
     colours[sample] += lights_[i].colour * shares_[i];

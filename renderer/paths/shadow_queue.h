@@ -26,15 +26,15 @@ class ShadowQueue {
   /// The same; all of the ray is for the caller to fill, which is quicker than to copy one that has just been made.
   [[nodiscard]] Ray& add(const PathEntry& path, const Rgb& colour) {
     if (size_ == rays_.size()) grow();
-    lights_[size_] = {colour, path.sample, path.bodies};
+    lights_[size_] = {colour, path.sample, {path.bodies, path.contact}};
     return rays_[size_++];
   }
 
   /// Traces the queue and adds the light of every unoccluded ray to colours[sample], in the order of pushing: sums do
   /// not depend on the order in which the tracer works. certainties[sample] falls where a ray is undecided.
   void resolve(const Tracer& tracer, std::span<Rgb> colours, std::span<Certainty> certainties, TraceCounters& counters);
-  /// The same where surfaces filter light. `bodies` has the lists of the paths.
-  void resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties, Bodies& bodies,
+  /// The same where surfaces filter light. `lists` are those of the paths.
+  void resolve(const ShadowFilter& filter, std::span<Rgb> colours, std::span<Certainty> certainties, PathLists& lists,
                ShadowFilterMemory& memory, TraceCounters& counters);
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -43,7 +43,7 @@ class ShadowQueue {
   struct Light {
     Rgb colour;
     std::uint32_t sample;
-    std::uint32_t bodies;  ///< PathEntry::bodies
+    LightBegin begins;
   };
 
   void grow();
@@ -60,7 +60,7 @@ class ShadowQueue {
   std::vector<Ray> sorted_rays_;
   std::vector<std::uint8_t> sorted_occluded_;
   std::vector<Rgb> shares_;
-  std::vector<std::uint32_t> bodies_;
+  std::vector<LightBegin> begin_in_;
   std::vector<Certainty> certainties_;
 };
 

@@ -17,16 +17,16 @@ struct ShadowTracer {
   const Tracer& tracer;
   const ShadowFilter* filter;   ///< null if surfaces block all light
   const LightWindows* windows;  ///< null if no light has one
-  Bodies& bodies;               ///< of the paths
+  PathLists& lists;             ///< of the paths
   ShadowFilterMemory& memory;
   TraceCounters& counters;
 
-  /// shares[i] becomes the share of light that comes along rays[i], which begins in the bodies of the list begin_in[i],
-  /// and certainties[i] how sure that is. `occluded` is working memory.
-  void run(std::span<const Ray> rays, std::span<const std::uint32_t> begin_in, std::span<Rgb> shares,
+  /// shares[i] becomes the share of light that comes along rays[i], which begins in begin_in[i], and certainties[i] how
+  /// sure that is. `occluded` is working memory.
+  void run(std::span<const Ray> rays, std::span<const LightBegin> begin_in, std::span<Rgb> shares,
            std::span<Certainty> certainties, std::vector<std::uint8_t>& occluded) const {
     std::ranges::fill(certainties, Certainty::certified);
-    if (filter) return filter->run(rays, RayKind::shadow, begin_in, shares, certainties, bodies, memory, counters);
+    if (filter) return filter->run(rays, RayKind::shadow, begin_in, shares, certainties, lists, memory, counters);
     occluded.resize(rays.size());
     tracer.occlusions(rays, occluded, counters);
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -84,6 +84,21 @@ struct Hit {
   [[nodiscard]] RayStart start() const { return {instance, part, leaf}; }
 };
 
+/// The rest of a ray beyond a hit.
+[[nodiscard]] inline Ray continued(const Ray& ray, const Hit& hit) {
+  return {.origin = ray.origin + ray.direction * hit.t,
+          .direction = ray.direction,
+          .t_max = ray.t_max - hit.t,
+          .path_length = ray.path_length + hit.t,
+          .start = hit.start()};
+}
+
+/// One of several hits of a ray at one place.
+struct CoincidingHit {
+  const Ray* ray;
+  Hit hit;
+};
+
 /// The answer of a shadow ray with this hit.
 [[nodiscard]] inline Occlusion occlusion_of(const Hit& hit) {
   if (!hit.is_miss()) return kOccluded;

@@ -316,8 +316,8 @@ class CsgSearch {
     return tree_.nodes[node].kind == CsgNode::Kind::all ? a > b : a < b;
   }
 
-  /// If the whole changes, the hit is the leaf to be preferred among those that changed with it; if not, it is a
-  /// surface that shows both before and after, as within a union.
+  /// If the whole changes, that is seen once: at the leaf to be preferred among those that changed with it. Besides,
+  /// surfaces are seen that show both before and after, as within a union. The first of all is the hit.
   CsgHit pass_group() {
     CsgState& state = memory_.state;
     std::vector<CsgEvent>& group = memory_.group;
@@ -329,19 +329,24 @@ class CsgSearch {
     state.remember();
     const bool held = state.holds();
     for (const CsgEvent& event : group) state.toggle(event.leaf);
-    const bool changed = state.holds() != held;
+    bool is_change_left = state.holds() != held;
+    memory_.seen.clear();
     for (std::size_t i = 0; i < group.size(); ++i) {
+      if (!memory_.seen.empty() && !ray_.wants_all) break;
       const CsgEvent& event = group[i];
       if (!is_seen(event)) continue;
+      bool is_change = false;
       if (!tree_.leaves[event.leaf].is_open_surface) {
         const auto of_leaf =
             std::count_if(group.begin(), group.end(), [&](const CsgEvent& e) { return e.leaf == event.leaf; });
         if (of_leaf % 2 == 0) continue;  // the ray came in and went out again
-        if (changed && state.changed_with(event.leaf)) return hit_of(event);
+        is_change = is_change_left && state.changed_with(event.leaf);
       }
-      if (memory_.shown[i] != 0 && state.shows(event.leaf)) return hit_of(event);
+      if (!is_change && (memory_.shown[i] == 0 || !state.shows(event.leaf))) continue;
+      if (is_change) is_change_left = false;
+      memory_.seen.push_back(hit_of(event));
     }
-    return {};
+    return memory_.seen.empty() ? CsgHit{} : memory_.seen.front();
   }
 
   const CompiledScene& scene_;

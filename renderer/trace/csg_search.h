@@ -22,6 +22,7 @@ struct CsgRay {
   double path_length = 0;                   ///< the path's length before t = 0, in world units
   InstanceId instance = scene::kNone;       ///< the instance as which the tree is met
   const Ray* world = nullptr;               ///< the ray in the world
+  bool wants_all = false;                   ///< all faces that are seen where the first is, in CsgMemory::seen
 };
 
 struct CsgHit {
@@ -62,6 +63,7 @@ struct CsgMemory {
   std::vector<CsgEvent> events;   ///< a heap with the nearest first
   std::vector<CsgEvent> group;    ///< the events that are taken together
   std::vector<std::uint8_t> shown;
+  std::vector<CsgHit> seen;  ///< the hit, and others at the same place if they are wanted
 };
 
 /// True if a half-line from t = 0 to t_max meets the bounds of a tree.

@@ -45,7 +45,7 @@ class PacketTrace {
       if (hits[i].is_miss()) hits[i].t = std::numeric_limits<double>::infinity();
     }
     if (single_.faces().has_kept()) {
-      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = single_.faces().first_declared(rays[i], hits[i]);
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = single_.settle(rays[i], hits[i]);
       single_.faces().forget();
     }
     if (!is_some_undecided_) return;
@@ -173,7 +173,8 @@ class PacketTrace {
   [[nodiscard]] Octet farthest(std::uint32_t index) {
     const Octet t = hits_.t();
     if (any_) return t;
-    const OctetMask may_coincide = hits_.are_met() & (Octet(index) < hits_.instance());
+    OctetMask may_coincide = hits_.are_met();
+    if (!single_.faces().keeps_all()) may_coincide = may_coincide & (Octet(index) < hits_.instance());
     if (none(may_coincide)) return t;
     const Octet near = starts().nearness(hits_.factor(), hits_.size(), t);
     return select(may_coincide, t + near + starts().nearness(scene_.instances[index].spread, t), t);
@@ -214,8 +215,9 @@ class PacketTrace {
     if (!any_) {
       const OctetMask earlier = Octet(index) < hits_.instance();
       const Octet apart = Octet(2.0) * (near + starts().nearness(hits_.factor(), hits_.size(), best));
-      const OctetMask coincides = found.is_there & hits_.are_met() & (abs(found.t - best) <= apart);
-      alone = alone | and_not(nearer & earlier, coincides & (nearer | earlier));
+      OctetMask coincides = found.is_there & hits_.are_met() & (abs(found.t - best) <= apart);
+      if (!single_.faces().keeps_all()) coincides = and_not(nearer & earlier, coincides & (nearer | earlier));
+      alone = alone | coincides;
     }
     std::uint32_t met = bits(nearer) & open;
     if (const std::uint32_t lone = bits(alone) & open; lone != 0) [[unlikely]] {

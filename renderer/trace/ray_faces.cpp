@@ -1,5 +1,7 @@
 #include "renderer/trace/ray_faces.h"
 
+#include <algorithm>
+
 namespace isl::render {
 
 using scene::Object;
@@ -49,6 +51,20 @@ std::size_t RayFaces::pass_start(InstanceId instance, const Ray& ray, const Cros
 void RayFaces::keep_if_near(const Ray& ray, const Hit& nearer, const Hit& farther) {
   const double most = nearness(nearer.instance, ray, farther.t) + nearness(farther.instance, ray, farther.t);
   if (farther.t - nearer.t <= most) kept_.push_back({&ray, farther});
+}
+
+std::vector<Hit> RayFaces::coinciding(const Ray& ray, const Hit& nearest) {
+  std::vector<Hit> found{nearest};
+  const Ray beyond = continued(ray, nearest);
+  for (const Kept& kept : kept_) {
+    if (kept.ray != &ray) continue;
+    Hit there = kept.hit;
+    there.t -= nearest.t;
+    if (is_at_start(beyond, there)) found.push_back(kept.hit);
+  }
+  forget_reach();
+  std::stable_sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.instance < b.instance; });
+  return found;
 }
 
 Hit RayFaces::first_declared(const Ray& ray, const Hit& nearest) {

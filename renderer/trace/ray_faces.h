@@ -4,6 +4,9 @@
 // coincides with others, the instance that was declared first shows. Such hits are kept while the nearest is searched
 // for, and are compared with it in the end, so that the order in which instances are met decides nothing.
 //
+// Paths through clear bodies ask for all faces at the nearest hit, since a body is left there and another is entered.
+// They are the faces that a ray from there would take for crossed (below), so that nothing is crossed twice or never.
+//
 // A ray that starts on a face knows its root and deflates it. A face of another instance that coincides with it there
 // has been crossed too: the distance from the start to that face is t |n·d|, however far a grazing ray goes until it
 // crosses. Where the surface bends, the greater of the slopes at the start and at the crossing counts, because the ray
@@ -24,7 +27,11 @@ namespace isl::render {
 /// Rays are known by their addresses, so they must stay where they are while they are asked about.
 class RayFaces {
  public:
-  RayFaces(const CompiledScene& scene, const BlobGradient& gradient) : scene_(scene), gradient_(gradient) {}
+  /// With `keeps_all`, hits are kept that were declared behind the nearest one, too.
+  RayFaces(const CompiledScene& scene, const BlobGradient& gradient, bool keeps_all)
+      : scene_(scene), gradient_(gradient), keeps_all_(keeps_all) {}
+
+  [[nodiscard]] bool keeps_all() const { return keeps_all_; }
 
   [[nodiscard]] const Spread& spread_of(InstanceId instance) const { return scene_.instances[instance].spread; }
   /// An upper bound of the rounding, in t, of a hit of the instance at t. It costs little.
@@ -53,13 +60,16 @@ class RayFaces {
   /// The index of the first of a solid's crossings, from `first` on, behind the faces that the ray starts on.
   [[nodiscard]] std::size_t pass_start(InstanceId instance, const Ray& ray, const Crossings& found, std::size_t first);
 
-  /// Keeps the farther of two hits if it may coincide with the nearer one. Precondition: the farther one was declared
-  /// before.
+  /// Keeps the farther of two hits if it may coincide with the nearer one.
   void keep_if_near(const Ray& ray, const Hit& nearer, const Hit& farther);
   [[nodiscard]] bool has_kept() const { return !kept_.empty(); }
   /// The hit that was declared first, among the nearest and the kept hits that coincide with it.
   [[nodiscard]] Hit first_declared(const Ray& ray, const Hit& nearest);
+  /// The nearest hit and the kept hits on whose faces a ray begins that goes on from it, in the order of declaration.
+  [[nodiscard]] std::vector<Hit> coinciding(const Ray& ray, const Hit& nearest);
   void forget() { kept_.clear(); }
+  /// To be called before a ray moves or ends.
+  void forget_reach() { reach_ray_ = nullptr; }
 
  private:
   struct Kept {
@@ -73,6 +83,7 @@ class RayFaces {
 
   const CompiledScene& scene_;
   BlobGradient gradient_;
+  bool keeps_all_;
   std::vector<Kept> kept_;
   const Ray* reach_ray_ = nullptr;  ///< the ray that reach_of() was asked about last
   Vec3 reach_{0};

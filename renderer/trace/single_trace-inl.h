@@ -35,7 +35,7 @@ class SingleTrace {
         memory_(memory),
         counters_(counters),
         kind_(static_cast<std::uint8_t>(kind)),
-        faces_(scene, blob_gradient()) {}
+        faces_(scene, blob_gradient(), memory.coinciding != nullptr) {}
 
   /// With `any`, the first hit that is found ends the search, and the result only tells whether there is one.
   [[nodiscard]] Hit trace(const Ray& ray, bool any) {
@@ -58,7 +58,7 @@ class SingleTrace {
     }
     if (best.is_miss()) best.t = std::numeric_limits<double>::infinity();
     if (faces_.has_kept()) {
-      best = faces_.first_declared(ray, best);
+      best = settle(ray, best);
       faces_.forget();
     }
     judge(best, undecided_from_);
@@ -66,6 +66,12 @@ class SingleTrace {
   }
 
   // PacketTrace (packet_trace-inl.h) uses the following functions for rays that it traces alone.
+
+  /// The hit that shows, of those at the place of the nearest one. If all are wanted, they are listed.
+  [[nodiscard]] Hit settle(const Ray& ray, const Hit& nearest) {
+    if (faces_.keeps_all() && !nearest.is_miss()) list_coinciding(ray, nearest);
+    return faces_.first_declared(ray, nearest);
+  }
 
   [[nodiscard]] bool is_hidden(const Instance& instance) const { return (instance.hidden_from & kind_) != 0; }
 
@@ -83,7 +89,7 @@ class SingleTrace {
     if (instance.kind == scene::Object::Kind::group) {
       return meet_csg(index, ray, any,
                       {origin, direction, farthest(index, ray, any, best), starts_here ? ray.start.leaf : scene::kNone,
-                       ray.start.part, ray.path_length, index, &ray},
+                       ray.start.part, ray.path_length, index, &ray, faces_.keeps_all() && !any},
                       best);
     }
     const scene::Solid& solid = scene_.solids[instance.shape];
@@ -162,10 +168,10 @@ class SingleTrace {
             instance.world_from_object.inverse_vector(ray.direction)};
   }
 
-  /// The farthest t at which an instance's hit can matter: behind the nearest hit, if it may coincide with it and was
-  /// declared before.
+  /// The farthest t at which an instance's hit can matter: behind the nearest hit, if it may coincide with it, and was
+  /// declared before or is wanted anyway.
   [[nodiscard]] double farthest(std::uint32_t index, const Ray& ray, bool any, const Hit& best) const {
-    if (any || best.is_miss() || best.instance < index) return best.t;
+    if (any || best.is_miss() || (best.instance < index && !faces_.keeps_all())) return best.t;
     return best.t + faces_.nearness(best.instance, ray, best.t) + faces_.nearness(index, ray, best.t);
   }
 
@@ -229,20 +235,57 @@ class SingleTrace {
                    return csg_ray.t_max;
                  });
     }
-    const CsgHit hit = first_csg_hit(scene_, tree, csg_ray, faces_, blobs, memory_.csg);
-    if (hit.is_miss()) return false;
-    return offer(ray, {hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf}, any, best);
+    memory_.csg.seen.clear();
+    const CsgHit first = first_csg_hit(scene_, tree, csg_ray, faces_, blobs, memory_.csg);
+    if (first.is_miss()) return false;
+    const auto in_world = [index](const CsgHit& hit) {
+      return Hit{hit.t, index, hit.cell, hit.part, hit.from_inside, hit.leaf};
+    };
+    const bool is_nearest = offer(ray, in_world(first), any, best);
+    if (csg_ray.wants_all) {
+      for (std::size_t i = 1; i < memory_.csg.seen.size(); ++i)
+        faces_.keep_if_near(ray, best, in_world(memory_.csg.seen[i]));
+    }
+    return is_nearest;
   }
 
-  /// Makes a hit the best if it is the nearest. The farther of the two is kept if it was declared before and may
-  /// coincide.
+  /// Lists the faces that the ray crosses where it meets the nearest one (Tracer::first_hits).
+  HWY_NOINLINE void list_coinciding(const Ray& ray, const Hit& nearest) {
+    std::vector<Hit> faces = faces_.coinciding(ray, nearest);
+    const auto is_clear = [&](const Hit& face) {
+      return (scene_.instances[face.instance].hidden_from & kOnlyOpaque) != 0;
+    };
+    if (faces.size() == 1 || std::ranges::none_of(faces, is_clear)) return;
+    std::erase_if(faces, [&](const Hit& face) { return !crosses(ray, face); });
+    for (const Hit& face : faces) memory_.coinciding->push_back({&ray, face});
+  }
+  /// False if the ray crosses the surface of the hit's object once more at the place of the hit, so that it is on the
+  /// same side before and behind.
+  [[nodiscard]] bool crosses(const Ray& ray, const Hit& hit) {
+    const double undecided_from = undecided_from_;
+    bool crosses = true;
+    Ray beyond = continued(ray, hit);
+    for (;; crosses = !crosses) {
+      Hit next;
+      next.t = 2 * faces_.nearness(hit.instance, beyond, 0);
+      if (!meet(hit.instance, beyond, false, next) || !faces_.is_at_start(beyond, next)) break;
+      beyond = continued(beyond, next);
+      faces_.forget_reach();
+    }
+    faces_.forget_reach();
+    undecided_from_ = undecided_from;
+    return crosses;
+  }
+
+  /// Makes a hit the best if it is the nearest. The farther of the two is kept if it may coincide, and was declared
+  /// before or is wanted anyway.
   bool offer(const Ray& ray, const Hit& hit, bool any, Hit& best) {
     if (any) {
       best = hit;
       return true;
     }
     const bool is_nearer = hit.t < best.t;
-    if (!best.is_miss() && (hit.instance < best.instance) != is_nearer) {
+    if (!best.is_miss() && (faces_.keeps_all() || (hit.instance < best.instance) != is_nearer)) {
       faces_.keep_if_near(ray, is_nearer ? hit : best, is_nearer ? best : hit);
     }
     if (is_nearer) best = hit;

@@ -23,6 +23,7 @@ struct TraceMemory {
   PaperMemory paper;
   CsgMemory csg;
   BlobPoint point;
+  std::vector<CoincidingHit>* coinciding = nullptr;  ///< see Tracer::first_hits()
 };
 
 /// The functions that trace rays.

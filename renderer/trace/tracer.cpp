@@ -228,12 +228,15 @@ std::string Tracer::problem_of(SolverName solver) { return is_rival(solver) ? ri
 
 bool Tracer::has_simd_target(const std::string& name) { return trace_entry_points(name) != nullptr; }
 
-void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind) const {
+void Tracer::first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters, RayKind kind,
+                        std::vector<CoincidingHit>* coinciding) const {
   ISL_CHECK(hits.size() == rays.size(), "{} {}", hits.size(), rays.size());
+  thread_memory().coinciding = coinciding;
   impl_->in_parts(ray_steps_, rays.size(), [&](const SolverSettings& settings, std::size_t first, std::size_t count) {
     impl_->loops->first_hits(impl_->scene, settings, kind, rays.subspan(first, count), hits.subspan(first, count),
                              thread_memory(), counters);
   });
+  thread_memory().coinciding = nullptr;
 }
 
 void Tracer::occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
@@ -383,6 +386,10 @@ const std::optional<scene::Refusal>& Tracer::refusal() const { return impl_->sce
 std::span<const LightGroup> Tracer::light_groups() const { return impl_->scene.light_groups; }
 
 std::uint32_t Tracer::light_group_of(const Hit& hit) const { return impl_->scene.instances[hit.instance].light_group; }
+
+bool Tracer::is_hidden(const Hit& hit, RayKind kind) const {
+  return (impl_->scene.instances[hit.instance].hidden_from & static_cast<std::uint8_t>(kind)) != 0;
+}
 
 OriginId Tracer::origin_of(const Hit& hit) const { return impl_->scene.instances[hit.instance].origin; }
 

@@ -52,8 +52,12 @@ class Tracer {
   /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
   /// solver, only the thread that found the hits may ask for their surfaces (surface_at), and only until it asks for
   /// hits again. If the run is stopped meanwhile, the rest stays as it is.
+  ///
+  /// If `coinciding` is given, it gets, ray by ray, all faces that a ray crosses where it meets the first, in the order
+  /// of declaration, if they are several, or another than hits[i], and one of them may let light through. A face that
+  /// is crossed back and forth there is left out.
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
-                  RayKind kind = RayKind::image) const;
+                  RayKind kind = RayKind::image, std::vector<CoincidingHit>* coinciding = nullptr) const;
 
   /// occluded[i] becomes an Occlusion: whether anything that throws a shadow lies on rays[i] with 0 < t < t_max.
   void occlusions(std::span<const Ray> rays, std::span<std::uint8_t> occluded, TraceCounters& counters,
@@ -82,6 +86,9 @@ class Tracer {
   [[nodiscard]] std::span<const LightGroup> light_groups() const;
   /// The light group that the object of a hit, which is no miss, belongs to: its index, or kNone.
   [[nodiscard]] std::uint32_t light_group_of(const Hit& hit) const;
+
+  /// True if rays of the kind do not meet the object of a hit, which is no miss.
+  [[nodiscard]] bool is_hidden(const Hit& hit, RayKind kind) const;
 
   /// The statement that made the object of a hit, which is no miss.
   [[nodiscard]] OriginId origin_of(const Hit& hit) const;
