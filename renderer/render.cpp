@@ -110,6 +110,7 @@ class Rendering {
     }
     result.statistics.undecided_pixels = film_.count(window_, Certainty::undecided);
     result.statistics.refuted_pixels = film_.count(window_, Certainty::refuted);
+    result.statistics.lost = film_.lost(window_);
     result.statistics.noisy_pixels = noisy_pixels_;
     result.complete = !skipped_;
     result.share = skipped_ ? progress_.share() : 1;

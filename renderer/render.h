@@ -57,6 +57,7 @@ struct RenderStatistics {
   int threads = 1;     ///< greatest number of threads at work
   double samples_per_pixel = 0;
   std::uint64_t undecided_pixels = 0, refuted_pixels = 0;  ///< Certainty
+  LostSamples lost;                                        ///< those left out, as no finite numbers
   std::uint64_t noisy_pixels = 0;                          ///< with kMostSamples and more noise than was asked for
   Plan plan;
 };

@@ -188,6 +188,20 @@ bool tell_uncertain(const RenderCommand& command, const render::RenderStatistics
   return true;
 }
 
+/// Says which samples the picture lacks because they are no numbers.
+void warn_of_lost(Session& session, const render::LostSamples& lost) {
+  const std::string message = lost_line(lost);
+  if (message.empty()) return;
+  const interpreter::Origin origin = session.scene().origins.resolve(lost.origin);
+  report_late(session, {Severity::warning,
+                        origin.span,
+                        message,
+                        "look for divisions by zero, and for roots, logarithms and powers outside of their domain, in "
+                        "what it shows and in lights, fog and sky",
+                        {},
+                        origin.chain});
+}
+
 /// Prints how many pixels have more noise than was asked for.
 void tell_noisy(const RenderCommand& command, const render::RenderStatistics& statistics) {
   const std::string line = noisy_line(statistics);
@@ -263,6 +277,7 @@ ExitCode run(const RenderCommand& command) {
     writer.add_text(command.picture.statistics, statistics.dump(2) + "\n");
   }
   if (const ExitCode code = finish(std::move(writer)); code != ExitCode::done) return code;
+  warn_of_lost(session, picture.result.statistics.lost);
   tell_result(command, session, files, image, complete, statistics, whole.seconds());
   if (complete) {
     tell_noisy(command, picture.result.statistics);

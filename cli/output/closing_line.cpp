@@ -29,6 +29,15 @@ std::string uncertain_line(const render::RenderStatistics& statistics) {
       statistics.counters.spent_rays > 0 ? ", and a greater `--max-ray-steps` may decide them" : "");
 }
 
+std::string lost_line(const render::LostSamples& lost) {
+  if (lost.samples == 0) return {};
+  return fmt::format(
+      "{} {} of {} {} {} left out, because the colour is not a finite number; the first is at pixel {},{}{}",
+      lost.samples, lost.samples == 1 ? "sample" : "samples", lost.pixels, lost.pixels == 1 ? "pixel" : "pixels",
+      lost.samples == 1 ? "is" : "are", lost.first.x, lost.first.y,
+      lost.origin == OriginId{} ? "" : ", of this object");
+}
+
 std::string noisy_line(const render::RenderStatistics& statistics) {
   const std::uint64_t pixels = statistics.noisy_pixels;
   if (pixels == 0) return {};

@@ -16,6 +16,9 @@ namespace isl::cli {
 /// "3 pixels could be off by more than the tolerance (2 undecided, 1 refuted); …"; empty if every pixel is certain.
 [[nodiscard]] std::string uncertain_line(const render::RenderStatistics& statistics);
 
+/// How many samples are left out because their colour is no finite number, and where; empty if none is.
+[[nodiscard]] std::string lost_line(const render::LostSamples& lost);
+
 /// How many pixels have more noise than was asked for, although they have all samples; empty if none has.
 [[nodiscard]] std::string noisy_line(const render::RenderStatistics& statistics);
 

@@ -18,6 +18,12 @@ void print_problems(Session& session) {
     print(Stream::error, format_diagnostic(diagnostic, session.sources(), colour));
 }
 
+void report_late(Session& session, Diagnostic problem) {
+  if (session.options().format == OutputFormat::text)
+    print(Stream::error, format_diagnostic(problem, session.sources(), wants_colour(Stream::error)));
+  session.sink().report(std::move(problem));
+}
+
 nlohmann::ordered_json problems_as_json(Session& session) {
   auto problems = nlohmann::ordered_json::array();
   for (const Diagnostic& diagnostic : session.sink().diagnostics())
@@ -53,11 +59,7 @@ ExitCode report_failure(Session& session, ExitCode code) {
 
 ExitCode refuse(Session& session, const scene::Refusal& refusal) {
   const interpreter::Origin origin = session.scene().origins.resolve(refusal.origin);
-  Diagnostic error{Severity::error, origin.span, refusal.message, refusal.hint, {}, origin.chain};
-  if (session.options().format == OutputFormat::text) {
-    print(Stream::error, format_diagnostic(error, session.sources(), wants_colour(Stream::error)));
-  }
-  session.sink().report(std::move(error));
+  report_late(session, {Severity::error, origin.span, refusal.message, refusal.hint, {}, origin.chain});
   if (session.options().format == OutputFormat::json) print_document({{"diagnostics", problems_as_json(session)}});
   return ExitCode::scene_error;
 }

@@ -17,6 +17,9 @@ void print_problems(Session& session);
 /// The same as an array.
 [[nodiscard]] nlohmann::ordered_json problems_as_json(Session& session);
 
+/// Reports a problem that was found after those of the text were printed.
+void report_late(Session& session, Diagnostic problem);
+
 /// Prints one document to standard output.
 void print_document(const nlohmann::ordered_json& document);
 

@@ -55,6 +55,7 @@ nlohmann::ordered_json statistics_json(const SceneSummary& scene, const PhaseTim
                          {"left_out", names_of(render.plan.left_out)}};
   document["threads"] = render.threads;
   document["samples_per_pixel"] = render.samples_per_pixel;
+  document["lost"] = {{"samples", render.lost.samples}, {"pixels", render.lost.pixels}};
   if (settings.render.max_noise)
     document["noise"] = {{"asked", *settings.render.max_noise}, {"noisy_pixels", render.noisy_pixels}};
   return document;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isl::render {
 namespace {
@@ -27,8 +28,8 @@ std::size_t picture_bytes(std::size_t pixels, const Aovs& aovs) {
   std::size_t layer_values = 0;
   for (const Aov* const aov : aovs) layer_values += aov->channels.size();
   // The film is there until the picture is developed from it, and the first pass as displayed takes less than that.
-  const std::size_t film =
-      4 * sizeof(double) + sizeof(std::uint32_t) + sizeof(Certainty) + layer_values * sizeof(double);
+  const std::size_t film = 4 * sizeof(double) + sizeof(std::uint32_t) + sizeof(Certainty) + LostCounts::kPixelBytes +
+                           layer_values * sizeof(double);
   const std::size_t image = (4 + layer_values) * sizeof(double);
   // A file is encoded from planes of floats; its bytes and the encoder's are at most as many. Beside a picture there
   // may be one of a layer, in false colours.
@@ -37,7 +38,12 @@ std::size_t picture_bytes(std::size_t pixels, const Aovs& aovs) {
 }
 
 Film::Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingSpace>& space)
-    : rect_(rect), space_(space), sums_(4 * rect.area()), counts_(rect.area()), certainties_(rect.area()) {
+    : rect_(rect),
+      space_(space),
+      sums_(4 * rect.area()),
+      counts_(rect.area()),
+      certainties_(rect.area()),
+      lost_(rect.area()) {
   const auto is_asked = [&](const Aov& aov) { return std::ranges::find(aovs, &aov) != aovs.end(); };
   for (const SurfaceAov& row : surface_aovs()) {
     if (is_asked(row.aov)) surfaces_.push_back({&row, Layer(row.aov, rect.area())});
@@ -50,7 +56,12 @@ Film::Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingS
 void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
   if (seen.hit->is_miss()) return;
   for (SurfaceLayer& surface : surfaces_) {
-    surface.row->fill(seen, surface.layer.at(pixel));
+    double* const values = surface.layer.at(pixel);
+    surface.row->fill(seen, values);
+    // Of what is lost (LostSamples) the layer says as much as of a miss.
+    for (std::size_t i = 0; i < surface.row->aov.channels.size(); ++i) {
+      if (!std::isfinite(values[i])) values[i] = surface.row->aov.for_miss;
+    }
     surface.layer.round(pixel);
   }
 }
@@ -61,6 +72,12 @@ std::uint64_t Film::count(const PixelRect& window, Certainty certainty) const {
     for (int x = window.x0; x < window.x1; ++x) pixels += certainties_[rect_.index(x, y)] == certainty ? 1 : 0;
   }
   return pixels;
+}
+
+void Film::set_mean(std::size_t pixel, const double* sum, double* mean) const {
+  const std::uint32_t lost = lost_.of(pixel), count = counts_[pixel] - lost;
+  for (std::size_t i = 0; i < 4; ++i) mean[i] = count <= 1 ? sum[i] : sum[i] / count;
+  if (count == 0 && lost != 0) mean[3] = 1;
 }
 
 void Film::convert(double* mean) const {
@@ -76,9 +93,9 @@ std::array<double, 4> Film::mean(std::size_t pixel) const {
 }
 
 std::array<double, 4> Film::raw_mean(std::size_t pixel) const {
-  const double count = std::max(counts_[pixel], 1u);
-  const double* sum = &sums_[4 * pixel];
-  return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count};
+  std::array<double, 4> mean;
+  set_mean(pixel, &sums_[4 * pixel], mean.data());
+  return mean;
 }
 
 double Film::display_slope(double raw_mean) const {
@@ -108,9 +125,11 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
     for (int x = window.x0; x < window.x1; ++x) {
       const std::size_t pixel = rect_.index(x, y);
       double* const mean = &means[4 * window.index(x, y)];
-      const std::uint32_t count = counts_[pixel];
-      for (std::size_t i = 0; i < 4; ++i) mean[i] = count <= 1 ? sums[4 * pixel + i] : sums[4 * pixel + i] / count;
+      set_mean(pixel, &sums[4 * pixel], mean);
       convert(mean);
+      // The numbers of files end there.
+      constexpr double kMost = std::numeric_limits<float>::max();
+      for (std::size_t i = 0; i < 3; ++i) mean[i] = std::clamp(mean[i], -kMost, kMost);
     }
   });
   image.rgba = std::move(means);

@@ -2,6 +2,7 @@
 // and from one thread at a time; different pixels are independent.
 #pragma once
 
+#include "renderer/film/lost_samples.h"
 #include "renderer/film/surface_aovs.h"
 #include "renderer/image/image.h"
 #include "renderer/image/transfer.h"
@@ -23,7 +24,7 @@ class Film {
   /// their means are converted.
   Film(const PixelRect& rect, const Aovs& aovs, const std::optional<WorkingSpace>& space = std::nullopt);
 
-  /// Adds samples in their order. Precondition: colours are already multiplied by their `alphas`.
+  /// Adds samples in their order. Precondition: colours are already multiplied by their `alphas`, and is_finite().
   void add_samples(std::size_t pixel, std::span<const Rgb> colours, std::span<const double> alphas) {
     double* const sum = &sums_[4 * pixel];
     double red = sum[0], green = sum[1], blue = sum[2], alpha = sum[3];
@@ -39,6 +40,9 @@ class Film {
     sum[3] = alpha;
     counts_[pixel] += static_cast<std::uint32_t>(colours.size());
   }
+  /// Counts a sample of the pixel as lost: it was added as black and clear, and the mean is that of the others.
+  /// `origin` is the statement of what it sees.
+  void lose_sample(std::size_t pixel, OriginId origin) { lost_.add(pixel, origin); }
   /// Tells that a sample of the pixel comes soon: pixels of a tile lie rows apart, and a large film in no cache.
   void expect_sample(std::size_t pixel) const {
     __builtin_prefetch(&sums_[4 * pixel], 1);
@@ -51,7 +55,11 @@ class Film {
   /// Number of pixels of `window` with this certainty.
   [[nodiscard]] std::uint64_t count(const PixelRect& window, Certainty certainty) const;
 
-  /// Mean of a pixel's samples: linear red, green, blue, alpha; zeros if it has no samples.
+  /// Lost samples of `window`.
+  [[nodiscard]] LostSamples lost(const PixelRect& window) const { return lost_.within(window, rect_); }
+
+  /// Mean of a pixel's samples that are not lost: linear red, green, blue, alpha; black if all are lost, and zeros if
+  /// it has no samples.
   [[nodiscard]] std::array<double, 4> mean(std::size_t pixel) const;
   /// The same, in the space of the samples.
   [[nodiscard]] std::array<double, 4> raw_mean(std::size_t pixel) const;
@@ -78,6 +86,8 @@ class Film {
   [[nodiscard]] Image develop(const PixelRect& window, int full_width, int full_height, bool has_alpha);
 
  private:
+  /// Writes the mean of a pixel's samples from their sum, in the space of the samples.
+  void set_mean(std::size_t pixel, const double* sum, double* mean) const;
   /// Makes a mean of samples linear.
   void convert(double* mean) const;
 
@@ -86,6 +96,7 @@ class Film {
   std::vector<double> sums_;  ///< 4 a pixel
   std::vector<std::uint32_t> counts_;
   std::vector<Certainty> certainties_;
+  LostCounts lost_;
   struct SurfaceLayer {
     const SurfaceAov* row;
     Layer layer;  ///< over rect_

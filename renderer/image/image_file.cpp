@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace isl::render {
 namespace {
@@ -112,7 +113,10 @@ void add_display_planes(PlaneSet& planes, const Image& image, IslSampleType type
 
 void add_linear_planes(PlaneSet& planes, const Image& image, IslSampleType type, bool with_alpha) {
   for (std::size_t channel = 0; channel < (with_alpha ? 4 : 3); ++channel) {
-    planes.add(kColourNames[channel], type, [&](std::size_t pixel) { return image.rgba[4 * pixel + channel]; });
+    // Halves end long before the floats that an image may hold.
+    const double most = type == ISL_HALF ? 65504 : std::numeric_limits<float>::max();
+    planes.add(kColourNames[channel], type,
+               [&, most](std::size_t pixel) { return std::clamp(image.rgba[4 * pixel + channel], -most, most); });
   }
 }
 

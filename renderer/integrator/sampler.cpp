@@ -102,18 +102,37 @@ bool Sampler::is_hard(const Integrator& whole) const {
   return in_vain * kAllowed > lattice.size();
 }
 
+std::vector<std::uint8_t> Sampler::lose_samples(std::span<const CameraSample> samples, const PathMemory& paths,
+                                                std::span<Rgb> colours, std::span<double> alphas) const {
+  const std::vector<Hit>& hits = paths.levels.front().batch.hits;
+  std::vector<std::uint8_t> lost(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_finite(colours[i], alphas[i])) continue;
+    film_.lose_sample(samples[i].pixel, hits[i].is_miss() ? OriginId{} : quick_tracer_.origin_of(hits[i]));
+    colours[i] = Rgb(0);
+    alphas[i] = 0;
+    lost[i] = 1;
+  }
+  return lost;
+}
+
 void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const {
   const std::span<Rgb> colours = std::span(paths.colours).first(samples.size());
   const std::span<double> alphas = std::span(paths.alphas).first(samples.size());
   if (film_.is_linear()) working_space_.make_linear(colours);
   const std::span<const Ray> rays = paths.camera_rays();
   auto worst = Certainty::certified;
+  bool are_finite = true;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     lower(worst, paths.certainties[i]);
-    if (rays[i].direction != Vec3(0)) continue;  // the camera shows nothing there
-    colours[i] = Rgb(0);
-    alphas[i] = blank_alpha_;
+    if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
+      colours[i] = Rgb(0);
+      alphas[i] = blank_alpha_;
+    }
+    are_finite &= is_finite(colours[i], alphas[i]);
   }
+  std::vector<std::uint8_t> lost;
+  if (!are_finite) lost = lose_samples(samples, paths, colours, alphas);
   if (worst != Certainty::certified) {
     for (std::size_t i = 0; i < samples.size(); ++i) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }
@@ -124,7 +143,17 @@ void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, Samp
     } while (++last < samples.size() && samples[last].pixel == pixel);
     const std::size_t count = last - first;
     film_.add_samples(pixel, colours.subspan(first, count), alphas.subspan(first, count));
-    if (observer) observer->add(samples[last - 1], colours.subspan(first, count), alphas.subspan(first, count));
+    if (!observer) continue;
+    if (!lost.empty()) {
+      // The estimate of noise needs all samples. A lost one is as the others are.
+      const auto [red, green, blue, alpha] = film_.raw_mean(pixel);
+      for (std::size_t i = first; i < last; ++i) {
+        if (lost[i] == 0) continue;
+        colours[i] = {red, green, blue};
+        alphas[i] = alpha;
+      }
+    }
+    observer->add(samples[last - 1], colours.subspan(first, count), alphas.subspan(first, count));
   }
 }
 

@@ -92,6 +92,10 @@ class Sampler {
   /// True if more than a thousandth as many rays take more than a tenth of their bound in vain as a lattice over the
   /// whole picture has pixels, every 31st in both directions.
   [[nodiscard]] bool is_hard(const Integrator& whole) const;
+  /// Makes the samples black and clear whose colours are not finite, and the film lose them. By sample, 1 if it is
+  /// lost.
+  [[nodiscard]] std::vector<std::uint8_t> lose_samples(std::span<const CameraSample> samples, const PathMemory& paths,
+                                                       std::span<Rgb> colours, std::span<double> alphas) const;
   /// Adds what the samples of memory.camera_rays() see to the film.
   void add(std::span<const CameraSample> samples, PathMemory& paths, SampleObserver* observer) const;
   /// Sets the rays of the samples, whose places among those of their pixels are known, through points of the lens.
