@@ -110,6 +110,9 @@ class TransparencyStage final : public Stage<SpawnWork> {
       ++work.ended.by_level;
       return;
     }
+    const std::optional<Vec3> direction = refracted(point.view, normal, there.ratio);
+    // As in POV-Ray, what reflects totally mirrors nothing besides, even if the path ends here.
+    if (!direction && largest(shares.passing) >= least_weight_) work.is_total[i] = 1;
     PathEntry child = path;
     child.factor *= part.tint;
     if (!part.wave.is_white()) child.wave = part.wave;
@@ -125,13 +128,12 @@ class TransparencyStage final : public Stage<SpawnWork> {
     next.start = hit.start();
     // POV-Ray does not count a segment that goes straight on.
     child.level = static_cast<std::uint16_t>(path.level + (there.ratio == 1 ? 0 : 1));
-    if (const std::optional<Vec3> direction = refracted(point.view, normal, there.ratio)) {
+    if (direction) {
       child.factor *= shares.passing * faded;
       child.bodies = there.bodies;
       child.in_solid = there.in_solid;
       next.direction = *direction;
     } else {
-      work.is_total[i] = 1;
       // As in POV-Ray, the path's weight falls as if the surface let the light through.
       child.factor *= faded * shares.kept;
       child.kind = RayKind::reflection;
