@@ -26,7 +26,9 @@ struct ProgramModule {
     return reinterpret_cast<Function>(dlsym(handle, name));
   }
 
-  void fail_as_foreign() { error = fmt::format("{} belongs to another version of the program", path.string()); }
+  void fail_as_foreign() {
+    error = fmt::format("{} belongs to another version of the program: build or install both anew", path.string());
+  }
 };
 
 /// Loads `file_name` from the program's folder, or else from ../lib/isl beside it.

@@ -18,9 +18,7 @@ struct Rivals {
 
 Rivals load() {
   ProgramModule module = load_program_module("isl_rivals.so");
-  if (!module.error.empty()) {
-    return {.error = module.error + "; it holds the rival solvers and is made by the build's target `isl_rivals`"};
-  }
+  if (!module.error.empty()) return {.error = module.error};
   const auto stamp = module.function<Stamp>("isl_rivals_stamp");
   const auto loops = module.function<Loops>("isl_rivals_loops");
   if (stamp == nullptr || loops == nullptr || std::strcmp(stamp(), kHeaderStamp) != 0) module.fail_as_foreign();
@@ -31,8 +29,10 @@ Rivals load() {
 
 RivalLoops rival_loops(const std::string& target) {
   static const Rivals rivals = load();
-  if (!rivals.error.empty()) return {nullptr, rivals.error};
-  return {rivals.loops(target.c_str()), {}};
+  RivalLoops answer;
+  answer.error = rivals.error;
+  if (answer.error.empty()) answer.loops = rivals.loops(target.c_str());
+  return answer;
 }
 
 }  // namespace isl::render

@@ -10,10 +10,11 @@
 namespace isl::render {
 
 /// The rivals' loops for the vector target named as trace_entry_points() has it; or the reason why there are none
-/// (lower case, no full stop).
+/// (lower case, no full stop), and what to do.
 struct RivalLoops {
   const TraceLoops* loops = nullptr;
   std::string error;
+  std::string hint = "the rival solvers are a module of their own, made by the build's target `isl_rivals`";
 };
 [[nodiscard]] RivalLoops rival_loops(const std::string& target);
 

@@ -11,8 +11,11 @@
 #include "renderer/trace/surface_check.h"
 #include "renderer/trace/trace_entry_points.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace isl::render {
 namespace {
@@ -190,32 +193,34 @@ void set_texture(TextureShare& share, const PlacedTexture& texture, const Instan
 
 }  // namespace
 
-Tracer::Tracer(const scene::Database& database, const TracerOptions& options) : ray_steps_(options.run.steps_of_ray) {
-  const auto impl = std::make_shared<Impl>();
-  impl->settings = {
+Tracer::Tracer(const scene::Database& database, const TracerOptions& options)
+    : impl_(std::make_shared<Impl>()), ray_steps_(options.run.steps_of_ray) {
+  impl_->settings = {
       options.solver, options.interpolants, options.tolerance, options.pixel_angle,      options.paper,
       options.step,   options.relaxation,   options.packets,   options.run.steps_of_ray, options.run.stop};
+  impl_->entry_points = trace_entry_points(options.simd);
+  ISL_CHECK(impl_->entry_points != nullptr, "no vector target '{}'", options.simd);
+  impl_->loops = &impl_->entry_points->loops;
+  if (is_rival(options.solver)) {
+    RivalLoops rivals = rival_loops(options.simd);
+    if (rivals.loops == nullptr) {
+      impl_->scene.refusal = {std::move(rivals.error), std::move(rivals.hint), database.settings.solver_origin};
+      return;
+    }
+    impl_->loops = rivals.loops;
+  }
   const CellRule cells = is_published(options.solver) ? CellRule::none
                          : options.octree             ? CellRule::lipschitz
                                                       : CellRule::ranges;
-  impl->scene = compile(
+  impl_->scene = compile(
       database,
       {.cells = cells, .unblended = options.unblended, .most_grid_bytes = options.most_grid_bytes, .run = options.run});
   if (is_published(options.solver)) {
     const bool iso = options.solver == SolverName::iso;
-    for (CompiledBlob& blob : impl->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
+    for (CompiledBlob& blob : impl_->scene.blobs) blob.paper = make_paper_tables(blob.components, iso);
   }
-  if (!is_published(options.solver)) impl->find_told_by_fields();
-  impl->rays_between_looks = rays_between_looks(impl->scene);
-  impl->entry_points = trace_entry_points(options.simd);
-  ISL_CHECK(impl->entry_points != nullptr, "no vector target '{}'", options.simd);
-  impl->loops = &impl->entry_points->loops;
-  if (is_rival(options.solver)) {
-    const RivalLoops rivals = rival_loops(options.simd);
-    ISL_CHECK(rivals.loops != nullptr, "{}", rivals.error);
-    impl->loops = rivals.loops;
-  }
-  impl_ = impl;
+  if (!is_published(options.solver)) impl_->find_told_by_fields();
+  impl_->rays_between_looks = rays_between_looks(impl_->scene);
 }
 
 Tracer::Tracer(std::shared_ptr<Impl> impl, std::uint64_t ray_steps) : impl_(std::move(impl)), ray_steps_(ray_steps) {}
@@ -224,7 +229,11 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 
 Tracer Tracer::with_ray_steps(std::uint64_t most) const { return {impl_, most}; }
 
-std::string Tracer::problem_of(SolverName solver) { return is_rival(solver) ? rival_loops("").error : ""; }
+std::string Tracer::problem_of(SolverName solver) {
+  if (!is_rival(solver)) return "";
+  const RivalLoops rivals = rival_loops("");
+  return rivals.error.empty() ? "" : fmt::format("{}; {}", rivals.error, rivals.hint);
+}
 
 bool Tracer::has_simd_target(const std::string& name) { return trace_entry_points(name) != nullptr; }
 

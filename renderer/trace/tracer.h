@@ -35,8 +35,7 @@ struct PlacedObject {
 /// A database made ready to be traced. Immutable; every member may be called from many threads.
 class Tracer {
  public:
-  /// The database must outlive the tracer. Precondition: problem_of(options.solver) is empty, and the program has
-  /// options.simd.
+  /// The database must outlive the tracer. Precondition: the program has options.simd.
   Tracer(const scene::Database& database, const TracerOptions& options);
   ~Tracer();
   Tracer(Tracer&&) noexcept;
@@ -45,8 +44,9 @@ class Tracer {
   [[nodiscard]] Tracer with_ray_steps(std::uint64_t most) const;
   [[nodiscard]] std::uint64_t ray_steps() const { return ray_steps_; }
 
-  /// The reason why the scene takes more memory than the run allows; null if it does not. A scene that is refused, or
-  /// whose run was stopped while it was compiled, has nothing in it.
+  /// The reason why the scene cannot be traced: it takes more memory than the run allows, or its solver's module cannot
+  /// be loaded; null if it can. A scene that is refused, or whose run was stopped while it was compiled, has nothing in
+  /// it.
   [[nodiscard]] const std::optional<scene::Refusal>& refusal() const;
 
   /// hits[i] becomes the first surface that rays[i] meets with 0 < t < t_max. With the switch `reuse` of the published
@@ -97,7 +97,8 @@ class Tracer {
   /// the point's (trace/face.h).
   [[nodiscard]] Face face_at(const Hit& hit, const Vec3& point, const Vec3& reach) const;
 
-  /// The reason why this program has no such solver (lower case, no full stop), or "". A rival's module is loaded here.
+  /// The reason why this program has no such solver (lower case, no full stop) and what to do, or "". A rival's module
+  /// is loaded here.
   [[nodiscard]] static std::string problem_of(SolverName solver);
 
   /// True if this machine and program have the named vector target ("AVX3", "AVX2", "SSE4", …).
