@@ -115,6 +115,24 @@ std::string place(const std::optional<long double>& t) {
   return t ? fmt::format("t = {:.17g}", static_cast<double>(*t)) : "a miss";
 }
 
+std::string path(const render::Ray& ray) {
+  const scene::Vec3 &o = ray.origin, &d = ray.direction;
+  return fmt::format("from <{:.17g}, {:.17g}, {:.17g}> along <{:.17g}, {:.17g}, {:.17g}>", o.x, o.y, o.z, d.x, d.y,
+                     d.z);
+}
+
+/// Counts a ray that the tracer could not decide, of which it gives `answer`.
+void add_flagged(Agreement& agreement, const render::Ray& ray, std::size_t number,
+                 const std::optional<ReferenceScene::Hit>& truth, bool is_wrong, const std::string& answer,
+                 const AgreementOptions& options) {
+  ++agreement.flagged;
+  if (is_wrong) ++agreement.wrong_flagged;
+  if (agreement.listed_flagged.size() >= options.most_listed) return;
+  const auto t = truth ? std::optional(truth->crossing.t) : std::nullopt;
+  agreement.listed_flagged.push_back(fmt::format("flagged{}: ray {} {}: reference {}, tracer {}",
+                                                 is_wrong ? ", wrong" : "", number, path(ray), place(t), answer));
+}
+
 /// Counts one ray's difference and describes it; [from, to] is the stretch on which the results contradict each other.
 struct Difference {
   std::size_t Agreement::*kind;
@@ -129,11 +147,9 @@ struct Difference {
     for (std::size_t i = 0; i < judged.scene.placed().size(); ++i) {
       highest = std::max(highest, largest_value(judged.field(i), from, to).lo);
     }
-    const scene::Vec3 &o = judged.ray.origin, &d = judged.ray.direction;
-    agreement.listed.push_back(fmt::format(
-        "{}: ray {} from <{:.17g}, {:.17g}, {:.17g}> along <{:.17g}, {:.17g}, {:.17g}>: reference {}, tracer {}, sup F "
-        "{:.3g}",
-        name, number, o.x, o.y, o.z, d.x, d.y, d.z, place(reference_t), place(tracer_t), static_cast<double>(highest)));
+    agreement.listed.push_back(fmt::format("{}: ray {} {}: reference {}, tracer {}, sup F {:.3g}", name, number,
+                                           path(judged.ray), place(reference_t), place(tracer_t),
+                                           static_cast<double>(highest)));
   }
 };
 
@@ -225,7 +241,9 @@ std::string Agreement::text() const {
       "flagged {}, {} of them wrong; worst depth {:.3g}, {:.3g} px",
       rays, hits, missed, invented, misplaced, reversed, lost_in_rounding, too_thin, flagged, wrong_flagged,
       static_cast<double>(worst_depth), static_cast<double>(worst_pixels));
-  for (const std::string& line : listed) all += "\n  " + line;
+  for (const auto* lines : {&listed, &listed_flagged}) {
+    for (const std::string& line : *lines) all += "\n  " + line;
+  }
   return all;
 }
 
@@ -248,8 +266,8 @@ Agreement compare_first_hits(const ReferenceScene& scene, const Truth& truth, co
     const std::size_t before = agreement.disagreements();
     judge_hit(agreement, Judged(scene, rays[i]), i, truth[i], hits[i], options);
     if (hits[i].certainty == render::Certainty::certified) continue;
-    ++agreement.flagged;
-    agreement.wrong_flagged += agreement.disagreements() - before;
+    const auto found = hits[i].is_miss() ? std::nullopt : std::optional<long double>(hits[i].t);
+    add_flagged(agreement, rays[i], i, truth[i], agreement.disagreements() > before, place(found), options);
   }
   return agreement;
 }
@@ -266,8 +284,7 @@ Agreement compare_occlusions(const ReferenceScene& scene, const OccludeBatch& oc
     const std::size_t before = agreement.disagreements();
     judge_occlusion(agreement, Judged(scene, rays[i]), i, truth[i], occluded[i] == render::kOccluded, options);
     if (occluded[i] != render::kUndecidedOcclusion) continue;
-    ++agreement.flagged;
-    agreement.wrong_flagged += agreement.disagreements() - before;
+    add_flagged(agreement, rays[i], i, truth[i], agreement.disagreements() > before, "an undecided shadow", options);
   }
   return agreement;
 }

@@ -21,7 +21,7 @@ using OccludeBatch = std::function<void(std::span<const render::Ray>, std::span<
 struct AgreementOptions {
   render::Tolerance tolerance;
   double pixel_angle = 1e-3;    ///< radians
-  std::size_t most_listed = 8;  ///< differing rays described in `listed`
+  std::size_t most_listed = 8;  ///< rays described in `listed`, and in `listed_flagged`
 };
 
 /// The result of a comparison. A ray counts in at most one of the six kinds of difference.
@@ -45,8 +45,9 @@ struct Agreement {
 
   long double worst_depth =
       0;  ///< largest difference in t where both hit and rounding does not excuse it, in scene units
-  long double worst_pixels = 0;  ///< the same in pixels of each ray's footprint
-  std::vector<std::string> listed;
+  long double worst_pixels = 0;             ///< the same in pixels of each ray's footprint
+  std::vector<std::string> listed;          ///< the first rays that differ
+  std::vector<std::string> listed_flagged;  ///< the first that were not decided
 
   [[nodiscard]] std::size_t disagreements() const { return missed + invented + misplaced + reversed; }
   [[nodiscard]] std::string text() const;

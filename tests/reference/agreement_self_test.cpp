@@ -87,6 +87,23 @@ TEST_F(AgreementSelf, NoticesMissesInventionsAndMisplacedHits) {
   EXPECT_EQ(agreement.listed.size(), options_.most_listed);
 }
 
+TEST_F(AgreementSelf, NamesEveryRayThatWasNotDecided) {
+  const auto is_hit = [](const render::Hit& hit) { return !hit.is_miss(); };
+  const auto right = std::find_if(hits_.begin(), hits_.end(), is_hit);
+  const auto wrong = std::find_if(right + 1, hits_.end(), is_hit);
+  ASSERT_NE(wrong, hits_.end());
+  right->certainty = render::Certainty::undecided;
+  *wrong = {};
+  wrong->certainty = render::Certainty::undecided;
+  const Agreement agreement = compare();
+  EXPECT_EQ(agreement.flagged, 2U);
+  EXPECT_EQ(agreement.wrong_flagged, 1U);
+  ASSERT_EQ(agreement.listed_flagged.size(), 2U);
+  EXPECT_TRUE(agreement.listed_flagged[0].starts_with("flagged: ray ")) << agreement.text();
+  EXPECT_TRUE(agreement.listed_flagged[1].starts_with("flagged, wrong: ray ")) << agreement.text();
+  EXPECT_TRUE(agreement.listed_flagged[1].ends_with("tracer a miss")) << agreement.text();
+}
+
 TEST_F(AgreementSelf, CountsPixelsOfTheWholePath) {
   options_.tolerance = {0.05, true};
   rays_.resize(1);

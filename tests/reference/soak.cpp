@@ -1,5 +1,6 @@
 // The long proofs of the reference against the product, as long as you like. Every blob has a seed of its own, which is
-// printed with every disagreement, so that it can be repeated. Exit code 1 after a disagreement.
+// printed with every disagreement and with every ray that was not decided, so that it can be repeated. Exit code 1
+// after a disagreement.
 //
 //   soak [FIRST_SEED [RAYS [STEPS]]]  (1, 1000000, the bound of a ray) as `soak blobs`
 //   soak blobs FIRST_SEED RAYS      first hits and shadow rays of random blobs
@@ -56,7 +57,8 @@ void judge(const Agreement& agreement, const char* what, std::uint64_t seed, Tot
   totals.wrong += agreement.disagreements() - agreement.wrong_flagged;
   totals.flagged += agreement.flagged;
   totals.wrong_flagged += agreement.wrong_flagged;
-  if (agreement.disagreements() > 0) std::cout << "seed " << seed << ", " << what << ": " << agreement.text() << '\n';
+  if (agreement.disagreements() + agreement.flagged > 0)
+    std::cout << "seed " << seed << ", " << what << ": " << agreement.text() << '\n';
 }
 
 void add_uncertified(const TracerUnderTest& tracer, std::uint64_t seed, Totals& totals) {
@@ -94,6 +96,19 @@ bool has_reason(const ReferenceScene& scene, const render::Ray& ray, const rende
   return false;
 }
 
+/// A line about a ray that was not decided: what the reference finds, and what the tracer does.
+std::string listed_ray(const ReferenceScene& scene, const render::Ray& ray, const render::Hit& hit,
+                       std::size_t number) {
+  const auto place = [](bool is_miss, double t) {
+    return is_miss ? std::string("a miss") : fmt::format("t = {:.17g}", t);
+  };
+  const auto truth = scene.first_hit(ray.origin, ray.direction, {.t_max = ray.t_max});
+  return fmt::format(
+      "\n  ray {} from <{:.17g}, {:.17g}, {:.17g}> along <{:.17g}, {:.17g}, {:.17g}>: reference {}, tracer {}", number,
+      ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
+      place(!truth, truth ? static_cast<double>(truth->crossing.t) : 0), place(hit.is_miss(), hit.t));
+}
+
 /// Counts by the rule of rounding, which allows no error in proportion to the blob.
 void judge_hits(const scene::Database& database, const std::vector<LineOfSight>& lines, double pixel_angle,
                 std::uint64_t seed, int exponent, const std::string& what, Totals& totals) {
@@ -108,6 +123,7 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
   const std::vector<render::Hit> hits = tracer.hits(rays);
   std::uint64_t wrong = 0, flagged = 0, needless = 0;
   long double worst = 0;  // |F| where a hit was found, over what the rule allows
+  std::string listed;     // rays that were not decided
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ++totals.rays;
     ++rays_here;
@@ -116,6 +132,7 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
     if (is_flagged) {
       ++flagged;
       if (!has_reason(scene, rays[i], hits[i])) ++needless;
+      listed += listed_ray(scene, rays[i], hits[i], i);
     }
     switch (rule.judge(rays[i], hits[i].is_miss() ? std::nullopt : std::optional(hits[i].t)).verdict) {
       case Verdict::agrees: break;
@@ -138,8 +155,8 @@ void judge_hits(const scene::Database& database, const std::vector<LineOfSight>&
                              static_cast<double>(worst), what);
   }
   if (flagged > 0) {
-    std::cout << fmt::format("seed {}: {} of {} flagged, {} without a reason: {}\n", seed, flagged, rays.size(),
-                             needless, what);
+    std::cout << fmt::format("seed {}: {} of {} flagged, {} without a reason: {}{}\n", seed, flagged, rays.size(),
+                             needless, what, listed);
   }
   totals.wrong += wrong;
   totals.flagged += flagged;
