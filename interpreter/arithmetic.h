@@ -56,6 +56,15 @@ inline constexpr double kTolerance = 1e-10;
   }
 }
 
+[[nodiscard]] inline double applied(grammar::UnaryOp op, double operand) {
+  switch (op) {
+    case grammar::UnaryOp::plus: return operand;
+    case grammar::UnaryOp::minus: return -operand;
+    case grammar::UnaryOp::logical_not: return std::abs(operand) <= kTolerance ? 1 : 0;
+  }
+  ISL_CHECK(false, "operator {}", static_cast<int>(op));
+}
+
 /// The operator's spelling in a scene.
 [[nodiscard]] std::string_view spelling(grammar::BinaryOp op);
 

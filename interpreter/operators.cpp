@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 namespace isl::interpreter {
 namespace {
@@ -34,10 +36,6 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   terms[word::kIndex_gray] = kGray;
   return terms;
 }();
-
-[[nodiscard]] int term_of_item(grammar::Symbol item) {
-  return grammar::is_reserved(item) ? kTermOfItem[static_cast<std::uint32_t>(item)] : kNoItem;
-}
 
 [[nodiscard]] [[gnu::noinline]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
   if (!base.is_numeric() || base.is_number()) {
@@ -93,6 +91,8 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return {};
 }
 
+[[nodiscard]] bool is_comparison(BinaryOp op) { return op >= BinaryOp::less && op <= BinaryOp::not_equal; }
+
 [[nodiscard]] bool is_sign(BinaryOp op) { return op == BinaryOp::add || op == BinaryOp::subtract; }
 
 /// True if the operator is the sign of an argument that has no comma before it (TermsApart).
@@ -111,8 +111,7 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
 [[nodiscard]] Value compare_strings(Context& context, const grammar::Binary& node, const Value& left,
                                     const Value& right) {
   if (may_be_apart(context, node, left, right)) throw TermsApart{&node, left, right};
-  const bool is_comparison = node.op >= BinaryOp::less && node.op <= BinaryOp::not_equal;
-  if (is_comparison && left.kind() == ValueKind::string && right.kind() == ValueKind::string) {
+  if (is_comparison(node.op) && left.kind() == ValueKind::string && right.kind() == ValueKind::string) {
     const int order = left.as<StringValue>().text.compare(right.as<StringValue>().text);
     return Value(compare(node.op, order, 0));
   }
@@ -160,8 +159,26 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return arithmetic(node.op, a, b);
 }
 
+/// The text of a literal, or of a variable that holds a string. None for all others.
+[[nodiscard]] std::optional<std::string_view> text_at_hand(Context& context, const Node& node) {
+  if (node.kind == NodeKind::string) return as<grammar::String>(node).text;
+  const Slot* const slot = node.kind == NodeKind::name ? context.scopes.find(as<grammar::Name>(node).name) : nullptr;
+  if (!slot || slot->value.kind() != ValueKind::string) return {};
+  return slot->value.as<StringValue>().text;
+}
+
+/// A comparison of strings that need no evaluation; false if it is none.
+[[nodiscard]] bool compare_texts(Context& context, const grammar::Binary& node, Value& result) {
+  const std::optional<std::string_view> left = text_at_hand(context, *node.left);
+  const std::optional<std::string_view> right = left ? text_at_hand(context, *node.right) : std::nullopt;
+  if (!right) return false;
+  result.set_number(compare(node.op, left->compare(*right), 0));
+  return true;
+}
+
 /// The general case: operands of any kind.
 [[gnu::noinline]] void evaluate_sides(Context& context, const grammar::Binary& node, Value& result) {
+  if (is_comparison(node.op) && compare_texts(context, node, result)) return;
   const NestingGuard guard(context, node.span);
   const Value* left = is_still(*node.right) ? variable(context, *node.left) : nullptr;
   if (!left) {
@@ -181,17 +198,6 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   }
 }
 
-// ---- One operand ----------------------------------------------------------------------------------------------------
-
-[[nodiscard]] double applied(grammar::UnaryOp op, double operand) {
-  switch (op) {
-    case grammar::UnaryOp::plus: return operand;
-    case grammar::UnaryOp::minus: return -operand;
-    case grammar::UnaryOp::logical_not: return std::abs(operand) <= kTolerance ? 1 : 0;
-  }
-  ISL_CHECK(false, "operator {}", static_cast<int>(op));
-}
-
 }  // namespace
 
 Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) {
@@ -200,6 +206,10 @@ Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) 
     return node.op == BinaryOp::add ? apart.right : of_values(context, node, Value(0.0), apart.right);
   const Value left = rest_of_terms(context, *node.left, apart);
   return of_values(context, node, left, evaluate(context, *node.right));
+}
+
+int term_of_item(grammar::Symbol item) {
+  return grammar::is_reserved(item) ? kTermOfItem[static_cast<std::uint32_t>(item)] : kNoItem;
 }
 
 const double* item_at_hand(Context& context, const grammar::Dot& node) {
