@@ -105,12 +105,22 @@ std::string included(std::string_view line) {
   return std::string(line.substr(0, line.find_first_of("\">", 1)));
 }
 
+/// The judge knows the records of a scene alone, and of the product only what measures errors knows the judge: else the
+/// product would be compared with itself.
+bool shares_with_the_judge(const std::string& file, const std::string& other) {
+  constexpr const char* kJudge = "renderer/reference/";
+  if (file.starts_with(kJudge))
+    return !starts_with_any(other, {kJudge, "renderer/scene/", "base/"}) && other.starts_with("renderer/");
+  return other.starts_with(kJudge) && !file.starts_with("renderer/accuracy/");
+}
+
 /// "file:line: may not include x", or "" if the line is allowed.
 std::string complaint(const std::string& file, std::size_t line_number, const std::string& line) {
   const std::string name = included(line);
   if (name.empty()) return "";
   const std::string bare = name.substr(1);
   const std::string message = file + ":" + std::to_string(line_number) + ": may not include " + bare;
+  if (shares_with_the_judge(file, bare)) return message;
   // Only the image modules may use libraries of picture formats.
   if (starts_with_any(bare, {"OpenImageIO/", "OpenEXR/", "png.h"})) {
     return file.starts_with("renderer/image/") && file.ends_with("_plugin.cpp") ? "" : message;
@@ -180,6 +190,12 @@ TEST(IncludeRules, ForbidLookingForwardAndSideways) {
   EXPECT_TRUE(is_forbidden("interpreter/evaluate.cpp", "#include \"renderer/trace/tracer.h\""));
   EXPECT_TRUE(is_forbidden("renderer/shading/light.cpp", "#include <OpenImageIO/imageio.h>"));
   EXPECT_TRUE(is_forbidden("renderer/image/image_file.cpp", "#include <png.h>"));
+  EXPECT_TRUE(is_forbidden("renderer/solvers/cells/stretch_search.cpp", "#include \"renderer/reference/interval.h\""));
+  EXPECT_TRUE(is_forbidden("cli/commands/accuracy.cpp", "#include \"renderer/reference/interval.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/reference/jet.h", "#include \"renderer/extended/interval.h\""));
+  EXPECT_TRUE(is_forbidden("renderer/reference/jet.h", "#include \"renderer/numerics/sums.h\""));
+  EXPECT_FALSE(is_forbidden("renderer/reference/jet.h", "#include \"renderer/scene/database.h\""));
+  EXPECT_FALSE(is_forbidden("renderer/accuracy/reference_hits.h", "#include \"renderer/reference/box_tree.h\""));
   EXPECT_FALSE(is_forbidden("renderer/image/exr_plugin.cpp", "#include <OpenEXR/ImfHeader.h>"));
   EXPECT_FALSE(is_forbidden("renderer/image/image_plugin.cpp", "#include <OpenImageIO/imageio.h>"));
   EXPECT_FALSE(is_forbidden("renderer/trace/tracer.cpp", "#include \"renderer/scene/database.h\""));
