@@ -14,6 +14,7 @@
 #pragma once
 
 #include "renderer/numerics/goes_on_after.h"
+#include "renderer/numerics/rounding_of_noise.h"
 #include "renderer/numerics/sign_bracket.h"
 
 #include <algorithm>
@@ -93,8 +94,6 @@ class SplitSearch {
   /// The tests make a million searches, and none of them needs 256 halvings. A search that reaches this limit follows
   /// the surface within its noise, or computes with numbers that have overflowed, and would never end.
   static constexpr int kMostInAll = 10000;
-  /// Rounding moves a value by about this share of its bound.
-  static constexpr double kRoundingOfNoise = 1.0 / 64;
 
   struct Range {
     double low, high;

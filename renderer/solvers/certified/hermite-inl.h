@@ -43,6 +43,7 @@
 
 #include "renderer/fields/ray/ray_lanes-inl.h"
 #include "renderer/numerics/cubic.h"
+#include "renderer/numerics/rounding_of_noise.h"
 #include "renderer/rays/blob_ray.h"
 #include "renderer/rays/trace_counters.h"
 #include "renderer/solvers/cells/extended_search.h"
@@ -68,9 +69,6 @@ class HermiteSolver {
   /// A ray whose steps are spent still splits so many times in every cell that it meets, so that the best answer known
   /// is that of a coarse search.
   static constexpr int kSplitsOfSpentRay = 32;
-  /// Rounding moves F by no less than this share of its bound: of the n + 16 half units in the last place that the
-  /// bound allows, one or two occur in the mean, and n is seldom above 100.
-  static constexpr double kRoundingOfNoise = 1.0 / 64;
   /// The lengths that the driver hands to every solver. `distance`: of t = 0 from the eye.
   [[nodiscard]] static Lengths lengths(const Shortest& shortest, const SolverSettings&, double /*distance*/) {
     return shortest;
