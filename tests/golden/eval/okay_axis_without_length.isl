@@ -1,1 +1,1 @@
-#debug vstr(3, vaxis_rotate(x, 0, 90), ", ", 0, 1)
+#declare Turned = vaxis_rotate(x, 0, 90);

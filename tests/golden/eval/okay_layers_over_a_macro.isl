@@ -5,5 +5,5 @@
 sphere { 0, 1 texture { Two } }
 sphere { 0, 1 texture { Three } }
 #declare One = Base(z);
-sphere { 0, 1 #declare Inner = Base(1) texture { pigment { rgbt 0.5 } } texture { Inner } }
+sphere { 0, 1 #declare Inner = Base(1) texture { pigment { rgbt 0.5 } }; texture { Inner } }
 sphere { 0, 1 texture { One } }
