@@ -14,7 +14,6 @@
 #include "interpreter/open_files.h"
 #include "interpreter/random_streams.h"
 #include "interpreter/record_table.h"
-#include "interpreter/routines/routine_table.h"
 #include "interpreter/shared_values.h"
 #include "interpreter/value_depths.h"
 
@@ -74,7 +73,6 @@ class Context {
   render::ImageTable images;  ///< those of the database that called functions may look at
   ValueDepths depths;
   OriginTable origins;
-  RoutineTable routines;
   LanguageVersion version;
   bool has_noise_generator = false;  ///< the scene sets it
   /// The present #default texture; an object without a texture of its own gets it.

@@ -11,8 +11,6 @@
 #include "interpreter/operators.h"
 #include "interpreter/readers/words/rvalue.h"
 #include "interpreter/readers/world/scene.h"
-#include "interpreter/routines/routine.h"
-#include "interpreter/routines/routines.h"
 
 #include <fmt/format.h>
 
@@ -89,11 +87,7 @@ void evaluate_declared(Context& context, const grammar::Declare& node, Value& va
       value = call_function(context, call, callee);
     } else {
       // A lone macro call is followed without a frame for the list that holds it.
-      const auto& macro = callee.as<MacroValue>();
-      const Routine* const routine = routine_of(context, macro);
-      if (routine && routine->yields)
-        return call_routine(context, call, macro, *routine, "expected a value to declare, found none", value);
-      ElementStream stream(context, call, macro);
+      ElementStream stream(context, call, callee.as<MacroValue>());
       value = read_to_end(stream, terminated);
     }
     if (value.kind() == ValueKind::texture && !terminated) value = with_following_layers(context, std::move(value));
@@ -123,18 +117,12 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   return slot;
 }
 
-/// In a routine the declaration's semicolon is known to follow, and is passed by the routine.
-enum class Semicolon { next_item, passed };
-
-[[gnu::noinline]] void declare(Context& context, const grammar::Declare& node,
-                               Semicolon semicolon = Semicolon::next_item) {
+[[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
   try {
     bool terminated = false;
     Value value;
     evaluate_declared(context, node, value, terminated);
-    if (semicolon == Semicolon::passed) {
-      terminated = true;
-    } else if (!terminated) {
+    if (!terminated) {
       terminated = skip_semicolon(context);
     } else if (value.is_numeric()) {
       // The macro's own semicolon was the first of the two that a number's declaration may have (spare_semicolons.h).
@@ -162,7 +150,7 @@ enum class Semicolon { next_item, passed };
       Slot& slot = *without_wrapper(&declared_slot(context, node));
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
     }
-    if (semicolon == Semicolon::next_item) skip_rest(context);
+    skip_rest(context);
   }
 }
 
@@ -248,8 +236,6 @@ enum class Semicolon { next_item, passed };
 }
 
 }  // namespace
-
-void declare_in_routine(Context& context, const grammar::Declare& node) { declare(context, node, Semicolon::passed); }
 
 // The functions that it calls stay out of line: it runs for every directive, and is then only a jump.
 void execute(Context& context, const Node& node) {

@@ -69,13 +69,6 @@ class Scopes {
     return i < innermost_.size() ? innermost_[i].slot : nullptr;
   }
 
-  /// Keeps a place for the name, so that find_known() may be asked for it.
-  void make_room_for(grammar::Symbol name) { static_cast<void>(innermost(name)); }
-  /// find() without a look at whether the name has a place.
-  [[nodiscard]] Slot* find_known(grammar::Symbol name) const {
-    return innermost_[static_cast<std::uint32_t>(name)].slot;
-  }
-
   /// The slot that `#declare name` writes: the innermost binding, or a new one in the global table.
   [[nodiscard]] Slot& declare(grammar::Symbol name);
   /// The slot that `#local name` writes: the binding in the current table, made if there is none.

@@ -53,8 +53,6 @@ struct ArrayValue final : Shared {
   [[nodiscard]] static std::size_t own_bytes(std::size_t elements);
 };
 
-struct Routine;  // interpreter/routines/routine.h
-
 struct MacroValue final : Shared {
   MacroValue(const grammar::Macro& definition_, const grammar::Unit& unit_, std::uint32_t origin_name_)
       : definition(definition_), unit(unit_), origin_name(origin_name_) {}
@@ -62,9 +60,6 @@ struct MacroValue final : Shared {
   const grammar::Macro& definition;
   const grammar::Unit& unit;  ///< its #include starts from this file's folder
   std::uint32_t origin_name;  ///< OriginTable::keep_name
-  // Set by routine_of() (interpreter/routines/routines.h).
-  mutable bool is_examined = false;
-  mutable const Routine* routine = nullptr;
 };
 
 /// The look of objects, their drafts and materials.
