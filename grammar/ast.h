@@ -23,6 +23,7 @@ enum class NodeKind : std::uint8_t {
   string,
   constant,
   name,
+  scoped_name,
   index,
   call,
   function_call,
@@ -37,13 +38,18 @@ enum class NodeKind : std::uint8_t {
   block_begin,
   block_end,
   entry,
+  field,
   array,
   function,
+  dictionary,
+  tuple,
   comma,
   semicolon,
   // Directives.
   declare,
   declare_deprecated,
+  declare_newer_word,
+  declare_tuple,
   undef,
   if_,
   ifdef,
@@ -93,17 +99,24 @@ struct Name : Node {
   Symbol name;
 };
 
-/// `base[index]`; base is a Name or an Index.
+/// `local.Name`, `global.Name`: the name in the innermost or in the outermost table.
+enum class ScopeName : std::uint8_t { local, global };
+struct ScopedName : Node {
+  ScopeName scope;
+  Symbol name;
+};
+
+/// `base[index]`: an array's element or a dictionary's value; base is a place (is_place).
 struct Index : Node {
   const Node* base;
   const Node* subscript;
 };
 
-/// One actual argument: the items between commas; a lone Name or Index goes by reference. `(Q)` arrives as a Unary plus
-/// of Q, so that it goes by value.
+/// One actual argument: the items between commas; a lone place goes by reference. `(Q)` arrives as a Unary plus of Q,
+/// so that it goes by value. An omitted argument of a macro is empty.
 using Argument = Items;
 
-/// `callee(a, b)`: a macro, a user function or a spline. The callee is a Name or an Index.
+/// `callee(a, b)`: a macro, a user function or a spline. The callee is a place.
 struct Call : Node {
   const Node* callee;
   std::span<const Argument> arguments;
@@ -115,7 +128,7 @@ struct FunctionCall : Node {
   std::span<const Argument> arguments;
 };
 
-/// `base.item`: x y z u v t red green blue filter transmit gray (and an element name of a later dictionary).
+/// `base.item`: x y z u v t red green blue filter transmit gray of a vector or colour, or any key of a dictionary.
 struct Dot : Node {
   const Node* base;
   Symbol item;
@@ -193,7 +206,7 @@ struct Semicolon : Node {
   const Node* after;
 };
 
-/// `array[2][3] { items }`.
+/// `array[2][3] { items }`. Without dimensions it takes its size from the items; without these too, it grows by use.
 struct Array : Node {
   std::span<const Node* const> dimensions;
   bool initialised;
@@ -210,6 +223,22 @@ struct Function : Node {
   Items body;
 };
 
+/// `["key"]: value` or `.Name: value`, where the key is an Entry, or a Name that is not evaluated.
+struct DictionaryField : Node {
+  const Node* key;
+  Items value;
+};
+
+/// `dictionary { items }`: its fields, and directives that yield fields.
+struct Dictionary : Node {
+  Items items;
+};
+
+/// `(a, b, …)`: at least one comma. A value may be missing: its items are empty.
+struct Tuple : Node {
+  std::span<const Items> values;
+};
+
 // ---- Directives -----------------------------------------------------------------------------------------------------
 
 /// `once "remark"`; without a remark it is empty.
@@ -222,11 +251,23 @@ struct Deprecation {
 /// `texture {}` blocks; or a colour (`rgb <1,0,0>`, `color red 1 green .5`) as its words and expressions. Before it
 /// there may be other declarations, with their semicolons.
 /// A semicolon after it is an item of its own in the enclosing list.
-/// `#declare deprecated once "remark" target = value` is a node of its own kind and of this type.
+/// `#declare deprecated once "remark" target = value` is a node of its own kind and of this type; so is a declaration
+/// of a word of POV-Ray 3.8, which is one of a name before that version.
 struct Declare : Node {
   bool local;
   Deprecation deprecation;
   const Node* target;
+  Items value;
+};
+
+/// `#declare (A, optional B) = value`, where the value is a Tuple or yields one.
+struct TupleField {
+  const Node* target;
+  bool optional;
+};
+struct DeclareTuple : Node {
+  bool local;
+  std::span<const TupleField> fields;
   Items value;
 };
 
@@ -280,10 +321,14 @@ struct Switch : Node {
 
 struct Break : Node {};
 
+struct Parameter {
+  Symbol name;
+  bool optional = false;  ///< a call may omit its argument
+};
 struct Macro : Node {
   Symbol name;
   SourceSpan name_span;
-  std::span<const Symbol> parameters;
+  std::span<const Parameter> parameters;
   Items body;
 };
 
@@ -331,6 +376,13 @@ struct Error : Node {
   const Complaint* complaint;
   bool gives_up;
 };
+
+/// True for what a declaration may write to and a macro may get by reference, as far as the text tells: an item of a
+/// vector looks like the value of a dictionary.
+[[nodiscard]] inline bool is_place(const Node& node) {
+  return node.kind == NodeKind::name || node.kind == NodeKind::scoped_name || node.kind == NodeKind::index ||
+         node.kind == NodeKind::dot;
+}
 
 /// A checked downcast; the caller must have looked at the kind.
 template <class T>

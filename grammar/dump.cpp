@@ -75,6 +75,14 @@ class TreeDump {
     return joined;
   }
 
+  [[nodiscard]] std::string parameters(std::span<const Parameter> parameters) const {
+    std::string joined;
+    for (const Parameter& parameter : parameters)
+      joined += fmt::format("{}{}{}", joined.empty() ? "" : ", ", parameter.optional ? "optional " : "",
+                            text(parameter.name));
+    return joined;
+  }
+
   const SymbolTable& symbols_;
   std::string text_;
   int depth_ = 0;
@@ -86,6 +94,10 @@ void TreeDump::expression(const Node& node) {
     case NodeKind::string: return line("string " + quoted_text(as<String>(node).text));
     case NodeKind::constant: return line(fmt::format("constant {}", text(as<Constant>(node).word)));
     case NodeKind::name: return line(fmt::format("name {}", text(as<Name>(node).name)));
+    case NodeKind::scoped_name: {
+      const auto& scoped = as<ScopedName>(node);
+      return line(fmt::format("name {}.{}", scoped.scope == ScopeName::local ? "local" : "global", text(scoped.name)));
+    }
     case NodeKind::index:
       return tree("index", [&] {
         this->node(*as<Index>(node).base);
@@ -142,6 +154,16 @@ void TreeDump::element(const Node& node) {
         items(function.body);
       });
     }
+    case NodeKind::dictionary: return list("dictionary", as<Dictionary>(node).items);
+    case NodeKind::field:
+      return tree("field", [&] {
+        this->node(*as<DictionaryField>(node).key);
+        list("value", as<DictionaryField>(node).value);
+      });
+    case NodeKind::tuple:
+      return tree("tuple", [&] {
+        for (const Items& value : as<Tuple>(node).values) list("value", value);
+      });
     case NodeKind::comma: return line("comma");
     case NodeKind::semicolon: return line("semicolon");
     case NodeKind::error: {
@@ -157,6 +179,7 @@ void TreeDump::element(const Node& node) {
 void TreeDump::directive(const Node& node) {
   switch (node.kind) {
     case NodeKind::declare:
+    case NodeKind::declare_newer_word:
       return tree(as<Declare>(node).local ? "local" : "declare", [&] {
         this->node(*as<Declare>(node).target);
         items(as<Declare>(node).value);
@@ -172,10 +195,17 @@ void TreeDump::directive(const Node& node) {
             items(declare.value);
           });
     }
+    case NodeKind::declare_tuple: {
+      const auto& declare = as<DeclareTuple>(node);
+      return tree(declare.local ? "local tuple" : "declare tuple", [&] {
+        for (const TupleField& field : declare.fields) part(field.optional ? "optional" : "field", field.target);
+        list("value", declare.value);
+      });
+    }
     case NodeKind::undef: return part("undef", as<Undef>(node).target);
     case NodeKind::break_: return line("break");
     case NodeKind::macro:
-      return list(fmt::format("macro {} ({})", text(as<Macro>(node).name), names(as<Macro>(node).parameters)),
+      return list(fmt::format("macro {} ({})", text(as<Macro>(node).name), parameters(as<Macro>(node).parameters)),
                   as<Macro>(node).body);
     case NodeKind::include: return part("include", as<Include>(node).path);
     case NodeKind::version: return part("version", as<Version>(node).value);

@@ -1,13 +1,16 @@
-// Words of POV-Ray 3.8. They are not reserved here, because scenes of 3.7 may use them as names; if such a name is
-// undeclared, the message says that it is a word of 3.8.
+// Words of POV-Ray 3.8. Scenes of 3.7 may use them as names, so they are identifiers: each has its meaning only where
+// its text can have no other (token_stream.cpp), or where no such name is declared. In a scene of 3.8 they cannot be
+// declared.
 #pragma once
+
+#include "grammar/symbols.h"
 
 #include <string>
 #include <string_view>
 
 namespace isl::grammar {
 
-[[nodiscard]] bool is_newer_word(std::string_view name);
+/// The message about such a word where it has no meaning.
 [[nodiscard]] std::string newer_word_message(std::string_view name);
 
 }  // namespace isl::grammar

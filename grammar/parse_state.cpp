@@ -51,6 +51,7 @@ Tree ParseState::call(SourceSpan span, Tree callee, const ArgumentList& argument
 }
 
 Tree ParseState::function_call(SourceSpan span, Symbol function, const ArgumentList& arguments) {
+  if (const Tree mistake = omitted(span, arguments.arguments); mistake.node) return mistake;
   return make<FunctionCall>(NodeKind::function_call, span, arguments.height, function,
                             arena_.copy(arguments.arguments));
 }
@@ -80,7 +81,7 @@ Tree ParseState::conditional(std::uint32_t end, const ChoiceList& choices, Tree 
 
 Tree ParseState::parenthesised(SourceSpan span, Tree condition) {
   const NodeKind kind = condition.node->kind;
-  const bool is_variable = kind == NodeKind::name || kind == NodeKind::index;
+  const bool is_variable = kind == NodeKind::name || kind == NodeKind::index || kind == NodeKind::scoped_name;
   return is_variable ? unary(span, UnaryOp::plus, condition) : condition;
 }
 
@@ -97,6 +98,19 @@ Tree ParseState::array(SourceSpan span, const TreeList& dimensions, bool initial
                      initialised, arena_.copy(items.nodes));
 }
 
+Tree ParseState::dictionary(SourceSpan span, const TreeList& items) {
+  return make<Dictionary>(NodeKind::dictionary, span, items.height, arena_.copy(items.nodes));
+}
+
+Tree ParseState::field(SourceSpan span, Tree key, const TreeList& value) {
+  return make<DictionaryField>(NodeKind::field, span, highest({key.height, value.height}), key.node,
+                               arena_.copy(value.nodes));
+}
+
+Tree ParseState::tuple(SourceSpan span, const ArgumentList& values) {
+  return make<Tuple>(NodeKind::tuple, span, values.height, arena_.copy(values.arguments));
+}
+
 Tree ParseState::function(SourceSpan span, const FunctionHead& head, const TreeList& body) {
   if (head.mistake.node) return head.mistake;
   return make<Function>(NodeKind::function, span, body.height, true, arena_.copy(head.parameters),
@@ -109,14 +123,28 @@ Tree ParseState::function(SourceSpan span, const TreeList& size, const TreeList&
 }
 
 Tree ParseState::declare(SourceSpan span, bool local, Tree target, const TreeList& value) {
-  return make<Declare>(NodeKind::declare, span, highest({target.height, value.height}), local, Deprecation{},
-                       target.node, arena_.copy(value.nodes));
+  const bool is_newer = target.node->kind == NodeKind::name && is_newer_word(as<Name>(*target.node).name);
+  return make<Declare>(is_newer ? NodeKind::declare_newer_word : NodeKind::declare, span,
+                       highest({target.height, value.height}), local, Deprecation{}, target.node,
+                       arena_.copy(value.nodes));
 }
 
 Tree ParseState::declare_deprecated(SourceSpan span, bool local, Deprecation deprecation, Tree target,
                                     const TreeList& value) {
   return make<Declare>(NodeKind::declare_deprecated, span, highest({target.height, value.height}), local, deprecation,
                        target.node, arena_.copy(value.nodes));
+}
+
+Tree ParseState::declare_tuple(SourceSpan span, bool local, const TupleFieldList& fields, const TreeList& value) {
+  if (fields.mistake.node) return fields.mistake;
+  return make<DeclareTuple>(NodeKind::declare_tuple, span, highest({fields.height, value.height}), local,
+                            arena_.copy(fields.fields), arena_.copy(value.nodes));
+}
+
+TupleFieldTree ParseState::optional_field(Symbol word, SourceSpan word_span, Tree target) {
+  if (word == newer_word::kw_optional) return {{target.node, true}, target.height};
+  return tuple_field(mistake(word_span, complaints_.error(word_span, "expected `,` or `)` after this identifier",
+                                                          "only the word `optional` may precede a name here")));
 }
 
 Tree ParseState::if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise) {
@@ -149,7 +177,7 @@ Tree ParseState::switch_(SourceSpan span, Tree subject, const TreeList& before, 
                       arena_.copy(cases.cases), has_default, arena_.copy(otherwise.nodes));
 }
 
-Tree ParseState::macro(SourceSpan span, Symbol name, SourceSpan name_span, const SymbolList& parameters,
+Tree ParseState::macro(SourceSpan span, Symbol name, SourceSpan name_span, const ParameterList& parameters,
                        const TreeList& body) {
   return make<Macro>(NodeKind::macro, span, body.height, name, name_span, arena_.copy(parameters),
                      arena_.copy(body.nodes));
@@ -167,11 +195,24 @@ Tree ParseState::fopen(SourceSpan span, Symbol handle, Tree path, Symbol mode) {
   return make<Fopen>(NodeKind::fopen, span, path.height, handle, path.node, mode);
 }
 
-Tree ParseState::read(SourceSpan span, Symbol handle, const ArgumentList& targets) {
+namespace {
+
+/// The list without the comma that may follow the handle of an open file.
+void drop_comma(ArgumentList& list) {
+  if (!list.arguments.empty() && list.arguments.front().empty()) list.arguments.erase(list.arguments.begin());
+}
+
+}  // namespace
+
+Tree ParseState::read(SourceSpan span, Symbol handle, ArgumentList targets) {
+  drop_comma(targets);
+  if (const Tree mistake = omitted(span, targets.arguments); mistake.node) return mistake;
   return make<Read>(NodeKind::read, span, targets.height, handle, arena_.copy(targets.arguments));
 }
 
-Tree ParseState::write(SourceSpan span, Symbol handle, const ArgumentList& values) {
+Tree ParseState::write(SourceSpan span, Symbol handle, ArgumentList values) {
+  drop_comma(values);
+  if (const Tree mistake = omitted(span, values.arguments); mistake.node) return mistake;
   return make<Write>(NodeKind::write, span, values.height, handle, arena_.copy(values.arguments));
 }
 
@@ -203,6 +244,18 @@ ArgumentList ParseState::with_argument(ArgumentList list, const TreeList& argume
   return list;
 }
 
+ArgumentList ParseState::with_omitted(ArgumentList list, std::size_t count) {
+  list.arguments.resize(list.arguments.size() + count);
+  return list;
+}
+
+ParameterList ParseState::with_parameter(ParameterList list, Symbol name) {
+  const bool is_optional = list.back().name == newer_word::kw_optional && !list.back().optional;
+  if (is_optional) list.pop_back();
+  list.push_back({name, is_optional});
+  return list;
+}
+
 CaseList ParseState::with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body) {
   body = part(std::move(body), {clause.end, kEndOfTexts});
   // A mistake in the parenthesis is reported when the value is compared with it.
@@ -219,6 +272,13 @@ CaseList ParseState::with_case(CaseList list, SourceSpan span, SourceSpan clause
 Tree ParseState::mistake(SourceSpan span, const Complaint* complaint) {
   if (complaint) complaints_.claim(*complaint);
   return error(span, complaint, true);
+}
+
+Tree ParseState::omitted(SourceSpan span, std::span<const Argument> arguments) {
+  if (std::ranges::none_of(arguments, [](const Argument& argument) { return argument.empty(); })) return {};
+  return mistake(span,
+                 complaints_.error(span, "a value is missing before a comma",
+                                   "only calls of macros may leave out arguments: those of `optional` parameters"));
 }
 
 ArgumentList ParseState::mistaken_argument(SourceSpan span, const Complaint* complaint) {

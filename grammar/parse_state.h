@@ -34,6 +34,9 @@ class ParseState {
   Tree string(SourceSpan span, TextLiteral literal);
   Tree constant(SourceSpan span, Symbol word) { return make<Constant>(NodeKind::constant, span, 0, word); }
   Tree name(SourceSpan span, Symbol name) { return make<Name>(NodeKind::name, span, 0, name); }
+  Tree scoped_name(SourceSpan span, ScopeName scope, Symbol name) {
+    return make<ScopedName>(NodeKind::scoped_name, span, 0, scope, name);
+  }
   Tree index(SourceSpan span, Tree base, Tree subscript);
   Tree call(SourceSpan span, Tree callee, const ArgumentList& arguments);
   Tree function_call(SourceSpan span, Symbol function, const ArgumentList& arguments);
@@ -55,6 +58,9 @@ class ParseState {
   Tree array(SourceSpan span, const TreeList& dimensions, bool initialised, const TreeList& items);
   Tree function(SourceSpan span, const FunctionHead& head, const TreeList& body);
   Tree function(SourceSpan span, const TreeList& size, const TreeList& body);
+  Tree dictionary(SourceSpan span, const TreeList& items);
+  Tree field(SourceSpan span, Tree key, const TreeList& value);
+  Tree tuple(SourceSpan span, const ArgumentList& values);
   Tree block_begin(SourceSpan span, Symbol word, SourceSpan word_span) {
     return make<BlockBegin>(NodeKind::block_begin, span, 0, word, word_span);
   }
@@ -68,6 +74,10 @@ class ParseState {
   // Directives.
   Tree declare(SourceSpan span, bool local, Tree target, const TreeList& value);
   Tree declare_deprecated(SourceSpan span, bool local, Deprecation deprecation, Tree target, const TreeList& value);
+  Tree declare_tuple(SourceSpan span, bool local, const TupleFieldList& fields, const TreeList& value);
+  TupleFieldTree tuple_field(Tree target) { return {{target.node, false}, target.height}; }
+  /// The field is written with a word before it.
+  TupleFieldTree optional_field(Symbol word, SourceSpan word_span, Tree target);
   Tree undef(SourceSpan span, Tree target) { return make<Undef>(NodeKind::undef, span, target.height, target.node); }
   Tree if_(SourceSpan span, Tree condition, const TreeList& then, const TreeList& otherwise);
   Tree ifdef(SourceSpan span, bool negated, Tree target, const TreeList& then, const TreeList& otherwise);
@@ -76,15 +86,16 @@ class ParseState {
   Tree switch_(SourceSpan span, Tree subject, const TreeList& before, const CaseList& cases, bool has_default,
                const TreeList& otherwise);
   Tree break_(SourceSpan span) { return make<Break>(NodeKind::break_, span, 0); }
-  Tree macro(SourceSpan span, Symbol name, SourceSpan name_span, const SymbolList& parameters, const TreeList& body);
+  Tree macro(SourceSpan span, Symbol name, SourceSpan name_span, const ParameterList& parameters, const TreeList& body);
   Tree include(SourceSpan span, Tree path) { return make<Include>(NodeKind::include, span, path.height, path.node); }
   Tree version(SourceSpan span, Tree value) { return make<Version>(NodeKind::version, span, value.height, value.node); }
   Tree default_(SourceSpan span, const TreeList& items);
   Tree message(SourceSpan span, MessageKind level, Tree text);
   Tree fopen(SourceSpan span, Symbol handle, Tree path, Symbol mode);
   Tree fclose(SourceSpan span, Symbol handle) { return make<Fclose>(NodeKind::fclose, span, 0, handle); }
-  Tree read(SourceSpan span, Symbol handle, const ArgumentList& targets);
-  Tree write(SourceSpan span, Symbol handle, const ArgumentList& values);
+  // The list begins with an omitted argument if a comma follows the handle.
+  Tree read(SourceSpan span, Symbol handle, ArgumentList targets);
+  Tree write(SourceSpan span, Symbol handle, ArgumentList values);
 
   // Lists.
   TreeList pair(Tree first, Tree second);
@@ -92,6 +103,10 @@ class ParseState {
   /// `first`, a semicolon and the rest.
   TreeList join(Tree first, SourceSpan semicolon, const TreeList& rest);
   ArgumentList with_argument(ArgumentList list, const TreeList& argument);
+  /// Arguments that a call leaves out.
+  ArgumentList with_omitted(ArgumentList list, std::size_t count);
+  /// A parameter that follows the one before without a comma, which may be the word `optional`.
+  ParameterList with_parameter(ParameterList list, Symbol name);
   /// `clause` is the parenthesis, or the token that ends it.
   CaseList with_case(CaseList list, SourceSpan span, SourceSpan clause, Tree low, Tree high, TreeList body);
 
@@ -127,6 +142,8 @@ class ParseState {
   Tree mark(NodeKind kind, SourceSpan span) { return {arena_.create(Node{kind, span}), 1}; }
   Tree too_high(SourceSpan span);
 
+  /// The node of the mistake if an argument of a list that needs all of them is left out.
+  Tree omitted(SourceSpan span, std::span<const Argument> arguments);
   TreeList merge(const TreeList& items, std::span<Complaint* const> complaints);
   Tree error(SourceSpan span, const Complaint* complaint, bool gives_up) {
     return make<Error>(NodeKind::error, span, 0, complaint, gives_up);

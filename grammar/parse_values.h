@@ -45,6 +45,23 @@ struct Choice {
 using ChoiceList = std::vector<Choice>;
 
 using SymbolList = std::vector<Symbol>;
+using ParameterList = std::vector<Parameter>;
+
+struct TupleFieldTree {
+  TupleField field;
+  std::uint32_t height = 0;
+};
+/// If it has a mistake, the node that represents it.
+struct TupleFieldList {
+  std::vector<TupleField> fields;
+  std::uint32_t height = 0;
+  Tree mistake;
+
+  void push(TupleFieldTree tree) {
+    fields.push_back(tree.field);
+    height = std::max(height, tree.height);
+  }
+};
 
 /// `function (a, b)`; if it has a mistake, the node that represents it.
 struct FunctionHead {

@@ -18,12 +18,22 @@ constexpr std::array<ReservedWord, word::kReservedCount> kReservedWords{{
 #undef ISL_WORD
 }};
 
+constexpr auto kNewerWords = std::to_array<std::string_view>({
+#define ISL_NEWER_WORD(name) #name,
+#include "grammar/newer_words.def"
+#undef ISL_NEWER_WORD
+});
+
 }  // namespace
 
 SymbolTable::SymbolTable() {
   for (const ReservedWord& reserved : kReservedWords) {
     const Symbol symbol = intern(reserved.text);
     ISL_CHECK(static_cast<std::size_t>(symbol) + 1 == texts_.size(), "{} stands twice in words.def", reserved.text);
+  }
+  for (const std::string_view newer : kNewerWords) {
+    const Symbol symbol = intern(newer);
+    ISL_CHECK(static_cast<std::size_t>(symbol) + 1 == texts_.size(), "{} is reserved or stands twice", newer);
   }
 }
 

@@ -1,5 +1,5 @@
 // Interned names. Reserved words come first and in the order of words.def, so that each is a compile-time constant
-// (`word::kw_sphere`) and comparing words is comparing integers.
+// (`word::kw_sphere`) and comparing words is comparing integers. The words of POV-Ray 3.8 follow in the same way.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +39,20 @@ enum Index : std::uint32_t {
 #undef ISL_WORD
 }  // namespace word
 
+/// The words of newer_words.def: identifiers whose symbols are constants, too.
+namespace newer_word {
+enum Index : std::uint32_t {
+  kIndexBefore = static_cast<std::uint32_t>(word::kReservedCount) - 1,
+#define ISL_NEWER_WORD(name) kIndex_##name,
+#include "grammar/newer_words.def"
+#undef ISL_NEWER_WORD
+  kIndexAfter
+};
+#define ISL_NEWER_WORD(name) inline constexpr Symbol kw_##name{kIndex_##name};
+#include "grammar/newer_words.def"
+#undef ISL_NEWER_WORD
+}  // namespace newer_word
+
 /// Texts by symbol and symbols by text. Not thread-safe; one a scene.
 class SymbolTable {
  public:
@@ -62,6 +76,11 @@ class SymbolTable {
 
 [[nodiscard]] constexpr bool is_reserved(Symbol symbol) {
   return static_cast<std::uint32_t>(symbol) < word::kReservedCount;
+}
+
+[[nodiscard]] constexpr bool is_newer_word(Symbol symbol) {
+  const auto index = static_cast<std::uint32_t>(symbol);
+  return index > newer_word::kIndexBefore && index < newer_word::kIndexAfter;
 }
 
 }  // namespace isl::grammar

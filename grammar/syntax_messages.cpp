@@ -32,6 +32,7 @@ std::string describe(SymbolKind kind) {
     case Symbols::S_STRING: return "a string";
     case Symbols::S_YYEOF: return "the end of the file";
     case Symbols::S_FUNCTION: return "`function`";
+    case Symbols::S_SCOPE: return "`local.` or `global.`";
     default: break;
   }
   const std::string name = Parser::symbol_name(kind);
@@ -59,6 +60,7 @@ bool is_expression_start(SymbolKind kind) {
     case Symbols::S_STRING:
     case Symbols::S_CONSTANT:
     case Symbols::S_IDENTIFIER:
+    case Symbols::S_SCOPE:
     case Symbols::S_FUNCTION_WORD:
     case Symbols::S_LEFT_PARENTHESIS:
     case Symbols::S_LESS:
@@ -76,6 +78,7 @@ bool is_object_start(SymbolKind kind) {
     case Symbols::S_TEXTURE:
     case Symbols::S_ARRAY:
     case Symbols::S_FUNCTION:
+    case Symbols::S_DICTIONARY:
     case Symbols::S_LEFT_BRACE:
     case Symbols::S_LEFT_BRACKET:
     case Symbols::S_UNCLOSED: return true;
@@ -137,7 +140,11 @@ std::vector<std::string> fold(std::span<const SymbolKind> expected) {
     if (has_directive && is_directive_start(kind)) continue;
     if (kind == Symbols::S_SEMICOLON && has_directive) continue;
     // rarely known, and hardly ever the intended token
-    if (kind == Symbols::S_DEPRECATED || kind == Symbols::S_ONCE) continue;
+    if (kind == Symbols::S_DEPRECATED || kind == Symbols::S_ONCE || kind == Symbols::S_MIXED) continue;
+    // begins an item only in a dictionary
+    if (kind == Symbols::S_DOT && has_expression && !has_operator) continue;
+    // goes with identifiers
+    if (kind == Symbols::S_SCOPE && contains(expected, Symbols::S_IDENTIFIER)) continue;
     // spelt like the braces that are told anyway
     if (kind == Symbols::S_BLOCK_BEGIN || kind == Symbols::S_BLOCK_END) continue;
     // An operator within `function {}` is a token of its own with the same spelling.
@@ -189,7 +196,6 @@ std::string_view missing_bracket(SymbolKind found, std::span<const SymbolKind> e
 }  // namespace
 
 SyntaxMessage syntax_message(SymbolKind found, std::string_view text, std::span<const SymbolKind> expected) {
-  if (found == Symbols::S_IDENTIFIER && is_newer_word(text)) return {newer_word_message(text), {}};
   SyntaxMessage result{.message = "unexpected " + describe_found(found, text), .hint = hint_for(found, text, expected)};
   const std::vector<std::string> ideas = fold(expected);
   if (!ideas.empty() && ideas.size() <= kMaxExpected) {

@@ -104,8 +104,37 @@ Token TokenStream::scan() {
   return token;
 }
 
+Token TokenStream::next_of_text() {
+  if (ahead_.empty()) return scan();
+  const Token token = ahead_.front();
+  ahead_.pop_front();
+  return token;
+}
+
+const Token& TokenStream::look_ahead(std::size_t distance) {
+  while (ahead_.size() < distance) ahead_.push_back(scan());
+  return ahead_[distance - 1];
+}
+
+/// Words with this meaning only here: `dictionary {`, `array mixed`, and `local.Name`, where the name is no vector's
+/// item.
+Token TokenStream::as_newer_word(Token token) {
+  if (token.symbol == newer_word::kw_dictionary && look_ahead(1).kind == Kind::TOK_LEFT_BRACE)
+    return {.kind = Kind::TOK_DICTIONARY, .span = token.span};
+  if (token.symbol == newer_word::kw_mixed && taken_ == Kind::TOK_ARRAY)
+    return {.kind = Kind::TOK_MIXED, .span = token.span};
+  const bool may_be_scope = token.symbol == word::kw_local || token.symbol == newer_word::kw_global;
+  if (may_be_scope && taken_ != Kind::TOK_DOT && look_ahead(1).kind == Kind::TOK_DOT &&
+      look_ahead(2).kind == Kind::TOK_IDENTIFIER) {
+    token.kind = Kind::TOK_SCOPE;
+    token.span = join(token.span, ahead_.front().span);
+    ahead_.pop_front();
+  }
+  return token;
+}
+
 Token TokenStream::take() {
-  Token token = scan();
+  Token token = next_of_text();
   if (!parted_.empty() && token.span.begin == parted_.front()) {
     token.kind = token.kind == Kind::TOK_LEFT_BRACE ? Kind::TOK_BLOCK_BEGIN : Kind::TOK_BLOCK_END;
     parted_ = parted_.subspan(1);
@@ -116,6 +145,8 @@ Token TokenStream::take() {
     token = {.kind = Kind::TOK_DEPRECATED, .span = token.span};
   if (taken_ == Kind::TOK_DEPRECATED && token.symbol == word::kw_once)
     token = {.kind = Kind::TOK_ONCE, .span = token.span};
+  if (is_newer_word(token.symbol) || token.symbol == word::kw_local) [[unlikely]]
+    token = as_newer_word(token);
   taken_ = token.kind;
   return token;
 }

@@ -1,6 +1,7 @@
 // Tokens as the parser must see them. Between the scanner and the parser, it
 // - reports brackets and directives that do not match, and mends them, so that one mistake is one message and the
 //   contents of a branch or a macro's body stay there;
+// - gives the words of POV-Ray 3.8 their meaning where the tokens around them allow no other;
 // - limits their nesting, since neither the parser's stack nor the evaluator's is endless;
 // - gives operators within `function {}` their other kinds, which have other precedences;
 // - skips to the end of a parenthesis in which the parser has found a mistake.
@@ -57,6 +58,10 @@ class TokenStream {
 
  private:
   [[nodiscard]] Token scan();
+  [[nodiscard]] Token next_of_text();
+  /// The token `distance` places after the last one that was taken.
+  [[nodiscard]] const Token& look_ahead(std::size_t distance);
+  [[nodiscard]] Token as_newer_word(Token token);
   [[nodiscard]] Token take();
 
   [[nodiscard]] Token send();
@@ -85,6 +90,7 @@ class TokenStream {
   StepCounter steps_;
   Nesting nesting_;
   TokenKind taken_ = Parser::token::TOK_END_OF_FILE;  ///< kind of the last token of the text
+  std::deque<Token> ahead_;                           ///< scanned, but not taken yet
   std::deque<Arranged> arranged_;                     ///< ready for the parser
   std::vector<Token> passed_over_;                    ///< misspelt directives, for messages about unmatched ones
   SourceSpan last_span_;                              ///< span of the last token of the text

@@ -1,18 +1,12 @@
-// `array[2][3] { … }` and `A[i][j]`: making arrays and finding their elements.
+// `array[2][3] { … }`: making arrays. Their elements are places (interpreter/places.h).
 #pragma once
 
 #include "interpreter/context.h"
 
 namespace isl::interpreter {
 
-/// Makes an array and evaluates its initialiser; checks sizes and counts.
+/// Makes an array and evaluates its initialiser; checks sizes and counts. Without dimensions the initialiser gives the
+/// size; without both the array grows by use.
 [[nodiscard]] Value make_array(Context& context, const grammar::Array& node);
-
-/// The slot of an element. Null if `may_be_undeclared` and the array itself is not declared or has too few dimensions;
-/// every other mistake (no array, an index out of range) fails.
-[[nodiscard]] Slot* find_element(Context& context, const grammar::Index& node, bool may_be_undeclared);
-
-/// Fails if an array with this element would be deeper than values may be.
-void check_array_nesting(Context& context, const Value& element, SourceSpan span);
 
 }  // namespace isl::interpreter

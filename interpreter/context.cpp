@@ -90,6 +90,11 @@ void Context::warn(SourceSpan span, std::string message, std::string hint) {
   sink_.report({Severity::warning, span, std::move(message), std::move(hint), {}, chain()});
 }
 
+void Context::note(SourceSpan span, std::string message, std::string hint) {
+  if (is_said(Severity::note, span, message)) return;
+  sink_.report({Severity::note, span, std::move(message), std::move(hint), {}, chain()});
+}
+
 void Context::tell(const grammar::Complaint& complaint) {
   if (!told_.insert(&complaint).second) return;
   Diagnostic diagnostic = complaint.diagnostic;

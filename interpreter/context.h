@@ -74,10 +74,12 @@ class Context {
   ValueDepths depths;
   OriginTable origins;
   LanguageVersion version;
-  bool has_noise_generator = false;  ///< the scene sets it
+  std::set<grammar::Symbol> noted_words;  ///< words of POV-Ray 3.8 that were remarked on
+  bool has_noise_generator = false;       ///< the scene sets it
   /// The present #default texture; an object without a texture of its own gets it.
   scene::Texture default_texture;
   bool has_default_texture = false;
+  bool is_default_stated = false;  ///< by the scene, so that `#version` no longer changes it
   Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
   RecordTable<scene::Texture> texture_table;
   RecordTable<scene::Finish> finish_table;
@@ -96,6 +98,8 @@ class Context {
   void error(SourceSpan span, std::string message, std::string hint = {});
   /// Reports once for each place and text: a loop may warn a million times.
   void warn(SourceSpan span, std::string message, std::string hint = {});
+  /// The same for a remark.
+  void note(SourceSpan span, std::string message, std::string hint = {});
   /// Execution reached a mistake in the text: reports it, once, and fails if the node replaces text that could not be
   /// parsed.
   void meet(const grammar::Error& node);

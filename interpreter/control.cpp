@@ -2,6 +2,8 @@
 
 #include "interpreter/deprecated_names.h"
 #include "interpreter/expressions.h"
+#include "interpreter/newer_words.h"
+#include "interpreter/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +38,7 @@ bool has_turn(double value, double end, double step) {
   const double start = evaluate_number(context, *node.start);
   const double end = evaluate_number(context, *node.end);
   const double step = node.step ? evaluate_number(context, *node.step) : 1;
+  check_newer_name(context, node.variable, node.span);
   if (std::abs(step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
   used(context, context.scopes.local(node.variable), node.span).value.set_number(start);
   if (!has_turn(start, end, step)) return;

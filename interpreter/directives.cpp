@@ -1,6 +1,5 @@
 #include "interpreter/directives.h"
 
-#include "interpreter/arrays.h"
 #include "interpreter/control.h"
 #include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
@@ -8,13 +7,15 @@
 #include "interpreter/files.h"
 #include "interpreter/functions/functions.h"
 #include "interpreter/macro_calls.h"
+#include "interpreter/newer_words.h"
 #include "interpreter/operators.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
 #include "interpreter/readers/world/scene.h"
+#include "interpreter/statement_ends.h"
+#include "interpreter/tuples.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace isl::interpreter {
 namespace {
@@ -22,32 +23,6 @@ namespace {
 using grammar::as;
 using grammar::Node;
 using grammar::NodeKind;
-
-/// A directive's own semicolon is the next item of the list that holds it.
-bool skip_semicolon(Context& context) {
-  Frame& frame = context.frames.back();
-  if (frame.next == frame.end || (*frame.next)->kind != NodeKind::semicolon) return false;
-  ++frame.next;
-  return true;
-}
-
-/// True if the item can be the first of a statement. A name is excluded, because it may stand anywhere.
-bool begins_statement(const Node& item) {
-  const bool is_directive = item.kind >= NodeKind::declare && item.kind != NodeKind::error;
-  const bool is_object = item.kind == NodeKind::block && grammar::is_reserved(as<grammar::Block>(item).word);
-  return is_directive || is_object || item.kind == NodeKind::call;
-}
-
-/// The rest of a statement with a mistake, such as the braces in `= dictionary { … };`, must not cause a second error.
-/// If another statement begins before a semicolon, the first one has none, and nothing is skipped.
-void skip_rest(Context& context) {
-  if (context.abandoned_blocks > 0) return skip_abandoned(context);
-  Frame& frame = context.frames.back();
-  const auto* const stop = std::find_if(frame.next, frame.end, [](const Node* item) {
-    return item->kind == NodeKind::semicolon || begins_statement(*item);
-  });
-  if (stop != frame.end && (*stop)->kind == NodeKind::semicolon) frame.next = stop + 1;
-}
 
 // ---- #declare -------------------------------------------------------------------------------------------------------
 
@@ -102,8 +77,7 @@ void evaluate_declared(Context& context, const grammar::Declare& node, Value& va
 }
 
 Slot& declared_slot(Context& context, const grammar::Declare& node) {
-  if (node.target->kind == NodeKind::index) return find_slot(context, *node.target);
-  if (node.target->kind != NodeKind::name) throw Failed{};
+  if (node.target->kind != NodeKind::name) return slot_to_write(context, *node.target, node.local);
   const grammar::Symbol name = as<grammar::Name>(*node.target).name;
   return node.local ? context.scopes.local(name) : context.scopes.declare(name);
 }
@@ -115,6 +89,13 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     context.fail(node.target->span, "a function cannot be declared again", "`#undef` it first");
   }
   return slot;
+}
+
+/// Assignment copies an array or a dictionary, as in POV-Ray; all other values are immutable and shared.
+[[gnu::noinline]] void set_container(Context& context, const grammar::Declare& node, Slot& slot, const Value& value) {
+  if (node.target->kind != NodeKind::name) check_container_depth(context, value, node.span);
+  context.check_memory(node.span, bytes_of_copy(value));
+  slot.value = copy_of_container(value);
 }
 
 [[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
@@ -136,11 +117,8 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
     if (target->value.kind() >= ValueKind::function) [[unlikely]]
       target = &guarded_slot(context, node, *target);
     Slot& slot = *target;
-    if (value.kind() == ValueKind::array) [[unlikely]] {
-      if (node.target->kind == NodeKind::index) check_array_nesting(context, value, node.span);
-      // Assignment copies an array, as in POV-Ray; all other values are immutable and shared.
-      context.check_memory(node.span, value.as<ArrayValue>().bytes_of_copy());
-      slot.value = Value(ValueKind::array, value.as<ArrayValue>().copy());
+    if (is_container(value)) [[unlikely]] {
+      set_container(context, node, slot, value);
     } else {
       slot.value = std::move(value);
     }
@@ -166,18 +144,27 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   if (&slot != before) deprecate(context, node, slot);
 }
 
-[[gnu::noinline]] void undefine(Context& context, const grammar::Undef& node) {
-  if (node.target->kind == NodeKind::index) {
-    if (Slot* slot = find_slot_if_declared(context, *node.target)) slot->value = Value();
-  } else if (node.target->kind == NodeKind::name) {
-    const grammar::Symbol name = as<grammar::Name>(*node.target).name;
-    static_cast<void>(used(context, context.scopes.find(name), node.target->span));
-    context.scopes.undef(name);
+/// A word of POV-Ray 3.8: the name of a variable in an older scene.
+[[gnu::noinline]] void declare_newer_word(Context& context, const grammar::Declare& node) {
+  try {
+    check_newer_name(context, as<grammar::Name>(*node.target).name, node.target->span);
+  } catch (const Failed&) {
+    return skip_rest(context);
   }
+  declare(context, node);
+}
+
+[[gnu::noinline]] void undefine_place(Context& context, const grammar::Undef& node) {
+  undefine(context, *node.target);
   skip_semicolon(context);
 }
 
 [[gnu::noinline]] void define_macro(Context& context, const grammar::Macro& node) {
+  check_newer_name(context, node.name, node.name_span);
+  for (const grammar::Parameter& parameter : node.parameters) {
+    check_newer_name(context, parameter.name, node.name_span);
+    if (parameter.optional) note_newer_word(context, grammar::newer_word::kw_optional, node.name_span);
+  }
   const std::uint32_t name = context.origins.keep_name(std::string(context.text(node.name)));
   context.scopes.global(node.name).value =
       Value(ValueKind::macro, make_shared_value<MacroValue>(node, context.current_unit(), name));
@@ -226,12 +213,14 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   const double version = evaluate_number(context, *node.value);
   skip_semicolon(context);
   context.version.state(version);
+  follow_version(context);
+  const double stated = context.version.number();
+  if (stated >= LanguageVersion::kWithNewerWords && stated < LanguageVersion::kNewest)
+    context.warn(node.span, fmt::format("version {:g} of the language became {:g}", stated, LanguageVersion::kNewest),
+                 fmt::format("write `#version {:g};`", LanguageVersion::kNewest));
   if (context.version.number() > LanguageVersion::kNewest) {
-    context.warn(node.span,
-                 fmt::format("version {:g} of the language is unknown; the scene is read as {:g}",
-                             context.version.number(), LanguageVersion::kNewest),
-                 "dictionaries, mixed arrays, optional parameters, `lemon`, `potential`, `polarity` and `user_defined` "
-                 "came with 3.8");
+    context.warn(node.span, fmt::format("version {:g} of the language is unknown; the scene is read as {:g}",
+                                        context.version.number(), LanguageVersion::kNewest));
   }
 }
 
@@ -247,7 +236,9 @@ void execute(Context& context, const Node& node) {
     case NodeKind::switch_: return start_control(context, node);
     case NodeKind::declare: return declare(context, as<grammar::Declare>(node));
     case NodeKind::declare_deprecated: return declare_deprecated(context, as<grammar::Declare>(node));
-    case NodeKind::undef: return undefine(context, as<grammar::Undef>(node));
+    case NodeKind::declare_newer_word: return declare_newer_word(context, as<grammar::Declare>(node));
+    case NodeKind::declare_tuple: return declare_tuple(context, as<grammar::DeclareTuple>(node));
+    case NodeKind::undef: return undefine_place(context, as<grammar::Undef>(node));
     case NodeKind::macro: return define_macro(context, as<grammar::Macro>(node));
     case NodeKind::include: return include(context, as<grammar::Include>(node));
     case NodeKind::version: return set_version(context, as<grammar::Version>(node));

@@ -4,6 +4,7 @@
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
 #include "interpreter/macro_calls.h"
+#include "interpreter/newer_words.h"
 #include "interpreter/spare_semicolons.h"
 
 #include <algorithm>
@@ -196,10 +197,14 @@ void ElementStream::advance() {
       case NodeKind::binary:
       case NodeKind::conditional:
       case NodeKind::array:
+      case NodeKind::scoped_name:
+      case NodeKind::dictionary:
+      case NodeKind::tuple:
       case NodeKind::function: yield(ElementKind::value, node); break;
       case NodeKind::name: {
         const grammar::Symbol name = as<grammar::Name>(node).name;
-        yield(context_.scopes.find(name) ? ElementKind::value : ElementKind::unknown, node, name);
+        const bool has_value = context_.scopes.find(name) != nullptr || is_newer_value(name);
+        yield(has_value ? ElementKind::value : ElementKind::unknown, node, name);
         break;
       }
       case NodeKind::call: take_call(as<grammar::Call>(node)); break;
@@ -218,6 +223,7 @@ void ElementStream::advance() {
         yield(ElementKind::entry, node);
         element_.items = as<grammar::Entry>(node).items;
         break;
+      case NodeKind::field: yield(ElementKind::field, node); break;
       case NodeKind::comma: yield(ElementKind::comma, node); break;
       case NodeKind::semicolon:
         if (!is_spare(context_, as<grammar::Semicolon>(node))) yield(ElementKind::semicolon, node);

@@ -21,6 +21,7 @@ enum class ElementKind : std::uint8_t {
   word,     ///< a reserved word that stands alone
   block,    ///< `word { items }`, or `word {` alone whose items follow in the stream that yielded it
   entry,    ///< `[ items ]`
+  field,    ///< `.Name: value` or `["key"]: value`
   comma,
   semicolon,
 };

@@ -1,13 +1,15 @@
 #include "interpreter/expressions.h"
 
-#include "grammar/newer_words.h"
 #include "interpreter/arrays.h"
 #include "interpreter/builtins/builtins.h"
 #include "interpreter/deprecated_names.h"
+#include "interpreter/dictionaries.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/functions/functions.h"
 #include "interpreter/macro_calls.h"
+#include "interpreter/newer_words.h"
 #include "interpreter/operators.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
@@ -27,14 +29,13 @@ namespace word = grammar::word;
 
 // Each kind of composite expression has its own function, kept out of line: the recursion's stack frames stay small.
 
-[[noreturn]] [[gnu::noinline]] void fail_undeclared(Context& context, SourceSpan span, Symbol name) {
-  if (grammar::is_newer_word(context.text(name))) context.fail(span, grammar::newer_word_message(context.text(name)));
-  context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
-}
-
 /// The value of a name that is neither a number nor a vector.
 [[gnu::noinline]] void evaluate_other_name(Context& context, const grammar::Name& node, const Slot* slot,
                                            Value& result) {
+  if (!slot && is_newer_value(node.name)) {
+    result = newer_value(context, node.name, node.span);
+    return;
+  }
   if (!slot) fail_undeclared(context, node.span, node.name);
   if (slot->value.kind() == ValueKind::deprecated) [[unlikely]]
     slot = &use_deprecated(context, *slot, node.span);
@@ -142,6 +143,9 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
     case NodeKind::call: return evaluate_call(context, as<grammar::Call>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
     case NodeKind::function: return make_function(context, as<grammar::Function>(node));
+    case NodeKind::dictionary: return make_dictionary(context, as<grammar::Dictionary>(node));
+    case NodeKind::tuple:
+      context.fail(node.span, "a tuple of values can only be declared as one: `#declare (A, B) = (1, 2);`");
     case NodeKind::error: context.meet(as<grammar::Error>(node)); throw Failed{};
     default: {
       const Node* const items[] = {&node};
@@ -160,7 +164,8 @@ void evaluate_into(Context& context, const Node& node, Value& result) {
   switch (node.kind) {
     case NodeKind::number: return result.set_number(as<grammar::Number>(node).value);
     case NodeKind::name: return evaluate_name(context, as<grammar::Name>(node), result);
-    case NodeKind::index: return evaluate_element(context, node, result);
+    case NodeKind::index:
+    case NodeKind::scoped_name: return evaluate_element(context, node, result);
     case NodeKind::function_call: return call_builtin(context, as<grammar::FunctionCall>(node), result);
     case NodeKind::dot: return evaluate_dot(context, as<grammar::Dot>(node), result);
     case NodeKind::vector: return evaluate_vector(context, as<grammar::Vector>(node), result);
@@ -200,24 +205,6 @@ const StringValue& evaluate_string(Context& context, const Node& node, Value& ke
 Value make_string(Context& context, std::string text, SourceSpan span) {
   context.check_memory(span, text.size());
   return {ValueKind::string, make_shared_value<StringValue>(std::move(text), context.memory)};
-}
-
-Slot* find_slot_if_declared(Context& context, const Node& target) {
-  if (target.kind == NodeKind::name) return without_wrapper(context.scopes.find(as<grammar::Name>(target).name));
-  if (target.kind == NodeKind::index)
-    return find_element(context, as<grammar::Index>(target), /*may_be_undeclared=*/true);
-  context.meet(as<grammar::Error>(target));
-  throw Failed{};
-}
-
-Slot& find_slot(Context& context, const Node& target) {
-  if (target.kind == NodeKind::index)
-    return *find_element(context, as<grammar::Index>(target), /*may_be_undeclared=*/false);
-  if (target.kind == NodeKind::error) context.meet(as<grammar::Error>(target));
-  if (target.kind != NodeKind::name) throw Failed{};
-  const Symbol name = as<grammar::Name>(target).name;
-  if (Slot* slot = context.scopes.find(name)) return used(context, *slot, target.span);
-  fail_undeclared(context, target.span, name);
 }
 
 // ---- Macro calls and directives as values ---------------------------------------------------------------------------

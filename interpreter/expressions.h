@@ -30,11 +30,6 @@ void evaluate_into(Context& context, const grammar::Node& node, Value& result);
 /// The same for a string; other values are errors.
 [[nodiscard]] const StringValue& evaluate_string(Context& context, const grammar::Node& node, Value& keep);
 
-/// The slot of a Name or an Index that must be declared.
-[[nodiscard]] Slot& find_slot(Context& context, const grammar::Node& target);
-/// The same; null if the name is not declared.
-[[nodiscard]] Slot* find_slot_if_declared(Context& context, const grammar::Node& target);
-
 /// The only value that a body yields: the body of a macro called inside an expression, or of a directive in
 /// parentheses.
 [[nodiscard]] Value evaluate_call(Context& context, const grammar::Call& call);

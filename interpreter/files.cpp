@@ -4,6 +4,7 @@
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/file_output.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
@@ -157,9 +158,7 @@ Value value_of(Context& context, const Datum& datum) {
 
 /// The slot that `#declare target` would write to.
 Slot& target_slot(Context& context, const Node& target) {
-  if (target.kind == NodeKind::index) return find_slot(context, target);
-  if (target.kind == NodeKind::name)
-    return used(context, context.scopes.declare(as<grammar::Name>(target).name), target.span);
+  if (grammar::is_place(target)) return used(context, slot_to_write(context, target, false), target.span);
   context.fail(target.span, "expected an identifier or an array element to read into");
 }
 

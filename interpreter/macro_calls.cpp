@@ -1,13 +1,18 @@
 #include "interpreter/macro_calls.h"
 
 #include "grammar/suggest.h"
+#include "interpreter/deprecated_names.h"
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/functions/functions.h"
+#include "interpreter/newer_words.h"
+#include "interpreter/operators.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,18 +28,43 @@ namespace {
 
 // Mistakes are handled out of line, because every call goes through the caller.
 
+/// "it is declared as `M(A, optional B)`".
+std::string declaration_of(Context& context, const grammar::Macro& definition) {
+  std::string parameters;
+  for (const grammar::Parameter& parameter : definition.parameters) {
+    if (!parameters.empty()) parameters += ", ";
+    if (parameter.optional) parameters += "optional ";
+    parameters += context.text(parameter.name);
+  }
+  return fmt::format("it is declared as `{}({})`", context.text(definition.name), parameters);
+}
+
 [[noreturn]] [[gnu::noinline]] void fail_count(Context& context, const grammar::Call& call,
                                                const grammar::Macro& definition, std::size_t found) {
   const std::size_t wanted = definition.parameters.size();
-  std::string parameters;
-  for (const grammar::Symbol parameter : definition.parameters) {
-    if (!parameters.empty()) parameters += ", ";
-    parameters += context.text(parameter);
+  const auto is_optional = [](const grammar::Parameter& parameter) { return parameter.optional; };
+  const auto needed = wanted - static_cast<std::size_t>(std::ranges::count_if(definition.parameters, is_optional));
+  if (found >= needed && found < wanted) {
+    context.fail(call.span,
+                 fmt::format("macro `{}` takes {} arguments, found {}; only the last ones can be left out with their "
+                             "commas",
+                             context.text(definition.name), wanted, found),
+                 fmt::format("keep the comma of an argument before others: `{}(, …)`; {}",
+                             context.text(definition.name), declaration_of(context, definition)));
   }
   context.fail(call.span,
-               fmt::format("macro `{}` takes {} argument{}, found {}", context.text(definition.name), wanted,
-                           wanted == 1 ? "" : "s", found),
-               fmt::format("it is declared as `{}({})`", context.text(definition.name), parameters));
+               fmt::format("macro `{}` takes {}{} argument{}, found {}", context.text(definition.name),
+                           needed < wanted ? fmt::format("{} to ", needed) : "", wanted, wanted == 1 ? "" : "s", found),
+               declaration_of(context, definition));
+}
+
+[[noreturn]] [[gnu::noinline]] void fail_omitted(Context& context, const grammar::Call& call,
+                                                 const grammar::Macro& definition, std::size_t argument) {
+  if (argument >= definition.parameters.size()) fail_count(context, call, definition, argument + 1);
+  context.fail(call.span,
+               fmt::format("macro `{}` needs its argument `{}`, found none before a comma",
+                           context.text(definition.name), context.text(definition.parameters[argument].name)),
+               declaration_of(context, definition));
 }
 
 /// The intended built-in function: `minextent` is `min_extent`.
@@ -67,11 +97,18 @@ class ArgumentSlots {
   ArgumentSlots& operator=(const ArgumentSlots&) = delete;
 
   /// Binds them to the parameters in the scope that was just entered; the list is empty then.
-  void bind_to(std::span<const grammar::Symbol> parameters);
+  void bind_to(std::span<const grammar::Parameter> parameters);
 
  private:
   void read(const grammar::Argument& argument);
   void read_sum(const Node& sum);
+  /// The argument is a place other than a declared name.
+  void read_place(const Node& node);
+  /// True if the next argument may be left out.
+  [[nodiscard]] bool is_optional_next() const;
+  void push_omitted() { context_.argument_slots.push_back(nullptr); }
+  /// Leaves out the last arguments.
+  void complete();
   void read_stream(const grammar::Argument& argument);
   /// A new slot's value, for the caller to set.
   [[nodiscard]] Value& push();
@@ -79,32 +116,53 @@ class ArgumentSlots {
   void release();
 
   Context& context_;
+  const grammar::Call& call_;
+  const grammar::Macro& definition_;
   std::size_t begin_;  ///< the slots lie on Context::argument_slots, which nested calls share
 };
 
 ArgumentSlots::ArgumentSlots(Context& context, const grammar::Call& call, const grammar::Macro& definition)
-    : context_(context), begin_(context.argument_slots.size()) {
+    : context_(context), call_(call), definition_(definition), begin_(context.argument_slots.size()) {
   try {
     for (const grammar::Argument& argument : call.arguments) read(argument);
-    const std::size_t found = context.argument_slots.size() - begin_;
-    if (found != definition.parameters.size()) fail_count(context, call, definition, found);
+    if (context.argument_slots.size() - begin_ != definition.parameters.size()) [[unlikely]]
+      complete();
   } catch (...) {
     release();
     throw;
   }
 }
 
-void ArgumentSlots::bind_to(std::span<const grammar::Symbol> parameters) {
+[[gnu::noinline]] void ArgumentSlots::complete() {
+  const std::span<const grammar::Parameter> parameters = definition_.parameters;
+  const std::size_t found = context_.argument_slots.size() - begin_;
+  const auto is_optional = [](const grammar::Parameter& parameter) { return parameter.optional; };
+  const bool can_end = found < parameters.size() && std::ranges::all_of(parameters.subspan(found), is_optional);
+  if (!can_end) fail_count(context_, call_, definition_, found);
+  while (context_.argument_slots.size() - begin_ < parameters.size()) push_omitted();
+}
+
+bool ArgumentSlots::is_optional_next() const {
+  const std::size_t next = context_.argument_slots.size() - begin_;
+  return next < definition_.parameters.size() && definition_.parameters[next].optional;
+}
+
+void ArgumentSlots::bind_to(std::span<const grammar::Parameter> parameters) {
   auto& slots = context_.argument_slots;
   const auto begin = slots.begin() + static_cast<std::ptrdiff_t>(begin_);
   auto slot = begin;
-  for (const grammar::Symbol parameter : parameters) context_.scopes.bind(parameter, *slot++);
+  for (const grammar::Parameter& parameter : parameters) {
+    if (*slot != nullptr) context_.scopes.bind(parameter.name, *slot);
+    ++slot;
+  }
   slots.erase(begin, slots.end());
 }
 
 void ArgumentSlots::release() {
   auto& slots = context_.argument_slots;
-  for (; slots.size() > begin_; slots.pop_back()) context_.scopes.slots().release(slots.back());
+  for (; slots.size() > begin_; slots.pop_back()) {
+    if (slots.back() != nullptr) context_.scopes.slots().release(slots.back());
+  }
 }
 
 Value& ArgumentSlots::push() {
@@ -125,8 +183,13 @@ void ArgumentSlots::read(const grammar::Argument& argument) {
       argument.size() == 1 && argument[0]->kind < NodeKind::word && argument[0]->kind != NodeKind::call;
   if (!is_single) return read_stream(argument);
   const Node& node = *argument[0];
-  if (node.kind == NodeKind::name || node.kind == NodeKind::index) {
-    push_reference(find_slot(context_, node));
+  if (node.kind == NodeKind::name) {
+    Slot* const slot = context_.scopes.find(as<grammar::Name>(node).name);
+    if (slot == nullptr) [[unlikely]]
+      return read_place(node);
+    push_reference(used(context_, *slot, node.span));
+  } else if (grammar::is_place(node)) {
+    read_place(node);
   } else if (node.kind == NodeKind::binary) {
     read_sum(node);
   } else {
@@ -149,9 +212,24 @@ void ArgumentSlots::read_sum(const Node& sum) {
   }
 }
 
+/// A place other than a declared name. One that is not declared leaves out an optional parameter.
+[[gnu::noinline]] void ArgumentSlots::read_place(const Node& node) {
+  const bool is_word = node.kind == NodeKind::name && is_newer_value(as<grammar::Name>(node).name);
+  if (is_word || (node.kind == NodeKind::dot && !is_field(context_, node)))
+    return evaluate_into(context_, node, push());
+  Slot* const slot = find_slot_if_declared(context_, node);
+  const bool is_omitted = is_optional_next() && (!slot || slot->value.kind() == ValueKind::none);
+  if (is_omitted) return push_omitted();
+  push_reference(slot ? *slot : find_slot(context_, node));
+}
+
 [[gnu::noinline]] void ArgumentSlots::read_stream(const grammar::Argument& argument) {
   // Several actuals without commas between them, a colour of several words, a block, or all that a macro yields.
-  ElementStream stream(context_, argument, argument.empty() ? SourceSpan{} : argument.front()->span);
+  if (argument.empty()) {
+    if (!is_optional_next()) fail_omitted(context_, call_, definition_, context_.argument_slots.size() - begin_);
+    return push_omitted();
+  }
+  ElementStream stream(context_, argument, argument.front()->span);
   while (!stream.peek().is(ElementKind::end)) {
     const Element next = stream.peek();
     if (next.is(ElementKind::value) && next.word != grammar::kNoSymbol) {

@@ -3,6 +3,7 @@
 #include "interpreter/arithmetic.h"
 #include "interpreter/expressions.h"
 #include "interpreter/nesting.h"
+#include "interpreter/places.h"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,11 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return terms;
 }();
 
+[[nodiscard]] int term_of_item(grammar::Symbol item) {
+  if (grammar::is_reserved(item)) return kTermOfItem[static_cast<std::uint32_t>(item)];
+  return item == grammar::newer_word::kw_grey ? kGray : kNoItem;
+}
+
 [[nodiscard]] [[gnu::noinline]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
   if (!base.is_numeric() || base.is_number()) {
     context.fail(node.span,
@@ -54,6 +60,15 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return base.terms()[i];
 }
 
+/// The value of a key in a dictionary.
+[[nodiscard]] [[gnu::noinline]] Value field_of(Context& context, const grammar::Dot& node, const Value& base) {
+  const Slot& slot = find_field(context, node, base);
+  if (slot.value.kind() == ValueKind::poison) throw Failed{};
+  if (slot.value.kind() == ValueKind::none)
+    context.fail(node.span, fmt::format("`.{}` has no value", context.text(node.item)));
+  return slot.value;
+}
+
 /// The value of a variable, if the node is the name of one.
 [[nodiscard]] const Value* variable(Context& context, const Node& node) {
   if (node.kind != NodeKind::name) return nullptr;
@@ -68,6 +83,10 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   if (!base) {
     evaluate_into(context, *node.base, result);
     base = &result;
+  }
+  if (base->kind() == ValueKind::dictionary) {
+    result = field_of(context, node, *base);
+    return;
   }
   result.set_number(item_of(context, node, *base));
 }
@@ -208,10 +227,6 @@ Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) 
   return of_values(context, node, left, evaluate(context, *node.right));
 }
 
-int term_of_item(grammar::Symbol item) {
-  return grammar::is_reserved(item) ? kTermOfItem[static_cast<std::uint32_t>(item)] : kNoItem;
-}
-
 const double* item_at_hand(Context& context, const grammar::Dot& node) {
   const Value* const base = variable(context, *node.base);
   if (!base || base->is_number()) return nullptr;
@@ -237,8 +252,7 @@ const double* item_at_hand(Context& context, const grammar::Dot& node) {
   evaluate_into(context, *node.operand, result);
   if (result.is_number()) return result.set_number(applied(node.op, result.number()));
   // The parser's form of `(Name)`: the value itself, of any kind, and no reference.
-  const bool is_variable = node.operand->kind == NodeKind::name || node.operand->kind == NodeKind::index;
-  if (node.op == grammar::UnaryOp::plus && is_variable) return;
+  if (node.op == grammar::UnaryOp::plus && grammar::is_place(*node.operand)) return;
   if (!result.is_numeric()) {
     static constexpr std::string_view kSpellings[] = {"+", "-", "!"};
     context.fail(node.operand->span, fmt::format("`{}` needs a number or vector, found {}",

@@ -16,7 +16,7 @@ SlotPool::~SlotPool() {
 
 void SlotPool::release_elements(const std::vector<Slot*>& elements) {
   for (Slot* const element : elements) {
-    if (element->value.kind() != ValueKind::array) {
+    if (element->value.kind() != ValueKind::array && element->value.kind() != ValueKind::dictionary) {
       release(element);
     } else if (--element->references == 0) {
       element->next_free = dying_;
@@ -72,6 +72,30 @@ bool Scopes::undef(Symbol name) {
     trace->name = grammar::kNoSymbol;
     top = trace->hidden();
   }
+  return true;
+}
+
+Slot* Scopes::find_local(Symbol name) const {
+  const auto i = static_cast<std::uint32_t>(name);
+  const bool is_here = i < innermost_.size() && innermost_[i].slot && innermost_[i].table == table();
+  return is_here ? innermost_[i].slot : nullptr;
+}
+
+Slot* Scopes::find_global(Symbol name) const {
+  const auto i = static_cast<std::uint32_t>(name);
+  if (i >= innermost_.size() || !innermost_[i].slot) return nullptr;
+  if (innermost_[i].table == 0) return innermost_[i].slot;
+  return std::ranges::find(trail_, name, &Trace::name)->hidden_slot;
+}
+
+bool Scopes::undef_local(Symbol name) { return find_local(name) && undef(name); }
+
+bool Scopes::undef_global(Symbol name) {
+  Slot* const slot = find_global(name);
+  if (!slot) return false;
+  if (innermost(name).table == 0) return undef(name);
+  std::ranges::find(trail_, name, &Trace::name)->hidden_slot = nullptr;
+  slots_.release(slot);
   return true;
 }
 

@@ -43,13 +43,13 @@ class SlotPool {
       free_ = slot;
     }
   }
-  /// Releases the elements of an array. Arrays among them are destroyed from a list, so that however deep arrays are
-  /// within arrays, they take no stack.
+  /// Releases the slots of a container (containers.h). Containers among their values are destroyed from a list, so that
+  /// however deep containers are within containers, they take no stack.
   void release_elements(const std::vector<Slot*>& elements);
 
  private:
   Slot* free_ = nullptr;   ///< the first free slot
-  Slot* dying_ = nullptr;  ///< the first slot that is no longer used and whose array is still to be destroyed
+  Slot* dying_ = nullptr;  ///< the first slot that is no longer used and whose container is still to be destroyed
   bool is_destroying_ = false;
   Charge* account_;  ///< may be null
 };
@@ -69,6 +69,10 @@ class Scopes {
     return i < innermost_.size() ? innermost_[i].slot : nullptr;
   }
 
+  /// The binding in the current table, or in the global one even if it is hidden; null if there is none.
+  [[nodiscard]] Slot* find_local(grammar::Symbol name) const;
+  [[nodiscard]] Slot* find_global(grammar::Symbol name) const;
+
   /// The slot that `#declare name` writes: the innermost binding, or a new one in the global table.
   [[nodiscard]] Slot& declare(grammar::Symbol name);
   /// The slot that `#local name` writes: the binding in the current table, made if there is none.
@@ -77,8 +81,12 @@ class Scopes {
   [[nodiscard]] Slot& global(grammar::Symbol name);
   /// Binds a parameter in the current table to an existing slot, taking over one reference to it.
   void bind(grammar::Symbol name, Slot* slot);
-  /// Removes the innermost binding; returns false if there is none.
+  // Each returns false if there is no such binding.
+  /// Removes the innermost binding.
   bool undef(grammar::Symbol name);
+  /// Removes the binding in the current table, or in the global one.
+  bool undef_local(grammar::Symbol name);
+  bool undef_global(grammar::Symbol name);
 
   /// Opens a new table: each include file and each macro call has one.
   void enter();

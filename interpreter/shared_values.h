@@ -1,9 +1,10 @@
-// The non-numeric values that a Value points to. Immutable once made, except for the elements of arrays.
+// The non-numeric values that a Value points to. Immutable once made, except for containers.
 #pragma once
 
 #include "base/budget.h"
 #include "grammar/ast.h"
 #include "grammar/loader.h"
+#include "interpreter/containers.h"
 #include "interpreter/scopes.h"
 #include "interpreter/shared.h"
 #include "interpreter/value.h"
@@ -28,29 +29,6 @@ struct StringValue final : Shared {
 
   const std::string text;
   MemoryAccount& account;
-};
-
-/// `array[d0][d1]…`: elements in row-major order, each in a slot of its own so that it can be passed to a macro by
-/// reference.
-struct ArrayValue final : Shared {
-  ArrayValue(std::vector<std::size_t> dimensions, SlotPool& pool, MemoryAccount& account);
-  ~ArrayValue() override;
-
-  /// Bytes of an array of so many elements, with their slots, without the values that they point to.
-  [[nodiscard]] static std::size_t bytes_of(std::size_t elements);
-  /// Bytes of a copy of the array.
-  [[nodiscard]] std::size_t bytes_of_copy() const;
-  /// A copy with elements of its own (arrays in elements are copied too), as assignment makes in POV-Ray.
-  [[nodiscard]] Ref<ArrayValue> copy() const;
-
-  const std::vector<std::size_t> dimensions;
-  std::vector<Slot*> elements;
-  SlotPool& pool;
-  MemoryAccount& account;
-
- private:
-  /// The same without the slots, which their pool counts.
-  [[nodiscard]] static std::size_t own_bytes(std::size_t elements);
 };
 
 struct MacroValue final : Shared {

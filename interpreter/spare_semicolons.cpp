@@ -1,6 +1,7 @@
 #include "interpreter/spare_semicolons.h"
 
 #include "interpreter/expressions.h"
+#include "interpreter/places.h"
 #include "interpreter/shared_values.h"
 
 #include <cstddef>

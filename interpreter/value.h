@@ -18,6 +18,7 @@ enum class ValueKind : std::uint8_t {
   // The kinds from here on point to a Shared.
   string,
   array,
+  dictionary,
   macro,
   object,
   pigment,

@@ -4,6 +4,7 @@
 #include "interpreter/element_stream.h"
 #include "interpreter/expressions.h"
 #include "interpreter/operators.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
 
 #include <fmt/format.h>
@@ -89,8 +90,8 @@ std::optional<Value> call_query(Context& context, const grammar::FunctionCall& c
   const auto index = static_cast<word::Index>(call.function);
   if (index != word::kIndex_defined && index != word::kIndex_dimensions && index != word::kIndex_dimension_size)
     return {};
-  const bool has_name = !call.arguments.empty() && call.arguments[0].size() == 1 &&
-                        (call.arguments[0][0]->kind == NodeKind::name || call.arguments[0][0]->kind == NodeKind::index);
+  const bool has_name =
+      !call.arguments.empty() && call.arguments[0].size() == 1 && grammar::is_place(*call.arguments[0][0]);
   const std::size_t wanted = index == word::kIndex_dimension_size ? 2 : 1;
   if (!has_name || call.arguments.size() != wanted || (wanted == 2 && call.arguments[1].size() != 1)) {
     context.fail(call.span, fmt::format("`{}` takes an identifier{}", context.text(call.function),
@@ -209,7 +210,7 @@ int Arguments::integer(std::size_t i, int low, int high) const {
 Slot& Arguments::variable(std::size_t i) const {
   const bool is_alone = i < call_.arguments.size() && call_.arguments[i].size() == 1;
   const NodeKind kind = is_alone ? call_.arguments[i][0]->kind : NodeKind::error;
-  if (kind != NodeKind::name && kind != NodeKind::index) fail(i, "expected the name of a variable");
+  if (kind != NodeKind::name && kind != NodeKind::index && kind != NodeKind::scoped_name) fail(i, "expected the name of a variable");
   return find_slot(context_, *call_.arguments[i][0]);
 }
 

@@ -4,6 +4,8 @@
 #include "interpreter/expressions.h"
 #include "interpreter/functions/operations.h"
 #include "interpreter/functions/program_builder.h"
+#include "interpreter/newer_words.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/arguments.h"
 
 #include <fmt/format.h>
@@ -85,7 +87,8 @@ class Compiler {
       case NodeKind::number: return builder_.constant(as<grammar::Number>(node).value);
       case NodeKind::constant: return compile_name(node, as<grammar::Constant>(node).word);
       case NodeKind::name: return compile_name(node, as<grammar::Name>(node).name);
-      case NodeKind::index: return captured(node);
+      case NodeKind::index:
+      case NodeKind::scoped_name: return captured(node);
       case NodeKind::unary: return compile_unary(as<grammar::Unary>(node));
       case NodeKind::binary: return compile_binary(as<grammar::Binary>(node));
       case NodeKind::call: return compile_call(as<grammar::Call>(node));
@@ -146,7 +149,9 @@ class Compiler {
 
   /// The present value of an identifier.
   Operand captured(const Node& node) {
-    if (node.kind == NodeKind::name && !context_.scopes.find(as<grammar::Name>(node).name)) {
+    const bool is_name = node.kind == NodeKind::name;
+    if (is_name && !context_.scopes.find(as<grammar::Name>(node).name) &&
+        !is_newer_value(as<grammar::Name>(node).name)) {
       context_.fail(
           node.span,
           fmt::format("`{}` is neither a parameter nor declared", context_.text(as<grammar::Name>(node).name)),
@@ -240,6 +245,8 @@ class Compiler {
   }
 
   Operand compile_dot(const grammar::Dot& node) {
+    const Slot* const field = grammar::is_place(*node.base) ? find_slot_if_declared(context_, node) : nullptr;
+    if (field) return captured(node);
     if (node.base->kind != NodeKind::call)
       context_.fail(node.span, fmt::format("expected a call before `.{}` in a function", context_.text(node.item)));
     const auto& call = as<grammar::Call>(*node.base);

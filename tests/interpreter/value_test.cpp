@@ -43,7 +43,7 @@ TEST(Value, ArraysCountWhatTheyTake) {
         element->value =
             Value(ValueKind::array, make_shared_value<ArrayValue>(std::vector<std::size_t>{1}, pool, account));
       }
-      EXPECT_EQ(account.bytes(), outer->bytes_of_copy());
+      EXPECT_EQ(account.bytes(), bytes_of_copy(Value(ValueKind::array, outer)));
       // An array of one number takes five pieces of memory.
       EXPECT_GE(account.bytes(), 1000 * (sizeof(ArrayValue) + 2 * sizeof(Slot) + 2 * sizeof(Slot*)));
     }
@@ -56,10 +56,11 @@ TEST(Value, AnArraysCopyHasElementsOfItsOwn) {
   SlotPool pool;
   const Ref<ArrayValue> a = make_shared_value<ArrayValue>(std::vector<std::size_t>{2}, pool, account);
   a->elements[0]->value = Value(1.0);
-  const Ref<ArrayValue> b = a->copy();
-  b->elements[0]->value = Value(2.0);
+  const Value copy = copy_of_container(Value(ValueKind::array, a));
+  const auto& b = copy.as<ArrayValue>();
+  b.elements[0]->value = Value(2.0);
   EXPECT_EQ(a->elements[0]->value.number(), 1);
-  EXPECT_EQ(b->elements[1]->value.kind(), ValueKind::none);
+  EXPECT_EQ(b.elements[1]->value.kind(), ValueKind::none);
 }
 
 TEST(Arithmetic, ANumberFillsAndAVectorIsPadded) {

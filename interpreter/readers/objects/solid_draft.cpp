@@ -1,6 +1,7 @@
 #include "interpreter/readers/objects/solid_draft.h"
 
 #include "interpreter/expressions.h"
+#include "interpreter/places.h"
 #include "interpreter/readers/words/arguments.h"
 #include "interpreter/records.h"
 
@@ -22,8 +23,7 @@ void add_solid(ElementStream& stream, ObjectDraft& draft, const scene::Solid& so
 bool read_copy(ElementStream& stream, ObjectDraft& draft) {
   const Element next = stream.peek();
   // Only a name can refer to an object; any other value is geometry.
-  const bool may_name = next.is(ElementKind::value) &&
-                        (next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index);
+  const bool may_name = next.is(ElementKind::value) && grammar::is_place(*next.node);
   if (!may_name) return false;
   const Slot* const slot = find_slot_if_declared(stream.context(), *next.node);
   if (!slot || slot->value.kind() != ValueKind::object) return false;

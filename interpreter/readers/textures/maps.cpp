@@ -1,6 +1,7 @@
 #include "interpreter/readers/textures/maps.h"
 
 #include "interpreter/expressions.h"
+#include "interpreter/readers/textures/blend_mode.h"
 #include "interpreter/readers/textures/default_maps.h"
 #include "interpreter/readers/textures/normal.h"
 #include "interpreter/readers/textures/pigment.h"
@@ -19,11 +20,13 @@ using scene::Colour;
 using scene::PigmentMap;
 namespace word = grammar::word;
 
-/// The entries of the block, each read by `read_entry` from its own stream into `map`; or the declared map.
+/// The entries of the block, each read by `read_entry` from its own stream into `map`; or the declared map. `blend` is
+/// null for maps that have no blend mode.
 template <class Declared, class Map, class ReadEntry>
 std::optional<decltype(Declared::id)> read_entries(Context& context, const Element& block, ValueKind kind, Map& map,
-                                                   ReadEntry read_entry) {
+                                                   ReadEntry read_entry, BlendMode* blend = nullptr) {
   ElementStream stream(context, block);
+  if (blend != nullptr) *blend = read_blend_mode(stream);
   const Element first = stream.peek();
   if (first.is(ElementKind::value)) {
     const Value value = stream.take_value();
@@ -58,8 +61,7 @@ bool is_number_next(ElementStream& stream) {
   const Element next = stream.peek();
   // A function here is the pattern that the entry's pigment begins with.
   if (!next.is(ElementKind::value) || next.node->kind == grammar::NodeKind::function) return false;
-  const bool is_variable = next.node->kind == grammar::NodeKind::name || next.node->kind == grammar::NodeKind::index;
-  return !is_variable || evaluate(stream.context(), *next.node).is_numeric();
+  return !grammar::is_place(*next.node) || evaluate(stream.context(), *next.node).is_numeric();
 }
 
 double read_value(ElementStream& stream, EntryValue value) {
@@ -133,15 +135,20 @@ void read_slope_entry(ElementStream& stream, scene::SlopeMap& map) {
 
 scene::PigmentMapId read_colour_map(Context& context, const Element& block) {
   PigmentMap map;
-  const auto declared = read_entries<PigmentMapValue>(context, block, ValueKind::colour_map, map, read_colour_entry);
+  BlendMode blend;
+  const auto declared =
+      read_entries<PigmentMapValue>(context, block, ValueKind::colour_map, map, read_colour_entry, &blend);
+  if (!declared) apply_blend_mode(context, block, blend, map);
   return declared ? *declared : add_map<scene::PigmentMapId>(context, context.database.pigment_maps, std::move(map));
 }
 
 scene::PigmentMapId read_pigment_map(Context& context, const Element& block, EntryValue value) {
   PigmentMap map;
+  BlendMode blend;
   const auto declared = read_entries<PigmentMapValue>(
       context, block, ValueKind::pigment_map, map,
-      [value](ElementStream& stream, auto& entries) { read_pigment_entry(stream, entries, value); });
+      [value](ElementStream& stream, auto& entries) { read_pigment_entry(stream, entries, value); }, &blend);
+  if (!declared) apply_blend_mode(context, block, blend, map);
   return declared ? *declared : add_map<scene::PigmentMapId>(context, context.database.pigment_maps, std::move(map));
 }
 

@@ -29,6 +29,7 @@ std::string describe(Context& context, const Element& element) {
     case ElementKind::block:
       return element.word == grammar::kNoSymbol ? "`{`" : fmt::format("`{} {{`", context.text(element.word));
     case ElementKind::entry: return "`[`";
+    case ElementKind::field: return "a field of a dictionary";
     case ElementKind::comma: return "`,`";
     case ElementKind::semicolon: return "`;`";
   }
@@ -37,11 +38,11 @@ std::string describe(Context& context, const Element& element) {
 
 namespace {
 
-/// Fails if the name is a word of POV-Ray 3.8, which no scene of 3.7 has.
+/// Fails if the name is a word of POV-Ray 3.8 at a place where it has no meaning.
 void refuse_newer_word(Context& context, const Element& element) {
-  const std::string_view name = context.text(element.word);
-  if (!grammar::is_newer_word(name)) return;
-  context.fail(element.is(ElementKind::block) ? element.word_span : element.span, grammar::newer_word_message(name));
+  if (!grammar::is_newer_word(element.word)) return;
+  context.fail(element.is(ElementKind::block) ? element.word_span : element.span,
+               grammar::newer_word_message(context.text(element.word)));
 }
 
 /// The word whose block takes a declared name of the value's kind; empty if there is none.

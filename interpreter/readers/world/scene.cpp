@@ -1,6 +1,7 @@
 #include "interpreter/readers/world/scene.h"
 
 #include "interpreter/readers/objects/objects.h"
+#include "interpreter/readers/textures/finish.h"
 #include "interpreter/readers/textures/surface.h"
 #include "interpreter/readers/textures/texture.h"
 #include "interpreter/readers/view/camera.h"
@@ -134,6 +135,18 @@ void read_default(Context& context, grammar::Items items, SourceSpan span) {
   }
   context.default_texture = *look.texture;
   context.has_default_texture = true;
+  context.is_default_stated = true;
+}
+
+void follow_version(Context& context) {
+  if (context.is_default_stated) return;
+  context.has_default_texture = context.version.number() >= LanguageVersion::kWithNewerWords;
+  context.default_texture = {};
+  if (!context.has_default_texture) return;
+  context.default_texture.pigment.colour = {1, 1, 1, 0, 0};
+  scene::Finish finish;
+  finish.ambient = {0, 0, 0, 0, 0};
+  context.default_texture.finish = finish_id(context, finish);
 }
 
 }  // namespace isl::interpreter

@@ -1,6 +1,4 @@
 #version 3.8;
 lemon { 0, 1, x, 2 }
-sphere { 0, 1 pigment { potential Blob } }
-#declare D = dictionary { }
-#declare polarity = 1;   // an ordinary name here
-#debug str(polarity, 0, 0)
+#declare P = pigment { polarity 2 }
+mixed

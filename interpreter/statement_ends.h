@@ -1,0 +1,15 @@
+// Where the statement of a directive ends: at its semicolon, or, after a mistake in it, before the next statement.
+#pragma once
+
+#include "interpreter/context.h"
+
+namespace isl::interpreter {
+
+/// Skips the directive's own semicolon, which is the next item of the list that holds it; false if there is none.
+bool skip_semicolon(Context& context);
+
+/// Called after a mistake: the rest of the statement, such as the braces in `= mistake { … };`, must not cause a second
+/// error. If another statement begins before a semicolon, the first one has none, and nothing is skipped.
+void skip_rest(Context& context);
+
+}  // namespace isl::interpreter
