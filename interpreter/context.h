@@ -79,7 +79,7 @@ class Context {
   /// The present #default texture; an object without a texture of its own gets it.
   scene::Texture default_texture;
   bool has_default_texture = false;
-  bool is_default_stated = false;  ///< by the scene, so that `#version` no longer changes it
+  bool is_default_stated = false;   ///< by the scene, so that `#version` no longer changes it
   Ref<CameraValue> default_camera;  ///< null: POV-Ray's own
   RecordTable<scene::Texture> texture_table;
   RecordTable<scene::Finish> finish_table;

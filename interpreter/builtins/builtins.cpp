@@ -210,7 +210,8 @@ int Arguments::integer(std::size_t i, int low, int high) const {
 Slot& Arguments::variable(std::size_t i) const {
   const bool is_alone = i < call_.arguments.size() && call_.arguments[i].size() == 1;
   const NodeKind kind = is_alone ? call_.arguments[i][0]->kind : NodeKind::error;
-  if (kind != NodeKind::name && kind != NodeKind::index && kind != NodeKind::scoped_name) fail(i, "expected the name of a variable");
+  if (kind != NodeKind::name && kind != NodeKind::index && kind != NodeKind::scoped_name)
+    fail(i, "expected the name of a variable");
   return find_slot(context_, *call_.arguments[i][0]);
 }
 
