@@ -13,6 +13,9 @@
 // For r > R (a spindle) f is also zero on the lemon within, which bounds nothing, and touches zero where the axis meets
 // the surface. There h = (|p|² + R² − r²) − 2Rρ, a difference of two functions that are convex along a line (a square
 // and a norm), goes to split_search.h.
+//
+// The lemon within a spindle is the solid of the major radius −R < 0: h with −2|R|ρ is f's other factor. It lies
+// between its tips on the axis, at heights of ±√(r² − R²), and its v is concave.
 #include "renderer/numerics/polynomial_roots.h"
 #include "renderer/solids/solid_type.h"
 #include "renderer/solids/split_search.h"
@@ -26,6 +29,13 @@ namespace {
 
 double from_axis(const Vec3& p) { return std::sqrt(p.x * p.x + p.z * p.z); }
 
+/// No point is farther from the centre, nor from the plane of the circle.
+double reach_of(const scene::Solid& solid) {
+  const double big = solid.radius_a, small = solid.radius_b;
+  return big < 0 ? std::sqrt((small - big) * (small + big)) : big + small;
+}
+double height_of(const scene::Solid& solid) { return solid.radius_a < 0 ? reach_of(solid) : solid.radius_b; }
+
 /// The stretch of t > 0 in which the line may meet the torus.
 struct TorusStretch {
   double from = 0, to = 0;
@@ -33,17 +43,17 @@ struct TorusStretch {
 };
 
 TorusStretch stretch_of(const scene::Solid& solid, const Vec3& origin, const Vec3& direction, bool starts_on_surface) {
-  const double reach = solid.radius_a + solid.radius_b, dd = direction.dot(direction);
+  const double reach = reach_of(solid), height = height_of(solid), dd = direction.dot(direction);
   const double middle = -origin.dot(direction) / dd;
   const double distance = (origin + direction * middle).length();
   if (!(distance < reach)) return {};
   const double half = std::sqrt((reach - distance) * (reach + distance) / dd);
   TorusStretch result{middle - half, middle + half};
   if (direction.y != 0) {
-    const double a = (-solid.radius_b - origin.y) / direction.y, b = (solid.radius_b - origin.y) / direction.y;
+    const double a = (-height - origin.y) / direction.y, b = (height - origin.y) / direction.y;
     result.from = std::max(result.from, std::min(a, b));
     result.to = std::min(result.to, std::max(a, b));
-  } else if (!(std::abs(origin.y) <= solid.radius_b)) {
+  } else if (!(std::abs(origin.y) <= height)) {
     return {};
   }
   result.comes_from_outside = result.from > 0 && !starts_on_surface;
@@ -143,8 +153,9 @@ Crossings torus_crossings(const scene::Solid& solid, const Vec3& origin, const V
     small.radius_b *= unit;
     const Vec3 small_begin = begin * unit, small_direction = direction * unit;
     SplitSearch search(sign);
-    search.follow([&](double t) { return spindle_node(small, small_begin, small_direction, t); }, 0, length, 1, 1,
-                  starts_on_surface, [&](double t) { return taker.add(stretch.from + t); });
+    search.follow([&](double t) { return spindle_node(small, small_begin, small_direction, t); }, 0, length, 1,
+                  solid.radius_a < 0 ? -1 : 1, starts_on_surface,
+                  [&](double t) { return taker.add(stretch.from + t); });
     last = search.sign();
   } else {
     double band = 0;
@@ -169,12 +180,16 @@ Vec3 torus_normal(const scene::Solid& solid, std::uint32_t, const Vec3& point, c
 }
 
 Box torus_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
-  const double reach = solid.radius_a + solid.radius_b;
-  const Vec3 corner(reach, solid.radius_b, reach);
+  const double widest = solid.radius_a + solid.radius_b;
+  const Vec3 corner(widest, height_of(solid), widest);
   return {-corner, corner};
 }
 
 double torus_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
+  const double height = height_of(solid);
+  // The tips of a lemon have a cone of normals.
+  if (solid.radius_a < 0 && std::abs(direction.y) * solid.radius_b > height * direction.length())
+    return height * std::abs(direction.y);
   return solid.radius_a * std::hypot(direction.x, direction.z) + solid.radius_b * direction.length();
 }
 
@@ -183,7 +198,7 @@ bool is_in_torus(const scene::Database&, const scene::Solid& solid, const Vec3& 
 }
 
 Coordinates coordinates_of_torus(const scene::Solid& solid, const Vec3& point, const Vec3&) noexcept {
-  return torus_coordinates(point, solid.radius_a);
+  return torus_coordinates(point, std::abs(solid.radius_a));
 }
 
 }  // namespace

@@ -56,8 +56,9 @@ class NewerProbe : public testing::TestWithParam<std::string> {};
 TEST_P(NewerProbe, PrintsWhatPovray38Printed) {
   const std::string file = "tests/povray/newer_probes/" + GetParam() + ".pov";
   const std::string expected = text_of(kFolder / (GetParam() + ".txt"));
-  if (const char* const program = std::getenv("ISL_POVRAY_38"))
+  if (const char* const program = std::getenv("ISL_POVRAY_38")) {
     EXPECT_EQ(said_by(program, fs::path(ISL_SOURCE_DIR) / file), expected) << "the recorded text is another";
+  }
   render::ObjectQueries queries;
   interpreter::EvaluateOptions options;
   options.queries = &queries;

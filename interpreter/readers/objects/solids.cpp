@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 namespace isl::interpreter {
 namespace {
@@ -114,6 +116,46 @@ void read_box(ElementStream& stream, ObjectDraft& draft) {
   add_solid(stream, draft, solid);
 }
 
+namespace {
+
+/// The words that say which parts of a spindle torus count, as POV-Ray 3.8 has them: all of it, as without a word; all
+/// surfaces, its own within too; all but the spindle; the spindle alone.
+constexpr grammar::Symbol kSpindleWords[] = {word::kw_merge, word::kw_union, word::kw_difference,
+                                             word::kw_intersection};
+
+std::optional<grammar::Symbol> accept_spindle_word(ElementStream& stream) {
+  const Element next = stream.peek();
+  if (!next.is(ElementKind::word) || std::ranges::find(kSpindleWords, next.word) == std::end(kSpindleWords)) return {};
+  stream.drop();
+  return next.word;
+}
+
+/// A solid as a child of a group.
+scene::Object child_of(Context& context, const ObjectDraft& draft, const Solid& solid) {
+  scene::Object child;
+  child.kind = scene::Object::Kind::solid;
+  child.shape = static_cast<std::uint32_t>(context.database.solids.size());
+  child.origin = draft.object.origin;
+  context.database.solids.push_back(solid);
+  return child;
+}
+
+void add_spindle_torus(ElementStream& stream, ObjectDraft& draft, const Solid& whole, grammar::Symbol part) {
+  // The spindle is the torus of the opposite major radius (renderer/solids/torus.cpp).
+  Solid spindle = whole;
+  spindle.radius_a = -whole.radius_a;
+  if (part == word::kw_merge) return add_solid(stream, draft, whole);
+  if (part == word::kw_intersection) return add_solid(stream, draft, spindle);
+  Context& context = stream.context();
+  context.count_primitive(stream.span(), 2 * (sizeof(Solid) + sizeof(scene::Object)) + kOriginBytes);
+  scene::Group group{.operation = part == word::kw_union ? scene::Operation::unite : scene::Operation::subtract};
+  group.children.push_back(child_of(context, draft, whole));
+  group.children.push_back(child_of(context, draft, spindle));
+  set_group(stream, draft, std::move(group));
+}
+
+}  // namespace
+
 void read_torus(ElementStream& stream, ObjectDraft& draft) {
   if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::torus};
@@ -121,6 +163,9 @@ void read_torus(ElementStream& stream, ObjectDraft& draft) {
   stream.accept_comma();
   solid.radius_b = read_radius(stream, "the minor radius of the torus");
   if (solid.radius_b == 0) return leave_out(stream, draft, "this torus has the minor radius 0");
+  const std::optional<grammar::Symbol> part = accept_spindle_word(stream);
+  const bool has_spindle = solid.radius_b > solid.radius_a;
+  if (part && has_spindle && solid.radius_a > 0) return add_spindle_torus(stream, draft, solid, *part);
   add_solid(stream, draft, solid);
 }
 

@@ -23,6 +23,20 @@ Vec3 point_in(const RandomCubes& cubes, const Cube& cube) noexcept {
   return {cube.x + random[0], cube.y + random[1], cube.z + random[2]};
 }
 
+/// A coordinate's cube, as often as so many of them repeat; 0: they do not.
+int wrapped(int cube, int repeat) noexcept {
+  if (repeat == 0) return cube;
+  const int rest = cube % repeat;
+  return rest < 0 ? rest + repeat : rest;
+}
+
+/// The same where the cubes repeat along the axes.
+Vec3 repeated_point_in(const RandomCubes& cubes, const Cube& cube, const int (&repeat)[3]) noexcept {
+  const double* const random =
+      cubes.of({wrapped(cube.x, repeat[0]), wrapped(cube.y, repeat[1]), wrapped(cube.z, repeat[2])});
+  return {cube.x + random[0], cube.y + random[1], cube.z + random[2]};
+}
+
 /// Distances |d|ⁿ, of points `offset` apart in a fourth dimension, that compare as those of the metric do.
 class Metric {
  public:
@@ -108,9 +122,11 @@ constexpr auto kNearby = [] {
 }();
 
 /// Calls visit(point) for feature points around p, the nearest cubes first: for all within `reach(nearest)`, as the
-/// metric compares distances, and maybe others. Returns the nearest three.
-template <class Reach, class Visit>
-Nearest search(const Vec3& p, const Metric& metric, const Reach& reach, const Visit& visit) noexcept {
+/// metric compares distances, and maybe others. Returns the nearest three. A cube's feature point is feature(cubes,
+/// cube).
+template <class Reach, class Visit, class Feature = decltype(&point_in)>
+Nearest search(const Vec3& p, const Metric& metric, const Reach& reach, const Visit& visit,
+               const Feature& feature = point_in) noexcept {
   const RandomCubes& cubes = random_cubes();
   const Cube home = cube_of(p);
   const int home_of[3] = {home.x, home.y, home.z};
@@ -131,7 +147,7 @@ Nearest search(const Vec3& p, const Metric& metric, const Reach& reach, const Vi
     if (metric.is_euclidean() && cube.least_square > far) break;
     const auto [i, j, k] = cube.place;
     if (gaps[0][i] + gaps[1][j] + gaps[2][k] > far) continue;
-    const Vec3 point = point_in(cubes, neighbour(home, steps[0][i], steps[1][j], steps[2][k]));
+    const Vec3 point = feature(cubes, neighbour(home, steps[0][i], steps[1][j], steps[2][k]));
     if (nearest.add(metric.comparable(p - point), point)) far = reach(nearest);
     visit(point);
   }
@@ -150,11 +166,29 @@ struct Crackle {
   double metric = 2;
   double offset = 0;
   bool is_solid = false;
+  Vec3 repeat{0};  ///< numbers of cubes after which the pattern repeats along each axis; 0: it does not
+  bool repeats = false;
 };
+
+void read_repeat(scene::OperandReader& reader, Crackle& crackle) noexcept {
+  constexpr double kMost = 1e9;  // numbers of cubes are integers
+  crackle.repeat = reader.vector("`repeat`");
+  for (int axis = 0; axis < 3; ++axis) {
+    const double count = crackle.repeat[axis];
+    if (!(count >= 0 && count <= kMost && count == std::trunc(count))) {
+      reader.fail("`repeat` of `crackle` takes a whole number of cells for each axis, from 0, which repeats none");
+      crackle.repeat = Vec3(0);
+      break;
+    }
+  }
+  crackle.repeats = crackle.repeat != Vec3(0);
+}
+
 constexpr scene::OperandField kCrackle[] = {
     scene::modifier<&Crackle::form>("form"), scene::modifier<&Crackle::metric>("metric"),
     scene::modifier<&Crackle::offset>("offset"),
-    scene::modifier<&Crackle::is_solid>("solid").dumped_with<&Crackle::is_solid>()};
+    scene::modifier<&Crackle::is_solid>("solid").dumped_with<&Crackle::is_solid>(),
+    scene::modifier<&Crackle::repeat>("repeat").read_by<read_repeat>().dumped_with<&Crackle::repeats>()};
 
 /// The value where these points are the nearest: form · (their distances), cut to [0, 1]; or the noise at the first.
 double crackle_of(const PatternPoint& at, const Metric& metric, const Nearest& nearest) noexcept {
@@ -171,8 +205,26 @@ Metric metric_of(const PatternPoint& at) noexcept {
   return {operands.metric, operands.offset};
 }
 
+/// Every period has the same feature points, at whole periods from those of the first one.
+[[gnu::noinline]] double repeated_crackle_at(const PatternPoint& at, const Vec3& p) noexcept {
+  const Crackle& operands = at.operands<Crackle>();
+  const int repeat[3] = {static_cast<int>(operands.repeat.x), static_cast<int>(operands.repeat.y),
+                         static_cast<int>(operands.repeat.z)};
+  const Metric metric = metric_of(at);
+  Nearest nearest = search(
+      p, metric, [](const Nearest& found) { return found.distances[2]; }, [](const Vec3& /*point*/) {},
+      [&](const RandomCubes& cubes, const Cube& cube) { return repeated_point_in(cubes, cube, repeat); });
+  // `solid` has the noise at the point of the first period.
+  const Cube cube = cube_of(nearest.point);
+  nearest.point += Vec3(wrapped(cube.x, repeat[0]) - cube.x, wrapped(cube.y, repeat[1]) - cube.y,
+                        wrapped(cube.z, repeat[2]) - cube.z);
+  return crackle_of(at, metric, nearest);
+}
+
 /// One random feature point in every unit cube, and the nearest three of them.
 double crackle_at(const PatternPoint& at) noexcept {
+  if (at.operands<Crackle>().repeats) [[unlikely]]
+    return repeated_crackle_at(at, at.point);
   const Metric metric = metric_of(at);
   return crackle_of(at, metric, find_nearest(at.point, metric));
 }
@@ -181,6 +233,10 @@ double crackle_at(const PatternPoint& at) noexcept {
 /// and back. One search finds all that are so near, as long as none of them can lie in a cube that the search of one of
 /// the points would leave out: such cubes are kLeastBeyond away from that point, and from p at most r less.
 void crackle_near(const PatternPoint& at, std::span<const Vec3> points, std::span<double> values) noexcept {
+  if (at.operands<Crackle>().repeats) [[unlikely]] {
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = repeated_crackle_at(at, points[i]);
+    return;
+  }
   const Metric metric = metric_of(at);
   double square = 0;
   for (const Vec3& point : points) square = std::max(square, (point - at.point).length2());
