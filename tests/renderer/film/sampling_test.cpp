@@ -63,17 +63,16 @@ TEST(Tiles, are_shuffled_when_asked) {
   EXPECT_NE(tiles_of(rect, TileOrder::shuffled), tiles_of(rect, TileOrder::rows));
 }
 
-/// A film of one sample a pixel, with linear greys.
-Film film_of(const PixelRect& rect, const std::vector<double>& greys) {
-  Film film(rect, {});
+/// Adds one sample a pixel, with linear greys.
+void add_greys(const std::vector<double>& greys, Film& film) {
   constexpr double kOpaque[] = {1};
   for (std::size_t i = 0; i < greys.size(); ++i) film.add_samples(i, std::array{Rgb(greys[i])}, kOpaque);
-  return film;
 }
 
 bool rough(const std::vector<double>& greys, int x, int y, double threshold) {
   const PixelRect rect{0, 0, 3, 3};
-  const Film film = film_of(rect, greys);
+  Film film(rect, {});
+  add_greys(greys, film);
   DisplayedPass displayed(rect);
   for (int row = 0; row < 3; ++row) displayed.fill_row(film, row);
   return displayed.is_rough(x, y, threshold);
