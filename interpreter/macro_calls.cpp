@@ -92,7 +92,10 @@ std::string suggest_function(Context& context, grammar::Symbol name) {
 class ArgumentSlots {
  public:
   ArgumentSlots(Context& context, const grammar::Call& call, const grammar::Macro& definition);
-  ~ArgumentSlots() { release(); }
+  ~ArgumentSlots() {
+    if (context_.argument_slots.size() > begin_) [[unlikely]]
+      release();
+  }
   ArgumentSlots(const ArgumentSlots&) = delete;
   ArgumentSlots& operator=(const ArgumentSlots&) = delete;
 

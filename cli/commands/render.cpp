@@ -197,7 +197,7 @@ void warn_of_lost(Session& session, const render::LostSamples& lost) {
                         origin.span,
                         message,
                         "look for divisions by zero, and for roots, logarithms and powers outside of their domain, in "
-                        "what it shows and in lights, fog and sky",
+                        "what it shows and in the lights, the air and the sky",
                         {},
                         origin.chain});
 }

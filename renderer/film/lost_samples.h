@@ -22,10 +22,15 @@ struct LostSamples {
   OriginId origin{};  ///< the statement of what that pixel's first lost sample sees; unknown if it sees no object
 };
 
-/// True if the sample counts. The bound leaves room for sums of any number of samples.
-[[nodiscard]] inline bool is_finite(const Rgb& colour, double alpha) {
-  return std::abs(colour.x) + std::abs(colour.y) + std::abs(colour.z) + std::abs(alpha) < 0x1p960;
+/// The size of a sample, and the bound from which on it is lost; the bound leaves room for sums of any number of
+/// samples.
+[[nodiscard]] inline double size_of(const Rgb& colour, double alpha) {
+  return std::abs(colour.x) + std::abs(colour.y) + std::abs(colour.z) + std::abs(alpha);
 }
+inline constexpr double kLostSize = 0x1p960;
+
+/// True if the sample counts.
+[[nodiscard]] inline bool is_finite(const Rgb& colour, double alpha) { return size_of(colour, alpha) < kLostSize; }
 
 /// The number of lost samples, pixel by pixel. Pixels are independent: different threads may add to different ones.
 class LostCounts {

@@ -122,17 +122,17 @@ void Sampler::add(std::span<const CameraSample> samples, PathMemory& paths, Samp
   if (film_.is_linear()) working_space_.make_linear(colours);
   const std::span<const Ray> rays = paths.camera_rays();
   auto worst = Certainty::certified;
-  bool are_finite = true;
+  double size = 0;  // of all samples: not finite if that of one is not
   for (std::size_t i = 0; i < samples.size(); ++i) {
     lower(worst, paths.certainties[i]);
     if (rays[i].direction == Vec3(0)) {  // the camera shows nothing there
       colours[i] = Rgb(0);
       alphas[i] = blank_alpha_;
     }
-    are_finite &= is_finite(colours[i], alphas[i]);
+    size += size_of(colours[i], alphas[i]);
   }
   std::vector<std::uint8_t> lost;
-  if (!are_finite) lost = lose_samples(samples, paths, colours, alphas);
+  if (!(size < kLostSize)) lost = lose_samples(samples, paths, colours, alphas);
   if (worst != Certainty::certified) {
     for (std::size_t i = 0; i < samples.size(); ++i) film_.lower_certainty(samples[i].pixel, paths.certainties[i]);
   }

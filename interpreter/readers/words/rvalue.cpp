@@ -147,10 +147,12 @@ Value read_rvalue(ElementStream& stream) {
   fail_expected(stream, "a value");
 }
 
-Value read_declared(ElementStream& stream) { return with_layers(stream, read_rvalue(stream)); }
+Value read_declared(ElementStream& stream) {
+  Value value = read_rvalue(stream);
+  return value.kind() == ValueKind::texture ? with_layers(stream, std::move(value)) : value;
+}
 
 Value with_layers(ElementStream& stream, Value value) {
-  if (value.kind() != ValueKind::texture) return value;
   Context& context = stream.context();
   while (stream.peek().is_block(word::kw_texture)) {
     const Element layer = stream.take();

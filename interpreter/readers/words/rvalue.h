@@ -11,7 +11,7 @@ namespace isl::interpreter {
 [[nodiscard]] Value read_rvalue_after(ElementStream& stream, Value first);
 /// The same for #declare, where a run of texture blocks is one value.
 [[nodiscard]] Value read_declared(ElementStream& stream);
-/// The value; a texture with the texture blocks that come next in the stream as layers over it.
+/// The texture with the texture blocks that come next in the stream as layers over it.
 [[nodiscard]] Value with_layers(ElementStream& stream, Value value);
 
 }  // namespace isl::interpreter

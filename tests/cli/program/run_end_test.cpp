@@ -42,8 +42,8 @@ std::vector<Phase> phases() {
        {"--max-turns", "1e18"},
        false},
       {"inside",
-       begin() + "#declare U = sphere { 9, 1 } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end "
-                 "#declare A = inside(U, 0);",
+       begin() + "#declare U = sphere { 0, 1 } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end "
+                 "#declare A = inside(U, 0.9);",
        {"--max-turns", "1e18"},
        false},
       {"compiling",
