@@ -68,15 +68,40 @@ inline Jet& operator+=(Jet& a, const Jet& b) {
   return {hull(a.value, b.value), hull(a.slope, b.slope), hull(a.bend, b.bend)};
 }
 
+/// Holds sx + bx²/2 for |x| ≤ reach, |s| ≤ slope and every b among the bends.
+[[nodiscard]] inline Interval parabola(Size slope, const Interval& bend, Size reach) {
+  // It falls to its vertex or, if that is out of reach, to an end; upside down it falls as far as it rises.
+  const auto depth = [&](Real b_or_less) {
+    const auto b = static_cast<Size>(b_or_less);
+    return (slope < b * reach ? slope * slope / (2 * b) : (slope - b * reach / 2) * reach) * kStretch;
+  };
+  return {-depth(bend.lo()), depth(-bend.hi())};
+}
+
 /// A jet over a stretch, made narrower by the same function's jet at the stretch's middle, from which nothing on the
 /// stretch is farther away than `reach`: Taylor's formula with the remainder of the first and of the second order.
 [[nodiscard]] inline Jet sharpened(const Jet& over, const Jet& middle, Size reach) {
-  const Interval away = Interval::around(0, reach), half_squared(Real(0), reach * reach / 2 * kStretch);
+  const Interval away = Interval::around(0, reach);
   Jet result = over;
   result.slope = common(over.slope, middle.slope + over.bend * away);
   const Interval by_slope = middle.value + result.slope * away;
-  const Interval by_bend = middle.value + middle.slope * away + over.bend * half_squared;
+  const Interval by_bend = middle.value + parabola(middle.slope.magnitude(), over.bend, reach);
   result.value = common(common(over.value, by_slope), by_bend);
+  return result;
+}
+
+/// A jet over a stretch, made narrower by the same function's jets at its ends: where it is convex, its slope rises
+/// from one to the other and its values are not above theirs; where it is monotone, its values are between theirs.
+[[nodiscard]] inline Jet between(const Jet& over, const Jet& first, const Jet& last) {
+  Jet result = over;
+  const bool is_convex = over.bend.lo() >= 0;
+  if (is_convex) result.slope = common(over.slope, hull(first.slope, last.slope));
+  const Interval ends = hull(first.value, last.value);
+  if (result.slope.lo() >= 0 || result.slope.hi() <= 0) {
+    result.value = common(over.value, ends);
+  } else if (is_convex && over.value.hi() > ends.hi()) {
+    result.value = Interval(std::min(over.value.lo(), ends.hi()), ends.hi());
+  }
   return result;
 }
 

@@ -74,7 +74,10 @@ JetPair ReferenceComponent::on(const Line& line, const LineStretch& stretch) con
   }
   const Jet all = skeleton_.of(places);
   if (all.value.lo() >= kernel().support().hi()) return {};
-  const Jet middle = skeleton_.of(place), over = sharpened(all, middle, stretch.reach);
+  const Jet middle = skeleton_.of(place);
+  Jet over = sharpened(all, middle, stretch.reach);
+  if (over.value.lo() >= kernel().support().hi()) return {};
+  over = between(over, skeleton_.of(line.at(stretch.first())), skeleton_.of(line.at(stretch.last())));
   if (over.value.lo() >= kernel().support().hi()) return {};
   return {kernel().of(middle) * strength_, kernel().of(over) * strength_};
 }

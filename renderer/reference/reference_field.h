@@ -42,6 +42,9 @@ struct LineStretch {
   Size reach = 0;
 
   [[nodiscard]] Interval all() const { return Interval::around(middle, reach); }
+  /// The ends, which need not be numbers.
+  [[nodiscard]] Interval first() const { return Interval(middle) - Interval(reach); }
+  [[nodiscard]] Interval last() const { return Interval(middle) + Interval(reach); }
 };
 
 /// A function of t on a stretch, and at its middle.
