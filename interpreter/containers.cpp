@@ -152,9 +152,9 @@ Value copy_of_container(const Value& container) {
 
 std::size_t bytes_of_copy(const Value& container) {
   std::size_t bytes = 0;
-  std::vector<Value> pending{container};
+  std::vector<const Value*> pending{&container};
   while (!pending.empty()) {
-    const Value next = std::move(pending.back());
+    const Value& next = *pending.back();
     pending.pop_back();
     if (next.kind() == ValueKind::array) {
       bytes += ArrayValue::bytes_of(next.as<ArrayValue>().elements.size());
@@ -164,7 +164,7 @@ std::size_t bytes_of_copy(const Value& container) {
         bytes += DictionaryValue::bytes_of_field(key) + kSlotBytes;
     }
     visit_slots(next, [&](const Slot& slot) {
-      if (is_container(slot.value)) pending.push_back(slot.value);
+      if (is_container(slot.value)) pending.push_back(&slot.value);
       return true;
     });
   }

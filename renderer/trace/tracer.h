@@ -54,7 +54,7 @@ class Tracer {
   /// hits again. If the run is stopped meanwhile, the rest stays as it is.
   ///
   /// If `coinciding` is given, it gets, ray by ray, all faces that a ray crosses where it meets the first, in the order
-  /// of declaration, if they are several, or another than hits[i], and one of them may let light through. A face that
+  /// of declaration, if they are several, or another than hits[i], and all of them may let light through. A face that
   /// is crossed back and forth there is left out.
   void first_hits(std::span<const Ray> rays, std::span<Hit> hits, TraceCounters& counters,
                   RayKind kind = RayKind::image, std::vector<CoincidingHit>* coinciding = nullptr) const;

@@ -45,8 +45,8 @@ std::string said_by(const std::string& program, const fs::path& scene) {
       "'" + program + "' '+I" + scene.string() + "' '+O" + out.string() +
       ".png' -D +W2 +H2 +GD -GW 2>&1 | sed -n '/Parsing/,/^----/p' | grep -v '^====\\|^----\\|^$' > '" + out.string() +
       "'";
-  static_cast<void>(std::system(command.c_str()));
-  std::string text = text_of(out);
+  const bool ran = std::system(command.c_str()) == 0;
+  std::string text = ran ? text_of(out) : "";
   fs::remove(out);
   return text;
 }

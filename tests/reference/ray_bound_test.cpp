@@ -67,7 +67,9 @@ TEST_P(EverySolver, EndsWithinTheBoundOfARay) {
     spent += tracer.spent_rays();
   }
   // Otherwise these rays are not hard.
-  if (GetParam().name == render::SolverName::exact) EXPECT_GT(spent, 0U);
+  if (GetParam().name == render::SolverName::exact) {
+    EXPECT_GT(spent, 0U);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, testing::ValuesIn(render::kSolvers),

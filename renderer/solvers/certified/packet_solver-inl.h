@@ -251,8 +251,7 @@ class PacketSolver {
       low = select(above, low, t);
       const Octet newton = t - n.value / n.slope, size = abs(newton - t);
       const OctetMask is_within = (newton > low) & (newton < high);
-      const OctetMask will_be =
-          is_within & (half_bend * size * size <= Octet(kRoundingOfNoise) * n.noise);
+      const OctetMask will_be = is_within & (half_bend * size * size <= Octet(kRoundingOfNoise) * n.noise);
       const OctetMask done = will_be | (abs(n.value) <= n.noise);
       const OctetMask shrinks = is_within & (size <= half * last);
       last = select(shrinks, size, infinity);
