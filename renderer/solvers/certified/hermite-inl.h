@@ -97,7 +97,6 @@ class HermiteSolver {
     splits_ = 0;
     Node ends[kMostHalvings + 1];
     int top = 0;
-    int ahead = 0;  // how many ends beyond the next one the next question with more digits goes
     ends[0] = last;
     while (top >= 0) {
       const Node& b = ends[top];
@@ -112,14 +111,11 @@ class HermiteSolver {
         case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
         case Verdict::undecided: {
-          // Where one interval after the other is undecided, F is flat, and the search asks for longer and longer
-          // stretches at a time.
-          int reached = std::max(0, top - ahead), step = 1;
-          ahead = 2 * ahead + 1;
-          ExtendedAnswer answer = extended_answer(a, ends[reached], a_is_root);
+          ExtendedAnswer answer = extended_answer(a, b, a_is_root);
           // An end so close to a root that no digits at hand tell the sign there hides what comes before it. From a
           // farther one a crossing is seen. Intervals are halved, so the next end is nearly always enough.
-          for (; !answer.is_certain && reached > 0; step *= 2) {
+          int reached = top;
+          for (int step = 1; !answer.is_certain && reached > 0; step *= 2) {
             reached = std::max(0, reached - step);
             answer = extended_answer(a, ends[reached], a_is_root);
           }
