@@ -66,6 +66,9 @@ class HermiteSolver {
   static constexpr double kBendBand = 43;
   /// The band of c₁ of the quotient by a known root, over E.
   static constexpr double kMiddleBand = 14;
+  /// No search halves more often, so that steps are left for more digits: searches in scenes of ordinary sizes need a
+  /// few hundred, and those whose bounds overflow, or in the very middle of a hard convolution, would take all.
+  static constexpr int kMostSplits = 1 << 14;
   /// A ray whose steps are spent still splits so many times in every cell that it meets, so that the best answer known
   /// is that of a coarse search.
   static constexpr int kSplitsOfSpentRay = 32;
@@ -191,7 +194,7 @@ class HermiteSolver {
       split_ = middle;
       // A grazing ray may be back at once, so where it starts the tolerance does not count.
       const double shortest = a_is_root ? least_ : std::max(least_, shortest_.by_tolerance);
-      const bool may_split = !steps_.is_spent() || splits_ < kSplitsOfSpentRay;
+      const bool may_split = splits_ < (steps_.is_spent() ? kSplitsOfSpentRay : kMostSplits);
       if (h > shortest && may_split) return Verdict::unclear;
       if (const std::optional<double> border = fields_.border_within(a.t, b.t); border && may_split) {
         split_ = *border;
