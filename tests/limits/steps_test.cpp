@@ -79,17 +79,13 @@ TEST_F(Steps, OfUnionsAroundObjectsAreCounted) {
       "#for (I, 1, 15) #declare U = union { object { U } object { U translate x } } #end object { U }");
 }
 
+/// The places are in the box of each part and in no part, so that every part is asked.
 TEST_F(Steps, OfInsidesAreCounted) {
   constexpr std::string_view kUnion =
-      "#declare U = sphere { 9, 1 } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end ";
-  expect_refusal(std::string(kUnion) + "#declare A = inside(U, 0);");
+      "#declare U = sphere { <1.2, 1.2, -1.2>, 1 } "
+      "#for (I, 1, 60) #declare U = union { object { U } object { U } } #end ";
+  expect_refusal(std::string(kUnion) + "#declare A = inside(U, <0.5, 0.5, -0.5>);");
   expect_refusal(std::string(kUnion) + "sphere { 0, 1 pigment { object { U rgb 1 rgb 0 } } }");
-  const ProcessResult camera = render(
-      "#declare U = union { } #for (I, 1, 60) #declare U = union { object { U } object { U } } #end "
-      "fog { distance 9 rgb 1 } object { U }",
-      {"--max-turns", "1e6"});
-  EXPECT_EQ(camera.exit_code, 1) << camera.err;
-  EXPECT_THAT(camera.err, HasSubstr("to ask whether the camera is in one of them"));
 }
 
 }  // namespace

@@ -73,6 +73,15 @@ struct RingLanes {
     return keep(r.y_low < Octet(1.0), f.value + Octet(0x1p-48) * f.value_terms);
   }
 
+  /// Lower bound likewise: the value at the greatest distance and the greatest ρ.
+  template <class Window>
+  [[nodiscard]] HWY_INLINE Octet least(const Window& window, const Octet& t0, const Octet& t1,
+                                       const Octet& error) const {
+    const Ranges r = ranges(t0, t1, error);
+    const RingIntegrals<Octet> f = integrate(window, RingView<Octet>{ring_radius, r.rho_high, r.y_high});
+    return keep(r.y_high < Octet(1.0), max(Octet(0.0), f.value - Octet(0x1p-48) * f.value_terms));
+  }
+
   [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0), four(4.0);
     const Ranges r = ranges(t0, t1, zero);
@@ -115,13 +124,14 @@ struct RingLanes {
     const Octet a = t0 - middle, b = t1 - middle;
     const Octet near = max(zero, max(a, zero - b)), far = max(abs(a), abs(b));
     Ranges r;
-    r.rho_low = sqrt(n0 + n2 * near * near);
-    r.rho_high = sqrt(n0 + n2 * far * far);
+    r.rho_low = max(zero, sqrt(n0 + n2 * near * near) - error);
+    r.rho_high = sqrt(n0 + n2 * far * far) + error;
     const Octet gap = max(zero, max(r.rho_low - ring_radius, ring_radius - r.rho_high));
     const Octet spread = max(abs(r.rho_high - ring_radius), abs(ring_radius - r.rho_low));
-    const Octet distance = max(zero, sqrt(gap * gap + z_near * z_near) - error);
-    r.y_low = distance * distance;
-    r.y_high = spread * spread + z_far * z_far;
+    const Octet nearest = max(zero, sqrt(gap * gap + z_near * z_near) - error);
+    const Octet farthest = sqrt(spread * spread + z_far * z_far) + error;
+    r.y_low = nearest * nearest;
+    r.y_high = farthest * farthest;
     return r;
   }
   [[nodiscard]] static HWY_INLINE Octet two_pi_times(const Octet& radius) { return Octet(2 * kPi) * radius; }

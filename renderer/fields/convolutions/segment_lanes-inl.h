@@ -85,6 +85,21 @@ struct SegmentLanes {
                 min(f.value + Octet(0x1p-48) * f.value_terms, length * window.value(r.y_least()) * Octet(1 + 0x1p-48)));
   }
 
+  /// Lower bound likewise, the greater of two: the value at the greatest ρ for a segment that extends to both sides as
+  /// little as it does at any t; and the length times the window at the greatest distance, which is that of an end.
+  template <class Window>
+  [[nodiscard]] HWY_INLINE Octet least(const Window& window, const Octet& t0, const Octet& t1,
+                                       const Octet& error) const {
+    const Ranges r = ranges(t0, t1, error);
+    const Octet zero(0.0), one(1.0), rho = sqrt(r.rho2_high) + error, rho2 = rho * rho;
+    const Octet before = min(r.before0, r.before1) - error, behind = min(r.behind0, r.behind1) - error;
+    const Chord<Octet> chord = chord_of(rho2, before, behind, Octet(0.5) * (before + behind));
+    const SegmentIntegrals<Octet> f = integrate(window, chord);
+    const Octet at_foot = keep((rho2 < one) & (chord.half_length > zero), f.value - Octet(0x1p-48) * f.value_terms);
+    const Octet end = max(max(r.before_high, r.behind_high), zero - min(before, behind)), y = rho2 + end * end;
+    return max(at_foot, keep(y < one, length * window.value(y) * Octet(1 - 0x1p-48)));
+  }
+
   [[nodiscard]] HWY_INLINE CurveStretch stretch(const Octet& t0, const Octet& t1) const {
     const Octet zero(0.0), one(1.0);
     const Ranges r = ranges(t0, t1, zero);

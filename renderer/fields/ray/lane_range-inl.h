@@ -47,7 +47,7 @@ class LaneRange {
 
   template <class Window, class Curve>
   HWY_INLINE void add_curve(const Window& window, const Curve& lanes) {
-    add_between(lanes.amplitude, Octet(0.0), lanes.most(window, on_.t0, on_.t1));
+    add_between(lanes.amplitude, lanes.least(window, on_.t0, on_.t1), lanes.most(window, on_.t0, on_.t1));
   }
 
  private:

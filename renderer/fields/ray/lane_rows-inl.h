@@ -78,6 +78,10 @@ struct PlacedLanes : Form {
   [[nodiscard]] HWY_INLINE Octet most(const Window& window, const Octet& t0, const Octet& t1) const {
     return Form::most(window, t0 - start, t1 - start, Octet(kPositionError) * size);
   }
+  template <class Window>
+  [[nodiscard]] HWY_INLINE Octet least(const Window& window, const Octet& t0, const Octet& t1) const {
+    return Form::least(window, t0 - start, t1 - start, Octet(kPositionError) * size);
+  }
   [[nodiscard]] HWY_INLINE auto stretch(const Octet& t0, const Octet& t1) const {
     return Form::stretch(t0 - start, t1 - start);
   }
