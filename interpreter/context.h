@@ -14,6 +14,7 @@
 #include "interpreter/open_files.h"
 #include "interpreter/random_streams.h"
 #include "interpreter/record_table.h"
+#include "interpreter/routines/routine_table.h"
 #include "interpreter/shared_values.h"
 #include "interpreter/value_depths.h"
 
@@ -73,6 +74,7 @@ class Context {
   render::ImageTable images;  ///< those of the database that called functions may look at
   ValueDepths depths;
   OriginTable origins;
+  RoutineTable routines;
   LanguageVersion version;
   std::set<grammar::Symbol> noted_words;  ///< words of POV-Ray 3.8 that were remarked on
   bool has_noise_generator = false;       ///< the scene sets it

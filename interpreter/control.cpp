@@ -4,6 +4,7 @@
 #include "interpreter/expressions.h"
 #include "interpreter/newer_words.h"
 #include "interpreter/places.h"
+#include "interpreter/routines/routines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,24 +36,13 @@ bool has_turn(double value, double end, double step) {
 }
 
 [[gnu::noinline]] void start_for(Context& context, const grammar::For& node) {
+  if (run_loop(context, node)) return;
   const double start = evaluate_number(context, *node.start);
   const double end = evaluate_number(context, *node.end);
-  const double step = node.step ? evaluate_number(context, *node.step) : 1;
-  check_newer_name(context, node.variable, node.span);
-  if (std::abs(step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
-  used(context, context.scopes.local(node.variable), node.span).value.set_number(start);
-  if (!has_turn(start, end, step)) return;
+  const Frame::Range range{end, node.step ? evaluate_number(context, *node.step) : 1};
+  if (!begin_for(context, node, start, range)) return;
   context.count_turn(node.span);
-  context.push(Frame::Kind::for_, node.body, &node, node.span).range = {end, step};
-}
-
-bool continue_for(Context& context, Frame& frame) {
-  const auto& node = as<grammar::For>(*frame.node);
-  Slot* const slot = without_wrapper(context.scopes.find(node.variable));
-  if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` no longer holds a number");
-  const double value = slot->value.number() + frame.range.step;
-  slot->value.set_number(value);
-  return has_turn(value, frame.range.end, frame.range.step);
+  context.push(Frame::Kind::for_, node.body, &node, node.span).range = range;
 }
 
 bool matches(Context& context, const grammar::SwitchCase& c, double subject) {
@@ -81,11 +71,6 @@ bool continue_switch(Frame& frame) {
   return true;
 }
 
-bool is_declared(Context& context, const Node& target) {
-  const Slot* slot = find_slot_if_declared(context, target);
-  return slot && slot->value.kind() != ValueKind::none;
-}
-
 [[gnu::noinline]] void start_if(Context& context, const grammar::If& node) {
   push_branch(context, node, evaluate_condition(context, *node.condition) ? node.then : node.otherwise);
 }
@@ -95,12 +80,33 @@ bool is_declared(Context& context, const Node& target) {
 }
 
 [[gnu::noinline]] void start_while(Context& context, const grammar::While& node) {
+  if (run_loop(context, node)) return;
   if (!evaluate_condition(context, *node.condition)) return;
   context.count_turn(node.span);
   context.push(Frame::Kind::while_, node.body, &node, node.span);
 }
 
 }  // namespace
+
+bool begin_for(Context& context, const grammar::For& node, double start, const Frame::Range& range) {
+  check_newer_name(context, node.variable, node.span);
+  if (std::abs(range.step) < kTolerance) context.fail(node.step->span, "the step of `#for` is zero");
+  used(context, context.scopes.local(node.variable), node.span).value.set_number(start);
+  return has_turn(start, range.end, range.step);
+}
+
+bool next_for(Context& context, const grammar::For& node, const Frame::Range& range) {
+  Slot* const slot = without_wrapper(context.scopes.find(node.variable));
+  if (!slot || !slot->value.is_number()) context.fail(node.span, "the variable of `#for` no longer holds a number");
+  const double value = slot->value.number() + range.step;
+  slot->value.set_number(value);
+  return has_turn(value, range.end, range.step);
+}
+
+bool is_declared(Context& context, const Node& target) {
+  const Slot* slot = find_slot_if_declared(context, target);
+  return slot && slot->value.kind() != ValueKind::none;
+}
 
 // Only a jump, as execute() is.
 void start_control(Context& context, const Node& node) {
@@ -125,9 +131,10 @@ bool continue_frame(Context& context, Frame& frame) {
       return true;
     }
     case Frame::Kind::for_: {
-      if (!continue_for(context, frame)) return false;
-      context.count_turn(frame.node->span);
-      frame.set_items(as<grammar::For>(*frame.node).body);
+      const auto& node = as<grammar::For>(*frame.node);
+      if (!next_for(context, node, frame.range)) return false;
+      context.count_turn(node.span);
+      frame.set_items(node.body);
       return true;
     }
     case Frame::Kind::case_: return continue_switch(frame);

@@ -11,6 +11,13 @@ void start_control(Context& context, const grammar::Node& node);
 /// Called at the end of a frame's items: true if it goes on (a loop's next turn, the next case of a #switch).
 [[nodiscard]] bool continue_frame(Context& context, Frame& frame);
 
+/// Sets the variable of a #for to its start; true if it makes a turn. Fails if the step is zero.
+[[nodiscard]] bool begin_for(Context& context, const grammar::For& node, double start, const Frame::Range& range);
+/// Adds the step to the variable; true if another turn follows.
+[[nodiscard]] bool next_for(Context& context, const grammar::For& node, const Frame::Range& range);
+/// True if a name or element has a value, for #ifdef.
+[[nodiscard]] bool is_declared(Context& context, const grammar::Node& target);
+
 /// After an error in a block whose end is no part of it (grammar::BlockBegin): skips its items as far as they can be
 /// told, up to its end, or a directive that may hold that.
 void skip_abandoned(Context& context);

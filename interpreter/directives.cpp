@@ -12,6 +12,8 @@
 #include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
 #include "interpreter/readers/world/scene.h"
+#include "interpreter/routines/routine.h"
+#include "interpreter/routines/routines.h"
 #include "interpreter/statement_ends.h"
 #include "interpreter/tuples.h"
 
@@ -62,7 +64,11 @@ void evaluate_declared(Context& context, const grammar::Declare& node, Value& va
       value = call_function(context, call, callee);
     } else {
       // A lone macro call is followed without a frame for the list that holds it.
-      ElementStream stream(context, call, callee.as<MacroValue>());
+      const auto& macro = callee.as<MacroValue>();
+      const Routine* const routine = routine_of(context, macro);
+      if (routine && routine->yields)
+        return call_routine(context, call, macro, *routine, "expected a value to declare, found none", value);
+      ElementStream stream(context, call, macro);
       value = read_to_end(stream, terminated);
     }
     if (value.kind() == ValueKind::texture && !terminated) value = with_following_layers(context, std::move(value));
@@ -98,12 +104,18 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
   slot.value = copy_of_container(value);
 }
 
-[[gnu::noinline]] void declare(Context& context, const grammar::Declare& node) {
+/// In a routine the declaration's semicolon is known to follow, and is passed by the routine.
+enum class Semicolon { next_item, passed };
+
+[[gnu::noinline]] void declare(Context& context, const grammar::Declare& node,
+                               Semicolon semicolon = Semicolon::next_item) {
   try {
     bool terminated = false;
     Value value;
     evaluate_declared(context, node, value, terminated);
-    if (!terminated) {
+    if (semicolon == Semicolon::passed) {
+      terminated = true;
+    } else if (!terminated) {
       terminated = skip_semicolon(context);
     } else if (value.is_numeric()) {
       // The macro's own semicolon was the first of the two that a number's declaration may have (spare_semicolons.h).
@@ -128,7 +140,7 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
       Slot& slot = *without_wrapper(&declared_slot(context, node));
       if (slot.value.kind() != ValueKind::function) slot.value = Value::poison();
     }
-    skip_rest(context);
+    if (semicolon == Semicolon::next_item) skip_rest(context);
   }
 }
 
@@ -225,6 +237,8 @@ Slot& declared_slot(Context& context, const grammar::Declare& node) {
 }
 
 }  // namespace
+
+void declare_in_routine(Context& context, const grammar::Declare& node) { declare(context, node, Semicolon::passed); }
 
 // The functions that it calls stay out of line: it runs for every directive, and is then only a jump.
 void execute(Context& context, const Node& node) {

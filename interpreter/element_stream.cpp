@@ -5,6 +5,8 @@
 #include "interpreter/expressions.h"
 #include "interpreter/macro_calls.h"
 #include "interpreter/newer_words.h"
+#include "interpreter/routines/routine.h"
+#include "interpreter/routines/routines.h"
 #include "interpreter/spare_semicolons.h"
 
 #include <algorithm>
@@ -117,7 +119,12 @@ void ElementStream::take_call(const grammar::Call& call) {
   const Slot* slot = is_plain ? context_.scopes.find(as<grammar::Name>(*call.callee).name) : nullptr;
   if (is_plain && !slot) return yield(ElementKind::unknown, call, as<grammar::Name>(*call.callee).name);
   const Value& callee = slot ? slot->value : called(context_, call);
-  if (callee.kind() == ValueKind::macro) return push_macro(context_, call, callee.as<MacroValue>());
+  if (callee.kind() == ValueKind::macro) {
+    const auto& macro = callee.as<MacroValue>();
+    const Routine* const routine = routine_of(context_, macro);
+    if (!routine || routine->yields) return push_macro(context_, call, macro);
+    return call_routine(context_, call, macro, *routine);
+  }
   // The value is a function's; otherwise it is a mistake, unless a reader knows the name as a contextual word:
   // `hardness (2)` in a scene that declares a `hardness` too.
   yield(ElementKind::value, call);

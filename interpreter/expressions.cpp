@@ -11,6 +11,7 @@
 #include "interpreter/operators.h"
 #include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
+#include "interpreter/routines/routines.h"
 
 #include <fmt/format.h>
 
@@ -140,7 +141,6 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
   switch (node.kind) {
     case NodeKind::string: return make_string(context, std::string(as<grammar::String>(node).text), node.span);
     case NodeKind::constant: return evaluate_constant(context, as<grammar::Constant>(node));
-    case NodeKind::call: return evaluate_call(context, as<grammar::Call>(node));
     case NodeKind::array: return make_array(context, as<grammar::Array>(node));
     case NodeKind::function: return make_function(context, as<grammar::Function>(node));
     case NodeKind::dictionary: return make_dictionary(context, as<grammar::Dictionary>(node));
@@ -172,6 +172,7 @@ void evaluate_into(Context& context, const Node& node, Value& result) {
     case NodeKind::unary: return evaluate_unary(context, as<grammar::Unary>(node), result);
     case NodeKind::binary: return evaluate_binary(context, as<grammar::Binary>(node), result);
     case NodeKind::conditional: return evaluate_conditional(context, as<grammar::Conditional>(node), result);
+    case NodeKind::call: return evaluate_call(context, as<grammar::Call>(node), result);
     default: return evaluate_rare_into(context, node, result);
   }
 }
@@ -219,14 +220,22 @@ Value read_only_value(ElementStream& stream) {
   return value;
 }
 
+constexpr const char* kYieldsNothing = "this macro call yields no value";
+
 }  // namespace
 
-[[gnu::noinline]] Value evaluate_call(Context& context, const grammar::Call& call) {
+[[gnu::noinline]] void evaluate_call(Context& context, const grammar::Call& call, Value& result) {
   const Value& callee = called(context, call);
-  if (is_callable(callee)) return call_function(context, call, callee);
-  ElementStream stream(context, call, callee.as<MacroValue>());
-  if (stream.peek().is(ElementKind::end)) context.fail(call.span, "this macro call yields no value");
-  return read_only_value(stream);
+  if (is_callable(callee)) {
+    result = call_function(context, call, callee);
+    return;
+  }
+  const auto& macro = callee.as<MacroValue>();
+  const Routine* const routine = routine_of(context, macro);
+  if (routine) return call_routine(context, call, macro, *routine, kYieldsNothing, result);
+  ElementStream stream(context, call, macro);
+  if (stream.peek().is(ElementKind::end)) context.fail(call.span, kYieldsNothing);
+  result = read_only_value(stream);
 }
 
 [[gnu::noinline]] Value evaluate_items(Context& context, Items items, SourceSpan span) {

@@ -32,7 +32,7 @@ void evaluate_into(Context& context, const grammar::Node& node, Value& result);
 
 /// The only value that a body yields: the body of a macro called inside an expression, or of a directive in
 /// parentheses.
-[[nodiscard]] Value evaluate_call(Context& context, const grammar::Call& call);
+void evaluate_call(Context& context, const grammar::Call& call, Value& result);
 [[nodiscard]] Value evaluate_items(Context& context, grammar::Items items, SourceSpan span);
 
 /// The numbers of `< … >`, however many, including all that a macro or directive among them yields.

@@ -9,6 +9,7 @@
 #include "interpreter/operators.h"
 #include "interpreter/places.h"
 #include "interpreter/readers/words/rvalue.h"
+#include "interpreter/routines/routines.h"
 
 #include <fmt/format.h>
 
@@ -252,6 +253,22 @@ void ArgumentSlots::read_sum(const Node& sum) {
   }
 }
 
+/// A macro's frame and scope, while its body runs on the native stack.
+class MacroFrame {
+ public:
+  MacroFrame(Context& context, const grammar::Call& call, const MacroValue& macro)
+      : context_(context), nesting_(context, call.span, kStreamUnits) {
+    push_macro(context, call, macro);
+  }
+  ~MacroFrame() { context_.pop(); }
+  MacroFrame(const MacroFrame&) = delete;
+  MacroFrame& operator=(const MacroFrame&) = delete;
+
+ private:
+  Context& context_;
+  NestingGuard nesting_;
+};
+
 }  // namespace
 
 const Value& called(Context& context, const grammar::Call& call) {
@@ -276,6 +293,18 @@ void push_macro(Context& context, const grammar::Call& call, const MacroValue& m
   context.push_call(Frame::Kind::macro, definition.body, call, unit, origin_name);
   context.scopes.enter();
   arguments.bind_to(definition.parameters);
+}
+
+void call_routine(Context& context, const grammar::Call& call, const MacroValue& macro, const Routine& routine) {
+  Value none;
+  const MacroFrame frame(context, call, macro);
+  run_body(context, routine, none);
+}
+
+void call_routine(Context& context, const grammar::Call& call, const MacroValue& macro, const Routine& routine,
+                  const char* without_value, Value& result) {
+  const MacroFrame frame(context, call, macro);
+  if (!run_body(context, routine, result)) context.fail(call.span, without_value);
 }
 
 }  // namespace isl::interpreter

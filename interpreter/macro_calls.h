@@ -14,4 +14,10 @@ namespace isl::interpreter {
 /// one. The macro may be a variable's: it is not read after arguments are evaluated.
 void push_macro(Context& context, const grammar::Call& call, const MacroValue& macro);
 
+/// The same for a macro whose body is the given routine, which is run to its end.
+void call_routine(Context& context, const grammar::Call& call, const MacroValue& macro, const Routine& routine);
+/// The same for a call whose value is wanted; fails with the message `without_value` if it yields none.
+void call_routine(Context& context, const grammar::Call& call, const MacroValue& macro, const Routine& routine,
+                  const char* without_value, Value& result);
+
 }  // namespace isl::interpreter

@@ -38,11 +38,6 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return terms;
 }();
 
-[[nodiscard]] int term_of_item(grammar::Symbol item) {
-  if (grammar::is_reserved(item)) return kTermOfItem[static_cast<std::uint32_t>(item)];
-  return item == grammar::newer_word::kw_grey ? kGray : kNoItem;
-}
-
 [[nodiscard]] [[gnu::noinline]] double item_of(Context& context, const grammar::Dot& node, const Value& base) {
   if (!base.is_numeric() || base.is_number()) {
     context.fail(node.span,
@@ -225,6 +220,11 @@ Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) 
     return node.op == BinaryOp::add ? apart.right : of_values(context, node, Value(0.0), apart.right);
   const Value left = rest_of_terms(context, *node.left, apart);
   return of_values(context, node, left, evaluate(context, *node.right));
+}
+
+int term_of_item(grammar::Symbol item) {
+  if (grammar::is_reserved(item)) return kTermOfItem[static_cast<std::uint32_t>(item)];
+  return item == grammar::newer_word::kw_grey ? kGray : kNoItem;
 }
 
 const double* item_at_hand(Context& context, const grammar::Dot& node) {

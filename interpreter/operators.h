@@ -6,6 +6,9 @@
 
 namespace isl::interpreter {
 
+/// The index of the term that an item's word names; negative for `gray` and for a word that names none.
+[[nodiscard]] int term_of_item(grammar::Symbol item);
+
 /// `Variable.x` if the variable holds a vector that has such an item, else null.
 [[nodiscard]] const double* item_at_hand(Context& context, const grammar::Dot& node);
 

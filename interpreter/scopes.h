@@ -72,6 +72,12 @@ class Scopes {
   /// The binding in the current table, or in the global one even if it is hidden; null if there is none.
   [[nodiscard]] Slot* find_local(grammar::Symbol name) const;
   [[nodiscard]] Slot* find_global(grammar::Symbol name) const;
+  /// Keeps a place for the name, so that find_known() may be asked for it.
+  void make_room_for(grammar::Symbol name) { static_cast<void>(innermost(name)); }
+  /// find() without a look at whether the name has a place.
+  [[nodiscard]] Slot* find_known(grammar::Symbol name) const {
+    return innermost_[static_cast<std::uint32_t>(name)].slot;
+  }
 
   /// The slot that `#declare name` writes: the innermost binding, or a new one in the global table.
   [[nodiscard]] Slot& declare(grammar::Symbol name);

@@ -31,6 +31,8 @@ struct StringValue final : Shared {
   MemoryAccount& account;
 };
 
+struct Routine;  // interpreter/routines/routine.h
+
 struct MacroValue final : Shared {
   MacroValue(const grammar::Macro& definition_, const grammar::Unit& unit_, std::uint32_t origin_name_)
       : definition(definition_), unit(unit_), origin_name(origin_name_) {}
@@ -38,6 +40,9 @@ struct MacroValue final : Shared {
   const grammar::Macro& definition;
   const grammar::Unit& unit;  ///< its #include starts from this file's folder
   std::uint32_t origin_name;  ///< OriginTable::keep_name
+  // Set by routine_of() (interpreter/routines/routines.h).
+  mutable bool is_examined = false;
+  mutable const Routine* routine = nullptr;
 };
 
 /// The look of objects, their drafts and materials.

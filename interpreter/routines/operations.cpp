@@ -1,0 +1,322 @@
+#include "interpreter/routines/operations.h"
+
+#include "interpreter/control.h"
+#include "interpreter/directives.h"
+#include "interpreter/expressions.h"
+
+#include <array>
+#include <cmath>
+
+namespace isl::interpreter::operations {
+namespace {
+
+using grammar::as;
+using grammar::BinaryOp;
+using grammar::Node;
+using grammar::NodeKind;
+using grammar::Symbol;
+using grammar::UnaryOp;
+
+const Operation* elsewhere(const Operation* at) { return at + at->other; }
+
+// ---- Operands: the place of a number, or null -----------------------------------------------------------------------
+
+struct Name {
+  static const double* at(const Machine& machine, std::uint32_t symbol) {
+    const Slot* const slot = machine.scopes.find_known(Symbol{symbol});
+    return slot && slot->value.is_number() ? slot->value.terms().data() : nullptr;
+  }
+};
+struct Register {
+  static const double* at(const Machine& machine, std::uint32_t index) { return &machine.registers[index]; }
+};
+struct Constant {
+  static const double* at(const Machine& machine, std::uint32_t index) { return machine.constants + index; }
+};
+
+/// The functions of one operation by the source of its operand.
+template <template <class> class Row>
+Perform by_source(Source source) {
+  static constexpr Perform kRows[] = {Row<Name>::perform, Row<Register>::perform, Row<Constant>::perform};
+  return kRows[static_cast<std::size_t>(source)];
+}
+
+// ---- Numbers --------------------------------------------------------------------------------------------------------
+
+template <class Operand>
+struct Load {
+  static const Operation* perform(Machine& machine, const Operation* at) {
+    const double* const number = Operand::at(machine, at->a);
+    if (!number) [[unlikely]]
+      return elsewhere(at);
+    machine.registers[at->to] = *number;
+    return at + 1;
+  }
+};
+
+template <BinaryOp op, class Left, class Right>
+const Operation* perform_binary(Machine& machine, const Operation* at) {
+  const double* const left = Left::at(machine, at->a);
+  const double* const right = Right::at(machine, at->b);
+  if (!left || !right) [[unlikely]]
+    return elsewhere(at);
+  double& result = machine.registers[at->to];
+  if constexpr (op == BinaryOp::add) {
+    result = *left + *right;
+  } else if constexpr (op == BinaryOp::subtract) {
+    result = *left - *right;
+  } else if constexpr (op == BinaryOp::multiply) {
+    result = *left * *right;
+  } else if constexpr (op == BinaryOp::divide) {
+    if (*right == 0) [[unlikely]]
+      return elsewhere(at);
+    result = *left / *right;
+  } else {
+    result = compare(op, *left, *right);
+  }
+  return at + 1;
+}
+
+constexpr std::size_t kSources = 3, kBinaryOps = static_cast<std::size_t>(BinaryOp::logical_or) + 1;
+using BySources = std::array<Perform, kSources * kSources>;
+
+template <BinaryOp op>
+constexpr BySources rows_of() {
+  return {perform_binary<op, Name, Name>,         perform_binary<op, Name, Register>,
+          perform_binary<op, Name, Constant>,     perform_binary<op, Register, Name>,
+          perform_binary<op, Register, Register>, perform_binary<op, Register, Constant>,
+          perform_binary<op, Constant, Name>,     perform_binary<op, Constant, Register>,
+          perform_binary<op, Constant, Constant>};
+}
+
+template <std::size_t... op>
+constexpr std::array<BySources, kBinaryOps> all_rows(std::index_sequence<op...>) {
+  return {rows_of<static_cast<BinaryOp>(op)>()...};
+}
+
+template <UnaryOp op, class Operand>
+const Operation* perform_unary(Machine& machine, const Operation* at) {
+  const double* const number = Operand::at(machine, at->a);
+  if (!number) [[unlikely]]
+    return elsewhere(at);
+  machine.registers[at->to] = applied(op, *number);
+  return at + 1;
+}
+
+template <class Operand>
+struct Plus {
+  static constexpr Perform perform = perform_unary<UnaryOp::plus, Operand>;
+};
+template <class Operand>
+struct Minus {
+  static constexpr Perform perform = perform_unary<UnaryOp::minus, Operand>;
+};
+template <class Operand>
+struct Not {
+  static constexpr Perform perform = perform_unary<UnaryOp::logical_not, Operand>;
+};
+
+const Operation* perform_item(Machine& machine, const Operation* at) {
+  const Slot* const slot = machine.scopes.find_known(Symbol{at->a});
+  const auto term = static_cast<int>(at->b);
+  const bool has_item = slot && slot->value.term_count() > std::max(term, 1);
+  if (!has_item) [[unlikely]]
+    return elsewhere(at);
+  machine.registers[at->to] = slot->value.terms()[at->b];
+  return at + 1;
+}
+
+/// The slot of an array's element; null if the name holds no list or the list has no such element.
+Slot* element_slot(const Machine& machine, std::uint32_t symbol, double index) {
+  const Slot* const slot = machine.scopes.find_known(Symbol{symbol});
+  if (!slot || slot->value.kind() != ValueKind::array) [[unlikely]]
+    return nullptr;
+  const ArrayValue& array = slot->value.as<ArrayValue>();
+  const double place = index + kTolerance;
+  const bool is_inside = place >= 0 && place < static_cast<double>(array.elements.size());
+  if (!is_inside || array.dimensions.size() != 1) [[unlikely]]
+    return nullptr;
+  // The signed conversion is one instruction, and no array is that long.
+  return array.elements[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place))];
+}
+
+template <class Index>
+struct Element {
+  static const Operation* perform(Machine& machine, const Operation* at) {
+    const double* const index = Index::at(machine, at->a);
+    if (!index) [[unlikely]]
+      return elsewhere(at);
+    const Slot* const slot = element_slot(machine, at->b, *index);
+    if (!slot || !slot->value.is_number()) [[unlikely]]
+      return elsewhere(at);
+    machine.registers[at->to] = slot->value.number();
+    return at + 1;
+  }
+};
+
+const Operation* perform_call(Machine& machine, const Operation* at) {
+  const NumberFunction& function = *number_function(Symbol{at->b});
+  const double* const arguments = &machine.registers[at->a];
+  double& result = machine.registers[at->to];
+  if (function.of_one) {
+    result = function.of_one(arguments[0]);
+    return at + 1;
+  }
+  double answer = 0;
+  if (!function.apply(arguments[0], function.arguments == 2 ? arguments[1] : 0, answer)) [[unlikely]]
+    return elsewhere(at);
+  result = answer;
+  return at + 1;
+}
+
+const Operation* perform_choice(Machine& machine, const Operation* at) {
+  double& condition = machine.registers[at->to];
+  condition = machine.registers[std::abs(condition) > kTolerance ? at->a : at->b];
+  return at + 1;
+}
+
+// ---- Declarations ---------------------------------------------------------------------------------------------------
+
+template <bool is_local, class Operand>
+const Operation* perform_declaration(Machine& machine, const Operation* at) {
+  const double* const number = Operand::at(machine, at->a);
+  if (!number) [[unlikely]]
+    return elsewhere(at);
+  const Symbol name{at->b};
+  Slot* const known = is_local ? nullptr : machine.scopes.find_known(name);
+  Slot& slot = known ? *known : is_local ? machine.scopes.local(name) : machine.scopes.declare(name);
+  if (slot.value.kind() >= ValueKind::function) [[unlikely]]
+    return elsewhere(at);
+  slot.value.set_number(*number);
+  return at + 1;
+}
+
+template <class Operand>
+struct Declare {
+  static constexpr Perform perform = perform_declaration<false, Operand>;
+};
+template <class Operand>
+struct DeclareLocal {
+  static constexpr Perform perform = perform_declaration<true, Operand>;
+};
+
+template <class Operand>
+struct DeclareElement {
+  static const Operation* perform(Machine& machine, const Operation* at) {
+    const double* const number = Operand::at(machine, at->a);
+    if (!number) [[unlikely]]
+      return elsewhere(at);
+    Slot* const slot = element_slot(machine, at->b, machine.registers[at->to]);
+    if (!slot || slot->value.kind() >= ValueKind::function) [[unlikely]]
+      return elsewhere(at);
+    slot->value.set_number(*number);
+    return at + 1;
+  }
+};
+
+template <class Operand>
+struct Yield {
+  static const Operation* perform(Machine& machine, const Operation* at) {
+    const double* const number = Operand::at(machine, at->a);
+    if (!number) [[unlikely]]
+      return elsewhere(at);
+    machine.result->set_number(*number);
+    machine.has_result = true;
+    return nullptr;
+  }
+};
+
+// ---- Control --------------------------------------------------------------------------------------------------------
+
+const Operation* perform_jump(Machine&, const Operation* at) { return elsewhere(at); }
+const Operation* perform_end(Machine&, const Operation*) { return nullptr; }
+
+const Operation* perform_jump_unless(Machine& machine, const Operation* at) {
+  return std::abs(machine.registers[at->a]) > kTolerance ? at + 1 : elsewhere(at);
+}
+
+const Operation* perform_jump_unless_declared(Machine& machine, const Operation* at) {
+  const auto& node = as<grammar::Ifdef>(*at->node);
+  return is_declared(machine.context, *node.target) != node.negated ? at + 1 : elsewhere(at);
+}
+
+const Operation* perform_count_turn(Machine& machine, const Operation* at) {
+  machine.context.count_turn(at->node->span);
+  return at + 1;
+}
+
+const Operation* perform_begin_for(Machine& machine, const Operation* at) {
+  const double* const range = &machine.registers[at->to];
+  const bool has_turn = begin_for(machine.context, as<grammar::For>(*at->node), range[0], {range[1], range[2]});
+  return has_turn ? at + 1 : elsewhere(at);
+}
+
+const Operation* perform_next_for(Machine& machine, const Operation* at) {
+  const double* const range = &machine.registers[at->to];
+  const auto& node = as<grammar::For>(*at->node);
+  return next_for(machine.context, node, {range[1], range[2]}) ? elsewhere(at) : at + 1;
+}
+
+// ---- The evaluator --------------------------------------------------------------------------------------------------
+
+const Operation* perform_evaluation(Machine& machine, const Operation* at) {
+  machine.registers[at->to] = interpreter::evaluate_number(machine.context, *at->node);
+  return elsewhere(at);
+}
+
+const Operation* perform_evaluated_declaration(Machine& machine, const Operation* at) {
+  declare_in_routine(machine.context, as<grammar::Declare>(*at->node));
+  return elsewhere(at);
+}
+
+const Operation* perform_evaluated_yield(Machine& machine, const Operation* at) {
+  const Node& node = *at->node;
+  const bool is_unknown = node.kind == NodeKind::name && !machine.scopes.find(as<grammar::Name>(node).name);
+  if (is_unknown) [[unlikely]] {
+    // A reader of elements says what it expects instead.
+    const Node* const items[] = {&node};
+    *machine.result = evaluate_items(machine.context, grammar::Items(items), node.span);
+  } else {
+    evaluate_into(machine.context, node, *machine.result);
+  }
+  machine.has_result = true;
+  return nullptr;
+}
+
+}  // namespace
+
+Perform load(Source source) { return by_source<Load>(source); }
+Perform binary(BinaryOp op, Source left, Source right) {
+  static constexpr auto kRows = all_rows(std::make_index_sequence<kBinaryOps>());
+  return kRows[static_cast<std::size_t>(op)]
+              [static_cast<std::size_t>(left) * kSources + static_cast<std::size_t>(right)];
+}
+Perform unary(UnaryOp op, Source operand) {
+  switch (op) {
+    case UnaryOp::plus: return by_source<Plus>(operand);
+    case UnaryOp::minus: return by_source<Minus>(operand);
+    case UnaryOp::logical_not: return by_source<Not>(operand);
+  }
+  ISL_CHECK(false, "operator {}", static_cast<int>(op));
+}
+Perform item() { return perform_item; }
+Perform element(Source index) { return by_source<Element>(index); }
+Perform call() { return perform_call; }
+Perform choose() { return perform_choice; }
+Perform declare(bool is_local, Source value) {
+  return is_local ? by_source<DeclareLocal>(value) : by_source<Declare>(value);
+}
+Perform declare_element(Source value) { return by_source<DeclareElement>(value); }
+Perform yield(Source value) { return by_source<Yield>(value); }
+Perform jump() { return perform_jump; }
+Perform jump_unless() { return perform_jump_unless; }
+Perform jump_unless_declared() { return perform_jump_unless_declared; }
+Perform end() { return perform_end; }
+Perform count_turn() { return perform_count_turn; }
+Perform begin_for() { return perform_begin_for; }
+Perform next_for() { return perform_next_for; }
+Perform evaluate_number() { return perform_evaluation; }
+Perform evaluate_declaration() { return perform_evaluated_declaration; }
+Perform evaluate_yield() { return perform_evaluated_yield; }
+
+}  // namespace isl::interpreter::operations
