@@ -129,7 +129,9 @@ enum class Semicolon { next_item, passed };
     if (target->value.kind() >= ValueKind::function) [[unlikely]]
       target = &guarded_slot(context, node, *target);
     Slot& slot = *target;
-    if (is_container(value)) [[unlikely]] {
+    if (value.is_number()) {
+      slot.value.set_number(value.number());
+    } else if (is_container(value)) [[unlikely]] {
       set_container(context, node, slot, value);
     } else {
       slot.value = std::move(value);

@@ -21,13 +21,6 @@ bool begins_statement(const Node& item) {
 
 }  // namespace
 
-bool skip_semicolon(Context& context) {
-  Frame& frame = context.frames.back();
-  if (frame.next == frame.end || (*frame.next)->kind != NodeKind::semicolon) return false;
-  ++frame.next;
-  return true;
-}
-
 void skip_rest(Context& context) {
   if (context.abandoned_blocks > 0) return skip_abandoned(context);
   Frame& frame = context.frames.back();

@@ -258,20 +258,15 @@ class BlobReader {
     if (kernel_.is_convolved() && !kernel_.is_ours)
       context_.fail(block.word_span, "a convolution needs a kernel in force", "write `kernel \"quartic\"` before it");
     ElementStream stream(context_, block);
-    Component component;
-    scene::Turn turn;
-    bool has_modifiers = false;
-    const bool is_finite = read_if_finite(stream, "the component", [&] {
-      component = read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
+    static_cast<void>(read_if_finite(stream, "the component", [&] {
+      Component component =
+          read_component_shape(stream, block, kernel_.is_ours ? &kernel_.kernel : nullptr, assembly_.blob());
       read_strength(stream, component);
-      has_modifiers = !stream.peek().is(ElementKind::end);
-      if (has_modifiers) turn = read_modifiers(stream, component);
-    });
-    if (is_finite && has_field(component)) add(component, block.span, branch, has_modifiers ? &turn : nullptr);
+      if (stream.peek().is(ElementKind::end)) return add(component, block.span, branch);
+      const scene::Turn turn = read_modifiers(stream, component);
+      add(component, block.span, branch, &turn);
+    }));
   }
-
-  /// False for a component of POV-Ray's with a radius of 0.
-  [[nodiscard]] bool has_field(const Component& component) const { return kernel_.is_ours || component.radius_a > 0; }
 
   /// POV-Ray's components need a strength, and the word is optional; ours may have one, with the word.
   void read_strength(ElementStream& stream, Component& component) {
@@ -301,7 +296,7 @@ class BlobReader {
     component.radius_a = component.radius_b = read_support_radius(stream_);
     stream_.accept_comma();
     component.a = read_vector(stream_, "the centre of the component");
-    if (has_field(component)) add(component, keyword.span, kOwnSum);
+    add(component, keyword.span, kOwnSum);
   }
 
   /// Returns the rotation that was baked into the component.
@@ -323,6 +318,8 @@ class BlobReader {
   }
 
   void add(Component& component, SourceSpan span, std::uint32_t branch, const scene::Turn* turn = nullptr) {
+    const bool has_field = kernel_.is_ours || component.radius_a > 0;  // POV-Ray's with a radius of 0 have none
+    if (!has_field) return;
     if (component.skeleton == scene::Skeleton::sheet) {
       Kernel over_sheet = kernel_.kernel;
       over_sheet.mode = scene::FieldMode::sheet;
