@@ -40,7 +40,8 @@ void initialise(ElementStream& stream, ArrayValue& array, std::size_t dimension,
     } else {
       Value value = read_rvalue(stream);
       check_container_depth(context, value, element.span);
-      array.elements[place]->value = std::move(value);
+      if (!value.is_number()) context.check_memory(element.span, array.elements.bytes_of_slot());
+      array.elements.set(place, std::move(value));
     }
     stream.accept_comma();
   }
@@ -57,9 +58,10 @@ void fill(ElementStream& stream, ArrayValue& array) {
     const SourceSpan span = stream.peek().span;
     Value value = read_rvalue(stream);
     check_container_depth(context, value, span);
-    context.check_memory(span, ArrayValue::bytes_of(1));
-    array.grow(array.elements.size() + 1);
-    array.elements.back()->value = std::move(value);
+    const std::size_t place = array.elements.size();
+    context.check_memory(span, ArrayElements::bytes_of(1) + array.elements.bytes_of_slot());
+    array.grow(place + 1);
+    array.elements.set(place, std::move(value));
     stream.accept_comma();
   }
 }
@@ -81,7 +83,7 @@ Value make_unsized(Context& context, const grammar::Array& node) {
   if (node.initialised) {
     ElementStream stream(context, node.items, node.span);
     fill(stream, *array);
-    if (array->elements.empty())
+    if (array->elements.size() == 0)
       context.fail(node.span, "an array without a size takes it from its values, found none",
                    "`array` alone, without braces, grows by use");
   }

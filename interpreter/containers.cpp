@@ -12,9 +12,7 @@ constexpr std::size_t kAddedByAllocator = 16;
 template <class Visit>
 void visit_slots(const Value& container, Visit visit) {
   if (container.kind() == ValueKind::array) {
-    for (Slot* const element : container.as<ArrayValue>().elements) {
-      if (!visit(*element)) return;
-    }
+    container.as<ArrayValue>().elements.visit_slots([&](std::size_t, Slot& slot) { return visit(slot); });
   } else {
     for (const auto& [key, slot] : container.as<DictionaryValue>().fields) {
       if (!visit(*slot)) return;
@@ -36,44 +34,27 @@ Value empty_copy(const Value& container) {
   return {ValueKind::dictionary, copy};
 }
 
-std::vector<Slot*> slots_of(const Value& container) {
-  std::vector<Slot*> slots;
-  visit_slots(container, [&](Slot& slot) {
-    slots.push_back(&slot);
-    return true;
-  });
-  return slots;
-}
-
 }  // namespace
 
 // ---- Arrays ---------------------------------------------------------------------------------------------------------
 
 ArrayValue::ArrayValue(std::vector<std::size_t> dimensions_, SlotPool& pool_, Charge& account_)
-    : dimensions(std::move(dimensions_)), pool(pool_), account(account_) {
+    : dimensions(std::move(dimensions_)), elements(pool_, account_), pool(pool_), account(account_) {
+  account.add(bytes_of(0));
   std::size_t count = 1;
   for (const std::size_t size : dimensions) count *= size;
-  elements.resize(count);
-  for (Slot*& element : elements) element = pool.make();
-  account.add(own_bytes(count));
+  elements.grow(count);
 }
 
-ArrayValue::~ArrayValue() {
-  pool.release_elements(elements);
-  account.remove(own_bytes(elements.size()));
-}
+ArrayValue::~ArrayValue() { account.remove(bytes_of(0)); }
 
-std::size_t ArrayValue::own_bytes(std::size_t elements) {
+std::size_t ArrayValue::bytes_of(std::size_t elements) {
   // An array has lists of its dimensions and elements.
-  constexpr std::size_t kBytesOfPointer = sizeof(void*);
-  return sizeof(ArrayValue) + 2 * sizeof(std::size_t) + 3 * kAddedByAllocator + elements * kBytesOfPointer;
+  return sizeof(ArrayValue) + 2 * sizeof(std::size_t) + 3 * kAddedByAllocator + ArrayElements::bytes_of(elements);
 }
-
-std::size_t ArrayValue::bytes_of(std::size_t elements) { return own_bytes(elements) + elements * kSlotBytes; }
 
 void ArrayValue::grow(std::size_t size) {
-  account.add(own_bytes(size) - own_bytes(elements.size()));
-  while (elements.size() < size) elements.push_back(pool.make());
+  elements.grow(size);
   dimensions = {size};
 }
 
@@ -140,11 +121,25 @@ Value copy_of_container(const Value& container) {
   while (!pending.empty()) {
     const Copy next = std::move(pending.back());
     pending.pop_back();
-    const std::vector<Slot*> from = slots_of(next.from), to = slots_of(next.to);
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const Value& value = from[i]->value;
-      to[i]->value = is_container(value) ? empty_copy(value) : value;
-      if (is_container(value)) pending.push_back({value, to[i]->value});
+    const auto copy_slot = [&](const Value& value, Value& copy) {
+      copy = is_container(value) ? empty_copy(value) : value;
+      if (is_container(value)) pending.push_back({value, copy});
+    };
+    if (next.from.kind() == ValueKind::array) {
+      const ArrayElements& from = next.from.as<ArrayValue>().elements;
+      ArrayElements& to = next.to.as<ArrayValue>().elements;
+      to.copy_numbers(from);
+      from.visit_slots([&](std::size_t i, const Slot& slot) {
+        if (slot.value.is_number()) {
+          to.set(i, slot.value);
+        } else if (slot.value.kind() != ValueKind::none) {
+          copy_slot(slot.value, to.slot(i).value);
+        }
+        return true;
+      });
+    } else {
+      const DictionaryValue& from = next.from.as<DictionaryValue>();
+      for (const auto& [key, slot] : from.fields) copy_slot(slot->value, next.to.as<DictionaryValue>().add(key).value);
     }
   }
   return result;
@@ -157,13 +152,13 @@ std::size_t bytes_of_copy(const Value& container) {
     const Value& next = *pending.back();
     pending.pop_back();
     if (next.kind() == ValueKind::array) {
-      bytes += ArrayValue::bytes_of(next.as<ArrayValue>().elements.size());
+      bytes += ArrayValue::bytes_of(0) + next.as<ArrayValue>().elements.bytes();
     } else {
       bytes += sizeof(DictionaryValue) + kAddedByAllocator;
-      for (const auto& [key, slot] : next.as<DictionaryValue>().fields)
-        bytes += DictionaryValue::bytes_of_field(key) + kSlotBytes;
+      for (const auto& [key, slot] : next.as<DictionaryValue>().fields) bytes += DictionaryValue::bytes_of_field(key);
     }
     visit_slots(next, [&](const Slot& slot) {
+      bytes += kSlotBytes;
       if (is_container(slot.value)) pending.push_back(&slot.value);
       return true;
     });

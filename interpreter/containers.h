@@ -1,8 +1,9 @@
-// Arrays and dictionaries: the values that hold others, each in a slot of its own, so that it can be written to and
-// passed to a macro by reference. All walks over containers within containers are lists or loops: depth takes no stack.
+// Arrays and dictionaries: the values that hold others. Each can be written to and passed to a macro by reference. All
+// walks over containers within containers are lists or loops: depth takes no stack.
 #pragma once
 
 #include "base/budget.h"
+#include "interpreter/array_elements.h"
 #include "interpreter/scopes.h"
 #include "interpreter/shared.h"
 #include "interpreter/value.h"
@@ -22,20 +23,16 @@ struct ArrayValue final : Shared {
   ArrayValue(std::vector<std::size_t> dimensions, SlotPool& pool, Charge& account);
   ~ArrayValue() override;
 
-  /// Bytes of an array of so many elements, with their slots, without the values that they point to.
+  /// Bytes of an array of so many elements that are numbers or not set.
   [[nodiscard]] static std::size_t bytes_of(std::size_t elements);
   /// Makes an array of one dimension longer; its new elements are not set.
   void grow(std::size_t size);
 
   std::vector<std::size_t> dimensions;
-  std::vector<Slot*> elements;
+  ArrayElements elements;
   bool grows = false;  ///< it was made without a size: an index beyond its end makes it longer
   SlotPool& pool;
   Charge& account;
-
- private:
-  /// The same without the slots, which their pool counts.
-  [[nodiscard]] static std::size_t own_bytes(std::size_t elements);
 };
 
 /// `dictionary { .Name: value, … }`.

@@ -129,13 +129,6 @@ void evaluate_each_coordinate(Context& context, Items coordinates, Append append
   result = Value(count, terms);
 }
 
-[[gnu::noinline]] void evaluate_element(Context& context, const Node& node, Value& result) {
-  const Slot& slot = find_slot(context, node);
-  if (slot.value.kind() == ValueKind::none) context.fail(node.span, "this array element is not set");
-  if (slot.value.kind() == ValueKind::poison) throw Failed{};
-  result = slot.value;
-}
-
 /// Evaluates the nodes that are rare, or that take long.
 [[nodiscard]] [[gnu::noinline]] Value evaluate_rare(Context& context, const Node& node) {
   switch (node.kind) {
@@ -165,7 +158,7 @@ void evaluate_into(Context& context, const Node& node, Value& result) {
     case NodeKind::number: return result.set_number(as<grammar::Number>(node).value);
     case NodeKind::name: return evaluate_name(context, as<grammar::Name>(node), result);
     case NodeKind::index:
-    case NodeKind::scoped_name: return evaluate_element(context, node, result);
+    case NodeKind::scoped_name: return read_place(context, node, result);
     case NodeKind::function_call: return call_builtin(context, as<grammar::FunctionCall>(node), result);
     case NodeKind::dot: return evaluate_dot(context, as<grammar::Dot>(node), result);
     case NodeKind::vector: return evaluate_vector(context, as<grammar::Vector>(node), result);

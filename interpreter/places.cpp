@@ -77,7 +77,7 @@ Slot* root_slot(Context& context, const Node& root, Purpose purpose) {
   constexpr double kMost = 1e12;  // more than any machine holds
   if (!(array.grows && index >= 0 && index < kMost)) fail_outside(context, node, index, array.elements.size());
   const auto place = static_cast<std::size_t>(index);
-  context.check_memory(node.span, ArrayValue::bytes_of(place + 1 - array.elements.size()));
+  context.check_memory(node.span, ArrayElements::bytes_of(place + 1 - array.elements.size()));
   array.grow(place + 1);
   return place;
 }
@@ -88,6 +88,15 @@ std::size_t place_of(Context& context, const Node& node, double value, ArrayValu
   if (!(index >= 0 && index < static_cast<double>(size))) [[unlikely]]
     return grown_to(context, node, array, index);
   return static_cast<std::size_t>(index);
+}
+
+[[gnu::noinline]] Slot& new_slot(Context& context, SourceSpan span, ArrayValue& array, std::size_t place) {
+  context.check_memory(span, array.elements.bytes_of_slot());
+  return array.elements.slot(place);
+}
+
+Slot* slot_of(Context& context, SourceSpan span, ArrayValue& array, std::size_t place) {
+  return array.elements.has_slot(place) ? &array.elements.slot(place) : &new_slot(context, span, array, place);
 }
 
 /// The one-dimensional array that the slot holds, or null.
@@ -120,7 +129,7 @@ Slot* element_at(Context& context, ArrayValue& array, const std::vector<Step>& p
     place = place * size + place_of(context, subscript, index_of(context, path[step]), array, size);
     ++step;
   }
-  return array.elements[place];
+  return slot_of(context, path[step - 1].node->span, array, place);
 }
 
 // ---- Dictionaries ---------------------------------------------------------------------------------------------------
@@ -204,17 +213,27 @@ Slot* find_on_path(Context& context, const Node& place, Purpose purpose) {
   return slot ? walk(context, *node, slot, path, purpose) : nullptr;
 }
 
-/// The common case: A[i] of one dimension. Null if the place is none.
-Slot* find_in_list(Context& context, const Node& place) {
-  if (place.kind != NodeKind::index) return nullptr;
+struct ListElement {
+  ArrayValue* list;
+  std::size_t place;
+};
+
+/// The common case: A[i] of one dimension. The list is null if the place is none.
+ListElement element_of_list(Context& context, const Node& place) {
+  if (place.kind != NodeKind::index) return {};
   const auto& node = as<grammar::Index>(place);
-  if (node.base->kind != NodeKind::name) return nullptr;
+  if (node.base->kind != NodeKind::name) return {};
   const Symbol name = as<grammar::Name>(*node.base).name;
-  if (!list_in(context.scopes.find(name))) return nullptr;
+  if (!list_in(context.scopes.find(name))) return {};
   const double index = evaluate_number(context, *node.subscript);
   ArrayValue* const list = list_in(context.scopes.find(name));
   if (!list) context.fail(node.span, "evaluating the index has undeclared this array");
-  return list->elements[place_of(context, *node.subscript, index, *list, list->elements.size())];
+  return {list, place_of(context, *node.subscript, index, *list, list->elements.size())};
+}
+
+Slot* find_in_list(Context& context, const Node& place) {
+  const ListElement element = element_of_list(context, place);
+  return element.list ? slot_of(context, place.span, *element.list, element.place) : nullptr;
 }
 
 }  // namespace
@@ -222,6 +241,20 @@ Slot* find_in_list(Context& context, const Node& place) {
 void fail_undeclared(Context& context, SourceSpan span, Symbol name) {
   if (grammar::is_newer_word(name)) context.fail(span, grammar::newer_word_message(context.text(name)));
   context.fail(span, fmt::format("undeclared identifier `{}`", context.text(name)), context.suggest_declared(name));
+}
+
+void read_place(Context& context, const Node& place, Value& result) {
+  const Slot* slot = nullptr;
+  if (const auto [list, i] = element_of_list(context, place); list) {
+    if (const double* const number = list->elements.number(i)) return result.set_number(*number);
+    slot = slot_of(context, place.span, *list, i);
+  } else {
+    slot = place.kind == NodeKind::index ? find_on_path(context, place, Purpose::use)
+                                         : root_slot(context, place, Purpose::use);
+  }
+  if (slot->value.kind() == ValueKind::none) context.fail(place.span, "this array element is not set");
+  if (slot->value.kind() == ValueKind::poison) throw Failed{};
+  result = slot->value;
 }
 
 Slot& find_slot(Context& context, const Node& place) {

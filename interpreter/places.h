@@ -6,6 +6,8 @@
 
 namespace isl::interpreter {
 
+/// The value of a place that must be declared. A number in an array is read without a slot being made for it.
+void read_place(Context& context, const grammar::Node& place, Value& result);
 /// The slot of a place that must be declared.
 [[nodiscard]] Slot& find_slot(Context& context, const grammar::Node& place);
 /// The same; null if it is not declared, or if it is an item of a vector.

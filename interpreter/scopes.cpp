@@ -16,6 +16,7 @@ SlotPool::~SlotPool() {
 
 void SlotPool::release_elements(const std::vector<Slot*>& elements) {
   for (Slot* const element : elements) {
+    if (!element) continue;
     if (element->value.kind() != ValueKind::array && element->value.kind() != ValueKind::dictionary) {
       release(element);
     } else if (--element->references == 0) {

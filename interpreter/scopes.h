@@ -43,7 +43,7 @@ class SlotPool {
       free_ = slot;
     }
   }
-  /// Releases the slots of a container (containers.h). Containers among their values are destroyed from a list, so that
+  /// Releases the slots of a container (containers.h), null or not. Containers among their values are destroyed from a list, so that
   /// however deep containers are within containers, they take no stack.
   void release_elements(const std::vector<Slot*>& elements);
 

@@ -126,18 +126,23 @@ const Operation* perform_item(Machine& machine, const Operation* at) {
   return at + 1;
 }
 
-/// The slot of an array's element; null if the name holds no list or the list has no such element.
-Slot* element_slot(const Machine& machine, std::uint32_t symbol, double index) {
+struct ListElement {
+  ArrayElements* list;
+  std::size_t place;
+};
+
+/// The list is null if the name holds none or it has no such element.
+ListElement element_of(const Machine& machine, std::uint32_t symbol, double index) {
   const Slot* const slot = machine.scopes.find_known(Symbol{symbol});
   if (!slot || slot->value.kind() != ValueKind::array) [[unlikely]]
-    return nullptr;
-  const ArrayValue& array = slot->value.as<ArrayValue>();
+    return {};
+  ArrayValue& array = slot->value.as<ArrayValue>();
   const double place = index + kTolerance;
   const bool is_inside = place >= 0 && place < static_cast<double>(array.elements.size());
   if (!is_inside || array.dimensions.size() != 1) [[unlikely]]
-    return nullptr;
+    return {};
   // The signed conversion is one instruction, and no array is that long.
-  return array.elements[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place))];
+  return {&array.elements, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place))};
 }
 
 template <class Index>
@@ -146,10 +151,11 @@ struct Element {
     const double* const index = Index::at(machine, at->a);
     if (!index) [[unlikely]]
       return elsewhere(at);
-    const Slot* const slot = element_slot(machine, at->b, *index);
-    if (!slot || !slot->value.is_number()) [[unlikely]]
+    const auto [list, place] = element_of(machine, at->b, *index);
+    const double* const number = list ? list->number(place) : nullptr;
+    if (!number) [[unlikely]]
       return elsewhere(at);
-    machine.registers[at->to] = slot->value.number();
+    machine.registers[at->to] = *number;
     return at + 1;
   }
 };
@@ -206,10 +212,9 @@ struct DeclareElement {
     const double* const number = Operand::at(machine, at->a);
     if (!number) [[unlikely]]
       return elsewhere(at);
-    Slot* const slot = element_slot(machine, at->b, machine.registers[at->to]);
-    if (!slot || slot->value.kind() >= ValueKind::function) [[unlikely]]
+    const auto [list, place] = element_of(machine, at->b, machine.registers[at->to]);
+    if (!list || !list->set_number(place, *number)) [[unlikely]]
       return elsewhere(at);
-    slot->value.set_number(*number);
     return at + 1;
   }
 };

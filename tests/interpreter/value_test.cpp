@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <utility>
 
 namespace isl::interpreter {
@@ -39,15 +41,14 @@ TEST(Value, ArraysCountWhatTheyTake) {
     SlotPool pool(&account);
     {
       const Ref<ArrayValue> outer = make_shared_value<ArrayValue>(std::vector<std::size_t>{1000}, pool, account);
-      for (Slot* const element : outer->elements) {
-        element->value =
-            Value(ValueKind::array, make_shared_value<ArrayValue>(std::vector<std::size_t>{1}, pool, account));
+      for (std::size_t i = 0; i < 1000; ++i) {
+        outer->elements.set(
+            i, Value(ValueKind::array, make_shared_value<ArrayValue>(std::vector<std::size_t>{1}, pool, account)));
       }
       EXPECT_EQ(account.bytes(), bytes_of_copy(Value(ValueKind::array, outer)));
-      // An array of one number takes five pieces of memory.
-      EXPECT_GE(account.bytes(), 1000 * (sizeof(ArrayValue) + 2 * sizeof(Slot) + 2 * sizeof(Slot*)));
+      EXPECT_GE(account.bytes(), 1000 * (sizeof(ArrayValue) + sizeof(Slot) + sizeof(Slot*) + 2 * sizeof(double)));
     }
-    EXPECT_EQ(account.bytes(), 2000 * kSlotBytes) << "slots wait for their next use";
+    EXPECT_EQ(account.bytes(), 1000 * kSlotBytes) << "slots wait for their next use";
   }
 }
 
@@ -55,12 +56,39 @@ TEST(Value, AnArraysCopyHasElementsOfItsOwn) {
   MemoryAccount account;
   SlotPool pool;
   const Ref<ArrayValue> a = make_shared_value<ArrayValue>(std::vector<std::size_t>{2}, pool, account);
-  a->elements[0]->value = Value(1.0);
+  a->elements.set(0, Value(1.0));
   const Value copy = copy_of_container(Value(ValueKind::array, a));
-  const auto& b = copy.as<ArrayValue>();
-  b.elements[0]->value = Value(2.0);
-  EXPECT_EQ(a->elements[0]->value.number(), 1);
-  EXPECT_EQ(b.elements[1]->value.kind(), ValueKind::none);
+  auto& b = copy.as<ArrayValue>();
+  b.elements.set(0, Value(2.0));
+  EXPECT_EQ(*a->elements.number(0), 1);
+  EXPECT_EQ(b.elements.number(1), nullptr);
+  EXPECT_EQ(b.elements.slot(1).value.kind(), ValueKind::none);
+}
+
+TEST(Value, NumbersOfAnArrayTakeSlotsOnlyWhereTheirPlacesAreAskedFor) {
+  MemoryAccount account;
+  SlotPool pool(&account);
+  ArrayElements elements(pool, account);
+  elements.grow(1000);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_TRUE(elements.set_number(i, static_cast<double>(i)));
+  EXPECT_EQ(account.bytes(), 1000 * sizeof(double));
+  Slot& place = elements.slot(7);
+  EXPECT_EQ(place.value.number(), 7);
+  EXPECT_EQ(account.bytes(), elements.bytes() + kSlotBytes);
+  EXPECT_EQ(elements.bytes(), 1000 * (sizeof(double) + sizeof(Slot*)));
+  // What is written by either way is read by both.
+  EXPECT_TRUE(elements.set_number(7, 70));
+  EXPECT_EQ(place.value.number(), 70);
+  place.value = Value(3, {1, 2, 3});
+  EXPECT_EQ(elements.number(7), nullptr);
+  elements.set(7, Value(700.0));
+  EXPECT_EQ(*elements.number(7), 700);
+  EXPECT_EQ(*elements.number(8), 8);
+  // A number that is none is set.
+  EXPECT_TRUE(elements.set_number(9, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_NE(elements.number(9), nullptr);
+  elements.grow(1001);
+  EXPECT_EQ(elements.number(1000), nullptr);
 }
 
 TEST(Arithmetic, ANumberFillsAndAVectorIsPadded) {
