@@ -29,12 +29,6 @@ void push_branch(Context& context, const Node& node, Items items) {
   }
 }
 
-/// True if a #for whose variable has the value `value` makes another turn. The tolerance is POV-Ray's: 0 to 1 by 0.1 is
-/// eleven turns.
-bool has_turn(double value, double end, double step) {
-  return step > 0 ? value < end + kTolerance : value > end - kTolerance;
-}
-
 [[gnu::noinline]] void start_for(Context& context, const grammar::For& node) {
   if (run_loop(context, node)) return;
   const double start = evaluate_number(context, *node.start);

@@ -13,6 +13,11 @@ void start_control(Context& context, const grammar::Node& node);
 
 /// Sets the variable of a #for to its start; true if it makes a turn. Fails if the step is zero.
 [[nodiscard]] bool begin_for(Context& context, const grammar::For& node, double start, const Frame::Range& range);
+/// True if a #for whose variable has the value `value` makes another turn. The tolerance is POV-Ray's: 0 to 1 by 0.1 is
+/// eleven turns.
+[[nodiscard]] inline bool has_turn(double value, double end, double step) {
+  return step > 0 ? value < end + kTolerance : value > end - kTolerance;
+}
 /// Adds the step to the variable; true if another turn follows.
 [[nodiscard]] bool next_for(Context& context, const grammar::For& node, const Frame::Range& range);
 /// True if a name or element has a value, for #ifdef.

@@ -54,44 +54,76 @@ struct Load {
   }
 };
 
-template <BinaryOp op, class Left, class Right>
+/// Where a declared name holds no number yet.
+template <bool is_local>
+[[gnu::noinline]] const Operation* declare_anew(Machine& machine, const Operation* at, Symbol name, double number) {
+  Slot& slot = is_local ? machine.scopes.local(name) : machine.scopes.declare(name);
+  if (slot.value.kind() >= ValueKind::function) [[unlikely]]
+    return elsewhere(at);
+  slot.value.set_number(number);
+  return at + 1;
+}
+
+template <bool is_local>
+const Operation* declare_number(Machine& machine, const Operation* at, Symbol name, double number) {
+  Slot* const slot = is_local ? nullptr : machine.scopes.find_known(name);
+  if (!slot || !slot->value.is_numeric()) return declare_anew<is_local>(machine, at, name, number);
+  slot->value.set_number(number);
+  return at + 1;
+}
+
+/// Where the result of a binary operator goes, by `to`.
+struct ToRegister {
+  static const Operation* put(Machine& machine, const Operation* at, double result) {
+    machine.registers[at->to] = result;
+    return at + 1;
+  }
+};
+struct ToName {
+  static const Operation* put(Machine& machine, const Operation* at, double result) {
+    return declare_number<false>(machine, at, Symbol{at->to}, result);
+  }
+};
+
+template <class To, BinaryOp op, class Left, class Right>
 const Operation* perform_binary(Machine& machine, const Operation* at) {
   const double* const left = Left::at(machine, at->a);
   const double* const right = Right::at(machine, at->b);
   if (!left || !right) [[unlikely]]
     return elsewhere(at);
-  double& result = machine.registers[at->to];
-  if constexpr (op == BinaryOp::add) {
-    result = *left + *right;
-  } else if constexpr (op == BinaryOp::subtract) {
-    result = *left - *right;
-  } else if constexpr (op == BinaryOp::multiply) {
-    result = *left * *right;
-  } else if constexpr (op == BinaryOp::divide) {
+  if constexpr (op == BinaryOp::add) return To::put(machine, at, *left + *right);
+  if constexpr (op == BinaryOp::subtract) return To::put(machine, at, *left - *right);
+  if constexpr (op == BinaryOp::multiply) return To::put(machine, at, *left * *right);
+  if constexpr (op == BinaryOp::divide) {
     if (*right == 0) [[unlikely]]
       return elsewhere(at);
-    result = *left / *right;
-  } else {
-    result = compare(op, *left, *right);
+    return To::put(machine, at, *left / *right);
   }
-  return at + 1;
+  return To::put(machine, at, compare(op, *left, *right));
 }
 
 constexpr std::size_t kSources = 3, kBinaryOps = static_cast<std::size_t>(BinaryOp::logical_or) + 1;
 using BySources = std::array<Perform, kSources * kSources>;
 
-template <BinaryOp op>
+template <class To, BinaryOp op>
 constexpr BySources rows_of() {
-  return {perform_binary<op, Name, Name>,         perform_binary<op, Name, Register>,
-          perform_binary<op, Name, Constant>,     perform_binary<op, Register, Name>,
-          perform_binary<op, Register, Register>, perform_binary<op, Register, Constant>,
-          perform_binary<op, Constant, Name>,     perform_binary<op, Constant, Register>,
-          perform_binary<op, Constant, Constant>};
+  return {perform_binary<To, op, Name, Name>,         perform_binary<To, op, Name, Register>,
+          perform_binary<To, op, Name, Constant>,     perform_binary<To, op, Register, Name>,
+          perform_binary<To, op, Register, Register>, perform_binary<To, op, Register, Constant>,
+          perform_binary<To, op, Constant, Name>,     perform_binary<To, op, Constant, Register>,
+          perform_binary<To, op, Constant, Constant>};
 }
 
-template <std::size_t... op>
+template <class To, std::size_t... op>
 constexpr std::array<BySources, kBinaryOps> all_rows(std::index_sequence<op...>) {
-  return {rows_of<static_cast<BinaryOp>(op)>()...};
+  return {rows_of<To, static_cast<BinaryOp>(op)>()...};
+}
+
+template <class To>
+Perform binary_to(BinaryOp op, Source left, Source right) {
+  static constexpr auto kRows = all_rows<To>(std::make_index_sequence<kBinaryOps>());
+  return kRows[static_cast<std::size_t>(op)]
+              [static_cast<std::size_t>(left) * kSources + static_cast<std::size_t>(right)];
 }
 
 template <UnaryOp op, class Operand>
@@ -132,17 +164,18 @@ struct ListElement {
 };
 
 /// The list is null if the name holds none or it has no such element.
-ListElement element_of(const Machine& machine, std::uint32_t symbol, double index) {
+inline ListElement element_of(const Machine& machine, std::uint32_t symbol, double index) {
   const Slot* const slot = machine.scopes.find_known(Symbol{symbol});
   if (!slot || slot->value.kind() != ValueKind::array) [[unlikely]]
     return {};
   ArrayValue& array = slot->value.as<ArrayValue>();
+  // The signed conversion is one instruction. What is too large for it, or no number, becomes the least integer, and
+  // so a place behind every array's end.
   const double place = index + kTolerance;
-  const bool is_inside = place >= 0 && place < static_cast<double>(array.elements.size());
-  if (!is_inside || array.dimensions.size() != 1) [[unlikely]]
+  const auto whole = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place));
+  if (!(place >= 0) || whole >= array.elements.size() || array.dimensions.size() != 1) [[unlikely]]
     return {};
-  // The signed conversion is one instruction, and no array is that long.
-  return {&array.elements, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place))};
+  return {&array.elements, whole};
 }
 
 template <class Index>
@@ -188,13 +221,7 @@ const Operation* perform_declaration(Machine& machine, const Operation* at) {
   const double* const number = Operand::at(machine, at->a);
   if (!number) [[unlikely]]
     return elsewhere(at);
-  const Symbol name{at->b};
-  Slot* const known = is_local ? nullptr : machine.scopes.find_known(name);
-  Slot& slot = known ? *known : is_local ? machine.scopes.local(name) : machine.scopes.declare(name);
-  if (slot.value.kind() >= ValueKind::function) [[unlikely]]
-    return elsewhere(at);
-  slot.value.set_number(*number);
-  return at + 1;
+  return declare_number<is_local>(machine, at, Symbol{at->b}, *number);
 }
 
 template <class Operand>
@@ -259,7 +286,17 @@ const Operation* perform_begin_for(Machine& machine, const Operation* at) {
 const Operation* perform_next_for(Machine& machine, const Operation* at) {
   const double* const range = &machine.registers[at->to];
   const auto& node = as<grammar::For>(*at->node);
-  return next_for(machine.context, node, {range[1], range[2]}) ? elsewhere(at) : at + 1;
+  Slot* const slot = machine.scopes.find_known(node.variable);
+  const bool has_number = slot && slot->value.is_number();
+  if (!has_number) [[unlikely]] {
+    if (!next_for(machine.context, node, {range[1], range[2]})) return at + 1;
+  } else {
+    const double next = slot->value.number() + range[2];
+    slot->value.set_number(next);
+    if (!has_turn(next, range[1], range[2])) return at + 1;
+  }
+  machine.context.count_turn(node.span);
+  return elsewhere(at);
 }
 
 // ---- The evaluator --------------------------------------------------------------------------------------------------
@@ -291,11 +328,8 @@ const Operation* perform_evaluated_yield(Machine& machine, const Operation* at) 
 }  // namespace
 
 Perform load(Source source) { return by_source<Load>(source); }
-Perform binary(BinaryOp op, Source left, Source right) {
-  static constexpr auto kRows = all_rows(std::make_index_sequence<kBinaryOps>());
-  return kRows[static_cast<std::size_t>(op)]
-              [static_cast<std::size_t>(left) * kSources + static_cast<std::size_t>(right)];
-}
+Perform binary(BinaryOp op, Source left, Source right) { return binary_to<ToRegister>(op, left, right); }
+Perform declare_binary(BinaryOp op, Source left, Source right) { return binary_to<ToName>(op, left, right); }
 Perform unary(UnaryOp op, Source operand) {
   switch (op) {
     case UnaryOp::plus: return by_source<Plus>(operand);

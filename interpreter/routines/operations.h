@@ -14,6 +14,8 @@ namespace operations {
 // Each of these goes to `other` where a name holds no number, or where the evaluator has something to say.
 [[nodiscard]] Perform load(Source source);  ///< a → to
 [[nodiscard]] Perform binary(grammar::BinaryOp op, Source left, Source right);
+/// The same with `#declare` of the name `to` with the result.
+[[nodiscard]] Perform declare_binary(grammar::BinaryOp op, Source left, Source right);
 [[nodiscard]] Perform unary(grammar::UnaryOp op, Source operand);
 /// `b` is the index of the term of the name `a`.
 [[nodiscard]] Perform item();
@@ -42,7 +44,7 @@ namespace operations {
 [[nodiscard]] Perform count_turn();
 /// Begins the #for `node`, whose start, end and step are in registers from `to` on; goes to `other` if it has no turn.
 [[nodiscard]] Perform begin_for();
-/// The next turn of the #for, at `other`.
+/// Goes to the next turn of the #for, at `other`, and counts it.
 [[nodiscard]] Perform next_for();
 
 // What the evaluator does, with `node`; all but the last go to `other` afterwards.

@@ -47,6 +47,7 @@ class RoutineBuilder {
   // ---- Statements ---------------------------------------------------------------------------------------------------
 
   [[nodiscard]] bool add_declaration(const grammar::Declare& node);
+  void add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin);
   [[nodiscard]] bool add_element_declaration(const grammar::Declare& node, const Operand& value);
   [[nodiscard]] bool add_branches(Index otherwise_jump, Items then, Items otherwise, bool is_last);
   [[nodiscard]] bool add_if(const grammar::If& node, bool is_last);
@@ -91,6 +92,7 @@ class RoutineBuilder {
   const bool is_macro_;
   Routine routine_;
   std::vector<Detour> detours_;
+  std::pair<Source, Source> sources_{};     ///< of the operands of the last binary operator
   std::uint32_t registers_ = 0;             ///< in use
   std::vector<std::vector<Index>> breaks_;  ///< of each loop around: the jumps out of it
   std::vector<Index> returns_;              ///< #break outside loops
@@ -174,7 +176,7 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
   const std::uint32_t registers = registers_;
   std::optional<Operand> value = number(*only);
   if (value && node.target->kind == NodeKind::name) {
-    add(op::declare(node.local, value->source), value->index, symbol(as<grammar::Name>(*node.target).name));
+    add_name_declaration(node, *value, begin);
   } else if (!value || !add_element_declaration(node, *value)) {
     value.reset();
   }
@@ -186,6 +188,21 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
   }
   detours_.push_back({begin, here(), {op::evaluate_declaration(), &node, 0, 0, 0, 0}});
   return true;
+}
+
+void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin) {
+  const std::uint32_t name = symbol(as<grammar::Name>(*node.target).name);
+  const Node& only = *node.value[0];
+  const bool is_binary = only.kind == NodeKind::binary && here() > begin && !node.local;
+  if (!is_binary) {
+    add(op::declare(node.local, value.source), value.index, name);
+    return;
+  }
+  // The last operation is that of the operator.
+  Operation& last = routine_.operations.back();
+  const auto& binary = as<grammar::Binary>(only);
+  last.perform = op::declare_binary(binary.op, sources_.first, sources_.second);
+  last.to = name;
 }
 
 bool RoutineBuilder::add_element_declaration(const grammar::Declare& node, const Operand& value) {
@@ -251,7 +268,8 @@ bool RoutineBuilder::add_for(const grammar::For& node) {
   }
   breaks_.emplace_back();
   breaks_.back().push_back(add(op::begin_for(), node, range));
-  const Index turn = add(op::count_turn(), node);
+  add(op::count_turn(), node);
+  const Index turn = here();
   if (!add_items(node.body, false)) return false;
   set_other(add(op::next_for(), node, range), turn);
   for (const Index at : breaks_.back()) land(at);
@@ -370,6 +388,7 @@ std::optional<Operand> RoutineBuilder::number_of_binary(const grammar::Binary& n
   registers_ = to;
   if (!right) return {};
   add(op::binary(node.op, left->source, right->source), left->index, right->index, to);
+  sources_ = {left->source, right->source};
   return Operand{kRegister, to};
 }
 
