@@ -181,18 +181,9 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return slot->value.as<StringValue>().text;
 }
 
-/// A comparison of strings that need no evaluation; false if it is none.
-[[nodiscard]] bool compare_texts(Context& context, const grammar::Binary& node, Value& result) {
-  const std::optional<std::string_view> left = text_at_hand(context, *node.left);
-  const std::optional<std::string_view> right = left ? text_at_hand(context, *node.right) : std::nullopt;
-  if (!right) return false;
-  result.set_number(compare(node.op, left->compare(*right), 0));
-  return true;
-}
-
 /// The general case: operands of any kind.
 [[gnu::noinline]] void evaluate_sides(Context& context, const grammar::Binary& node, Value& result) {
-  if (is_comparison(node.op) && compare_texts(context, node, result)) return;
+  if (const std::optional<double> order = compare_texts(context, node)) return result.set_number(*order);
   const NestingGuard guard(context, node.span);
   const Value* left = is_still(*node.right) ? variable(context, *node.left) : nullptr;
   if (!left) {
@@ -225,6 +216,14 @@ Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) 
 int term_of_item(grammar::Symbol item) {
   if (grammar::is_reserved(item)) return kTermOfItem[static_cast<std::uint32_t>(item)];
   return item == grammar::newer_word::kw_grey ? kGray : kNoItem;
+}
+
+std::optional<double> compare_texts(Context& context, const grammar::Binary& node) {
+  if (!is_comparison(node.op)) return {};
+  const std::optional<std::string_view> left = text_at_hand(context, *node.left);
+  const std::optional<std::string_view> right = left ? text_at_hand(context, *node.right) : std::nullopt;
+  if (!right) return {};
+  return compare(node.op, left->compare(*right), 0);
 }
 
 const double* item_at_hand(Context& context, const grammar::Dot& node) {

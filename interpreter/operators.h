@@ -4,10 +4,15 @@
 
 #include "interpreter/context.h"
 
+#include <optional>
+
 namespace isl::interpreter {
 
 /// The index of the term that an item's word names; negative for `gray` and for a word that names none.
 [[nodiscard]] int term_of_item(grammar::Symbol item);
+
+/// The result of a comparison of strings that need no evaluation; none if it is no such comparison.
+[[nodiscard]] std::optional<double> compare_texts(Context& context, const grammar::Binary& node);
 
 /// `Variable.x` if the variable holds a vector that has such an item, else null.
 [[nodiscard]] const double* item_at_hand(Context& context, const grammar::Dot& node);

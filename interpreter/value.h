@@ -105,6 +105,12 @@ class Value {
     terms_[0] = number;
   }
 
+  /// A number becomes another one.
+  void change_number(double number) {
+    ISL_DCHECK(is_number(), "{} terms", term_count());
+    terms_[0] = number;
+  }
+
   [[nodiscard]] ValueKind kind() const { return kind_; }
   [[nodiscard]] bool is_numeric() const { return kind_ == ValueKind::numeric; }
   [[nodiscard]] bool is_number() const { return term_count_ == 1; }

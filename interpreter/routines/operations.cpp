@@ -3,6 +3,7 @@
 #include "interpreter/control.h"
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
+#include "interpreter/operators.h"
 
 #include <array>
 #include <cmath>
@@ -18,6 +19,18 @@ using grammar::Symbol;
 using grammar::UnaryOp;
 
 const Operation* elsewhere(const Operation* at) { return at + at->other; }
+
+/// Goes on at an operation: an optimising compiler makes the call a jump, so that each operation has a branch of its
+/// own to its next one, which processors foresee better than a common one. Without that the loop in run() calls it. A
+/// turn of a loop always ends there.
+[[gnu::always_inline]] inline const Operation* next(Machine& machine, const Operation* at) {
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+  return at->perform(machine, at);
+#else
+  static_cast<void>(machine);
+  return at;
+#endif
+}
 
 // ---- Operands: the place of a number, or null -----------------------------------------------------------------------
 
@@ -50,7 +63,7 @@ struct Load {
     if (!number) [[unlikely]]
       return elsewhere(at);
     machine.registers[at->to] = *number;
-    return at + 1;
+    return next(machine, at + 1);
   }
 };
 
@@ -61,22 +74,22 @@ template <bool is_local>
   if (slot.value.kind() >= ValueKind::function) [[unlikely]]
     return elsewhere(at);
   slot.value.set_number(number);
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 template <bool is_local>
 const Operation* declare_number(Machine& machine, const Operation* at, Symbol name, double number) {
   Slot* const slot = is_local ? nullptr : machine.scopes.find_known(name);
-  if (!slot || !slot->value.is_numeric()) return declare_anew<is_local>(machine, at, name, number);
-  slot->value.set_number(number);
-  return at + 1;
+  if (!slot || !slot->value.is_number()) return declare_anew<is_local>(machine, at, name, number);
+  slot->value.change_number(number);
+  return next(machine, at + 1);
 }
 
 /// Where the result of a binary operator goes, by `to`.
 struct ToRegister {
   static const Operation* put(Machine& machine, const Operation* at, double result) {
     machine.registers[at->to] = result;
-    return at + 1;
+    return next(machine, at + 1);
   }
 };
 struct ToName {
@@ -132,7 +145,7 @@ const Operation* perform_unary(Machine& machine, const Operation* at) {
   if (!number) [[unlikely]]
     return elsewhere(at);
   machine.registers[at->to] = applied(op, *number);
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 template <class Operand>
@@ -148,6 +161,14 @@ struct Not {
   static constexpr Perform perform = perform_unary<UnaryOp::logical_not, Operand>;
 };
 
+const Operation* perform_compare_texts(Machine& machine, const Operation* at) {
+  const std::optional<double> result = compare_texts(machine.context, as<grammar::Binary>(*at->node));
+  if (!result) [[unlikely]]
+    return elsewhere(at);
+  machine.registers[at->to] = *result;
+  return next(machine, at + 1);
+}
+
 const Operation* perform_item(Machine& machine, const Operation* at) {
   const Slot* const slot = machine.scopes.find_known(Symbol{at->a});
   const auto term = static_cast<int>(at->b);
@@ -155,7 +176,7 @@ const Operation* perform_item(Machine& machine, const Operation* at) {
   if (!has_item) [[unlikely]]
     return elsewhere(at);
   machine.registers[at->to] = slot->value.terms()[at->b];
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 struct ListElement {
@@ -189,7 +210,7 @@ struct Element {
     if (!number) [[unlikely]]
       return elsewhere(at);
     machine.registers[at->to] = *number;
-    return at + 1;
+    return next(machine, at + 1);
   }
 };
 
@@ -199,19 +220,19 @@ const Operation* perform_call(Machine& machine, const Operation* at) {
   double& result = machine.registers[at->to];
   if (function.of_one) {
     result = function.of_one(arguments[0]);
-    return at + 1;
+    return next(machine, at + 1);
   }
   double answer = 0;
   if (!function.apply(arguments[0], function.arguments == 2 ? arguments[1] : 0, answer)) [[unlikely]]
     return elsewhere(at);
   result = answer;
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 const Operation* perform_choice(Machine& machine, const Operation* at) {
   double& condition = machine.registers[at->to];
   condition = machine.registers[std::abs(condition) > kTolerance ? at->a : at->b];
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 // ---- Declarations ---------------------------------------------------------------------------------------------------
@@ -233,18 +254,22 @@ struct DeclareLocal {
   static constexpr Perform perform = perform_declaration<true, Operand>;
 };
 
+template <class Operand, class Index>
+const Operation* perform_element_declaration(Machine& machine, const Operation* at) {
+  const double* const number = Operand::at(machine, at->a);
+  const double* const index = Index::at(machine, at->to);
+  if (!number || !index) [[unlikely]]
+    return elsewhere(at);
+  const auto [list, place] = element_of(machine, at->b, *index);
+  if (!list || !list->set_number(place, *number)) [[unlikely]]
+    return elsewhere(at);
+  return next(machine, at + 1);
+}
+
 template <class Operand>
-struct DeclareElement {
-  static const Operation* perform(Machine& machine, const Operation* at) {
-    const double* const number = Operand::at(machine, at->a);
-    if (!number) [[unlikely]]
-      return elsewhere(at);
-    const auto [list, place] = element_of(machine, at->b, machine.registers[at->to]);
-    if (!list || !list->set_number(place, *number)) [[unlikely]]
-      return elsewhere(at);
-    return at + 1;
-  }
-};
+constexpr std::array<Perform, kSources> kElementRow = {perform_element_declaration<Operand, Name>,
+                                                       perform_element_declaration<Operand, Register>,
+                                                       perform_element_declaration<Operand, Constant>};
 
 template <class Operand>
 struct Yield {
@@ -264,7 +289,7 @@ const Operation* perform_jump(Machine&, const Operation* at) { return elsewhere(
 const Operation* perform_end(Machine&, const Operation*) { return nullptr; }
 
 const Operation* perform_jump_unless(Machine& machine, const Operation* at) {
-  return std::abs(machine.registers[at->a]) > kTolerance ? at + 1 : elsewhere(at);
+  return next(machine, std::abs(machine.registers[at->a]) > kTolerance ? at + 1 : elsewhere(at));
 }
 
 const Operation* perform_jump_unless_declared(Machine& machine, const Operation* at) {
@@ -274,7 +299,7 @@ const Operation* perform_jump_unless_declared(Machine& machine, const Operation*
 
 const Operation* perform_count_turn(Machine& machine, const Operation* at) {
   machine.context.count_turn(at->node->span);
-  return at + 1;
+  return next(machine, at + 1);
 }
 
 const Operation* perform_begin_for(Machine& machine, const Operation* at) {
@@ -283,18 +308,21 @@ const Operation* perform_begin_for(Machine& machine, const Operation* at) {
   return has_turn ? at + 1 : elsewhere(at);
 }
 
-const Operation* perform_next_for(Machine& machine, const Operation* at) {
+/// Where the variable holds no number, which the scene is told.
+[[gnu::noinline]] const Operation* next_for_without_number(Machine& machine, const Operation* at) {
   const double* const range = &machine.registers[at->to];
+  return next_for(machine.context, as<grammar::For>(*at->node), {range[1], range[2]}) ? elsewhere(at) : at + 1;
+}
+
+const Operation* perform_next_for(Machine& machine, const Operation* at) {
   const auto& node = as<grammar::For>(*at->node);
   Slot* const slot = machine.scopes.find_known(node.variable);
-  const bool has_number = slot && slot->value.is_number();
-  if (!has_number) [[unlikely]] {
-    if (!next_for(machine.context, node, {range[1], range[2]})) return at + 1;
-  } else {
-    const double next = slot->value.number() + range[2];
-    slot->value.set_number(next);
-    if (!has_turn(next, range[1], range[2])) return at + 1;
-  }
+  if (!slot || !slot->value.is_number()) [[unlikely]]
+    return next_for_without_number(machine, at);
+  const double* const range = &machine.registers[at->to];
+  const double value = slot->value.number() + range[2];
+  slot->value.change_number(value);
+  if (!has_turn(value, range[1], range[2])) return next(machine, at + 1);
   machine.context.count_turn(node.span);
   return elsewhere(at);
 }
@@ -338,6 +366,7 @@ Perform unary(UnaryOp op, Source operand) {
   }
   ISL_CHECK(false, "operator {}", static_cast<int>(op));
 }
+Perform compare_texts() { return perform_compare_texts; }
 Perform item() { return perform_item; }
 Perform element(Source index) { return by_source<Element>(index); }
 Perform call() { return perform_call; }
@@ -345,7 +374,11 @@ Perform choose() { return perform_choice; }
 Perform declare(bool is_local, Source value) {
   return is_local ? by_source<DeclareLocal>(value) : by_source<Declare>(value);
 }
-Perform declare_element(Source value) { return by_source<DeclareElement>(value); }
+Perform declare_element(Source value, Source index) {
+  static constexpr std::array<Perform, kSources> kRows[] = {kElementRow<Name>, kElementRow<Register>,
+                                                            kElementRow<Constant>};
+  return kRows[static_cast<std::size_t>(value)][static_cast<std::size_t>(index)];
+}
 Perform yield(Source value) { return by_source<Yield>(value); }
 Perform jump() { return perform_jump; }
 Perform jump_unless() { return perform_jump_unless; }

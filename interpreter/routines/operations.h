@@ -17,6 +17,8 @@ namespace operations {
 /// The same with `#declare` of the name `to` with the result.
 [[nodiscard]] Perform declare_binary(grammar::BinaryOp op, Source left, Source right);
 [[nodiscard]] Perform unary(grammar::UnaryOp op, Source operand);
+/// The comparison `node` of strings.
+[[nodiscard]] Perform compare_texts();
 /// `b` is the index of the term of the name `a`.
 [[nodiscard]] Perform item();
 /// The element of the array of the name `b` at index `a`.
@@ -28,8 +30,8 @@ namespace operations {
 
 /// `#declare` or `#local` of the name `b` with the number `a`.
 [[nodiscard]] Perform declare(bool is_local, Source value);
-/// The same of the element of the array of the name `b` at the index in register `to`.
-[[nodiscard]] Perform declare_element(Source value);
+/// The same of the element of the array of the name `b` at the index `to`.
+[[nodiscard]] Perform declare_element(Source value, Source index);
 /// The macro's value is the number `a`.
 [[nodiscard]] Perform yield(Source value);
 

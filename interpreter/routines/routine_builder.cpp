@@ -44,6 +44,13 @@ class RoutineBuilder {
     Operation operation;
   };
 
+  /// The operation of the binary operator that was added last.
+  struct LastOperator {
+    Index at;
+    grammar::BinaryOp op;
+    Source left, right;
+  };
+
   // ---- Statements ---------------------------------------------------------------------------------------------------
 
   [[nodiscard]] bool add_declaration(const grammar::Declare& node);
@@ -92,7 +99,7 @@ class RoutineBuilder {
   const bool is_macro_;
   Routine routine_;
   std::vector<Detour> detours_;
-  std::pair<Source, Source> sources_{};     ///< of the operands of the last binary operator
+  LastOperator last_operator_{};
   std::uint32_t registers_ = 0;             ///< in use
   std::vector<std::vector<Index>> breaks_;  ///< of each loop around: the jumps out of it
   std::vector<Index> returns_;              ///< #break outside loops
@@ -192,16 +199,13 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
 
 void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin) {
   const std::uint32_t name = symbol(as<grammar::Name>(*node.target).name);
-  const Node& only = *node.value[0];
-  const bool is_binary = only.kind == NodeKind::binary && here() > begin && !node.local;
-  if (!is_binary) {
+  const bool is_of_operator = here() > begin && last_operator_.at == here() - 1 && !node.local;
+  if (!is_of_operator) {
     add(op::declare(node.local, value.source), value.index, name);
     return;
   }
-  // The last operation is that of the operator.
   Operation& last = routine_.operations.back();
-  const auto& binary = as<grammar::Binary>(only);
-  last.perform = op::declare_binary(binary.op, sources_.first, sources_.second);
+  last.perform = op::declare_binary(last_operator_.op, last_operator_.left, last_operator_.right);
   last.to = name;
 }
 
@@ -209,9 +213,9 @@ bool RoutineBuilder::add_element_declaration(const grammar::Declare& node, const
   const grammar::Name* const list = name_of_list(*node.target);
   if (value.source == kRegister) ++registers_;
   if (!list || !has_register()) return false;
-  const std::uint32_t index = registers_;
-  if (!number_in(*as<grammar::Index>(*node.target).subscript, index)) return false;
-  add(op::declare_element(value.source), value.index, symbol(list->name), index);
+  const std::optional<Operand> index = number(*as<grammar::Index>(*node.target).subscript);
+  if (!index) return false;
+  add(op::declare_element(value.source, index->source), value.index, symbol(list->name), index->index);
   return true;
 }
 
@@ -380,6 +384,11 @@ std::optional<Operand> RoutineBuilder::number_of_constant(const grammar::Constan
 
 std::optional<Operand> RoutineBuilder::number_of_binary(const grammar::Binary& node) {
   const std::uint32_t to = registers_;
+  // With a literal it is a comparison of strings, or a mistake.
+  if (node.left->kind == NodeKind::string || node.right->kind == NodeKind::string) {
+    add(op::compare_texts(), node, to);
+    return Operand{kRegister, to};
+  }
   const std::optional<Operand> left = number(*node.left);
   if (!left) return {};
   // The right side must leave the left one's register alone.
@@ -388,7 +397,7 @@ std::optional<Operand> RoutineBuilder::number_of_binary(const grammar::Binary& n
   registers_ = to;
   if (!right) return {};
   add(op::binary(node.op, left->source, right->source), left->index, right->index, to);
-  sources_ = {left->source, right->source};
+  last_operator_ = {here() - 1, node.op, left->source, right->source};
   return Operand{kRegister, to};
 }
 

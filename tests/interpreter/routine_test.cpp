@@ -64,6 +64,16 @@ TEST(Routine, ComputesEveryOperator) {
                    std::string(kShow)));
 }
 
+TEST(Routine, ComparesStrings) {
+  EXPECT_EQ(shown("#declare A = 0; #for (I, 0, 4) @ #declare T = chr(65 + I); #declare B = (T = \"C\"); "
+                  "#if (T != \"A\" & \"D\" >= T | B) #declare A = 10 * A + I; #end #end"),
+            "123.000000\n");
+  EXPECT_EQ(shown("#declare A = 0; #for (I, 0, 2) @ #declare A = A + (\"a\" < \"b\"); #end"), "3.000000\n");
+  said_by_both("#declare T = 1; #for (I, 0, 2) @ #declare B = (T = \"C\"); #end");
+  said_by_both("#for (I, 0, 2) @ #declare B = \"a\" + \"b\"; #end");
+  said_by_both("#for (I, 0, 2) @ #if (Unknown = \"b\") #declare B = 1; #end #end");
+}
+
 TEST(Routine, ReadsAndWritesElementsAndItems) {
   EXPECT_EQ(shown("#declare L = array[4]; #for (I, 0, 3) @ #declare L[I] = I * I; #end #declare A = 0;"
                   "#for (I, 0, 3) @ #declare L[I] = L[I] + L[3 - I]; #declare A = A + L[I]; #end"),
@@ -74,6 +84,22 @@ TEST(Routine, ReadsAndWritesElementsAndItems) {
       shown(
           "#declare L = array[2][2] {{1, 2}, {3, 4}}; #declare A = 0; #for (I, 0, 1) @ #declare A = A + L[I][1]; #end"),
       "6.000000\n");
+}
+
+TEST(Routine, ArraysGrowAndHoldAnything) {
+  EXPECT_EQ(shown("#declare L = array; #for (I, 0, 9) @ #declare L[I] = I; #end #declare A = dimension_size(L, 1);"),
+            "10.000000\n");
+  EXPECT_EQ(shown("#macro Double(X) @ #declare X = 2 * X; #end #declare L = array[3] {1, 2, 3}; Double(L[1]) "
+                  "#for (I, 0, 2) @ #declare L[I] = L[I] + 1; #end #declare M = L; #declare L[1] = 0; "
+                  "#declare A = 100 * M[0] + 10 * M[1] + M[2] + L[1];"),
+            "254.000000\n");
+  EXPECT_EQ(
+      shown("#declare L = array[3]; #for (I, 0, 2) @ #if (I = 1) #declare L[I] = <I, 2>; #else #declare L[I] = I; "
+            "#end #end #declare M = L; #for (I, 0, 2) @ #declare L[I] = 5; #end #declare A = M[1].y + L[1];"),
+      "7.000000\n");
+  for (const std::string_view index : {"-1", "-0.5", "3", "1e300", "-1e300"})
+    said_by_both("#declare L = array[3] {1, 2, 3}; #for (I, 0, 0) @ #declare A = L[I + " + std::string(index) +
+                 "]; #end");
 }
 
 TEST(Routine, LeavesWhatIsNoNumberToTheEvaluator) {
