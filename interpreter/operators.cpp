@@ -173,14 +173,6 @@ constexpr std::array<std::int8_t, word::kReservedCount> kTermOfItem = [] {
   return arithmetic(node.op, a, b);
 }
 
-/// The text of a literal, or of a variable that holds a string. None for all others.
-[[nodiscard]] std::optional<std::string_view> text_at_hand(Context& context, const Node& node) {
-  if (node.kind == NodeKind::string) return as<grammar::String>(node).text;
-  const Slot* const slot = node.kind == NodeKind::name ? context.scopes.find(as<grammar::Name>(node).name) : nullptr;
-  if (!slot || slot->value.kind() != ValueKind::string) return {};
-  return slot->value.as<StringValue>().text;
-}
-
 /// The general case: operands of any kind.
 [[gnu::noinline]] void evaluate_sides(Context& context, const grammar::Binary& node, Value& result) {
   if (const std::optional<double> order = compare_texts(context, node)) return result.set_number(*order);
@@ -216,6 +208,13 @@ Value rest_of_terms(Context& context, const Node& sum, const TermsApart& apart) 
 int term_of_item(grammar::Symbol item) {
   if (grammar::is_reserved(item)) return kTermOfItem[static_cast<std::uint32_t>(item)];
   return item == grammar::newer_word::kw_grey ? kGray : kNoItem;
+}
+
+std::optional<std::string_view> text_at_hand(Context& context, const Node& node) {
+  if (node.kind == NodeKind::string) return as<grammar::String>(node).text;
+  const Slot* const slot = node.kind == NodeKind::name ? context.scopes.find(as<grammar::Name>(node).name) : nullptr;
+  if (!slot || slot->value.kind() != ValueKind::string) return {};
+  return slot->value.as<StringValue>().text;
 }
 
 std::optional<double> compare_texts(Context& context, const grammar::Binary& node) {

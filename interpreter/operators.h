@@ -5,12 +5,15 @@
 #include "interpreter/context.h"
 
 #include <optional>
+#include <string_view>
 
 namespace isl::interpreter {
 
 /// The index of the term that an item's word names; negative for `gray` and for a word that names none.
 [[nodiscard]] int term_of_item(grammar::Symbol item);
 
+/// The text of a literal, or of a variable that holds a string; none for all others. Valid until the next evaluation.
+[[nodiscard]] std::optional<std::string_view> text_at_hand(Context& context, const grammar::Node& node);
 /// The result of a comparison of strings that need no evaluation; none if it is no such comparison.
 [[nodiscard]] std::optional<double> compare_texts(Context& context, const grammar::Binary& node);
 

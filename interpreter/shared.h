@@ -1,4 +1,4 @@
-// Intrusively counted objects that values point to, immutable once made. One evaluation runs on one thread, so the
+// Intrusively counted objects that values point to, immutable while they are shared. One evaluation runs on one thread, so the
 // count is a plain integer. Knows nothing of the language.
 #pragma once
 
@@ -48,6 +48,8 @@ class Ref {
   [[nodiscard]] T& operator*() const { return *target_; }
   [[nodiscard]] T* operator->() const { return target_; }
   [[nodiscard]] explicit operator bool() const { return target_ != nullptr; }
+  /// True if no other Ref points to it; it is not null.
+  [[nodiscard]] bool is_only() const { return static_cast<Shared*>(target_)->references_ == 1; }
 
  private:
   void retain() const {

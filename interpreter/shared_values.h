@@ -23,11 +23,19 @@ using MemoryAccount = Charge;
 
 struct StringValue final : Shared {
   StringValue(std::string text_, MemoryAccount& account_) : text(std::move(text_)), account(account_) {
-    account.add(text.size() + sizeof(StringValue));
+    account.add(bytes());
   }
-  ~StringValue() override { account.remove(text.size() + sizeof(StringValue)); }
+  ~StringValue() override { account.remove(bytes()); }
 
-  const std::string text;
+  [[nodiscard]] std::size_t bytes() const { return text.capacity() + sizeof(StringValue); }
+  /// Only where nothing else points to the string.
+  void append(std::string_view more) {
+    account.remove(bytes());
+    text.append(more);
+    account.add(bytes());
+  }
+
+  std::string text;  ///< changed by append() alone
   MemoryAccount& account;
 };
 

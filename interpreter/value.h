@@ -122,6 +122,8 @@ class Value {
   /// Term `i`, zero past the last.
   [[nodiscard]] double term(int i) const { return i < term_count_ ? terms_[i] : 0; }
 
+  /// True if no other value points to the shared object; the caller has checked kind().
+  [[nodiscard]] bool is_only_owner() const { return shared_.is_only(); }
   /// The shared object; the caller has checked kind().
   template <class T>
   [[nodiscard]] T& as() const {

@@ -1,5 +1,6 @@
 #include "interpreter/routines/operations.h"
 
+#include "interpreter/builtins/characters.h"
 #include "interpreter/control.h"
 #include "interpreter/directives.h"
 #include "interpreter/expressions.h"
@@ -283,6 +284,39 @@ struct Yield {
   }
 };
 
+/// The string of a name, if no other value shares it; else null.
+StringValue* own_string(const Machine& machine, std::uint32_t symbol) {
+  const Slot* const slot = machine.scopes.find_known(Symbol{symbol});
+  const bool is_own = slot && slot->value.kind() == ValueKind::string && slot->value.is_only_owner();
+  return is_own ? &slot->value.as<StringValue>() : nullptr;
+}
+
+void append(Machine& machine, StringValue& to, std::string_view more, const Node& node) {
+  const std::size_t size = to.text.size() + more.size();
+  // A string that grows takes twice its size.
+  if (size > to.text.capacity()) machine.context.check_memory(node.span, 2 * size);
+  to.append(more);
+}
+
+const Operation* perform_append_text(Machine& machine, const Operation* at) {
+  StringValue* const string = own_string(machine, at->a);
+  const std::optional<std::string_view> more = text_at_hand(machine.context, *at->node);
+  if (!string || !more) [[unlikely]]
+    return elsewhere(at);
+  append(machine, *string, *more, *at->node);
+  return at + 1;
+}
+
+const Operation* perform_append_character(Machine& machine, const Operation* at) {
+  StringValue* const string = own_string(machine, at->a);
+  const double code = machine.registers[at->b];
+  const bool is_character = code > -1 && code < 0x10000;
+  if (!string || !is_character) [[unlikely]]
+    return elsewhere(at);
+  append(machine, *string, character_of(static_cast<char32_t>(code)), *at->node);
+  return at + 1;
+}
+
 // ---- Control --------------------------------------------------------------------------------------------------------
 
 const Operation* perform_jump(Machine&, const Operation* at) { return elsewhere(at); }
@@ -379,6 +413,8 @@ Perform declare_element(Source value, Source index) {
                                                             kElementRow<Constant>};
   return kRows[static_cast<std::size_t>(value)][static_cast<std::size_t>(index)];
 }
+Perform append_text() { return perform_append_text; }
+Perform append_character() { return perform_append_character; }
 Perform yield(Source value) { return by_source<Yield>(value); }
 Perform jump() { return perform_jump; }
 Perform jump_unless() { return perform_jump_unless; }

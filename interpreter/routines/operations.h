@@ -32,6 +32,10 @@ namespace operations {
 [[nodiscard]] Perform declare(bool is_local, Source value);
 /// The same of the element of the array of the name `b` at the index `to`.
 [[nodiscard]] Perform declare_element(Source value, Source index);
+// Each adds to the string of the name `a`, which no other value may share.
+[[nodiscard]] Perform append_text();  ///< of the literal or name `node`
+/// With the code in register `b`; `node` is where it stands.
+[[nodiscard]] Perform append_character();
 /// The macro's value is the number `a`.
 [[nodiscard]] Perform yield(Source value);
 

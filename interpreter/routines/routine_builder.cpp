@@ -25,6 +25,12 @@ struct Operand {
   std::uint32_t index;
 };
 
+/// An argument of a call of this function with so many arguments, if it is one expression; else null.
+const Node* lone_argument(const grammar::FunctionCall& call, Symbol function, std::size_t i, std::size_t count) {
+  const bool is_one = call.function == function && call.arguments.size() == count && call.arguments[i].size() == 1;
+  return is_one ? call.arguments[i].front() : nullptr;
+}
+
 class RoutineBuilder {
  public:
   RoutineBuilder(Context& context, bool is_macro) : context_(context), is_macro_(is_macro) {}
@@ -54,6 +60,8 @@ class RoutineBuilder {
   // ---- Statements ---------------------------------------------------------------------------------------------------
 
   [[nodiscard]] bool add_declaration(const grammar::Declare& node);
+  /// `#declare Name = concat(Name, …)` with a string at hand or a character.
+  [[nodiscard]] bool add_append(const grammar::Declare& node, const Node& only);
   void add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin);
   [[nodiscard]] bool add_element_declaration(const grammar::Declare& node, const Operand& value);
   [[nodiscard]] bool add_branches(Index otherwise_jump, Items then, Items otherwise, bool is_last);
@@ -181,6 +189,10 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
   if (!only || only->kind >= NodeKind::word || only->kind == NodeKind::call) return false;
   const Index begin = here();
   const std::uint32_t registers = registers_;
+  if (add_append(node, *only)) {
+    detours_.push_back({begin, here(), {op::evaluate_declaration(), &node, 0, 0, 0, 0}});
+    return true;
+  }
   std::optional<Operand> value = number(*only);
   if (value && node.target->kind == NodeKind::name) {
     add_name_declaration(node, *value, begin);
@@ -194,6 +206,32 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
     return true;
   }
   detours_.push_back({begin, here(), {op::evaluate_declaration(), &node, 0, 0, 0, 0}});
+  return true;
+}
+
+bool RoutineBuilder::add_append(const grammar::Declare& node, const Node& only) {
+  if (node.local || node.target->kind != NodeKind::name || only.kind != NodeKind::function_call) return false;
+  const auto& concat = as<grammar::FunctionCall>(only);
+  const Node* const first = lone_argument(concat, word::kw_concat, 0, 2);
+  const Node* const more = lone_argument(concat, word::kw_concat, 1, 2);
+  if (!first || !more || first->kind != NodeKind::name) return false;
+  const Symbol name = as<grammar::Name>(*node.target).name;
+  if (as<grammar::Name>(*first).name != name) return false;
+  if (more->kind == NodeKind::name || more->kind == NodeKind::string) {
+    const Index at = add(op::append_text(), *more);
+    routine_.operations[at].a = symbol(name);
+    return true;
+  }
+  if (more->kind != NodeKind::function_call) return false;
+  const Node* const code = lone_argument(as<grammar::FunctionCall>(*more), word::kw_chr, 0, 1);
+  const Index begin = here();
+  if (!code || !number_in(*code, registers_)) {
+    take_back(begin);
+    return false;
+  }
+  const Index at = add(op::append_character(), *more);
+  routine_.operations[at].a = symbol(name);
+  routine_.operations[at].b = registers_;
   return true;
 }
 

@@ -86,6 +86,24 @@ TEST(Routine, ReadsAndWritesElementsAndItems) {
       "6.000000\n");
 }
 
+TEST(Routine, AppendsToStrings) {
+  EXPECT_EQ(said_by_both("#declare T = \"\"; #declare S = \"é\"; #for (I, 0, 4) @ #declare T = concat(T, chr(97 + I)); "
+                         "#declare T = concat(T, S); #declare T = concat(T, \"-\"); #declare U = T; #end "
+                         "#debug concat(T, \" \", U)"),
+            "aé-bé-cé-dé-eé- aé-bé-cé-dé-eé-");
+  // Values that share the string keep it.
+  EXPECT_EQ(said_by_both("#declare T = \"a\"; #for (I, 0, 2) @ #declare U = T; #declare T = concat(T, T); #end "
+                         "#debug concat(T, \" \", U)"),
+            "aaaaaaaa aaaa");
+  EXPECT_EQ(said_by_both("#macro M(S) @ #for (I, 0, 2) @ #declare S = concat(S, \"x\"); #end #end #declare T = \"a\"; "
+                         "M(T) #debug T"),
+            "axxx");
+  for (const std::string_view more : {"chr(70000)", "chr(-1)", "chr(0)", "5", "Unknown", "<1, 2>", "chr(\"a\")"})
+    said_by_both("#declare T = \"a\"; #for (I, 0, 2) @ #declare T = concat(T, " + std::string(more) +
+                 "); #end #debug T");
+  said_by_both("#declare T = 5; #for (I, 0, 2) @ #declare T = concat(T, \"a\"); #end");
+}
+
 TEST(Routine, ArraysGrowAndHoldAnything) {
   EXPECT_EQ(shown("#declare L = array; #for (I, 0, 9) @ #declare L[I] = I; #end #declare A = dimension_size(L, 1);"),
             "10.000000\n");
