@@ -216,7 +216,7 @@ struct Element {
 };
 
 const Operation* perform_call(Machine& machine, const Operation* at) {
-  const NumberFunction& function = *number_function(Symbol{at->b});
+  const NumberFunction& function = *at->function;
   const double* const arguments = &machine.registers[at->a];
   double& result = machine.registers[at->to];
   if (function.of_one) {

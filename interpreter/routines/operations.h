@@ -23,7 +23,7 @@ namespace operations {
 [[nodiscard]] Perform item();
 /// The element of the array of the name `b` at index `a`.
 [[nodiscard]] Perform element(Source index);
-/// The built-in function that `b` names; the arguments lie in registers from `a` on.
+/// The built-in `function`; the arguments lie in registers from `a` on.
 [[nodiscard]] Perform call();
 /// `to` ? register a : register b.
 [[nodiscard]] Perform choose();

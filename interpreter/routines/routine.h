@@ -19,7 +19,10 @@ using Perform = const Operation* (*)(Machine&, const Operation*);
 
 struct Operation {
   Perform perform;
-  const grammar::Node* node;  ///< for operations that the evaluator does
+  union {
+    const grammar::Node* node;       ///< for operations that the evaluator does
+    const NumberFunction* function;  ///< for calls
+  };
   std::uint32_t a, b;         ///< operands: a register, a constant or a symbol, as `perform` takes them
   std::uint32_t to;           ///< register of the result
   /// Place of another operation, relative to this one: where a jump leads, or the evaluator's way of doing the

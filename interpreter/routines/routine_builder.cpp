@@ -467,7 +467,8 @@ std::optional<Operand> RoutineBuilder::number_of_call(const grammar::FunctionCal
     ++registers_;
   }
   registers_ = to;
-  add(op::call(), to, static_cast<std::uint32_t>(node.function), to);
+  const Index at = add(op::call(), to, 0, to);
+  routine_.operations[at].function = function;
   return Operand{kRegister, to};
 }
 
