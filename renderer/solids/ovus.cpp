@@ -1,15 +1,14 @@
 // ovus: an egg about the y axis. A sphere of the bottom radius b = radius_a about the origin, one of the top radius
-// t = radius_b about (0, b, 0), and between them a part of the inside of a spindle torus that touches both; b and t are
-// at least 0, and t < 2b.
+// t = radius_b about (0, d, 0), and between them a part of the inside of a spindle torus that touches both; b and t are
+// at least 0, b ≤ d, and t < b + d.
 //
 // With ρ the distance from the axis, the outline in the half-plane of ρ and y is three arcs that go over into one
-// another without a kink. The middle one has the radius c = 2 max(b, t) and the centre (−H, V). It touches a circle
-// within it where the centres are the difference of the radii apart: H² + V² = (c − b)² and H² + (V − b)² = (c − t)²,
-// so
-//   t ≤ b:   b − V = (2b − t)²/(2b),      H = (2b − t) √(t(4b − t))/(2b)
-//   t ≥ b:   V − b = t(3t − 4b)/(2b),     H = t √(3(2b − t)(3t − 2b))/(2b)
-// and the arcs meet on the lines through their centres, at the heights −Vb/(c − b) and b + (b − V)t/(c − t). At t = 2b
-// the sphere of the top radius would hold all the rest.
+// another without a kink. The middle one has a radius c ≥ (b + t + d)/2 and the centre (−H, V). It touches a circle
+// within it where the centres are the difference of the radii apart: H² + V² = (c − b)² and H² + (V − d)² = (c − t)²,
+// so with e = t − b and s = 2c − b − t
+//   V = (d² + es)/(2d),     d − V = (d² − es)/(2d),     H = √((d − e)(d + e)(s − d)(s + d))/(2d)
+// and the arcs meet on the lines through their centres, at the heights −Vb/(c − b) and d + (d − V)t/(c − t). At
+// t = b + d the sphere of the top radius would hold all the rest. In POV-Ray 3.7 d is always b, and c = 2 max(b, t).
 //
 // Each arc about (−h, v) of radius r, turned about the axis, is the border of
 //   f = |p − (0, v, 0)|² + 2hρ + (h − r)(h + r) ≤ 0
@@ -36,34 +35,36 @@ struct Arc {
 };
 
 struct Egg {
-  explicit Egg(const scene::Solid& solid) : Egg(solid.radius_a, solid.radius_b) {}
-  Egg(double b, double t) : bottom_radius(b), top_radius(t) {
-    const double rest = 2 * b - t, share = rest / (2 * b);
-    if (t <= b) {
-      const double below = rest * share;  // b − V
-      middle = {b - below, share * std::sqrt(t) * std::sqrt(4 * b - t), 2 * b};
-      low_joint = -middle.height;
-      high_joint = b + share * t;
-    } else {
-      const double above = t / b * (1.5 * t - 2 * b);  // V − b
-      middle = {b + above, t / b * 0.5 * std::sqrt(3 * rest) * std::sqrt(3 * t - 2 * b), 2 * t};
-      low_joint = -middle.height * b / (2 * t - b);
-      high_joint = b - above;
-    }
+  /// In a unit of length.
+  explicit Egg(const scene::Solid& solid, double unit = 1)
+      : bottom_radius(solid.radius_a * unit), top_radius(solid.radius_b * unit) {
+    const double b = bottom_radius, t = top_radius;
+    distance = solid.a.x > 0 ? solid.a.x * unit : b;
+    const double c = solid.a.y > 0 ? solid.a.y * unit : 2 * std::max(b, t);
+    const double d = distance, e = t - b, s = (c - b) + (c - t);
+    // d − e and d + e are exact where they are small beside d, for a top radius near b + d, and near 0 with d = b.
+    const double inset = std::sqrt((d + b - t) / d) * std::sqrt((d - b + t) / d) * std::sqrt(std::max(s - d, 0.0)) *
+                         std::sqrt(s + d) / 2;
+    const double slant = e / d * s;
+    const double above = (d + slant) / 2, below = (d - slant) / 2;  // V, and d − V
+    middle = {above, inset, c};
+    low_joint = -above * b / (c - b);
+    high_joint = d + below * t / (c - t);
   }
 
   [[nodiscard]] Arc bottom() const { return {0, 0, bottom_radius}; }
-  [[nodiscard]] Arc top() const { return {bottom_radius, 0, top_radius}; }
+  [[nodiscard]] Arc top() const { return {distance, 0, top_radius}; }
   [[nodiscard]] Arc at(double y) const { return y <= low_joint ? bottom() : y >= high_joint ? top() : middle; }
-  [[nodiscard]] double highest() const { return bottom_radius + top_radius; }
+  [[nodiscard]] double highest() const { return distance + top_radius; }
 
   /// The widest place is at the centre of the arc that it lies on.
   [[nodiscard]] double widest() const {
     if (low_joint >= 0) return bottom_radius;
-    return high_joint <= bottom_radius ? top_radius : middle.radius - middle.inset;
+    return high_joint <= distance ? top_radius : middle.radius - middle.inset;
   }
 
   double bottom_radius, top_radius;
+  double distance;  ///< of their centres
   Arc middle;
   double low_joint, high_joint;  ///< heights between which the middle arc lies
 };
@@ -115,9 +116,9 @@ Crossings ovus_crossings(const scene::Solid& solid, const Vec3& given_origin, co
                          std::uint32_t start_part, const SolidDetails&) noexcept {
   Crossings result;
   CrossingsTaker taker(result, wanted);
-  const double unit = unit_of(std::max(solid.radius_a, solid.radius_b));
+  const double unit = unit_of(std::max({solid.radius_a, solid.radius_b, solid.a.x}));
   const Vec3 origin = given_origin * unit, direction = given_direction * unit;
-  const Egg egg(solid.radius_a * unit, solid.radius_b * unit);
+  const Egg egg(solid, unit);
   const double widest = egg.widest(), extent = std::max(widest, egg.highest());
   OvusStretch stretch;
   stretch.cut(origin.x, direction.x, -widest, widest);
@@ -169,14 +170,14 @@ Box ovus_bounds(const scene::Solid& solid, const SolidDetails&) noexcept {
 }
 
 /// The surface reaches farthest where its normal is the direction, and each arc has the normals between those at its
-/// ends: (H, −V)/(c − b) and (H, b − V)/(c − t).
+/// ends: (H, −V)/(c − b) and (H, d − V)/(c − t).
 double ovus_support(const scene::Database&, const scene::Solid& solid, const Vec3& direction) {
   const Egg egg(solid);
   const Arc& middle = egg.middle;
   const double length = direction.length(), across = std::hypot(direction.x, direction.z);
   if (direction.y * (middle.radius - egg.bottom_radius) <= -middle.height * length) return egg.bottom_radius * length;
-  if (direction.y * (middle.radius - egg.top_radius) >= (egg.bottom_radius - middle.height) * length)
-    return egg.bottom_radius * direction.y + egg.top_radius * length;
+  if (direction.y * (middle.radius - egg.top_radius) >= (egg.distance - middle.height) * length)
+    return egg.distance * direction.y + egg.top_radius * length;
   return middle.height * direction.y - middle.inset * across + middle.radius * length;
 }
 

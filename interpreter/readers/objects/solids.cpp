@@ -169,20 +169,60 @@ void read_torus(ElementStream& stream, ObjectDraft& draft) {
   add_solid(stream, draft, solid);
 }
 
+namespace {
+
+/// Since 3.8: `radius` of the arcs, `distance` of the two centres, and `precision` of a search that is exact here.
+void read_ovus_controls(ElementStream& stream, Solid& solid) {
+  Context& context = stream.context();
+  const double bottom = solid.radius_a, top = solid.radius_b;
+  SourceSpan radius_span, distance_span;
+  for (;;) {
+    const Element next = stream.peek();
+    const bool is_radius = next.is_word(word::kw_radius), is_distance = next.is_word(word::kw_distance);
+    if (!is_radius && !is_distance && !next.is_word(word::kw_precision)) break;
+    stream.drop();
+    const SourceSpan span = stream.peek().span;
+    const double number = read_number(stream, fmt::format("a number after `{}`", context.text(next.word)));
+    if (is_radius) {
+      solid.a.y = number;
+      radius_span = span;
+    } else if (is_distance) {
+      solid.a.x = number;
+      distance_span = span;
+    }
+  }
+  if (!distance_span.empty() && !(solid.a.x >= bottom && std::isfinite(solid.a.x)))
+    context.fail(distance_span,
+                 fmt::format("the `distance` of an ovus must be at least its bottom radius of {:g}, found {:g}", bottom,
+                             solid.a.x));
+  const double least = (bottom + top + std::max(solid.a.x, bottom)) / 2;
+  if (!radius_span.empty() && !(solid.a.y >= least && std::isfinite(solid.a.y)))
+    context.fail(
+        radius_span,
+        fmt::format("the `radius` of an ovus must be at least half of its height, {:g}, found {:g}", least, solid.a.y));
+}
+
+}  // namespace
+
 void read_ovus(ElementStream& stream, ObjectDraft& draft) {
   if (read_copy(stream, draft)) return;
   Solid solid{.kind = SolidKind::ovus};
   solid.radius_a = read_radius_from_zero(stream, "the bottom radius of an ovus");
   stream.accept_comma();
   solid.radius_b = read_radius_from_zero(stream, "the top radius of an ovus");
+  read_ovus_controls(stream, solid);
   const double bottom = solid.radius_a, top = solid.radius_b;
+  const double distance = solid.a.x > 0 ? solid.a.x : bottom;
   if (bottom == 0 && top == 0) return leave_out(stream, draft, "this ovus has the radius 0");
-  if (top >= 2 * bottom) {  // its sphere would hold all the rest
-    stream.context().warn(
-        stream.span(), fmt::format("this ovus has a top radius of {:g}, which is not below twice its bottom radius of "
-                                   "{:g}; it becomes a sphere",
-                                   top, bottom));
-    solid = {.kind = SolidKind::sphere, .a = {0, bottom, 0}, .radius_a = top};
+  if (top >= bottom + distance) {  // its sphere would hold all the rest
+    stream.context().warn(stream.span(),
+                          fmt::format("this ovus has a top radius of {:g}, which is not below {} of {:g}; it becomes a "
+                                      "sphere",
+                                      top, solid.a.x > 0 ? "its bottom radius and distance" : "twice its bottom radius",
+                                      solid.a.x > 0 ? bottom + distance : bottom));
+    solid = {.kind = SolidKind::sphere, .a = {0, distance, 0}, .radius_a = top};
+  } else if (solid.a.y == bottom) {  // then the top is a point of the bottom sphere
+    solid = {.kind = SolidKind::sphere, .radius_a = bottom};
   }
   add_solid(stream, draft, solid);
 }

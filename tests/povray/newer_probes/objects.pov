@@ -21,3 +21,19 @@ Say("its normal upwards", Normal.y)
 #declare Shell = torus { 0.5, 1 difference }
 #declare Place = trace(Shell, <0, 0, 0>, <1, 0.2, 0>, Normal);
 Say("out of the hollow", Place.x)
+
+// An ovus with controls.
+#macro Ask_ovus(Name, Object)
+  Say(concat(Name, ": inside"), inside(Object, <0.9, 0.6, 0>))
+  #local Place = trace(Object, <-5, 0.5, 0.3>, x, Normal);
+  Say(concat(Name, ": in the middle"), Place.x)
+  Say(concat(Name, ": its normal"), Normal.y)
+  Say(concat(Name, ": at the bottom"), trace(Object, <0.1, -5, 0.1>, y).y)
+  Say(concat(Name, ": at the top"), trace(Object, <0.1, 9, 0.1>, -y).y)
+#end
+Ask_ovus("radius", ovus { 1, 0.6 radius 4 })
+Ask_ovus("distance", ovus { 1, 0.6 distance 1.5 radius 2 })
+Ask_ovus("only distance", ovus { 1, 0.6 distance 1.1 })
+Ask_ovus("top is greater", ovus { 0.7, 1 distance 0.9 radius 3 precision 0.001 })
+Ask_ovus("least radius", ovus { 1, 0.5 distance 2 radius 1.75 })
+Ask_ovus("without top", ovus { 1, 0 distance 2 radius 5 sturm })

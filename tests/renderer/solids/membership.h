@@ -49,14 +49,16 @@ inline Real membership(const WholeSolid& whole, const RealVec& p) {
       return std::hypot(std::hypot(p.x, p.z) - static_cast<Real>(solid.radius_a), p.y) -
              static_cast<Real>(solid.radius_b);
     case scene::SolidKind::ovus: {
-      const Real b = solid.radius_a, t = solid.radius_b, c = 2 * std::max(b, t);
-      // The centre of the middle arc, (-h, v), is c - b away from (0, 0) and c - t away from (0, b).
-      const Real v = ((c - b) * (c - b) - (c - t) * (c - t) + b * b) / (2 * b);
+      const Real b = solid.radius_a, t = solid.radius_b;
+      const Real d = solid.a.x > 0 ? static_cast<Real>(solid.a.x) : b;
+      const Real c = solid.a.y > 0 ? static_cast<Real>(solid.a.y) : 2 * std::max(b, t);
+      // The centre of the middle arc, (-h, v), is c - b away from (0, 0) and c - t away from (0, d).
+      const Real v = ((c - b) * (c - b) - (c - t) * (c - t) + d * d) / (2 * d);
       const Real h = std::sqrt(std::max<Real>(0, (c - b) * (c - b) - v * v));
       const Real rho = std::hypot(p.x, p.z), x = rho + h, y = p.y - v;
       // Seen from there, what lies beyond the line through a sphere's centre is nearest to that sphere.
       if (h * y < -v * x) return std::hypot(rho, p.y) - b;
-      if (h * y > (b - v) * x) return std::hypot(rho, p.y - b) - t;
+      if (h * y > (d - v) * x) return std::hypot(rho, p.y - d) - t;
       return std::hypot(x, y) - c;
     }
     case scene::SolidKind::superellipsoid: {
@@ -100,6 +102,11 @@ inline WholeSolid random_whole(Random& random, scene::SolidKind kind) {
       const double form = random.uniform(0, 6), little = std::exp2(random.uniform(-40, -1));
       const double ratio = form < 1 ? little : form < 2 ? 2 - little : random.uniform(0, 2);
       whole.solid.radius_b = whole.solid.radius_a * ratio;
+      if (random.uniform(0, 1) < 0.5) {
+        whole.solid.a.x = whole.solid.radius_a * random.uniform(1, 3);
+        const double height = whole.solid.radius_a + whole.solid.radius_b + whole.solid.a.x;
+        whole.solid.a.y = height * (0.5 + std::exp2(random.uniform(-20, 2)));
+      }
       break;
     }
     case scene::SolidKind::superellipsoid:
