@@ -143,10 +143,14 @@ class IniTranslation {
 
   void set_type(const IniSetting& setting) {
     extension_ = extension_of_povray_type(setting.value);
-    // `N8` combines the type and the bits.
-    if (extension_ == ".png" && setting.value.size() > 1) {
-      if (const auto bits = accept(setting, parse_integer(setting.value.substr(1), 1, 16)))
-        bits_ = static_cast<int>(*bits);
+    // `N8` combines the type and the bits, and `Ng`, `Ng16` ask for shades of grey, as does `Grayscale_Output`.
+    std::string rest = setting.value.empty() ? "" : setting.value.substr(1);
+    if (rest.starts_with('g') || rest.starts_with('G')) {
+      remark(Severity::warning, setting, "pictures are written in colour, not in shades of grey");
+      rest.erase(0, 1);
+    }
+    if (extension_ == ".png" && !rest.empty()) {
+      if (const auto bits = accept(setting, parse_integer(rest, 1, 16))) bits_ = static_cast<int>(*bits);
     }
     if (!extension_.empty()) return;
     extension_ = ".png";

@@ -34,6 +34,7 @@ constexpr std::array kOptions = std::to_array<PovrayOption>({
     {"WT", "work_threads", "-t"},
     {"WL", "warning_level"},
     {"AM", "sampling_method"},
+    {"AC", "antialias_confidence"},
     {"AG", "antialias_gamma"},
     {"BM", "bounding_method"},
     {"BP", "render_block_step"},

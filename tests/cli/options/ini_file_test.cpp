@@ -182,6 +182,20 @@ TEST(IniOptions, WithoutCounterpartAreNamed) {
             "isl cannot write files of type `T`; it writes a PNG | \n");
 }
 
+TEST(IniOptions, OfVersion38AreKnown) {
+  const Translated result =
+      translated("Antialias_Confidence=0.95\nStochastic_Seed=7\nSampling_Method=3\n+AC0.9\nDither_Method=BN\n");
+  EXPECT_EQ(result.remarks(),
+            "`antialias_confidence` has no counterpart here; it is ignored | \n"
+            "`stochastic_seed` has no counterpart here; it is ignored | \n"
+            "`sampling_method` has no counterpart here; it is ignored | \n"
+            "`antialias_confidence` has no counterpart here; it is ignored | \n"
+            "`dither_method` has no counterpart here; it is ignored | \n");
+  const Translated grey = translated("Output_File_Type=Ng16");
+  EXPECT_EQ(grey.remarks(), "pictures are written in colour, not in shades of grey | \n");
+  EXPECT_EQ(grey.picture.bits, 16);
+}
+
 TEST(IniOptions, ThatReadBadlyAreErrors) {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"Width=abc", "`width`: expected a whole number, found `abc`"},
