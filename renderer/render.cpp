@@ -67,7 +67,7 @@ class Rendering {
         pattern_(sample_pattern(options.samples.value_or(kAdaptiveSamples))),
         sampler_(database, tracer, plan,
                  CameraRays(database.camera.value_or(scene::default_camera(options.width, options.height)),
-                            options.width, options.height),
+                            options.width, options.height, CameraFunctions::of(database, options.run, images)),
                  {0, 0, options.width, options.height}, options.alpha, film_, options.run, images),
         progress_(options.progress) {}
 

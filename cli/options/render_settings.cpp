@@ -44,7 +44,8 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.octree = settings.solver.octree;
   settings.tracer.packets = !settings.solver.single;
   settings.tracer.tolerance = settings.tolerance;
-  settings.tracer.pixel_angle = render::pixel_angle(camera, size.width, size.height);
+  settings.tracer.pixel_angle =
+      render::pixel_angle(camera, size.width, size.height, render::CameraFunctions::of(database));
   settings.tracer.unblended = picture.unblended;
   settings.tracer.simd = picture.simd;
 

@@ -23,7 +23,7 @@ using scene::Function;
 /// The stack frame of one evaluation, in units of nesting.
 constexpr std::size_t kEvaluationUnits = Function::kMaxFrame * sizeof(double) / kNestingBytes + 8;
 
-/// Answers through the language's own `inside`.
+/// Answers as the language's own `inside` does.
 class Surroundings final : public render::PatternSurroundings {
  public:
   explicit Surroundings(const Context& context) : context_(context) {}
@@ -32,6 +32,12 @@ class Surroundings final : public render::PatternSurroundings {
     const bool is_in = context_.options.queries->inside(context_.database, object, point);
     if (context_.options.queries->refusal()) steps.spend();
     return is_in;
+  }
+  [[nodiscard]] double field_of(const scene::Object& object, const scene::Vec3& point,
+                                StepCounter& steps) const override {
+    const double field = context_.options.queries->field(context_.database, object, point);
+    if (context_.options.queries->refusal()) steps.spend();
+    return field;
   }
 
  private:

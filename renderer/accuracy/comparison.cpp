@@ -37,7 +37,7 @@ class Contest {
         base_(base),
         pixel_angle_(exact.pixel_angle),
         rays_(centre_rays(database.camera.value_or(scene::default_camera(options.width, options.height)), options.width,
-                          options.height)),
+                          options.height, CameraFunctions::of(database))),
         order_(batch_order(options.width, options.height)),
         truth_(rays_.size()),
         parts_(kPartsOfReference + settings.size() * static_cast<std::size_t>(1 + options.rounds)) {

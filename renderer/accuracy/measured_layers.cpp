@@ -13,8 +13,9 @@ namespace {
 /// The solver's share of the work, for progress alone: the reference takes some hundred times as long for a ray.
 constexpr double kShareOfSolver = 0.02;
 
-std::vector<Ray> rays_of(const scene::Camera& camera, const Image& image) {
-  const CameraRays view(camera, image.full_width, image.full_height);
+std::vector<Ray> rays_of(const scene::Database& database, const Image& image) {
+  const scene::Camera camera = database.camera.value_or(scene::default_camera(image.full_width, image.full_height));
+  const CameraRays view(camera, image.full_width, image.full_height, CameraFunctions::of(database));
   RecurringAngles angles;
   std::vector<Ray> rays;
   rays.reserve(image.window.area());
@@ -51,8 +52,7 @@ std::optional<scene::Refusal> measure_layers(const scene::Database& database, co
     return std::nullopt;
   }
   std::optional<scene::Refusal> refusal;
-  const std::vector<Ray> rays =
-      rays_of(database.camera.value_or(scene::default_camera(image.full_width, image.full_height)), image);
+  const std::vector<Ray> rays = rays_of(database, image);
   std::vector<RayMeasure> found(rays.size());
   std::vector<ReferenceHit> truth;
   const bool wants_errors = std::ranges::any_of(rows, &MeasuredAov::needs_reference);

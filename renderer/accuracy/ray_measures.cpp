@@ -33,9 +33,10 @@ RayMeasure measure(const Tracer& tracer, const Ray& ray) {
 
 }  // namespace
 
-std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height) {
+std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height,
+                             std::shared_ptr<const CameraFunctions> functions) {
   ISL_CHECK(width >= 1 && height >= 1, "picture of {}x{}", width, height);
-  const CameraRays view(camera, width, height);
+  const CameraRays view(camera, width, height, std::move(functions));
   RecurringAngles angles;
   std::vector<Ray> rays;
   rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "base/stop_flag.h"
+#include "renderer/film/camera_functions.h"
 #include "renderer/scene/camera.h"
 #include "renderer/trace/tracer.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,8 +26,9 @@ struct RayMeasure {
 /// Receives the share done (0 to 1) now and then, from any thread but one call at a time.
 using TellProgress = std::function<void(double)>;
 
-/// Rays through the middles of the pixels of a picture, row by row.
-[[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height);
+/// Rays through the middles of the pixels of a picture, row by row. `functions` are those of a `user_defined` camera.
+[[nodiscard]] std::vector<Ray> centre_rays(const scene::Camera& camera, int width, int height,
+                                           std::shared_ptr<const CameraFunctions> functions = nullptr);
 
 /// The indices of the same rays in the order in which rendering traces them, neighbours together.
 [[nodiscard]] std::vector<std::uint32_t> batch_order(int width, int height);

@@ -7,15 +7,16 @@
 namespace isl::render {
 
 Effect fresnel() {
-  return {.name = "fresnel",
-          .summary = "reflection by the index of refraction",
-          .from_quality = 8,
-          .find = find_finishes("`fresnel` reflection", scene::FinishItem::fresnel,
-                                [](const scene::Finish& finish) { return reflects(finish) && finish.fresnel; }),
-          .stages = {.fresnel = true},
-          .leave_out = [](scene::Database& database) {
-            for (scene::Finish& finish : database.finishes) finish.fresnel = false;
-          }};
+  return {
+      .name = "fresnel",
+      .summary = "reflection by the index of refraction",
+      .from_quality = 8,
+      .find = find_finishes("`fresnel` reflection", scene::FinishItem::fresnel_reflection,
+                            [](const scene::Finish& finish) { return reflects(finish) && finish.fresnel_reflection; }),
+      .stages = {.fresnel = true},
+      .leave_out = [](scene::Database& database) {
+        for (scene::Finish& finish : database.finishes) finish.fresnel_reflection = false;
+      }};
 }
 
 }  // namespace isl::render

@@ -1,7 +1,9 @@
-// Highlights: phong and specular, in the light's colour.
+// Highlights: phong and specular, in the light's colour. A finish with `fresnel` mirrors no more of the light than its
+// index of refraction says.
 #include "renderer/shading/highlights.h"
 #include "renderer/effects/effect.h"
 #include "renderer/effects/light_requests.h"
+#include "renderer/shading/mirror.h"
 
 #include <algorithm>
 
@@ -10,7 +12,7 @@ namespace {
 
 class HighlightStage final : public Stage<LightWork> {
  public:
-  explicit HighlightStage(const StageContext& /*context*/) {}
+  explicit HighlightStage(const StageContext& context) : has_fresnel_(any_fresnel(context.database)) {}
 
   void run(LightWork& work) const override {
     std::size_t count = 0;
@@ -21,11 +23,20 @@ class HighlightStage final : public Stage<LightWork> {
     for_each_lit_texture(work, [&](const LitPoint& lit, const LitTexture& texture, double cosine, std::size_t i) {
       if (!(cosine > 0)) return;
       const ShadingPoint& point = work.block.points[lit.point];
-      highlights.add(*texture.material, work.block.normal_of(point, texture), point.view, lit.light.direction,
-                     work.shine[i]);
+      const Vec3& normal = work.block.normal_of(point, texture);
+      const scene::Finish& finish = *texture.material->finish;
+      if (has_fresnel_ && finish.fresnel != 0) [[unlikely]] {
+        highlights.add(*texture.material, normal, point.view, lit.light.direction, work.shine[i],
+                       [&](double at) { return mirrored_by(finish, at, point.ior_ratio); });
+      } else {
+        highlights.add(*texture.material, normal, point.view, lit.light.direction, work.shine[i]);
+      }
     });
     highlights.finish();
   }
+
+ private:
+  bool has_fresnel_;
 };
 
 }  // namespace

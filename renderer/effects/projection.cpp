@@ -1,4 +1,4 @@
-// Cameras whose rays are parallel, or bend with the angle (film/projections.h makes the rays).
+// Cameras whose rays are parallel, bend with the angle, or are the scene's own (film/projections.h makes the rays).
 #include "renderer/effects/effect.h"
 
 #include <fmt/format.h>
@@ -7,8 +7,8 @@ namespace isl::render {
 namespace {
 
 /// In the order of scene::CameraKind.
-constexpr std::string_view kProjections[] = {"perspective", "orthographic", "fisheye",  "ultra_wide_angle",
-                                             "omnimax",     "panoramic",    "cylinder", "spherical"};
+constexpr std::string_view kProjections[] = {"perspective", "orthographic", "fisheye",   "ultra_wide_angle", "omnimax",
+                                             "panoramic",   "cylinder",     "spherical", "user_defined"};
 
 }  // namespace
 

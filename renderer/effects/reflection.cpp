@@ -23,7 +23,7 @@ struct Reflectivity {
 /// The reflectivity by which POV-Ray weighs a mirrored path: with Fresnel's formula the one at this angle, else the
 /// greatest at any angle.
 double weighed(const scene::Finish& finish, const Rgb& share) {
-  return finish.fresnel ? largest(share) : largest_reflectivity(finish);
+  return finish.fresnel_reflection ? largest(share) : largest_reflectivity(finish);
 }
 
 /// The cosines between a surface's normal and the ways from the eye and on. They differ where a mirror image would lie
@@ -33,8 +33,9 @@ struct MirrorCosines {
 };
 
 /// The reflectivity of some of a point's textures for the path. Layers that adc_bailout ends are left out.
-Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture> textures, const FilmLight& film,
-                          const MirrorCosines& cosines, double weight, double least_weight, EndedPaths& ended) {
+Reflectivity reflectivity(const SurfaceBlock& block, const ShadingPoint& point, std::span<const LitTexture> textures,
+                          const FilmLight& film, const MirrorCosines& cosines, double weight, double least_weight,
+                          EndedPaths& ended) {
   Reflectivity sum;
   for (const LitTexture& texture : textures) {
     const scene::Finish& finish = *texture.material->finish;
@@ -46,7 +47,7 @@ Reflectivity reflectivity(const ShadingPoint& point, std::span<const LitTexture>
       continue;
     }
     if (finish.irid != 0) share *= film_factor(finish, film, point.position, cosines.out, cosines.in);
-    sum.share += share * texture.weight;
+    sum.share += share * (texture.weight * block.surface_share_of(texture));
     sum.weight = std::max(sum.weight, factor);
   }
   return sum;
@@ -99,8 +100,8 @@ class ReflectionStage final : public Stage<SpawnWork> {
     const Vec3& normal = work.block.normal_of(point, textures.front());
     const Vec3 direction = mirrored(point.view, normal, point.normal);
     const MirrorCosines cosines{-point.view.dot(normal), direction.dot(normal)};
-    const Reflectivity sum =
-        reflectivity(point, textures, film_, cosines, work.batch.entries[at].weight, least_weight_, work.ended);
+    const Reflectivity sum = reflectivity(work.block, point, textures, film_, cosines, work.batch.entries[at].weight,
+                                          least_weight_, work.ended);
     if (sum.share != Rgb(0)) push(work, at, point, direction, sum, exponent_of(textures.front()));
   }
 

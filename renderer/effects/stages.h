@@ -53,12 +53,15 @@ struct SurfaceBlock {
   std::vector<Vec3> normals;
   /// LayerLists::passing of `textures`. Empty if no effect asks for it.
   std::vector<Rgb> passing;
+  /// LayerLists::opacities of `textures`. Empty if no effect asks for it.
+  std::vector<double> opacities;
 
   void clear() {
     paths.clear();
     points.clear();
     normals.clear();
     passing.clear();
+    opacities.clear();
   }
   [[nodiscard]] const Vec3& normal_of(const ShadingPoint& point, const LitTexture& texture) const {
     return normals.empty() ? point.normal : normals[static_cast<std::size_t>(&texture - textures)];
@@ -66,6 +69,17 @@ struct SurfaceBlock {
   [[nodiscard]] const Rgb& passing_of(const LitTexture& texture) const {
     return passing[static_cast<std::size_t>(&texture - textures)];
   }
+  /// The share of the texture's highlights and reflection that is seen: with `use_alpha`, its opacity.
+  [[nodiscard]] double surface_share_of(const LitTexture& texture) const {
+    if (opacities.empty() || !texture.material->finish->use_alpha) return 1;
+    return opacities[static_cast<std::size_t>(&texture - textures)];
+  }
+};
+
+/// The textures of a block before any light falls on them. A stage changes how much of it they throw back.
+struct TextureWork {
+  const SurfaceBlock& block;
+  std::span<LitTexture> textures;  ///< those of all points, one point after the other
 };
 
 struct SurfaceWork {
@@ -194,6 +208,7 @@ std::unique_ptr<const Stage<Work>> make_stage(const StageContext& context) {
 struct StageMakers {
   MakeStage<AlongWork> along = nullptr;
   MakeStage<MissWork> miss = nullptr;
+  MakeStage<TextureWork> textures = nullptr;
   MakeStage<SurfaceWork> own_light = nullptr;
   MakeStage<ReachWork> reach = nullptr;
   MakeStage<LightWork> diffuse = nullptr;
@@ -209,6 +224,7 @@ struct StageMakers {
   bool mirrors = false;     ///< surfaces mirror light
   bool fresnel = false;     ///< what surfaces mirror depends on the media on both sides
   bool passing = false;     ///< textures let light through: that which is seen, and that of lights
+  bool opacities = false;   ///< the opacity of textures counts besides what they let through; with `passing`
 };
 
 }  // namespace isl::render

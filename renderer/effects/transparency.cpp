@@ -154,6 +154,8 @@ bool lets_light_through(const scene::Database& database, const scene::Pigment& p
     const auto* const image = std::get_if<scene::ImageId>(&record->pattern.operands);
     if (image && info_of(record->pattern.kind).colour && scene::may_be_transparent(database.images[index(*image)]))
       return true;
+    const auto* const terms = std::get_if<scene::ColourOperands>(&record->pattern.operands);
+    if (terms && scene::may_be_transparent(*terms)) return true;
   }
   if (record && record->pattern.kind != scene::PatternKind::plain) return false;
   const scene::Colour& colour = record ? record->colour : pigment.colour;

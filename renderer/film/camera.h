@@ -7,16 +7,24 @@
 #include "renderer/rays/ray.h"
 #include "renderer/scene/database.h"
 
+#include <memory>
+#include <utility>
+
 namespace isl::render {
 
 /// The camera of a picture of some size. The picture's shape does not change the view; the camera's right and up do.
 class CameraRays {
  public:
-  CameraRays(const scene::Camera& camera, int width, int height)
-      : projection_(camera),
+  /// `functions` are those of a `user_defined` camera.
+  CameraRays(const scene::Camera& camera, int width, int height,
+             std::shared_ptr<const CameraFunctions> functions = nullptr)
+      : projection_(camera, std::move(functions)),
         per_column_(1.0 / width),
         per_row_(1.0 / height),
         focus_over_direction_(camera.blur ? camera.blur->focal_distance / camera.direction.length() : 0) {}
+
+  /// True once a ray took more steps than the run allows: the rays of such a picture are not to be used.
+  [[nodiscard]] bool is_spent() const { return projection_.is_spent(); }
 
   /// The ray through the raster position (x, y), in pixels from the picture's top left corner. Its direction is zero
   /// where the camera shows nothing. `angles` serve all rays of a batch.
@@ -72,6 +80,8 @@ class CameraRays {
 /// The angle in radians that a pixel in the middle of the picture subtends, on the smaller of its two sides
 /// (TracerOptions::pixel_angle). The rays of an orthographic camera have no apex: for them it is the angle at which the
 /// picture is seen from a thousand times its width, so that tolerances in pixels are rather too fine than too coarse.
-[[nodiscard]] double pixel_angle(const scene::Camera& camera, int width, int height);
+/// The same holds for the parallel rays of a `user_defined` camera, whose `functions` are needed.
+[[nodiscard]] double pixel_angle(const scene::Camera& camera, int width, int height,
+                                 std::shared_ptr<const CameraFunctions> functions = nullptr);
 
 }  // namespace isl::render

@@ -3,7 +3,7 @@
 // depends on the projection (film/projections.h).
 #pragma once
 
-#include "renderer/film/projections.h"
+#include "renderer/film/view_ray.h"
 #include "renderer/patterns/patterns.h"
 #include "renderer/queries/insides.h"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace isl::render {
 namespace {
@@ -32,8 +33,9 @@ double bearing(const PicturePoint& place) {
 
 }  // namespace
 
-Projection::Projection(const Camera& camera)
+Projection::Projection(const Camera& camera, std::shared_ptr<const CameraFunctions> functions)
     : camera_(camera),
+      functions_(std::move(functions)),
       right_(camera.right.normalized()),
       up_(camera.up.normalized()),
       ahead_(camera.direction.normalized()),
@@ -120,6 +122,7 @@ ViewRay Projection::unnormalized(const PicturePoint& at, RecurringAngles& angles
     case CameraKind::panoramic: return {camera_.location, panoramic(at, angles)};
     case CameraKind::cylinder: return cylinder(at, angles);
     case CameraKind::spherical: return {camera_.location, spherical(at, angles)};
+    case CameraKind::user_defined: return functions_ ? functions_->ray(at) : ViewRay{Vec3(0), Vec3(0)};
   }
   return {};
 }
@@ -135,7 +138,8 @@ ViewRay Projection::unnormalized(const PicturePoint& at, RecurringAngles& angles
 PicturePoint Projection::bent_at(const PicturePoint& at) const {
   switch (camera_.kind) {
     case CameraKind::perspective:
-    case CameraKind::orthographic: return at;
+    case CameraKind::orthographic:
+    case CameraKind::user_defined: return at;
     case CameraKind::fisheye: {
       const PicturePoint place = in_disc(at);
       return {bearing(place), std::hypot(place.u, place.v) * camera_.angle / 2};

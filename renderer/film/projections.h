@@ -1,28 +1,23 @@
 // The projections of cameras: the ray through a point of the picture.
 #pragma once
 
+#include "renderer/film/camera_functions.h"
 #include "renderer/film/recurring_angles.h"
+#include "renderer/film/view_ray.h"
 #include "renderer/rays/ray.h"
 #include "renderer/scene/camera.h"
 
 namespace isl::render {
 
-/// Image coordinates: from −½ to ½, u to the right and v up.
-struct PicturePoint {
-  double u = 0, v = 0;
-};
-
-/// A ray; its direction is zero where the projection shows nothing, so that it meets nothing.
-struct ViewRay {
-  Vec3 origin, direction;
-};
-
 /// The projection of one camera. Formulas as in POV-Ray.
 class Projection {
  public:
-  explicit Projection(const scene::Camera& camera);
+  /// `functions` are those of a `user_defined` camera, which shows nothing without them.
+  explicit Projection(const scene::Camera& camera, std::shared_ptr<const CameraFunctions> functions = nullptr);
 
   [[nodiscard]] const scene::Camera& camera() const { return camera_; }
+  /// CameraFunctions::is_spent.
+  [[nodiscard]] bool is_spent() const { return functions_ && functions_->is_spent(); }
   /// The ray through a point of the picture. The direction has unit length.
   [[nodiscard]] ViewRay ray(const PicturePoint& at, RecurringAngles& angles) const;
   /// The place at which the camera's `normal` bends this ray, in the units in which POV-Ray measures it: shares of the
@@ -44,6 +39,7 @@ class Projection {
   [[nodiscard]] Vec3 spherical(const PicturePoint& at, RecurringAngles& angles) const;
 
   scene::Camera camera_;
+  std::shared_ptr<const CameraFunctions> functions_;
   Vec3 right_, up_, ahead_;  ///< the camera's vectors as axes
   double width_, height_;    ///< lengths of its right and up
   double angle_along_;       ///< the camera's angle, from side to side of the picture, for its height

@@ -1,6 +1,7 @@
 #include "renderer/integrator/camera_place.h"
 
 #include "renderer/extents/extents.h"
+#include "renderer/film/camera_functions.h"
 #include "renderer/queries/insides.h"
 
 #include <algorithm>
@@ -15,10 +16,7 @@ namespace {
 class CameraPlace {
  public:
   CameraPlace(const scene::Database& database, StepCounter& steps)
-      : insides_(database),
-        extents_(database),
-        eye_(database.camera.value_or(scene::Camera{}).location),
-        steps_(steps) {}
+      : insides_(database), extents_(database), eye_(eye_of(database)), steps_(steps) {}
 
   [[nodiscard]] bool is_in(const scene::Object& object) {
     if (!insides_.is_inside(object, eye_, steps_)) return false;

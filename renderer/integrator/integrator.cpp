@@ -43,6 +43,7 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     const StageMakers& make = planned.effect->stages;
     add(make.along, context, along_);
     add(make.miss, context, miss_);
+    add(make.textures, context, texture_stages_);
     add(make.own_light, context, own_light_);
     add(make.reach, context, reach_);
     add(make.diffuse, context, diffuse_);
@@ -56,6 +57,7 @@ Integrator::Integrator(const scene::Database& database, const Tracer& tracer, co
     back_light_ |= make.back_light;
     bumps_ |= make.bumps;
     passing_ |= make.passing;
+    opacities_ |= make.opacities;
     mirrors_ |= make.mirrors;
     if (make.fresnel) interiors_.emplace(database);
   }
@@ -229,6 +231,7 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
   const LitTexture* const at_first = memory.textures.data();
   LayerLists lists{.normals = bumps_ ? &memory.block.normals : nullptr,
                    .passing = passing_ ? &memory.block.passing : nullptr,
+                   .opacities = opacities_ ? &memory.block.opacities : nullptr,
                    .mirrors = mirrors_};
   const std::vector<std::uint32_t>& paths = memory.block.paths;
   tracer_.set_blob_fields(batch.rays, batch.hits, paths, memory.blob_fields, memory.counters);
@@ -266,6 +269,8 @@ void Integrator::fill_block(const PathBatch& batch, PathMemory& memory, SurfaceO
 
 void Integrator::shade_block(std::size_t level, PathMemory& memory) const {
   PathMemory::Level& at = memory.levels[level];
+  TextureWork textures{memory.block, memory.textures};
+  run(texture_stages_, textures);
   SurfaceWork own{at.batch, memory.block, memory.colours};
   run(own_light_, own);
   if (!diffuse_.empty() || !shine_.empty()) {

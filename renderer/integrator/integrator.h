@@ -227,13 +227,14 @@ class Integrator {
   PointTextures textures_;
   Stages<AlongWork> along_;
   Stages<MissWork> miss_;
+  Stages<TextureWork> texture_stages_;
   Stages<SurfaceWork> own_light_;
   Stages<ReachWork> reach_;
   Stages<LightWork> diffuse_, shine_, dim_;
   Stages<AroundWork> around_;
   Stages<SpawnWork> spawn_;
   bool soft_ = false;
-  bool shadows_ = false, back_light_ = false, bumps_ = false, passing_ = false, mirrors_ = false;
+  bool shadows_ = false, back_light_ = false, bumps_ = false, passing_ = false, opacities_ = false, mirrors_ = false;
   std::optional<SkySource> sky_;               ///< if it is a source of light
   std::optional<LightWindows> windows_;        ///< if some lights shine only through an object
   std::optional<Interiors> interiors_;         ///< if some surface mirrors by their refraction

@@ -66,6 +66,10 @@ bool Sampler::set_rays(std::span<const CameraSample> samples, Workspace& workspa
     RecurringAngles angles;
     for (std::size_t i = 0; i < samples.size(); ++i) camera_.set_through(samples[i].x, samples[i].y, angles, rays[i]);
   }
+  if (camera_.is_spent()) {
+    quick_.refuse("the camera", camera_origin_);
+    return false;
+  }
   return !bumps_ || bend(samples, rays);
 }
 

@@ -12,8 +12,10 @@ Rgb ShadowFilter::share_at(const Ray& ray, const Hit& hit, std::uint32_t& list, 
   memory.textures.clear();
   memory.normals.clear();
   memory.passing.clear();
-  const LayerLists lists{turned_to_viewer(surface.normal, ray.direction), has_bumps_ ? &memory.normals : nullptr,
-                         &memory.passing, ray.direction};
+  const LayerLists lists{.normal = turned_to_viewer(surface.normal, ray.direction),
+                         .normals = has_bumps_ ? &memory.normals : nullptr,
+                         .passing = &memory.passing,
+                         .view = ray.direction};
   if (!textures_.append(surface, memory.textures, memory.texture_bytes, lists)) {
     refusals_.report("this object", tracer_.origin_of(hit));
     return Rgb(0);

@@ -25,6 +25,18 @@ namespace {
 /// Components of a blob that are evaluated in the time of a step.
 constexpr std::size_t kComponentsOfStep = 64;
 
+/// The field of a blob whose components blend.
+double blended_field(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
+                     const Vec3& point) {
+  std::vector<double> sums(std::max<std::size_t>(blob.branches.size(), 1));
+  for (std::size_t i = 0; i < blob.components.size(); ++i) {
+    const Component& c = blob.components[i];
+    sums[blob.branches.empty() ? 0 : blob.branch_of[i]] += field_at(database, blob, c, kernels[index(c.kernel)], point);
+  }
+  BranchTree({blob.branches.begin(), blob.branches.end()}).add_up(sums);
+  return sums[0];
+}
+
 /// A database with its kernels, asked about insides. `is_inverse`: the outside is asked for; open surfaces have
 /// neither, so that a negation is handed down to the leaves. The operations that are being evaluated are a list instead
 /// of recursion, so that depth costs no stack.
@@ -49,6 +61,21 @@ class Membership {
       }
     }
     return answer_;
+  }
+
+  /// The field of a blob; 0 if there are no steps for it.
+  [[nodiscard]] double field(std::uint32_t number, const Vec3& point) {
+    const scene::Blob& blob = database_.blobs[number];
+    const BoxIndexes::OfBlob* const index = indexes_ ? indexes_->of_blob(number) : nullptr;
+    if (index && !blob.is_unblended) {
+      return ask_near(*index, blob, point, 0.0,
+                      [&](std::span<std::uint32_t> near) { return field_by(*index, blob, near, point); });
+    }
+    if (!steps_.take(blob.components.size() / kComponentsOfStep)) return 0;
+    if (!blob.is_unblended) return blended_field(database_, kernels_, blob, point);
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < blob.components.size(); ++i) greatest = std::max(greatest, field_of(blob, i, point));
+    return greatest;
   }
 
  private:
@@ -134,37 +161,46 @@ class Membership {
     if (!index) {
       return steps_.take(blob.components.size() / kComponentsOfStep) && is_inside(database_, kernels_, blob, point);
     }
-    const std::size_t first = found_.size();
-    const std::span<const std::uint32_t> everywhere = index->components->everywhere();
-    found_.insert(found_.end(), everywhere.begin(), everywhere.end());
-    index->components->append_around(point, found_);
-    const auto near = std::span(found_).subspan(first);
-    const bool is_in = steps_.take(near.size() / kComponentsOfStep) && is_inside_by(*index, blob, near, point);
-    found_.resize(first);
-    return is_in;
+    return ask_near(*index, blob, point, false, [&](std::span<std::uint32_t> near) {
+      if (!blob.is_unblended) return field_by(*index, blob, near, point) >= blob.threshold;
+      const bool is_beyond_any = near.size() < blob.components.size() && 0 >= blob.threshold;
+      return is_beyond_any ||
+             std::ranges::any_of(near, [&](auto i) { return field_of(blob, i, point) >= blob.threshold; });
+    });
   }
 
-  /// is_inside() from the components whose fields may not be 0. Their sums are made in the same order, and what is left
-  /// out would add 0 to them, so that they are the same to the last digit.
-  [[nodiscard]] bool is_inside_by(const BoxIndexes::OfBlob& index, const scene::Blob& blob,
-                                  std::span<std::uint32_t> near, const Vec3& point) {
+  /// ask(the components whose fields may not be 0), or `otherwise` if there are no steps for it.
+  template <class Answer, class Ask>
+  [[nodiscard]] Answer ask_near(const BoxIndexes::OfBlob& index, const scene::Blob& blob, const Vec3& point,
+                                Answer otherwise, const Ask& ask) {
+    const std::size_t first = found_.size();
+    const std::span<const std::uint32_t> everywhere = index.components->everywhere();
+    found_.insert(found_.end(), everywhere.begin(), everywhere.end());
+    index.components->append_around(point, found_);
+    const auto near = std::span(found_).subspan(first);
     for (const std::uint32_t i : near) __builtin_prefetch(&blob.components[i]);
-    const auto field_of = [&](std::uint32_t i) {
-      const Component& c = blob.components[i];
-      return field_at(database_, blob, c, kernels_[scene::index(c.kernel)], point);
-    };
-    if (blob.is_unblended) {
-      const bool is_beyond_any = near.size() < blob.components.size() && 0 >= blob.threshold;
-      return is_beyond_any || std::ranges::any_of(near, [&](auto i) { return field_of(i) >= blob.threshold; });
-    }
+    const Answer answer = steps_.take(near.size() / kComponentsOfStep) ? ask(near) : otherwise;
+    found_.resize(first);
+    return answer;
+  }
+
+  [[nodiscard]] double field_of(const scene::Blob& blob, std::uint32_t component, const Vec3& point) const {
+    const Component& c = blob.components[component];
+    return field_at(database_, blob, c, kernels_[scene::index(c.kernel)], point);
+  }
+
+  /// The field from the components that may not be 0 there, if they blend. Their sums are made in the same order as
+  /// those of all, and what is left out would add 0 to them, so that they are the same to the last digit.
+  [[nodiscard]] double field_by(const BoxIndexes::OfBlob& index, const scene::Blob& blob, std::span<std::uint32_t> near,
+                                const Vec3& point) {
     const auto branch_of = [&](std::uint32_t i) { return blob.branches.empty() ? 0 : blob.branch_of[i]; };
     std::ranges::sort(near, {}, [&](std::uint32_t i) { return std::pair(branch_of(i), i); });
     sums_.clear();
     for (const std::uint32_t i : near) {
       if (sums_.empty() || sums_.back().branch != branch_of(i)) sums_.push_back({branch_of(i), 0});
-      sums_.back().value += field_of(i);
+      sums_.back().value += field_of(blob, i, point);
     }
-    return index.branches.field(sums_) >= blob.threshold;
+    return index.branches.field(sums_);
   }
 
   const Database& database_;
@@ -181,18 +217,15 @@ class Membership {
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const scene::Blob& blob,
                const Vec3& point) {
-  const auto field_of = [&](const Component& c) {
-    return field_at(database, blob, c, kernels[index(c.kernel)], point);
-  };
-  if (blob.is_unblended) {
-    return std::ranges::any_of(blob.components, [&](const Component& c) { return field_of(c) >= blob.threshold; });
-  }
-  std::vector<double> sums(std::max<std::size_t>(blob.branches.size(), 1));
-  for (std::size_t i = 0; i < blob.components.size(); ++i) {
-    sums[blob.branches.empty() ? 0 : blob.branch_of[i]] += field_of(blob.components[i]);
-  }
-  BranchTree({blob.branches.begin(), blob.branches.end()}).add_up(sums);
-  return sums[0] >= blob.threshold;
+  if (!blob.is_unblended) return blended_field(database, kernels, blob, point) >= blob.threshold;
+  return std::ranges::any_of(blob.components, [&](const Component& c) {
+    return field_at(database, blob, c, kernels[index(c.kernel)], point) >= blob.threshold;
+  });
+}
+
+double field_of(const Database& database, const std::vector<KernelConstants>& kernels, std::uint32_t blob,
+                const Vec3& point, StepCounter& steps, BoxIndexes* indexes) {
+  return Membership(database, kernels, indexes, steps).field(blob, point);
 }
 
 bool is_inside(const Database& database, const std::vector<KernelConstants>& kernels, const Object& object,

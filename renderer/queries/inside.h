@@ -27,4 +27,9 @@ class BoxIndexes;
                              const scene::Object& object, const scene::Vec3& point, StepCounter& steps,
                              BoxIndexes* indexes = nullptr);
 
+/// The field of a blob, by its number, at a point of its own space. Steps and indexes as above.
+[[nodiscard]] double field_of(const scene::Database& database, const std::vector<KernelConstants>& kernels,
+                              std::uint32_t blob, const scene::Vec3& point, StepCounter& steps,
+                              BoxIndexes* indexes = nullptr);
+
 }  // namespace isl::render

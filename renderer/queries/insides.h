@@ -31,6 +31,12 @@ class Insides final : public PatternSurroundings {
     return render::is_inside(database_, kernels_, object, point, steps, &indexes_);
   }
 
+  [[nodiscard]] double field_of(const scene::Object& object, const scene::Vec3& point,
+                                StepCounter& steps) const override {
+    return render::field_of(database_, kernels_, object.shape, object.parent_from_object.inverse_point(point), steps,
+                            &indexes_);
+  }
+
  private:
   const scene::Database& database_;
   std::vector<KernelConstants> kernels_;

@@ -51,17 +51,26 @@ scene::TraceAnswer ObjectQueries::trace(const scene::Database& database, const s
           next.is_certain && !point.is_refuted};
 }
 
-bool ObjectQueries::inside(const scene::Database& database, const scene::Object& object, const Vec3& point) {
+template <class Ask>
+auto ObjectQueries::ask_insides(const scene::Database& database, const Ask& ask) {
   follow(database);
   refusal_.reset();
   StepCounter steps(run_.steps_at_point, run_.stop);
-  const bool is_in = insides_->is_inside(object, point, steps);
+  const auto answer = ask(steps);
   if (steps.is_spent()) {
     refusal_ = {fmt::format("this object has parts that take more than {:g} steps to ask",
                             static_cast<double>(run_.steps_at_point)),
                 "`--max-turns` raises the limit"};
   }
-  return is_in;
+  return answer;
+}
+
+bool ObjectQueries::inside(const scene::Database& database, const scene::Object& object, const Vec3& point) {
+  return ask_insides(database, [&](StepCounter& steps) { return insides_->is_inside(object, point, steps); });
+}
+
+double ObjectQueries::field(const scene::Database& database, const scene::Object& object, const Vec3& point) {
+  return ask_insides(database, [&](StepCounter& steps) { return insides_->field_of(object, point, steps); });
 }
 
 Imath::Box3d ObjectQueries::extent(const scene::Database& database, const scene::Object& object) {

@@ -26,6 +26,8 @@ class ObjectQueries final : public scene::Queries {
                                          const scene::Vec3& origin, const scene::Vec3& direction) override;
   [[nodiscard]] bool inside(const scene::Database& database, const scene::Object& object,
                             const scene::Vec3& point) override;
+  [[nodiscard]] double field(const scene::Database& database, const scene::Object& object,
+                             const scene::Vec3& point) override;
   [[nodiscard]] Imath::Box3d extent(const scene::Database& database, const scene::Object& object) override;
   [[nodiscard]] std::optional<scene::Refusal> refusal() const override { return refusal_; }
 
@@ -35,6 +37,9 @@ class ObjectQueries final : public scene::Queries {
   /// Null if it was refused.
   const Tracer* tracer_of(const scene::Database& database, const scene::Object& object);
   void follow(const scene::Database& database);
+  /// `ask(steps)`, which is refused if the steps do not suffice.
+  template <class Ask>
+  auto ask_insides(const scene::Database& database, const Ask& ask);
 
   RunLimits run_;
   std::optional<scene::Refusal> refusal_;      ///< of the last question

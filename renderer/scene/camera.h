@@ -7,6 +7,7 @@
 #include "renderer/scene/said_at.h"
 #include "renderer/scene/transform.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -21,6 +22,7 @@ enum class CameraKind : std::uint8_t {
   panoramic,
   cylinder,
   spherical,
+  user_defined,
 };
 
 /// Depth of field: a lens in whose picture only one distance is sharp.
@@ -33,13 +35,18 @@ struct FocalBlur {
   std::optional<Pigment> bokeh{};        ///< brightness over the lens, x and y from 0 to 1; nullopt: a uniform disc
 };
 
+/// The coordinates of a point or vector as functions of the image coordinates (u, v, 0); none, or all three.
+using VectorFunctions = std::array<FunctionId, 3>;
+inline constexpr VectorFunctions kNoVectorFunctions{kNoFunction, kNoFunction, kNoFunction};
+
 /// Items whose places are kept.
 enum class CameraItem : std::uint8_t { kind, blur, normal, count };
 
 /// A camera after look_at, angle and sky have been applied. perspective: the ray through image coordinates (u, v), u
 /// and v from −½ to ½, right and up, goes along direction + u·right + v·up. orthographic: it starts at location +
 /// u·right + v·up and goes along direction. The other kinds bend rays by their angles and take the three vectors as
-/// axes. The vectors carry their lengths.
+/// axes. The vectors carry their lengths. user_defined: the rays start at location and go along direction, each the
+/// value of its functions if it has any.
 struct Camera {
   Vec3 location{0, 0, 0};
   Vec3 direction{0, 0, 1};
@@ -49,6 +56,7 @@ struct Camera {
   int cylinder_type = 0;  ///< kind `cylinder`: 1 to 4, axis upright or lying, rays from a point or a line
   double angle = 0;  ///< radians across the picture; 0 where the kind has none (perspective, orthographic, omnimax)
   double vertical_angle = 0;  ///< of a spherical camera, radians
+  VectorFunctions location_of = kNoVectorFunctions, direction_of = kNoVectorFunctions;  ///< kind `user_defined`
   std::optional<FocalBlur> blur{};
   NormalId normal = kNoNormal;  ///< perturbs the rays by its bumps at the image point (u, v)
   SaidAt<CameraItem> said_at{};

@@ -44,6 +44,8 @@ class ClearSearch {
     if (pattern.kind == PatternKind::plain) return is_clear(pigment.colour);
     const auto* const image = std::get_if<ImageId>(&pattern.operands);
     if (image && may_be_transparent(database_.images[index(*image)])) return true;
+    const auto* const colour = std::get_if<ColourOperands>(&pattern.operands);
+    if (colour && may_be_transparent(*colour)) return true;
     const auto* const inner = std::get_if<PigmentOperands>(&pattern.operands);
     if (inner && is_clear(Pigment{.pattern = inner->pigment})) return true;
     if (pigment.map == kNoPigmentMap) return false;

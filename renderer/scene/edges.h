@@ -48,6 +48,9 @@ void for_each_edge(Record& pattern, Visit&& visit) {
   if (auto* const image = std::get_if<ImageId>(&operands)) visit(*image);
   if (auto* const function = std::get_if<FunctionOperands>(&operands)) visit(function->function);
   if (auto* const pigment = std::get_if<PigmentOperands>(&operands)) visit(pigment->pigment);
+  if (auto* const colour = std::get_if<ColourOperands>(&operands)) {
+    for (auto& term : colour->terms) visit(term);
+  }
   if (auto* const object = std::get_if<ObjectOperands>(&operands))
     detail::visit_as<PatternObjectId>(object->object, visit);
 }
@@ -184,6 +187,8 @@ void for_each_edge(Record& statement, Visit&& visit) {
 template <Either<Camera> Record, class Visit>
 void for_each_edge(Record& camera, Visit&& visit) {
   visit(camera.normal);
+  for (auto& function : camera.location_of) visit(function);
+  for (auto& function : camera.direction_of) visit(function);
   if (camera.blur && camera.blur->bokeh) for_each_edge(*camera.blur->bokeh, visit);
 }
 

@@ -24,7 +24,7 @@ enum class FinishItem : std::uint8_t {
 #define ISL_FINISH_FLAG(word, form, dump) word,
 #include "renderer/scene/finish.def"
   reflection,
-  fresnel,
+  fresnel_reflection,
   exponent,
   irid,
   count
@@ -55,7 +55,7 @@ struct Finish {
   Reflection reflection{};
 #define ISL_FINISH_FLAG(word, form, dump) bool word = false;
 #include "renderer/scene/finish.def"
-  bool fresnel = false;  ///< reflection by Fresnel's formula with the interior's ior
+  bool fresnel_reflection = false;  ///< by Fresnel's formula with the interior's ior
 
   /// The power of a highlight's cosine that `roughness` stands for.
   [[nodiscard]] double specular_exponent() const { return roughness == 0 ? 0 : 1 / roughness; }
@@ -64,7 +64,7 @@ struct Finish {
   struct Flags {
 #define ISL_FINISH_FLAG(word, form, dump) bool word;
 #include "renderer/scene/finish.def"
-    bool fresnel;
+    bool fresnel_reflection;
   };
   static constexpr std::size_t kTail = sizeof(Flags) + sizeof(SaidAt<FinishItem>) + sizeof(OriginId);
 

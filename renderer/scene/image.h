@@ -48,7 +48,7 @@ struct Image {
   std::shared_ptr<const std::string> bytes;  ///< of the file; images of one file share them
   FunctionId function = kNoFunction;         ///< type function: sampled over the unit square, width × height
   int width = 0, height = 0;
-  int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal
+  int map_type = 0;     ///< POV-Ray's: 0 planar, 1 spherical, 2 cylindrical, 5 toroidal, 7 angular
   int interpolate = 0;  ///< POV-Ray's: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance
   bool once = false;
   double repeat_x = 1, repeat_y = 1;  ///< factors of the coordinates on the image
@@ -58,6 +58,7 @@ struct Image {
   bool gamma_srgb = false;      ///< the file uses the sRGB transfer curve
   std::optional<bool> premultiplied;
   std::optional<double> filter_all, transmit_all;
+  bool scales_opacity = false;  ///< these are factors of the file's own opacity, as in POV-Ray 3.8; else they are added
   std::vector<PaletteTransparency> filters, transmits;
   bool holds_numbers = false;  ///< heights or values, not colours: they are decoded only if the scene names a gamma
   int choices = 0;             ///< the number of textures of a material_map

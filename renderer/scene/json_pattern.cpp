@@ -13,7 +13,7 @@ constexpr std::string_view kPatternKinds[] = {
 #undef ISL_PATTERN
 };
 
-constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly"};
+constexpr std::string_view kWaves[] = {"ramp", "triangle", "sine", "scallop", "cubic", "poly", "none"};
 constexpr std::string_view kShapes[] = {"cylindrical", "spherical", "toroidal", "planar", "cubic"};
 constexpr std::string_view kImageTypes[] = {"unnamed", "bmp", "exr", "gif", "hdr", "iff",  "jpeg",    "pgm",
                                             "png",     "pot", "ppm", "sys", "tga", "tiff", "function"};
@@ -80,6 +80,11 @@ struct OperandWriter {
   void operator()(ImageId id) const { json["image"] = index(id); }
   void operator()(const ObjectOperands& o) const {
     if (o.object != kNone) json["object"] = o.object;
+    if (o.less_threshold) json["threshold"] = true;
+  }
+  void operator()(const ColourOperands& o) const {
+    Json& terms = json["functions"] = Json::array();
+    for (const FunctionId term : o.terms) terms.push_back(term == kNoFunction ? Json() : Json(index(term)));
   }
   void operator()(const PigmentOperands& o) const { json["pigment"] = index(o.pigment); }
 };
@@ -130,6 +135,7 @@ Json image_json(const Image& i) {
   };
   add_transparency("filter", i.filter_all, i.filters);
   add_transparency("transmit", i.transmit_all, i.transmits);
+  if (i.scales_opacity) json["scales_opacity"] = true;
   return json;
 }
 

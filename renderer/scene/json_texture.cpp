@@ -30,7 +30,7 @@ void add_reflection(Json& json, const Finish& f) {
   add(reflection, "maximum", r, &Reflection::maximum);
 #define ISL_REFLECTION_NUMBER(word, otherwise, form) add(reflection, #word, r, &Reflection::word);
 #include "renderer/scene/finish.def"
-  add(reflection, "fresnel", f, &Finish::fresnel);
+  add(reflection, "fresnel", f, &Finish::fresnel_reflection);
   if (!reflection.is_null()) json["reflection"] = std::move(reflection);
 }
 

@@ -6,8 +6,8 @@
 namespace isl::scene {
 namespace {
 
-constexpr std::string_view kCameraKinds[] = {"perspective", "orthographic", "fisheye",  "ultra_wide_angle",
-                                             "omnimax",     "panoramic",    "cylinder", "spherical"};
+constexpr std::string_view kCameraKinds[] = {"perspective", "orthographic", "fisheye",   "ultra_wide_angle", "omnimax",
+                                             "panoramic",   "cylinder",     "spherical", "user_defined"};
 constexpr std::string_view kLightKinds[] = {"point", "spotlight", "cylinder"};
 
 Json blur_json(const FocalBlur& blur) {
@@ -44,6 +44,12 @@ Json camera_json(const Camera& c) {
   json["up"] = vector(c.up);
   if (c.angle != 0) json["angle"] = c.angle;
   if (c.vertical_angle != 0) json["vertical_angle"] = c.vertical_angle;
+  const auto add_functions = [&json](const char* key, const VectorFunctions& functions) {
+    if (functions == kNoVectorFunctions) return;
+    for (const FunctionId function : functions) json[key].push_back(index(function));
+  };
+  add_functions("location_of", c.location_of);
+  add_functions("direction_of", c.direction_of);
   if (c.blur) json["blur"] = blur_json(*c.blur);
   if (c.normal != kNoNormal) json["normal"] = index(c.normal);
   return json;
@@ -64,6 +70,7 @@ Json light_json(const Light& l) {
   }
   if (l.fade_distance != 0) json["fade_distance"] = l.fade_distance;
   if (l.fade_power != 0) json["fade_power"] = l.fade_power;
+  if (l.fades_from_point && l.fade_power != 0) json["fades_from_point"] = true;
   if (l.area) json["area"] = area_json(*l.area);
   if (!l.media_interaction) json["media_interaction"] = false;
   if (l.media_attenuation) json["media_attenuation"] = true;

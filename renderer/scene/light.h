@@ -45,6 +45,7 @@ struct Light {
   double tightness = 0;  ///< exponent of the further fall with the angle or distance
   /// If both are above 0, the light at distance d is divided by (1 + (d/fade_distance)^fade_power)/2.
   double fade_distance = 0, fade_power = 0;
+  bool fades_from_point = false;  ///< instead, it is divided by d^fade_power: POV-Ray 3.8, without a fade_distance
   std::optional<AreaLight> area{};
   bool media_interaction = true;
   bool media_attenuation = false;

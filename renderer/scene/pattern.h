@@ -7,6 +7,7 @@
 #include "renderer/scene/operands.h"
 #include "renderer/scene/warp.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -43,7 +44,8 @@ inline constexpr std::size_t kPatternKindCount = std::size(detail::kDefaultFrequ
 }
 
 /// The waveform that shapes a pattern's value v: the result is wave(fmod(v · frequency + phase, 1)).
-enum class Wave : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly };
+/// `none` leaves v as it is.
+enum class Wave : std::uint8_t { ramp, triangle, sine, scallop, cubic, poly, none };
 
 // Operands that refer to another record of the database.
 struct FunctionOperands {
@@ -52,6 +54,11 @@ struct FunctionOperands {
 /// The `object` pattern has item 0 of its list outside the object and item 1 inside.
 struct ObjectOperands {
   std::uint32_t object = kNone;
+  bool less_threshold = false;  ///< of `potential`: the field minus its threshold
+};
+/// Of `user_defined`: the terms of a colour, in the order of Colour; kNoFunction for 0.
+struct ColourOperands {
+  std::array<FunctionId, 5> terms{kNoFunction, kNoFunction, kNoFunction, kNoFunction, kNoFunction};
 };
 struct PigmentOperands {
   PigmentId pigment{};
@@ -59,7 +66,7 @@ struct PigmentOperands {
 
 /// std::monostate if the kind has no operands. Operands: those that the kind's descriptor declares.
 using PatternOperands =
-    std::variant<std::monostate, Operands, FunctionOperands, ImageId, ObjectOperands, PigmentOperands>;
+    std::variant<std::monostate, Operands, FunctionOperands, ImageId, ObjectOperands, PigmentOperands, ColourOperands>;
 
 struct Pattern {
   PatternKind kind = PatternKind::plain;

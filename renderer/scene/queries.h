@@ -34,6 +34,8 @@ class Queries {
                                           const Vec3& direction) = 0;
   /// A point on the surface counts as inside. Open surfaces have no inside.
   [[nodiscard]] virtual bool inside(const Database& database, const Object& object, const Vec3& point) = 0;
+  /// The field of an object that is a blob, without its threshold.
+  [[nodiscard]] virtual double field(const Database& database, const Object& object, const Vec3& point) = 0;
   /// A box that contains the surface: empty if there is no surface, with infinite sides if it is infinite or no bound
   /// is known.
   [[nodiscard]] virtual Imath::Box3d extent(const Database& database, const Object& object) = 0;

@@ -17,17 +17,25 @@ using scene::Vec3;
 class Highlights {
  public:
   /// Adds the highlight to every channel of `sum`, at the latest in finish(). All directions have unit length; `view`
-  /// is the way from the eye.
-  void add(const Material& material, const Vec3& normal, const Vec3& view, const Vec3& to_light, Rgb& sum) {
+  /// is the way from the eye. `share(c)` is a factor of a highlight whose light is mirrored at this cosine: for phong,
+  /// as in POV-Ray, that to the normal, for specular that to the halfway direction.
+  template <class Share>
+  void add(const Material& material, const Vec3& normal, const Vec3& view, const Vec3& to_light, Rgb& sum,
+           const Share& share) {
     if (material.phong > 0) {
       const Vec3 mirrored = view - normal * (2 * normal.dot(view));
-      add(material.phong, mirrored.dot(to_light), material.finish->phong_size, sum);
+      add(material.phong * share(normal.dot(to_light)), mirrored.dot(to_light), material.finish->phong_size, sum);
     }
     if (material.specular > 0) {
       const Vec3 halfway = to_light - view;
       const double length = halfway.length();
-      if (length > 0) add(material.specular, halfway.dot(normal) / length, material.specular_exponent, sum);
+      if (length > 0)
+        add(material.specular * share(halfway.dot(to_light) / length), halfway.dot(normal) / length,
+            material.specular_exponent, sum);
     }
+  }
+  void add(const Material& material, const Vec3& normal, const Vec3& view, const Vec3& to_light, Rgb& sum) {
+    add(material, normal, view, to_light, sum, [](double /*cosine*/) { return 1.0; });
   }
   void finish() {
     std::array<double, kMost> heights;

@@ -25,6 +25,17 @@ namespace isl::render {
   return 0.5 * across * across * (1 + along * along);
 }
 
+/// True if some finish has `fresnel` of its own, besides that of its reflection.
+[[nodiscard]] inline bool any_fresnel(const scene::Database& database) {
+  return std::ranges::any_of(database.finishes, [](const scene::Finish& finish) { return finish.fresnel != 0; });
+}
+
+/// The share of a finish's `fresnel` that its surface mirrors of light that falls in at this cosine to the normal. As
+/// in POV-Ray, all of light from behind is lost.
+[[nodiscard]] inline double mirrored_by(const scene::Finish& finish, double cosine, double ratio) {
+  return finish.fresnel * (cosine > 0 ? fresnel_share(std::min(cosine, 1.0), ratio) : 1);
+}
+
 /// The reflectivity minimum + (maximum − minimum)(1 − c)^falloff, or Fresnel's share instead of the power, where c is
 /// the cosine of the view to the normal, below 0 where bumps turn it away; `colour` is the pigment's, which tints
 /// metal, and `ratio` that of fresnel_share.
@@ -32,7 +43,7 @@ namespace isl::render {
   const scene::Reflection& mirror = finish.reflection;
   const Rgb minimum = rgb(mirror.minimum), maximum = rgb(mirror.maximum);
   Rgb share = minimum;
-  if (finish.fresnel) {
+  if (finish.fresnel_reflection) {
     share += (maximum - minimum) * fresnel_share(std::clamp(cosine, 0.0, 1.0), ratio);
   } else if (maximum != minimum) {
     const double away = std::max(1 - cosine, 0.0);

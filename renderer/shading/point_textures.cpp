@@ -41,8 +41,8 @@ struct PointTextures::Making {
   void push(const Material& material, const Rgb& pigment, const Rgb& colour, double weight, const Rgb& let_through) {
     if (lit.size() == lit.capacity()) [[unlikely]] {
       const std::size_t capacity = std::max<std::size_t>(2 * lit.capacity(), 64);
-      const std::size_t size =
-          sizeof(LitTexture) + (lists.normals ? sizeof(Vec3) : 0) + (lists.passing ? sizeof(Rgb) : 0);
+      const std::size_t size = sizeof(LitTexture) + (lists.normals ? sizeof(Vec3) : 0) +
+                               (lists.passing ? sizeof(Rgb) : 0) + (lists.opacities ? sizeof(double) : 0);
       if (!charge.grow((capacity - lit.capacity()) * size)) {
         environment.steps().spend();
         return;
@@ -103,7 +103,10 @@ bool PointTextures::append_layer(const SurfacePoint& point, std::vector<LitTextu
   if (environment.is_spent()) return false;
   const Rgb own = rgb(colour);
   lit.emplace_back(&material, lists.passing ? own * opacity(colour) : own, own, share.weight);
-  if (lists.passing) lists.passing->push_back(passing_share(material, colour, *surface.normal, lists));
+  if (lists.passing) {
+    lists.passing->push_back(passing_share(material, colour, *surface.normal, lists));
+    if (lists.opacities) lists.opacities->push_back(opacity(colour));
+  }
   if (lists.normals) lists.normals->push_back(*surface.normal);
   return true;
 }
@@ -112,7 +115,8 @@ Rgb PointTextures::passing_share(const Material& material, const scene::Colour& 
                                  const LayerLists& lists) const {
   const Rgb share = rgb(colour) * colour.filter + Rgb(colour.transmit);
   if (!lists.mirrors || !material.finish->conserve_energy) return share;
-  return share * (Rgb(1) - reflectivity_at(*material.finish, -normal.dot(lists.view), lists.ior_ratio, rgb(colour)));
+  const Rgb mirrored = reflectivity_at(*material.finish, -normal.dot(lists.view), lists.ior_ratio, rgb(colour));
+  return share * (Rgb(1) - (material.finish->use_alpha ? mirrored * opacity(colour) : mirrored));
 }
 
 bool PointTextures::append_each(const SurfacePoint& point, std::vector<LitTexture>& lit, Charge& charge,
@@ -222,6 +226,7 @@ void PointTextures::add_layers(scene::TextureId top, double weight, const Vec3& 
       making.push(material, rgb(colour), rgb(colour), weight, let_through);
       return;
     }
+    if (making.lists.opacities) making.lists.opacities->push_back(opacity(colour));
     making.push(material, rgb(colour) * opacity(colour), rgb(colour), weight, let_through);
     let_through *= passing_share(
         material, colour, making.lists.normals ? making.lists.normals->back() : making.lists.normal, making.lists);

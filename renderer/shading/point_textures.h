@@ -23,6 +23,8 @@ struct LayerLists {
   /// The share of light that the whole texture lets through, at its top layer; 0 at the layers below. If it is not
   /// asked for, the lowest layer lets nothing through.
   std::vector<Rgb>* passing = nullptr;
+  /// The share of a layer's own colour that is seen. It is asked for together with `passing`.
+  std::vector<double>* opacities = nullptr;
   Vec3 view{0};          ///< the direction of the ray
   bool mirrors = false;  ///< layers that conserve energy let less through, the more they mirror
   double ior_ratio = 1;  ///< the index of refraction before the surface over that behind it
@@ -30,6 +32,7 @@ struct LayerLists {
   void resize(std::size_t size) const {
     if (normals) normals->resize(size);
     if (passing) passing->resize(size);
+    if (opacities) opacities->resize(size);
   }
 };
 
@@ -52,7 +55,10 @@ class PointTextures {
       if (const LitTexture& same = same_everywhere_[texture_number(share.texture)]; same.material != nullptr) {
         lit.push_back(same);
         if (lists.normals) lists.normals->push_back(lists.normal);
-        if (lists.passing) lists.passing->push_back(Rgb(0));
+        if (lists.passing) {
+          lists.passing->push_back(Rgb(0));
+          if (lists.opacities) lists.opacities->push_back(1);
+        }
         return true;
       }
       if (is_one_layer_[texture_number(share.texture)]) return append_layer(point, lit, lists);

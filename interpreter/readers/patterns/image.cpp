@@ -82,18 +82,25 @@ void read_gamma(ElementStream& stream, Image& image) {
 }
 
 /// `filter all 0.5` or `filter 3, 0.5`.
-void read_transparency(ElementStream& stream, std::optional<double>& all,
+/// True if it is the first.
+bool read_transparency(ElementStream& stream, std::optional<double>& all,
                        std::vector<scene::PaletteTransparency>& entries) {
   if (stream.peek().is_word(word::kw_all)) {
     stream.drop();
     all = read_number(stream, "an amount");
-    return;
+    return true;
   }
   scene::PaletteTransparency entry;
   entry.index = static_cast<int>(read_number_in(stream, "the number of a colour of the palette", 0, 255));
   stream.accept_comma();
   entry.amount = read_number(stream, "an amount");
   entries.push_back(entry);
+  return false;
+}
+
+/// True if the version in force scales the opacity that a file has itself by `all`, rather than adding to it.
+bool scales_opacity(const ElementStream& stream) {
+  return stream.context().version.number() >= LanguageVersion::kWithNewerWords;
 }
 
 /// A whole number, of which fractions are cut off, among those that are allowed. Any other number is an error, or, with
@@ -187,7 +194,7 @@ bool read_image_item(ElementStream& stream, Image& image) {
     case word::kIndex_map_type:
       stream.drop();
       // As in POV-Ray, a picture that is not an `image_map` lies flat if its type is unknown.
-      image.map_type = read_one_of(stream, "`map_type`", {0, 1, 2, 5},
+      image.map_type = read_one_of(stream, "`map_type`", {0, 1, 2, 5, 7},
                                    stream.word() == word::kw_image_map ? std::nullopt : std::optional(0));
       return true;
     case word::kIndex_interpolate:
@@ -221,11 +228,11 @@ bool read_image_item(ElementStream& stream, Image& image) {
       return true;
     case word::kIndex_filter:
       stream.drop();
-      read_transparency(stream, image.filter_all, image.filters);
+      if (read_transparency(stream, image.filter_all, image.filters)) image.scales_opacity = scales_opacity(stream);
       return true;
     case word::kIndex_transmit:
       stream.drop();
-      read_transparency(stream, image.transmit_all, image.transmits);
+      if (read_transparency(stream, image.transmit_all, image.transmits)) image.scales_opacity = scales_opacity(stream);
       return true;
     default: return false;
   }

@@ -1,5 +1,6 @@
 #include "interpreter/readers/patterns/pattern.h"
 
+#include "interpreter/newer_words.h"
 #include "interpreter/readers/patterns/pattern_operands.h"
 #include "interpreter/readers/patterns/warp.h"
 #include "interpreter/readers/words/arguments.h"
@@ -33,16 +34,18 @@ constexpr std::string_view kNames[] = {
 #undef ISL_PATTERN
 };
 
-/// The kind of pattern that each reserved word begins, `plain` where none does. Reserved words have the same numbers in
-/// every scene.
+bool has_own_number(grammar::Symbol symbol) { return grammar::is_reserved(symbol) || grammar::is_newer_word(symbol); }
+
+/// The kind of pattern that each reserved or newer word begins, `plain` where none does. These words have the same
+/// numbers in every scene.
 using KindByWord = std::vector<PatternKind>;
 const KindByWord& kinds_by_word(Context& context) {
   static const KindByWord kKindByWord = [&context] {
-    KindByWord kinds(word::kReservedCount, PatternKind::plain);
+    KindByWord kinds(grammar::newer_word::kIndexAfter, PatternKind::plain);
     for (std::size_t i = 1; i < scene::kPatternKindCount; ++i) {
       for (const std::string_view name : words_of(PatternKind(i))) {
         const grammar::Symbol symbol = context.symbols.intern(name);
-        ISL_CHECK(grammar::is_reserved(symbol), "the pattern `{}` has no word", name);
+        ISL_CHECK(has_own_number(symbol), "the pattern `{}` has no word", name);
         kinds[static_cast<std::size_t>(symbol)] = PatternKind(i);
       }
     }
@@ -54,7 +57,7 @@ const KindByWord& kinds_by_word(Context& context) {
 /// The kind of pattern that the element begins; `plain` for none.
 PatternKind kind_of(Context& context, const Element& element) {
   const bool is_block = element.is(ElementKind::block);
-  if ((!is_block && !element.is(ElementKind::word)) || !grammar::is_reserved(element.word)) return PatternKind::plain;
+  if ((!is_block && !element.is(ElementKind::word)) || !has_own_number(element.word)) return PatternKind::plain;
   const PatternKind kind = kinds_by_word(context)[static_cast<std::size_t>(element.word)];
   const PatternBlock block = info_of(kind).block;
   const bool fits = block == PatternBlock::optional || is_block == (block != PatternBlock::none);
@@ -81,11 +84,6 @@ void check_host(Context& context, const Element& element, PatternKind kind, Patt
     context.fail(span, fmt::format("`{}` depends on more than a point and is not allowed in a function", name));
   context.fail(span, fmt::format("`{}` is allowed only in a `{}`", name, std::ranges::find_if(kHosts, is_host)->name),
                info.instead.empty() ? std::string() : fmt::format("did you mean `{}`?", info.instead));
-}
-
-/// `function { … }` is one value of the stream.
-bool is_function(const Element& element) {
-  return element.is(ElementKind::value) && element.node->kind == grammar::NodeKind::function;
 }
 
 }  // namespace
@@ -127,6 +125,7 @@ bool read_pattern(ElementStream& stream, PatternDraft& draft, PatternHost host, 
   if (kind == PatternKind::plain) return false;
   check_host(context, next, kind, host);
   stream.drop();
+  if (grammar::is_newer_word(next.word)) note_newer_word(context, next.word, next.word_span);
   set_kind(draft, kind);
   draft.pattern.said_at = place_of(context, next);
   const PatternInfo& info = info_of(kind);

@@ -39,16 +39,36 @@ scene::ImageId read_image(ElementStream& stream, PatternKind kind) {
   return add_image(stream.context(), std::move(image));
 }
 
-scene::ObjectOperands read_object(ElementStream& stream) {
+scene::ObjectOperands read_object(ElementStream& stream, PatternKind kind) {
   Context& context = stream.context();
+  const SourceSpan span = stream.peek().span;
   const Ref<ObjectValue> object = read_child(stream);
   if (!object) fail_expected(stream, "an object");
   scene::Object placed = object->object;
+  if (kind == PatternKind::potential && placed.kind != scene::Object::Kind::blob) {
+    // An empty group stands for an object that was refused already.
+    const bool is_empty = placed.kind == scene::Object::Kind::group &&
+                          (placed.shape == scene::kNone || context.database.groups[placed.shape].children.empty());
+    if (is_empty) return {};
+    context.fail(span, "`potential` takes a blob");
+  }
   while (const std::optional<scene::Transform> next = read_transform(stream))
     placed.parent_from_object = scene::then(placed.parent_from_object, *next);
   if (placed.shape == scene::kNone) return {};
   context.database.pattern_objects.push_back(placed);
   return {static_cast<std::uint32_t>(context.database.pattern_objects.size() - 1)};
+}
+
+/// `{ red, green, blue, filter, transmit }`: any of them may be missing before a comma or at the end.
+scene::ColourOperands read_colour_functions(ElementStream& stream) {
+  scene::ColourOperands colour;
+  for (scene::FunctionId& term : colour.terms) {
+    if (stream.peek().is(ElementKind::end)) break;
+    if (stream.accept_comma()) continue;
+    term = read_function_operand(stream);
+    stream.accept_comma();
+  }
+  return colour;
 }
 
 scene::PigmentOperands read_pigment_operand(ElementStream& stream) {
@@ -115,11 +135,17 @@ bool is_operand_word(Context& context, grammar::Symbol symbol) {
 
 }  // namespace
 
+bool is_function(const Element& element) {
+  return element.is(ElementKind::value) && element.node->kind == grammar::NodeKind::function;
+}
+
 void read_operands(ElementStream& stream, Pattern& pattern, std::string_view word) {
   const render::PatternInfo& info = info_of(pattern.kind);
   switch (info.block) {
     case PatternBlock::image: pattern.operands = read_image(stream, pattern.kind); break;
-    case PatternBlock::object: pattern.operands = read_object(stream); break;
+    case PatternBlock::object:
+    case PatternBlock::blob: pattern.operands = read_object(stream, pattern.kind); break;
+    case PatternBlock::colours: pattern.operands = read_colour_functions(stream); break;
     case PatternBlock::pigment: pattern.operands = read_pigment_operand(stream); break;
     case PatternBlock::none:
     case PatternBlock::optional:
@@ -133,6 +159,7 @@ void read_operands(ElementStream& stream, Pattern& pattern, std::string_view wor
 }
 
 scene::FunctionId read_function_operand(ElementStream& stream) {
+  if (!is_function(stream.peek())) fail_expected(stream, "`function { … }`");
   const Element next = stream.take();
   return make_point_function(stream.context(), grammar::as<grammar::Function>(*next.node));
 }
@@ -140,6 +167,11 @@ scene::FunctionId read_function_operand(ElementStream& stream) {
 bool read_operand_modifier(ElementStream& stream, Pattern& pattern) {
   Context& context = stream.context();
   const Element next = stream.peek();
+  if (pattern.kind == PatternKind::potential && next.is_word(word::kw_threshold)) {
+    stream.drop();
+    std::get<scene::ObjectOperands>(pattern.operands).less_threshold = read_optional_truth(stream);
+    return true;
+  }
   if (!is_operand_word(context, next.word)) return false;
   stream.drop();
   const std::string_view word = context.text(next.word);

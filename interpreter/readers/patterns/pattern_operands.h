@@ -11,7 +11,9 @@ namespace isl::interpreter {
 /// Reads the operands after the word of a pattern, or in its block, into `pattern.operands`, which hold the defaults.
 void read_operands(ElementStream& stream, scene::Pattern& pattern, std::string_view word);
 
-/// `function { … }` as a value of the stream.
+/// `function { … }` is one value of the stream.
+[[nodiscard]] bool is_function(const Element& element);
+/// Reads it; fails if the next element is something else.
 [[nodiscard]] scene::FunctionId read_function_operand(ElementStream& stream);
 
 /// Reads an operand that has a word of its own if the next element is one; fails if

@@ -71,7 +71,7 @@ constexpr ItemWord<FinishItem> kBlockPlaces[] = {{word::kw_reflection, FinishIte
                                                  {word::kw_irid, FinishItem::irid}};
 
 /// These stand within a block of reflection.
-constexpr ItemWord<FinishItem> kReflectionPlaces[] = {{word::kw_fresnel, FinishItem::fresnel},
+constexpr ItemWord<FinishItem> kReflectionPlaces[] = {{word::kw_fresnel, FinishItem::fresnel_reflection},
                                                       {word::kw_exponent, FinishItem::exponent}};
 
 bool is_finish(const Context& context, const Element& element) {
@@ -108,6 +108,12 @@ double read_exponent(ElementStream& stream, std::string_view word) {
   return 1;
 }
 
+/// True if the reflection is the same at all angles.
+bool is_even(const scene::Reflection& reflection) {
+  const scene::Colour &least = reflection.minimum, &most = reflection.maximum;
+  return least.red == most.red && least.green == most.green && least.blue == most.blue;
+}
+
 double read_number_in_form(ElementStream& stream, std::string_view word, FinishForm form) {
   if (form == FinishForm::positive) return read_exponent(stream, word);
   const std::string what = fmt::format("a number after `{}`", word);
@@ -123,10 +129,20 @@ void read_finish_number(ElementStream& stream, Finish& finish, Albedos& albedos,
   }
   const SourceSpan span = stream.peek().span;
   finish.*value = read_number_in_form(stream, row.word, row.form);
+  if (row.item == FinishItem::fresnel) finish.fresnel_reflection = finish.fresnel != 0;
   if (row.item == FinishItem::roughness && finish.roughness == 0)
     stream.context().warn(span, "`roughness` must be above 0, found 0");
   if (row.item == FinishItem::diffuse && (stream.accept_comma() || starts_number(stream)))
     finish.diffuse_back = read_number(stream, "a number for the light from behind");
+}
+
+/// POV-Ray 3.7 reads `use_alpha` and does nothing about it.
+void ignore_in_older_scene(Context& context, const Element& element, bool& flag) {
+  if (!flag || !context.version.is_stated_below(LanguageVersion::kWithNewerWords)) return;
+  flag = false;
+  if (context.noted_words.insert(element.word).second)
+    context.note(element.span, "`use_alpha` of a finish has no effect before version 3.8 of the language",
+                 "`#version 3.8;` at the scene's beginning states the newer version");
 }
 
 bool read_row(ElementStream& stream, Finish& finish, Albedos& albedos) {
@@ -139,6 +155,7 @@ bool read_row(ElementStream& stream, Finish& finish, Albedos& albedos) {
     read_finish_number(stream, finish, albedos, *row, *number);
   } else if (const auto* const flag = std::get_if<bool Finish::*>(&row->value)) {
     finish.** flag = read_optional_truth(stream);
+    if (row->item == FinishItem::use_alpha) ignore_in_older_scene(stream.context(), next, finish.use_alpha);
   } else {
     finish.*std::get<scene::Colour Finish::*>(row->value) = read_colour(stream);
   }
@@ -186,13 +203,13 @@ void read_reflection_block(Context& context, const Element& block, Finish& finis
     note_place(context, stream.peek(), kReflectionPlaces, finish.said_at);
     if (stream.peek().is_word(word::kw_fresnel)) {
       stream.drop();
-      finish.fresnel = read_optional_truth(stream);
+      finish.fresnel_reflection = read_optional_truth(stream);
     } else if (!read_reflection_number(stream, reflection)) {
       refuse(stream, reflection_words(context));
     }
   }
   // Fresnel's formula begins at 0 then.
-  if (has_one && finish.fresnel) reflection.minimum = {};
+  if (has_one && finish.fresnel_reflection) reflection.minimum = {};
 }
 
 void read_irid(Context& context, const Element& block, Finish& finish) {
@@ -247,6 +264,7 @@ bool read_item(ElementStream& stream, Finish& finish, Albedos& albedos) {
     case word::kIndex_reflection:
       stream.drop();
       finish.reflection.minimum = finish.reflection.maximum = read_colour(stream);
+      if (finish.fresnel != 0) finish.fresnel_reflection = true;
       return true;
     case word::kIndex_reflection_exponent:
       stream.drop();
@@ -285,6 +303,8 @@ Finish read_finish(Context& context, const Element& block, const Finish& base) {
     if (!read_item(stream, finish, albedos)) refuse(stream, finish_words(context));
   }
   albedos.apply(finish);
+  // A mirror with one colour begins at 0 with Fresnel's formula, else that would change nothing.
+  if (finish.fresnel != 0 && finish.fresnel_reflection && is_even(finish.reflection)) finish.reflection.minimum = {};
   return finish;
 }
 

@@ -1,5 +1,7 @@
 #include "interpreter/readers/view/camera.h"
 
+#include "interpreter/newer_words.h"
+#include "interpreter/readers/patterns/pattern_operands.h"
 #include "interpreter/readers/textures/normal.h"
 #include "interpreter/readers/view/camera_pose.h"
 #include "interpreter/readers/view/focal_blur.h"
@@ -38,6 +40,9 @@ constexpr KindWord kCameraKinds[] = {
 
 /// True for the kinds whose rays are straight: `angle` sets the length of direction, and only the vectors count.
 bool is_flat(CameraKind kind) { return kind == CameraKind::perspective || kind == CameraKind::orthographic; }
+
+/// True for the kinds whose rays do not depend on an angle of the record.
+bool has_no_angle(CameraKind kind) { return is_flat(kind) || kind == CameraKind::user_defined; }
 
 /// POV-Ray's defaults for the kinds that bend rays, if there is no `angle`.
 constexpr double kDefaultAngleDegrees = 90, kSphericalAngleDegrees = 360;
@@ -111,6 +116,8 @@ class CameraReader {
       return;
     }
     if (blur_.read(stream_)) return;
+    if (next.word == grammar::newer_word::kw_user_defined) return read_user_defined();
+    if (camera_.kind == CameraKind::user_defined && read_user_item()) return;
     if (!next.is(ElementKind::word)) return refuse(stream_, kKnown);
     if (read_kind(next.word)) return;
     Vec3* vector = nullptr;
@@ -136,6 +143,36 @@ class CameraReader {
     has_size_ |= vector == &camera_.right || vector == &camera_.up;
     if (vector == &camera_.right) size_span_ = stream_.peek().span;
     *vector = read_after(context_.text(next.word));
+  }
+
+  void read_user_defined() {
+    const Element next = stream_.take();
+    note_newer_word(context_, next.word, next.span);
+    camera_.said_at[CameraItem::kind] = place_of(context_, next);
+    camera_.kind = CameraKind::user_defined;
+    camera_.location_of = camera_.direction_of = scene::kNoVectorFunctions;
+  }
+
+  /// `location` or `direction` of a user-defined camera: a vector, or a block of three functions.
+  bool read_user_item() {
+    const Element next = stream_.peek();
+    if (next.word != word::kw_location && next.word != word::kw_direction) return false;
+    const bool is_location = next.word == word::kw_location;
+    scene::VectorFunctions& functions = is_location ? camera_.location_of : camera_.direction_of;
+    Vec3& vector = is_location ? camera_.location : camera_.direction;
+    functions = scene::kNoVectorFunctions;
+    stream_.drop();
+    if (!next.is(ElementKind::block)) {
+      vector = read_after(context_.text(next.word));
+      return true;
+    }
+    ElementStream stream(context_, next);
+    for (scene::FunctionId& function : functions) {
+      function = read_function_operand(stream);
+      stream.accept_comma();
+    }
+    expect_end(stream);
+    return true;
   }
 
   bool read_kind(grammar::Symbol name) {
@@ -184,8 +221,11 @@ class CameraReader {
   }
 
   void apply_size() {
-    if (is_flat(camera_.kind)) camera_.angle = camera_.vertical_angle = 0;
-    if (!is_flat(camera_.kind)) apply_bent_angle();
+    if (has_no_angle(camera_.kind)) {
+      camera_.angle = camera_.vertical_angle = 0;
+    } else {
+      apply_bent_angle();
+    }
     if (camera_.kind == CameraKind::orthographic) apply_orthographic_size();
   }
 

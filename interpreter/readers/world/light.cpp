@@ -221,6 +221,8 @@ class LightReader {
   // ---- The whole ----------------------------------------------------------------------------------------------------
 
   void finish() {
+    light_.fades_from_point =
+        light_.fade_distance == 0 && context_.version.number() >= LanguageVersion::kWithNewerWords;
     if (light_.area->orient) check_orient();
     if (!has_area_) return light_.area.reset();
     const AreaLight& area = *light_.area;

@@ -42,6 +42,15 @@ std::optional<TexelPlace> ImagePlacing::place_of(const Vec3& p) const noexcept {
       v = (around < 0 ? -around : kFullTurn - around) / kFullTurn;
       break;
     }
+    case 7: {
+      // A picture of all directions around +z: the distance from its centre is the angle to +z, so that its border is
+      // −z, which itself is shown by the centre, as in POV-Ray.
+      const double across = std::sqrt(p.x * p.x + p.y * p.y);
+      const double share = across > 0 ? std::atan2(across, p.z) / (kFullTurn * across) : 0;
+      u = 0.5 + p.x * share;
+      v = 0.5 + p.y * share;
+      break;
+    }
     default: break;
   }
   u = u * repeat_x_ - offset_x_;

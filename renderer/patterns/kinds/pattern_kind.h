@@ -28,6 +28,9 @@ class PatternSurroundings {
   /// `point` is in the space that the object is placed into. When the steps are spent, the answer is meaningless.
   [[nodiscard]] virtual bool is_inside(const scene::Object& object, const scene::Vec3& point,
                                        StepCounter& steps) const = 0;
+  /// The field of an object that is a blob, at a point of the same space.
+  [[nodiscard]] virtual double field_of(const scene::Object& object, const scene::Vec3& point,
+                                        StepCounter& steps) const = 0;
 };
 
 /// The part of an evaluation that is the same for all patterns of a database.
@@ -77,7 +80,7 @@ enum class PatternChoice : std::uint8_t { map, list, mean_of_map, own };
 
 /// The content of a pattern's block, if it has one. `of_host` is an image whose block the host of the pattern reads,
 /// because the block has the host's items too. `function` is a value of the language and has no word.
-enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object, pigment, function };
+enum class PatternBlock : std::uint8_t { none, optional, image, of_host, object, blob, pigment, function, colours };
 
 /// The reason why a pattern is not evaluated: it needs a file that is not opened.
 enum class PatternLack : std::uint8_t { nothing, file };

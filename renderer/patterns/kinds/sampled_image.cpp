@@ -94,7 +94,12 @@ SampledImage::Texel SampledImage::texel(std::size_t number) const noexcept {
   texel.blue = channels < 3 ? texel.red : decoded(first + 2);
   if (texels_->has_alpha()) {
     const float opaque = alpha(number);
-    texel.transmit += 1 - opaque;
+    if (image_.scales_opacity) {
+      texel.filter *= opaque;
+      texel.transmit = 1 - opaque * (1 - added_transmit_);
+    } else {
+      texel.transmit += 1 - opaque;
+    }
     if (is_premultiplied_ && opaque > 0) {
       texel.red /= opaque;
       texel.green /= opaque;

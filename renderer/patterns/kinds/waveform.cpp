@@ -68,6 +68,7 @@ double triangle_wave(double value) noexcept {
 }
 
 double in_any_wave(double value, const scene::Pattern& pattern) noexcept {
+  if (pattern.wave == scene::Wave::none) return value;
   const double frequency = values::to_single(pattern.frequency);
   if (frequency != 0) value = remainder(value * frequency + values::to_single(pattern.phase));
   if (value < 0) value -= std::floor(value);
@@ -77,6 +78,7 @@ double in_any_wave(double value, const scene::Pattern& pattern) noexcept {
     case scene::Wave::sine: return (1 + cycloidal(value)) * 0.5;
     case scene::Wave::scallop: return std::abs(cycloidal(value * 0.5));
     case scene::Wave::cubic: return value * value * (3 - 2 * value);
+    case scene::Wave::none: break;
     case scene::Wave::poly: return std::pow(value, values::to_single(pattern.exponent));
   }
   ISL_CHECK(false, "wave {}", static_cast<int>(pattern.wave));

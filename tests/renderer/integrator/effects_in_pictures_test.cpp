@@ -25,6 +25,30 @@ TEST(Reflection, follows_the_angle_as_povrays_does) {
   expect_middle(view + plane("reflection rgb <1, .5, 0>"), .8, .2, 0);
 }
 
+TEST(UserDefinedCamera, sees_what_a_perspective_one_with_the_same_rays_sees) {
+  const auto scene = [](const char* camera) {
+    return std::string("#version 3.8; global_settings { assumed_gamma 1 } camera { ") + camera +
+           " } plane { -z, -2 pigment { gradient x color_map { [0 rgb 0] [1 rgb <1, .5, .2>] } scale 20 translate -8*x "
+           "} "
+           "finish { emission 1 } } ";
+  };
+  const render::Rgb flat = middle_of(rendered(scene("location <1, .5, -2> direction 2*z right x up y")).image);
+  const render::Rgb by_functions =
+      middle_of(rendered(scene("user_defined location { function { 1 } function { .5 } function { -2 } } "
+                               "direction { function { x } function { y } function { 2 } }"))
+                    .image);
+  EXPECT_GT(flat.x, .1);
+  EXPECT_NEAR(by_functions.x, flat.x, 1e-12);
+  const render::Rgb moving = middle_of(
+      rendered(scene("user_defined location { function { 1 + x } function { .5 } function { -2 } } direction z"))
+          .image);
+  EXPECT_NEAR(moving.x, flat.x, 1e-12);
+  EXPECT_EQ(middle_of(rendered(scene("user_defined location <1, .5, -2> direction { function { 0 } function { 0 } "
+                                     "function { 1/x } }"))
+                          .image),
+            Rgb(0));
+}
+
 TEST(Normal, a_default_hands_on_its_size) {
   const auto scene = [](const char* defaults, const char* size) {
     return std::string(kStraight) + light_at(60) + defaults +
@@ -49,6 +73,42 @@ TEST(Reflection, by_fresnel_is_povrays) {
   expect_middle(mirror("reflection { 1 fresnel }"), .07135, .03568, .01784);
   expect_middle(mirror("reflection { .1, .9 fresnel }"), .13709, .06854, .03427);
   expect_middle(mirror("reflection { 1 fresnel metallic }"), .01765, .01553, .01112);
+}
+
+/// A plane that is seen and lit aslant. What POV-Ray 3.8 shows in the middle of it is in the tests that follow.
+std::string aslant(const char* pigment, const char* finish) {
+  return fmt::format(
+      "#version 3.8; camera {{ orthographic location -5*z direction z right 4*x up 4*y }} "
+      "light_source {{ <60, 0, -100> rgb 1 parallel point_at 0 }} sky_sphere {{ pigment {{ rgb <.2, .3, .4> }} }} "
+      "plane {{ <.5, 0, -1>, 0 pigment {{ rgb <1, .5, .25> {} }} finish {{ ambient 0 diffuse 0 {} }} "
+      "interior {{ ior 1.5 }} }} ",
+      pigment, finish);
+}
+
+TEST(FresnelFinish, is_povrays) {
+  expect_middle(aslant("", "diffuse .5 fresnel"), .45902, .22951, .11475);
+  expect_middle(aslant("", "ambient .3 fresnel"), .28774, .14386, .07193);
+  expect_middle(aslant("", "emission .3 fresnel .5"), .29387, .14693, .07347);
+  expect_middle(aslant("", "phong 1 phong_size 1 fresnel"), .03705, .03705, .03705);
+  expect_middle(aslant("", "specular 1 roughness 1 fresnel"), .03934, .03934, .03934);
+  expect_middle(aslant("", "diffuse .4 brilliance 2 fresnel 2"), .33591, .16796, .08399);
+}
+
+TEST(FresnelFinish, sets_that_of_the_reflection) {
+  expect_middle(aslant("", "reflection .6 fresnel"), .00491, .00735, .00981);
+  expect_middle(aslant("", "fresnel reflection .6"), .00491, .00735, .00981);
+  expect_middle(aslant("", "fresnel reflection { .1, .6 }"), .02409, .03613, .04817);
+  expect_middle(aslant("", "fresnel reflection { .6 fresnel off }"), .12, .18, .24);
+}
+
+TEST(UseAlpha, hides_the_surface_where_the_pigment_is_clear) {
+  const char* const shiny = "diffuse .5 phong .3 phong_size 1 specular .2 use_alpha reflection .4";
+  expect_middle(aslant("transmit .6", shiny), .51743, .49374, .51987);
+  expect_middle(aslant("filter .3 transmit .2", shiny), .5968, .49717, .45985);
+  expect_middle(aslant("transmit 1", shiny), .2, .3, .4);
+  const char* const conserving = "diffuse .5 specular .5 reflection { .1, .4 } use_alpha conserve_energy";
+  expect_middle(aslant("transmit .6", conserving), .46087, .42327, .43552);
+  expect_middle(aslant("filter .3 transmit .2", conserving), .52741, .41402, .36297);
 }
 
 TEST(Reflection, takes_from_what_is_behind_only_if_energy_is_conserved) {

@@ -127,6 +127,9 @@ class Inside final : public PatternSurroundings {
   [[nodiscard]] bool is_inside(const scene::Object& object, const Vec3& point, StepCounter&) const override {
     return object.shape == 7 && point.length() < 1;
   }
+  [[nodiscard]] double field_of(const scene::Object&, const Vec3& point, StepCounter&) const override {
+    return 2 - point.length();
+  }
 };
 
 TEST(Patterns, AnObjectIsOneWithinAndZeroWithout) {
