@@ -1,4 +1,4 @@
-// Where the statement of a directive ends: at its semicolon, or, after a mistake in it, before the next statement.
+// The end of a directive's statement: its semicolon or, after a mistake, the last item before the next statement.
 #pragma once
 
 #include "interpreter/context.h"

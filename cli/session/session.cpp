@@ -20,7 +20,7 @@ namespace isl::cli {
 
 namespace {
 
-/// Those that the command line names, and the shared folder that the scene lies in.
+/// The folders below which the scene may read: those that the command line names, and the shared folder of the scene.
 std::vector<std::filesystem::path> readable_folders(const SceneOptions& options) {
   std::vector<std::filesystem::path> folders = options.read_folders;
   if (options.scene == "-") return folders;

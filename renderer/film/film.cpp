@@ -58,7 +58,7 @@ void Film::set_surface(std::size_t pixel, const SeenSurface& seen) {
   for (SurfaceLayer& surface : surfaces_) {
     double* const values = surface.layer.at(pixel);
     surface.row->fill(seen, values);
-    // Of what is lost (LostSamples) the layer says as much as of a miss.
+    // A value that is not finite (LostSamples) counts in the layer as a miss does.
     for (std::size_t i = 0; i < surface.row->aov.channels.size(); ++i) {
       if (!std::isfinite(values[i])) values[i] = surface.row->aov.for_miss;
     }

@@ -3,8 +3,8 @@
 // for one of them is traced again with the whole bound, unless the picture is hard, because too many of its rays take
 // much of the bound and stay undecided: then all rays make do with a tenth.
 //
-// Whether a picture is hard depends on its scene and size alone. So does each pixel, whatever the threads, and
-// whichever part of the picture is wanted.
+// Only the scene and the size of the whole picture decide this. So a pixel is the same with any number of threads, and
+// in a part of the picture.
 #pragma once
 
 #include "renderer/integrator/integrator.h"

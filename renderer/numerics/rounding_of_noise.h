@@ -1,4 +1,4 @@
-// Where a root is polished enough: what a bound of rounding errors is really worth.
+// How far below its bound the rounding of a sum usually is. A root is polished until its value is that small.
 #pragma once
 
 namespace isl::render {

@@ -52,7 +52,7 @@ class Contacts {
   std::vector<CrossedFace> faces_{1};  ///< a miss stands before and behind those of each contact
 };
 
-/// What a batch's paths refer to by numbers.
+/// The lists of a batch. Its paths hold indices into them.
 struct PathLists {
   Bodies bodies;
   Contacts contacts;

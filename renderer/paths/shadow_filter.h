@@ -15,7 +15,7 @@
 
 namespace isl::render {
 
-/// Where light begins that is asked for at the end of a path.
+/// The place at which a path ends, and from which light is asked for.
 struct LightBegin {
   std::uint32_t bodies = 0;   ///< PathEntry::bodies
   std::uint32_t contact = 0;  ///< PathEntry::contact
