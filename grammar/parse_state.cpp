@@ -223,6 +223,11 @@ TreeList ParseState::pair(Tree first, Tree second) {
   return list;
 }
 
+Tree ParseState::sequence(SourceSpan span, TreeList statements, Tree value) {
+  statements.push(value);
+  return if_(span, number(span, 1), statements, {});
+}
+
 TreeList ParseState::join(Tree first, const TreeList& rest) {
   TreeList list;
   list.push(first);

@@ -99,6 +99,8 @@ class ParseState {
 
   // Lists.
   TreeList pair(Tree first, Tree second);
+  /// A value after statements: a branch that is always taken.
+  Tree sequence(SourceSpan span, TreeList statements, Tree value);
   TreeList join(Tree first, const TreeList& rest);
   /// `first`, a semicolon and the rest.
   TreeList join(Tree first, SourceSpan semicolon, const TreeList& rest);

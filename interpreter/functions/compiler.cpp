@@ -137,7 +137,8 @@ class Compiler {
   Operand compile_name(const Node& node, Symbol name) {
     if (const auto variable = find_variable(name)) return *variable;
     if (node.kind == NodeKind::constant && !is_number_constant(name)) {
-      context_.fail(node.span, fmt::format("`{}` is not a parameter of this function", context_.text(name)));
+      context_.warn(node.span, fmt::format("`{}` is not a parameter of this function; it is 0", context_.text(name)));
+      return builder_.constant(0);
     }
     return captured(node);
   }

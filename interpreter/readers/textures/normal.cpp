@@ -92,13 +92,11 @@ class NormalReader {
     read_size();
   }
 
-  /// The size of the bumps may follow the pattern, with or without a comma.
+  /// The size of the bumps may follow the pattern, with or without a comma. As in POV-Ray, a comma alone means nothing.
   void read_size() {
-    const bool has_comma = stream_.accept_comma();
+    stream_.accept_comma();
     if (stream_.peek().is(ElementKind::value)) {
       normal_.bump_size = read_number(stream_, "the size of the bumps");
-    } else if (has_comma) {
-      fail_expected(stream_, "the size of the bumps");
     }
   }
 

@@ -26,10 +26,22 @@ constexpr NamedKind kSplineKinds[] = {{word::kw_linear_spline, SplineKind::linea
                                       {word::kw_cubic_spline, SplineKind::cubic},
                                       {word::kw_natural_spline, SplineKind::natural}};
 
-void read_point(ElementStream& stream, scene::Spline& spline) {
+/// An element of an array, an entry of a dictionary or a name of another scope: it may hold a spline or a number.
+bool is_place(const Element& element) {
+  if (!element.is(ElementKind::value)) return false;
+  const grammar::NodeKind kind = element.node->kind;
+  return kind == grammar::NodeKind::index || kind == grammar::NodeKind::dot || kind == grammar::NodeKind::scoped_name;
+}
+
+double to_parameter(Context& context, const Value& value, SourceSpan span) {
+  if (!value.is_number())
+    context.fail(span, fmt::format("expected a parameter of the spline, found {}", describe(value)));
+  return value.number();
+}
+
+/// The spline's value at a parameter that was read at `place`.
+void read_value(ElementStream& stream, scene::Spline& spline, double parameter, SourceSpan place) {
   Context& context = stream.context();
-  const SourceSpan place = stream.peek().span;
-  const double parameter = read_number(stream, "a parameter of the spline");
   if (!std::isfinite(parameter))
     context.fail(place, fmt::format("a parameter of a spline must be finite, found {:g}", parameter));
   stream.accept_comma();
@@ -42,6 +54,11 @@ void read_point(ElementStream& stream, scene::Spline& spline) {
   spline.term_count = std::max({spline.term_count, value.term_count(), 2});
   values::insert(spline, parameter, terms);
   stream.accept_comma();
+}
+
+void read_point(ElementStream& stream, scene::Spline& spline) {
+  const SourceSpan place = stream.peek().span;
+  read_value(stream, spline, read_number(stream, "a parameter of the spline"), place);
 }
 
 }  // namespace
@@ -64,6 +81,13 @@ std::shared_ptr<const scene::Spline> read_spline(Context& context, const Element
     if (const Slot* const held = without_wrapper(slot); held && held->value.kind() == ValueKind::spline) {
       stream.drop();
       *spline = *used(context, *slot, first.span).value.as<SplineValue>().spline;
+    }
+  } else if (is_place(first)) {
+    const Value value = stream.take_value();
+    if (value.kind() == ValueKind::spline) {
+      *spline = *value.as<SplineValue>().spline;
+    } else {
+      read_value(stream, *spline, to_parameter(context, value, first.span), first.span);
     }
   }
   if (const auto kind = accept_spline_kind(stream)) spline->kind = *kind;
