@@ -63,16 +63,15 @@ class Sorted {
   std::vector<OpenUnion> open_;
 };
 
-reference::FieldRay ray_in(const scene::Matrix& object_from_world, const Ray& ray) {
+reference::Line ray_in(const scene::Matrix& object_from_world, const Ray& ray) {
   using reference::interval_of;
   if (object_from_world == scene::Matrix()) return {interval_of(ray.origin), interval_of(ray.direction)};
   return {reference::transformed_point(interval_of(ray.origin), object_from_world),
           reference::transformed_vector(interval_of(ray.direction), object_from_world)};
 }
 
-reference::Ball world_bounds(const reference::Ball& ball, const scene::Matrix& object_from_world) {
-  if (object_from_world == scene::Matrix()) return ball;
-  return reference::ball_before({ball.x, ball.y, ball.z}, ball.radius, object_from_world);
+reference::Box world_bounds(const reference::Box& box, const scene::Matrix& object_from_world) {
+  return object_from_world == scene::Matrix() ? box : reference::box_before(box, object_from_world);
 }
 
 }  // namespace
@@ -85,7 +84,7 @@ ReferenceHits::ReferenceHits(const scene::Database& database, const TracerOption
   if (!take_memory(database, expansion)) return;
   Sorted sorted(database, expansion);
   std::map<std::uint32_t, std::shared_ptr<const ReferenceField>> fields;
-  std::vector<reference::Ball> bounds;
+  std::vector<reference::Box> bounds;
   for (const scene::Object& object : sorted.blobs) {
     if (is_set(options.run.stop)) return;
     std::shared_ptr<const ReferenceField>& field = fields[object.shape];
@@ -94,7 +93,7 @@ ReferenceHits::ReferenceHits(const scene::Database& database, const TracerOption
     blobs_.push_back({field, object_from_world, world_bounds(field->bounds(), object_from_world)});
     bounds.push_back(blobs_.back().bounds);
   }
-  bounds_ = reference::BallTree(bounds);
+  bounds_ = reference::BoxTree(bounds);
   if (sorted.others.empty()) return;
   auto rest = std::make_unique<scene::Database>(database);
   rest->objects = std::move(sorted.others);
@@ -110,9 +109,9 @@ bool ReferenceHits::take_memory(const scene::Database& database, const Expansion
   // Objects are in a list that grows to twice its size, and those that are no blobs in a copy of the database.
   for (const scene::Object& object : database.objects)
     bytes +=
-        expansion.instances(object, false) * (3 * sizeof(scene::Object) + sizeof(Placed) + 2 * sizeof(reference::Ball));
-  // The form of its skeleton, that of its kernel and its matrix are pieces of their own.
-  constexpr double kOfComponent = sizeof(reference::ReferenceComponent) + 512;
+        expansion.instances(object, false) * (3 * sizeof(scene::Object) + sizeof(Placed) + 4 * sizeof(reference::Box));
+  // The formula of its skeleton and its matrix are pieces of their own, and so are the nodes of the tree of boxes.
+  constexpr double kOfComponent = sizeof(reference::ReferenceComponent) + 1024;
   for (const scene::Blob& blob : database.blobs)
     bytes += static_cast<double>(blob.components.size()) * (kOfComponent + sizeof(scene::Component));
   constexpr double kMost = 0x1p62;
@@ -135,7 +134,7 @@ ReferenceHit ReferenceHits::first_hit(const Ray& ray) const {
   std::vector<std::uint32_t> numbers;
   bounds_.along(line, numbers);
   std::vector<std::pair<double, std::uint32_t>> candidates;  // by the earliest place where a surface may be
-  for (const std::uint32_t i : numbers) candidates.emplace_back(line.earliest(blobs_[i].bounds), i);
+  for (const std::uint32_t i : numbers) candidates.emplace_back(line.within(blobs_[i].bounds).begin, i);
   std::ranges::sort(candidates);
   double first_touch = kNever;
   for (const auto& [earliest, i] : candidates) {

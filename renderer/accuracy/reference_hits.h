@@ -7,7 +7,7 @@
 #include "base/budget.h"
 #include "renderer/accuracy/ray_measures.h"
 #include "renderer/csg/expansion.h"
-#include "renderer/reference/ball_tree.h"
+#include "renderer/reference/box_tree.h"
 #include "renderer/reference/reference_field.h"
 
 #include <cstdint>
@@ -55,7 +55,7 @@ class ReferenceHits {
   struct Placed {
     std::shared_ptr<const reference::ReferenceField> field;
     scene::Matrix object_from_world;
-    reference::Ball bounds;
+    reference::Box bounds;
   };
 
   /// False if the sorted objects take more memory than is left.
@@ -64,7 +64,7 @@ class ReferenceHits {
   Charge charge_;  ///< of all but `others_`
   std::optional<scene::Refusal> refusal_;
   std::vector<Placed> blobs_;
-  reference::BallTree bounds_;
+  reference::BoxTree bounds_;
   /// All that is no blob of its own, and the tracer that needs it; empty if there is nothing else.
   std::unique_ptr<const scene::Database> rest_;
   std::optional<Tracer> others_;

@@ -1,9 +1,7 @@
-// The type of the reference's numbers. Its sources are compiled twice: in namespace isl::reference with long double
-// and, where the compiler has it, in isl::wide_reference with a binary type of 113 bits. The second is what a target
-// gets that links isl::wide_reference, which defines ISL_WIDE_REFERENCE. A file that serves both writes `Real`,
+// The numbers of the reference. Its sources are compiled twice: in namespace isl::reference with long double and, where
+// the compiler has it, in isl::wide_reference with a binary type of 113 bits. The second is what a target gets that
+// links isl::wide_reference, which defines ISL_WIDE_REFERENCE. A file that serves both writes `Real`,
 // `namespace isl::ISL_REFERENCE`, and the functions below without `std::`; no file can include both.
-//
-// The type of 113 bits is computed in software, some fifteen times as slowly.
 #pragma once
 
 #include <cmath>
@@ -19,12 +17,13 @@ namespace isl::ISL_REFERENCE {
 
 #ifdef ISL_WIDE_REFERENCE
 
+/// Computed in software, some thirty times as slowly.
 __extension__ typedef __float128 Real;  // NOLINT: only a typedef can be marked as an extension
 
 inline constexpr int kDigits = 113;
 
 // The standard library's functions would convert to a shorter type.
-[[nodiscard]] inline Real abs(Real x) { return fabsf128(x); }
+[[nodiscard]] inline Real abs(Real x) { return x < 0 ? -x : x; }
 [[nodiscard]] inline Real sqrt(Real x) { return sqrtf128(x); }
 [[nodiscard]] inline Real hypot(Real x, Real y) { return hypotf128(x, y); }
 [[nodiscard]] inline Real exp(Real x) { return expf128(x); }
@@ -57,14 +56,13 @@ using std::sqrt;
 
 #endif
 
+/// Errors and radii need few digits, but as many exponents.
+using Size = long double;
+
 /// The relative error of one operation is at most this: 2⁻⁶⁴, or 2⁻¹¹³.
-inline constexpr Real kRoundoff = kDigits == 113 ? 0x1p-113L : 0x1p-64L;
-/// Covers that of one operation and of the arithmetic that widens its result by this.
-inline constexpr Real kRounding = 4 * kRoundoff;
+inline constexpr Size kRoundoff = kDigits == 113 ? 0x1p-113L : 0x1p-64L;
 
 /// From double, because the standard library does not describe the wide type.
 inline constexpr Real kInfiniteReal = std::numeric_limits<double>::infinity();
-/// Two terms, because a literal has the digits of a long double at most.
-inline constexpr Real kPi = 0x3.243f6a8885a308dp0L + Real(0x3.13198a2e0370734p-64L);
 
 }  // namespace isl::ISL_REFERENCE

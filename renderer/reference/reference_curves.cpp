@@ -1,144 +1,128 @@
-// Segment: if the foot of p on its line is at v = 0, at the distance ρ, y = ρ² + v², over the part within |v| < W = √(1
-// − ρ²).
+// Segment: if the foot of p on its line is at v = 0, at the distance ρ, y = ρ² + v², over the part within |v| < w =
+// √(1 − ρ²).
 //
-// Circle: if d is the distance of p from it, ρ that from its axis, and k = 4Rρ, then y = d² + k sin²(φ/2), over the |φ|
-// < μ where that is below 1. Since sin(φ/2) ≥ φ/π, the distance grows along the arc s = Rφ at least as along a straight
-// line that is (π/2)√(R/ρ) shorter.
-#include "renderer/reference/reference_curves.h"
-
-#include "renderer/reference/graded_quadrature.h"
+// Circle: if d is the distance of p from it, ρ that from its axis, and k = 4Rρ, y = d² + k sin²(φ/2) at the angle φ
+// from the point nearest to p, over |φ| < μ where y < 1; its poles are where k sin²(φ/2) is minus the square of the
+// window's. Since sin(φ/2) ≥ φ/π, the distance grows along the arc Rφ at least as along a straight line that is
+// (π/2)√(R/ρ) shorter.
+#include "renderer/reference/quadrature.h"
+#include "renderer/reference/reference_convolution.h"
+#include "renderer/reference/reference_skeleton.h"
 
 #include <algorithm>
 
 namespace isl::ISL_REFERENCE {
 namespace {
 
-using Vector3 = Vector<Real>;
+using Point = Vector<Real>;
 
-Vector3 scaled(const scene::Vec3& v, Real unit) {
-  return {static_cast<Real>(v.x) * unit, static_cast<Real>(v.y) * unit, static_cast<Real>(v.z) * unit};
-}
+Real length_of(const Point& v) { return sqrt(squared_length(v)); }
 
-class SegmentCurve final : public Curve {
- public:
-  SegmentCurve(const scene::Component& c, Real unit) : a_(scaled(c.a, unit)), b_(scaled(c.b, unit)) {
-    const Vector3 along = scaled(c.b, unit) - a_;
-    length_ = sqrt(squared_length(along));
-    if (length_ > 0) axis_ = along * (1 / length_);
-  }
+struct SegmentCurve {
+  Point a, b, axis{};
+  Real length;
 
-  [[nodiscard]] Real distance(const Vector3& p) const override {
-    const Place at = place(p);
-    const Real beyond = std::max({Real(0), -at.from_a, at.from_a - length_});
-    return hypot(at.rho, beyond);
-  }
-
-  [[nodiscard]] Integrals integrals(const Vector3& p, const ReferenceWindow& window) const override {
-    const Place at = place(p);
-    const Real end2 = 1 - at.rho * at.rho;
-    if (!(end2 > 0)) return {};
-    const Real end = sqrt(end2);
-    const Real from = std::max(-at.from_a, -end), to = std::min(length_ - at.from_a, end);
-    Real value = 0, across = 0, along = 0;
-    if (from < to) {
-      integrate_graded(from, to, window.scale(at.rho * at.rho), [&](Real v, Real weight) {
-        const ReferenceWindow::Value g = window.at(at.rho * at.rho + v * v, (end - v) * (end + v));
-        value += weight * g.value;
-        across += weight * g.fall;
-        along += weight * g.fall * v;
-      });
-    }
-    return {value, across, at.across * (-2 * across) + axis_ * (2 * along)};
-  }
-
-  [[nodiscard]] ReferenceWindow::View view(const Vector3&, Real, Real least) const override {
-    return {least, std::min(length_, 2 * sqrt(1 - least)), 1};
-  }
-
- private:
   struct Place {
     Real from_a, rho;
-    Vector3 across;
+    Point across;
   };
-  [[nodiscard]] Place place(const Vector3& p) const {
-    const Vector3 from_a = p - a_, from_b = p - b_;
-    const Real x = dot(from_a, axis_), beyond = dot(from_b, axis_);
-    // The nearer end is used, because the farther one's distance would cost digits.
-    const Vector3 across = abs(x) < abs(beyond) ? from_a - axis_ * x : from_b - axis_ * beyond;
-    return {x, sqrt(squared_length(across)), across};
+  [[nodiscard]] Place place(const Point& p) const {
+    const Point from_a = p - a, from_b = p - b;
+    const Real along_a = dot(from_a, axis), along_b = dot(from_b, axis);
+    // Seen from the nearer end, because the farther one's distance would cost digits.
+    const Point across = abs(along_a) < abs(along_b) ? from_a - axis * along_a : from_b - axis * along_b;
+    return {along_a, length_of(across), across};
   }
-
-  Vector3 a_, b_, axis_{};
-  Real length_;
+  [[nodiscard]] Real distance(const Point& p) const {
+    const Place at = place(p);
+    return hypot(at.rho, std::max({Real(0), -at.from_a, at.from_a - length}));
+  }
+  [[nodiscard]] Curve::Integrals integrals(const Point& p, const ReferenceWindow& window) const {
+    const Place at = place(p);
+    const Real rho2 = square(at.rho), end = sqrt(std::max(1 - rho2, Real(0)));
+    const Real from = std::max(-at.from_a, -end), to = std::min(length - at.from_a, end);
+    if (!(from < to)) return {};
+    Real value = 0, fall = 0, along = 0;
+    integrate(from, to, window.pole(rho2), [&](Real v, Real weight) {
+      const ReferenceWindow::Values g = window.at(rho2 + v * v, (end - v) * (end + v));
+      value += weight * g.value;
+      fall += weight * g.fall;
+      along += weight * g.fall * v;
+    });
+    return {value, fall, axis * (2 * along) - at.across * (2 * fall)};
+  }
+  [[nodiscard]] ReferenceWindow::View view(Real least) const {
+    return {least, std::min(length, 2 * sqrt(1 - least)), 1};
+  }
 };
 
-class CircleCurve final : public Curve {
- public:
-  CircleCurve(const scene::Component& c, Real unit)
-      : centre_(scaled(c.a, unit)), axis_(scaled(c.b, 1)), radius_(c.radius_b * unit) {
-    axis_ = axis_ * (1 / sqrt(squared_length(axis_)));
-  }
+struct CircleCurve {
+  Point centre, axis;
+  Real radius;
 
-  [[nodiscard]] Real distance(const Vector3& p) const override {
-    const Place at = place(p);
-    return hypot(at.rho - radius_, at.z);
+  struct Place {
+    Real beside, height;  ///< ρ − R, and the distance from the circle's plane
+    Point from_centre, outward;
+    Real rho;
+  };
+  [[nodiscard]] Place place(const Point& p) const {
+    const Point from = p - centre;
+    const Real height = dot(from, axis);
+    const Point across = from - axis * height;
+    const Real rho = length_of(across);
+    return {rho - radius, height, from, rho > 0 ? across * (1 / rho) : Point{}, rho};
   }
-
-  [[nodiscard]] Integrals integrals(const Vector3& p, const ReferenceWindow& window) const override {
+  [[nodiscard]] Real distance(const Point& p) const {
     const Place at = place(p);
-    const Real beside = at.rho - radius_, d2 = beside * beside + at.z * at.z;
+    return hypot(at.beside, at.height);
+  }
+  [[nodiscard]] Curve::Integrals integrals(const Point& p, const ReferenceWindow& window) const {
+    const Place at = place(p);
+    const Real d2 = square(at.beside) + square(at.height), k = 4 * radius * at.rho;
     if (!(d2 < 1)) return {};
-    const Real k = 4 * radius_ * at.rho;
     const bool is_whole = k <= 1 - d2;
-    const Real end = is_whole ? kPi : 2 * asin(sqrt((1 - d2) / k));
-    // y is singular where k sin²(φ/2) = −scale².
-    const Real scale = k > 0 ? 2 * asinh(window.scale(d2) / sqrt(k)) : 2 * kPi;
-    Real value = 0, whole = 0, radial = 0;
-    integrate_graded(0, end, scale, [&](Real angle, Real weight) {
-      const Real half_sine = sin(angle / 2), y = d2 + k * half_sine * half_sine;
+    const Real half = is_whole ? 2 * asin(sqrt(Real(0.5L))) : asin(sqrt((1 - d2) / k)), mu = 2 * half;
+    const Real pole = k > 0 ? 2 * asinh(window.pole(d2) / sqrt(k)) : 8;
+    Real value = 0, fall = 0, turned = 0;  // turned: of −g′ cos φ
+    integrate(0, mu, pole, [&](Real angle, Real weight) {
+      const Real sine = sin(angle / 2), y = d2 + k * sine * sine;
       // sin²(μ/2) − sin²(φ/2) = sin((μ + φ)/2) sin((μ − φ)/2)
-      const Real to_border = is_whole ? 1 - y : k * sin((end + angle) / 2) * sin((end - angle) / 2);
-      const ReferenceWindow::Value g = window.at(y, to_border);
+      const Real to_border = is_whole ? 1 - y : k * sin(half + angle / 2) * sin(half - angle / 2);
+      const ReferenceWindow::Values g = window.at(y, to_border);
       value += weight * g.value;
-      whole += weight * g.fall;
-      radial += weight * g.fall * (1 - 2 * half_sine * half_sine);
+      fall += weight * g.fall;
+      turned += weight * g.fall * (1 - 2 * sine * sine);
     });
-    const Vector3 outward = at.rho > 0 ? at.across * (1 / at.rho) : Vector3{};
-    // p − s = (p − c) − R(cos φ ρ̂ ± sin φ …); both halves of the circle are taken together.
-    return {2 * radius_ * value, 2 * radius_ * whole,
-            (at.from_centre * whole - outward * (radius_ * radial)) * (-4 * radius_)};
+    // Both halves of the circle are taken together: the sum of the offsets from φ and −φ is 2(p − c − R cos φ ρ̂).
+    return {2 * radius * value, 2 * radius * fall,
+            (at.outward * (radius * turned) - at.from_centre * fall) * (4 * radius)};
   }
-
-  [[nodiscard]] ReferenceWindow::View view(const Vector3& p, Real ball, Real least) const override {
-    const Real nearest_rho = place(p).rho - ball, whole = 2 * kPi * radius_;
-    if (!(nearest_rho > 0)) return {least, whole, kUnbounded};
-    const Real spread = std::max(Real(1), kPi / 2 * sqrt(radius_ / nearest_rho));
+  [[nodiscard]] ReferenceWindow::View view(const Point& p, Real ball, Real least) const {
+    const Real whole = 8 * asin(sqrt(Real(0.5L))) * radius, rho = place(p).rho - ball;
+    if (!(rho > 0)) return {least, whole, kUnbounded};
+    const Real spread = std::max(Real(1), 1.5708L * sqrt(radius / rho));
     return {least, std::min(whole, 2 * sqrt(1 - least) * spread), spread};
   }
-
- private:
-  struct Place {
-    Real z, rho;
-    Vector3 from_centre, across;
-  };
-  [[nodiscard]] Place place(const Vector3& p) const {
-    const Vector3 from = p - centre_;
-    const Real z = dot(from, axis_);
-    const Vector3 across = from - axis_ * z;
-    return {z, sqrt(squared_length(across)), from, across};
-  }
-
-  Vector3 centre_, axis_;
-  Real radius_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Curve> segment_curve(const scene::Component& component, Real unit) {
-  return std::make_shared<SegmentCurve>(component, unit);
+Curve segment_curve(const scene::Component& c, Real unit) {
+  SegmentCurve curve{exactly(c.a) * unit, exactly(c.b) * unit, {}, 0};
+  const Point along = (exactly(c.b) - exactly(c.a)) * unit;
+  curve.length = length_of(along);
+  if (curve.length > 0) curve.axis = along * (1 / curve.length);
+  return {std::max(length_of(curve.a), length_of(curve.b)), [=](const Point& p) { return curve.distance(p); },
+          [=](const Point& p, const ReferenceWindow& window) { return curve.integrals(p, window); },
+          [=](const Point&, Real, Real least) { return curve.view(least); }};
 }
-std::shared_ptr<const Curve> circle_curve(const scene::Component& component, Real unit) {
-  return std::make_shared<CircleCurve>(component, unit);
+
+Curve circle_curve(const scene::Component& c, Real unit) {
+  const Point axis = exactly(c.b);
+  const CircleCurve curve{exactly(c.a) * unit, axis * (1 / length_of(axis)), c.radius_b * unit};
+  return {length_of(curve.centre) + curve.radius, [=](const Point& p) { return curve.distance(p); },
+          [=](const Point& p, const ReferenceWindow& window) { return curve.integrals(p, window); },
+          [=](const Point& p, Real ball, Real least) { return curve.view(p, ball, least); }};
 }
 
 }  // namespace isl::ISL_REFERENCE

@@ -8,154 +8,136 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-Interval row_times_column(const Vector<Interval>& v, const scene::Matrix& m, int column) {
-  return v.x * Interval(m[0][column]) + v.y * Interval(m[1][column]) + v.z * Interval(m[2][column]);
-}
-
 const scene::Transform& transform_of(const scene::Database& database, const scene::Component& component) {
   static const scene::Transform kIdentityTransform;
   return component.transform == scene::kIdentity ? kIdentityTransform : database.transforms[index(component.transform)];
 }
 
-/// Inner maxima before outer ones: a branch has a greater number than its parent, so the maximum that begins last
-/// contains no other.
+/// A branch has a greater number than its parent, so the maximum that begins last contains no other.
 std::vector<Maximum> maxima_of(std::span<const scene::Branch> branches) {
-  std::vector<Maximum> maxima;
-  std::vector<std::uint32_t> place(
-      branches.size());  // of each maximum, counted from 1, by the number of its first branch
+  std::map<std::uint32_t, Maximum, std::greater<>> maxima;  // by the number of their first branch
   for (std::uint32_t b = 1; b < branches.size(); ++b) {
-    std::uint32_t& at = place[branches[b].maximum];
-    if (at == 0) {
-      maxima.push_back({branches[b].parent, {}});
-      at = static_cast<std::uint32_t>(maxima.size());
-    }
-    maxima[at - 1].rivals.push_back(b);
+    Maximum& maximum = maxima[branches[b].maximum];
+    maximum.parent = branches[b].parent;
+    maximum.rivals.push_back(b);
   }
-  std::ranges::reverse(maxima);
-  return maxima;
+  std::vector<Maximum> inner_first;
+  for (auto& [first, maximum] : maxima) inner_first.push_back(std::move(maximum));
+  return inner_first;
 }
 
 }  // namespace
 
 Vector<Interval> transformed_vector(const Vector<Interval>& v, const scene::Matrix& m) {
-  return {row_times_column(v, m, 0), row_times_column(v, m, 1), row_times_column(v, m, 2)};
+  const auto coordinate = [&](int column) {
+    return v.x * Interval(m[0][column]) + v.y * Interval(m[1][column]) + v.z * Interval(m[2][column]);
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 Vector<Interval> transformed_point(const Vector<Interval>& p, const scene::Matrix& m) {
   return transformed_vector(p, m) + Vector<Interval>{Interval(m[3][0]), Interval(m[3][1]), Interval(m[3][2])};
 }
 
-ReferenceComponent::ReferenceComponent(const scene::Component& component, const KernelInUse& kernel,
+ReferenceComponent::ReferenceComponent(const scene::Component& component, std::shared_ptr<const KernelInUse> kernel,
                                        const scene::Transform& transform, std::span<const scene::Vec3> corners)
-    : skeleton_(component, corners), kernel_(kernel.profile), strength_(component.strength) {
-  if (transform.inverse != scene::Matrix()) {
+    : skeleton_(component, corners), kernel_(std::move(kernel)), strength_(component.strength) {
+  if (transform.inverse != scene::Matrix())
     component_from_blob_ = std::make_shared<const scene::Matrix>(transform.inverse);
-  }
-  if (kernel.record.mode == scene::FieldMode::convolution) {
-    convolution_ = std::make_shared<const ReferenceConvolution>(component, kernel.record);
-  }
+  if (kernel_->record.mode == scene::FieldMode::convolution)
+    convolution_ = std::make_shared<const ReferenceConvolution>(component, kernel_->record);
 }
 
-Ball ReferenceComponent::support() const {
-  const Real reach = skeleton_.reach(kernel_.support().hi);
-  return component_from_blob_ ? ball_before(skeleton_.bound_centre(), reach, *component_from_blob_)
-                              : rounded_ball(skeleton_.bound_centre(), reach);
+Box ReferenceComponent::support() const {
+  const Real reach = skeleton_.reach(kernel().support().hi());
+  return component_from_blob_ ? box_before(skeleton_.bound_centre(), reach, *component_from_blob_)
+                              : box_around(skeleton_.bound_centre(), reach);
+}
+
+Line ReferenceComponent::local(const Line& line) const {
+  if (!component_from_blob_) return line;
+  return {transformed_point(line.origin, *component_from_blob_),
+          transformed_vector(line.direction, *component_from_blob_)};
+}
+
+Jet ReferenceComponent::at(const Line& line, Real t) const {
+  const Vector<Jet> p = line.at(t);
+  return (convolution_ ? convolution_->of(p, true) : kernel().of(skeleton_.of(p))) * strength_;
+}
+
+JetPair ReferenceComponent::on(const Line& line, const LineStretch& stretch) const {
+  const Vector<Jet> place = line.at(stretch.middle), places = line.at(stretch.all());
+  if (convolution_) {
+    const Jet over = convolution_->of(places, false);
+    if (over.value.magnitude() == 0) return {};
+    return {convolution_->of(place, true) * strength_, over * strength_};
+  }
+  const Jet all = skeleton_.of(places);
+  if (all.value.lo() >= kernel().support().hi()) return {};
+  const Jet middle = skeleton_.of(place);
+  Jet over = sharpened(all, middle, stretch.reach);
+  if (over.value.lo() >= kernel().support().hi()) return {};
+  over = between(over, skeleton_.of(line.at(stretch.first())), skeleton_.of(line.at(stretch.last())));
+  if (over.value.lo() >= kernel().support().hi()) return {};
+  return {kernel().of(middle) * strength_, kernel().of(over) * strength_};
 }
 
 FieldSample ReferenceComponent::sample(const Vector<Real>& p) const {
-  Vector<Interval> local{p.x, p.y, p.z};
-  if (component_from_blob_) local = transformed_point(local, *component_from_blob_);
-
-  FieldSample sample;
-  Vector<Interval> gradient;
-  if (convolution_) {
-    const ReferenceConvolution::Sample convolved = convolution_->at(local);
-    sample.value = (strength_ * convolved.value).middle();
-    gradient = convolved.gradient * strength_;
-  } else {
-    const RelativeDistance distance = skeleton_.at(local);
-    sample.value = (strength_ * kernel_.value(distance.q)).middle();
-    const Interval slope = strength_ * kernel_.slope(distance.q);
-    if (slope.sign() != 0) gradient = distance.gradient * slope;
-  }
-  sample.sum_of_values = abs(sample.value);
-  // A gradient is mapped back by the transpose of the map into the component's space.
-  if (component_from_blob_) gradient = transformed_vector(gradient, component_from_blob_->transposed());
-  sample.gradient = {gradient.x.middle(), gradient.y.middle(), gradient.z.middle()};
-  return sample;
+  const Vector<Interval> place{p.x, p.y, p.z};
+  const auto along = [&](const Vector<Interval>& direction) { return at(local({place, direction}), 0); };
+  const Jet x = along({1, 0, 0}), y = along({0, 1, 0}), z = along({0, 0, 1});
+  return {x.value.middle(), {x.slope.middle(), y.slope.middle(), z.slope.middle()}, abs(x.value.middle())};
 }
 
 Interval ReferenceComponent::range(const Vector<Interval>& box) const {
-  const Vector<Interval> local = component_from_blob_ ? transformed_point(box, *component_from_blob_) : box;
-  return strength_ * (convolution_ ? convolution_->range(local) : kernel_.value(skeleton_.at(local).q));
-}
-
-FieldRange ReferenceComponent::field_of(const DistanceOnLine& distance) const {
-  return {kernel_.value(distance.q), kernel_.slope(distance.q) * distance.slope};
-}
-
-ReferenceComponent::AtPoint ReferenceComponent::point(const Line& line, Real t) const {
-  if (convolution_) return {{}, convolution_->at(line, t)};
-  const DistanceOnLine distance = skeleton_.at(line, t);
-  return {distance, field_of(distance)};
-}
-
-FieldRange ReferenceComponent::over(const Line& line, Real t0, Real t1, const AtPoint& first,
-                                    const AtPoint& last) const {
-  return strengthened(convolution_ ? convolution_->over(line, t0, t1, first.field, last.field)
-                                   : field_of(skeleton_.over({line, t0, t1, first.distance, last.distance})));
+  // The box is what a line of no speed meets, but where it is at t = 0.
+  const Vector<Interval> own = local({box, {}}).origin;
+  const Vector<Jet> places{{own.x, 0, 0}, {own.y, 0, 0}, {own.z, 0, 0}};
+  if (!convolution_) return kernel().of(skeleton_.of(places)).value * strength_;
+  // From the middle of the box the field changes no faster than along the line that it is steepest on.
+  const auto half = [](const Interval& x) { return Interval(x.radius()); };
+  const Vector<Interval> to_corner{half(own.x), half(own.y), half(own.z)};
+  const Interval reach = square_root(squared_length(to_corner));
+  const Vector<Jet> spread{{own.x, reach, 0}, {own.y, 0, 0}, {own.z, 0, 0}};
+  const Jet over = convolution_->of(spread, false);
+  const Vector<Jet> middle{{own.x.middle(), 0, 0}, {own.y.middle(), 0, 0}, {own.z.middle(), 0, 0}};
+  return common(over.value, convolution_->of(middle, true).value + over.slope) * strength_;
 }
 
 Real ReferenceComponent::sensitivity_at(const Line& line, Real t) const {
-  if (convolution_) return strength_.magnitude() * convolution_->at(line.at(t)).sensitivity;
-  const Interval q = skeleton_.at(line, t).q;
-  return (strength_ * kernel_.slope(q) * q).magnitude();
+  const Vector<Jet> p = line.at(t);
+  if (convolution_) return strength_.magnitude() * convolution_->sensitivity(p);
+  const Interval q = skeleton_.of(p).value;
+  return (strength_ * kernel().over(q).slope * q).magnitude();
 }
 
 ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob, Drawn drawn)
     : threshold_(blob.threshold), is_unblended_(drawn == Drawn::unblended || blob.is_unblended) {
-  ISL_CHECK(blob.threshold > 0, "threshold {}", blob.threshold);
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(blob.components.size());
+  std::map<scene::KernelId, std::shared_ptr<const KernelInUse>> kernels;
+  std::vector<Box> supports;
   for (std::uint32_t i = 0; i < blob.components.size(); ++i) {
-    if (!is_unblended_ || blob.components[i].strength > 0) numbers.push_back(i);
+    const scene::Component& component = blob.components[i];
+    if (is_unblended_ && !(component.strength > 0)) continue;
+    std::shared_ptr<const KernelInUse>& kernel = kernels[component.kernel];
+    if (!kernel) kernel = std::make_shared<const KernelInUse>(database.kernels[index(component.kernel)]);
+    components_.emplace_back(component, kernel, transform_of(database, component),
+                             std::span(blob.corners.begin(), blob.corners.size()));
+    supports.push_back(components_.back().support());
   }
-  add(database, blob, numbers);
-  if (is_unblended_ || blob.branches.empty()) return;
+  supports_ = BoxTree(supports);
+  if (is_unblended_ || blob.branches.empty()) {
+    branch_of_.assign(components_.size(), 0);
+    return;
+  }
   branch_of_.assign(blob.branch_of.begin(), blob.branch_of.end());
   maxima_ = maxima_of(std::span(blob.branches.begin(), blob.branches.size()));
   branch_count_ = blob.branches.size();
 }
 
-ReferenceField::ReferenceField(const scene::Database& database, const scene::Blob& blob,
-                               std::span<const std::uint32_t> numbers)
-    : threshold_(blob.threshold), is_unblended_(false) {
-  add(database, blob, numbers);
-}
-
-void ReferenceField::add(const scene::Database& database, const scene::Blob& blob,
-                         std::span<const std::uint32_t> numbers) {
-  std::map<scene::KernelId, KernelInUse> kernels;
-  std::vector<Ball> supports;
-  components_.reserve(numbers.size());
-  supports.reserve(numbers.size());
-  for (const std::uint32_t number : numbers) {
-    const scene::Component& component = blob.components[number];
-    const auto kernel = kernels.try_emplace(component.kernel, database.kernels[index(component.kernel)]).first;
-    components_.emplace_back(component, kernel->second, transform_of(database, component),
-                             std::span(blob.corners.begin(), blob.corners.size()));
-    supports.push_back(components_.back().support());
-  }
-  supports_ = BallTree(supports);
-  branch_of_.assign(numbers.size(), 0);
-}
-
 FieldSample ReferenceField::sample(const Vector<Real>& p) const {
   std::vector<FieldSample> sums(branch_count_);
   const auto add = [](FieldSample& sum, const FieldSample& part) {
-    sum.value += part.value;
-    sum.sum_of_values += part.sum_of_values;
-    sum.gradient = sum.gradient + part.gradient;
+    sum = {sum.value + part.value, sum.gradient + part.gradient, sum.sum_of_values + part.sum_of_values};
   };
   for (std::size_t i = 0; i < components_.size(); ++i) {
     const FieldSample part = components_[i].sample(p);
@@ -166,8 +148,8 @@ FieldSample ReferenceField::sample(const Vector<Real>& p) const {
     }
   }
   for (const Maximum& maximum : maxima_) {
-    const auto less = [&](std::uint32_t a, std::uint32_t b) { return sums[a].value < sums[b].value; };
-    add(sums[maximum.parent], sums[*std::ranges::max_element(maximum.rivals, less)]);
+    const auto value = [&](std::uint32_t branch) { return sums[branch].value; };
+    add(sums[maximum.parent], sums[*std::ranges::max_element(maximum.rivals, {}, value)]);
   }
   sums[0].value -= threshold_;
   return sums[0];

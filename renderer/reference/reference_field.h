@@ -1,10 +1,9 @@
-// F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob, straight from its definition: every
-// component; an unblended blob is the greatest of its fields. It judges the product's fields, with
-// which it shares only the records of the database.
+// F(p) = Σ strength·φ(q) + Σ max(sums of branches) − threshold of a scene::Blob as docs/language.md defines it: every
+// component; an unblended blob is the greatest of its fields. It judges the product's fields, with which it shares only
+// the records of the database.
 #pragma once
 
-#include "renderer/reference/ball_tree.h"
-#include "renderer/reference/interval.h"
+#include "renderer/reference/box_tree.h"
 #include "renderer/reference/reference_convolution.h"
 #include "renderer/reference/reference_kernel.h"
 #include "renderer/reference/reference_skeleton.h"
@@ -37,50 +36,53 @@ struct KernelInUse {
   ReferenceKernel profile;
 };
 
+/// A stretch of a line: all t not farther than `reach` from the middle, or one place if that is 0.
+struct LineStretch {
+  Real middle;
+  Size reach = 0;
+
+  [[nodiscard]] Interval all() const { return Interval::around(middle, reach); }
+  /// The ends, which need not be numbers.
+  [[nodiscard]] Interval first() const { return Interval(middle) - Interval(reach); }
+  [[nodiscard]] Interval last() const { return Interval(middle) + Interval(reach); }
+};
+
+/// A function of t on a stretch, and at its middle.
+struct JetPair {
+  Jet middle, over;
+};
+
 /// One component with everything that it refers to.
 class ReferenceComponent {
  public:
   /// `component`'s own references are not followed: `kernel` and `transform` are the records that they refer to.
   /// `corners` are the blob's.
-  ReferenceComponent(const scene::Component& component, const KernelInUse& kernel, const scene::Transform& transform,
-                     std::span<const scene::Vec3> corners);
+  ReferenceComponent(const scene::Component& component, std::shared_ptr<const KernelInUse> kernel,
+                     const scene::Transform& transform, std::span<const scene::Vec3> corners);
 
   /// f and ∇f at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<Real>& p) const;
   /// Encloses f over a box in the blob's space.
   [[nodiscard]] Interval range(const Vector<Interval>& box) const;
 
+  /// A line of the blob's space in the component's own.
+  [[nodiscard]] Line local(const Line& line) const;
   // These are on a line in the component's own space.
-  [[nodiscard]] FieldRange at(const Line& line, Real t) const { return at(point(line, t)); }
-  /// With strength 1.
-  struct AtPoint {
-    DistanceOnLine distance;  ///< unused by a convolution
-    FieldRange field;
-  };
-  [[nodiscard]] AtPoint point(const Line& line, Real t) const;
-  [[nodiscard]] FieldRange at(const AtPoint& point) const { return strengthened(point.field); }
-  /// The field over a stretch, from its ends.
-  [[nodiscard]] FieldRange over(const Line& line, Real t0, Real t1, const AtPoint& first, const AtPoint& last) const;
+  [[nodiscard]] Jet at(const Line& line, Real t) const;
+  [[nodiscard]] JetPair on(const Line& line, const LineStretch& stretch) const;
   /// The effect at t of a relative error of q, or of all squared distances to a curve's points.
   [[nodiscard]] Real sensitivity_at(const Line& line, Real t) const;
 
   [[nodiscard]] const ReferenceSkeleton& skeleton() const { return skeleton_; }
-  [[nodiscard]] const ReferenceKernel& kernel() const { return kernel_; }
-  /// Null if the component's space is the blob's.
-  [[nodiscard]] const scene::Matrix* component_from_blob() const { return component_from_blob_.get(); }
-  /// Outside this ball in the blob's space the field is zero.
-  [[nodiscard]] Ball support() const;
+  [[nodiscard]] const ReferenceKernel& kernel() const { return kernel_->profile; }
+  /// Outside this box in the blob's space the field is zero.
+  [[nodiscard]] Box support() const;
 
  private:
-  [[nodiscard]] FieldRange field_of(const DistanceOnLine& distance) const;
-  [[nodiscard]] FieldRange strengthened(const FieldRange& f) const {
-    return {strength_ * f.value, strength_ * f.derivative};
-  }
-
   ReferenceSkeleton skeleton_;
-  ReferenceKernel kernel_;
+  std::shared_ptr<const KernelInUse> kernel_;
   std::shared_ptr<const ReferenceConvolution> convolution_;  ///< set if the kernel is integrated along the skeleton
-  /// The inverse that the database keeps, because it defines the field.
+  /// The inverse that the database keeps, because it defines the field; null if the component's space is the blob's.
   std::shared_ptr<const scene::Matrix> component_from_blob_;
   Interval strength_;
 };
@@ -96,8 +98,6 @@ class ReferenceField {
   /// `unblended`: even if the blob's record does not say so.
   enum class Drawn : std::uint8_t { as_recorded, unblended };
   ReferenceField(const scene::Database& database, const scene::Blob& blob, Drawn drawn = Drawn::as_recorded);
-  /// The plain sum of some of the blob's components, minus its threshold; `numbers` are indices of components.
-  ReferenceField(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
 
   /// F and ∇F at p in the blob's space.
   [[nodiscard]] FieldSample sample(const Vector<Real>& p) const;
@@ -112,21 +112,19 @@ class ReferenceField {
   [[nodiscard]] const std::vector<Maximum>& maxima() const { return maxima_; }
   /// The blob is the greatest of its components' fields, and all of these are positive.
   [[nodiscard]] bool is_unblended() const { return is_unblended_; }
-  /// Outside this ball all fields are zero; its radius is −1 if there are none.
-  [[nodiscard]] Ball bounds() const { return supports_.bounds(); }
-  /// Appends the numbers of the components whose support the line may meet.
+  /// Outside this box all fields are zero.
+  [[nodiscard]] const Box& bounds() const { return supports_.bounds(); }
+  /// Appends the numbers of the components whose support the half-line may meet.
   void components_along(const RoughLine& line, std::vector<std::uint32_t>& numbers) const {
     supports_.along(line, numbers);
   }
   [[nodiscard]] Real threshold() const { return threshold_; }
 
  private:
-  void add(const scene::Database& database, const scene::Blob& blob, std::span<const std::uint32_t> numbers);
-
   std::vector<ReferenceComponent> components_;
   std::vector<std::uint32_t> branch_of_;
   std::vector<Maximum> maxima_;
-  BallTree supports_;
+  BoxTree supports_;
   std::size_t branch_count_ = 1;
   Real threshold_;
   bool is_unblended_;

@@ -1,18 +1,20 @@
-// φ(q) of one kernel (if convolved: of a plane or an infinite line), straight from its definition (q =
-// squared distance over squared radius), and enclosures of φ and φ′ over ranges of q. Used by reference_field and
-// reference_ray; knows nothing of skeletons or space, and leaves each shape's formulas and constants to its form
-// (kernel_forms.h).
+// φ(q) of one kernel (if convolved: of a plane or an infinite line) as docs/language.md defines it, q being the squared
+// distance over the squared radius. Knows nothing of skeletons or space.
 //
-// For every shape, φ is convex, falls to φ = φ′ = 0 at the end of its support, q = Q, and is zero from there on. If the
-// radius means the surface, φ(1) = 1 and φ′(1) = −hardness. So φ and φ′ are monotone, and their ranges over an interval
-// are their values at its ends. (φ″ may jump: the metaball's does, within its support.)
+// For every kernel φ is convex and falls to φ = φ′ = 0 at the end of its support, q = Q, from where on it is zero. φ″
+// falls too, except where the two pieces of the metaball meet.
 #pragma once
 
-#include "renderer/reference/interval.h"
-#include "renderer/reference/kernel_forms.h"
+#include "renderer/reference/jet.h"
 #include "renderer/scene/database.h"
 
+#include <functional>
+#include <optional>
+
 namespace isl::ISL_REFERENCE {
+
+/// φ of a function q, where q may reach beyond Q.
+using Profile = std::function<Jet(const Jet& q)>;
 
 class ReferenceKernel {
  public:
@@ -20,19 +22,22 @@ class ReferenceKernel {
   explicit ReferenceKernel(const scene::Kernel& kernel);
 
   /// Q, beyond which φ = 0.
-  [[nodiscard]] Interval support() const { return support_; }
+  [[nodiscard]] const Interval& support() const { return support_; }
 
-  /// φ over q ≥ 0.
-  [[nodiscard]] Interval value(const Interval& q) const;
-  /// dφ/dq over q ≥ 0.
-  [[nodiscard]] Interval slope(const Interval& q) const;
+  /// φ of q ≥ 0.
+  [[nodiscard]] Jet of(const Jet& q) const;
 
-  [[nodiscard]] Real value(Real q) const { return value(Interval(q)).middle(); }
-  [[nodiscard]] Real slope(Real q) const { return slope(Interval(q)).middle(); }
+  /// φ, φ′ and φ″ over a range of q.
+  [[nodiscard]] Jet over(const Interval& q) const;
+  [[nodiscard]] Real value(Real q) const { return over(q).value.middle(); }
+  [[nodiscard]] Real slope(Real q) const { return over(q).slope.middle(); }
 
  private:
-  KernelFormHandle form_;
+  [[nodiscard]] Jet at(const Interval& q) const { return profile_({q, 1, 0}); }
+
+  Profile profile_;
   Interval support_;
+  std::optional<Interval> junction_;  ///< where φ″ jumps within the support
 };
 
 }  // namespace isl::ISL_REFERENCE

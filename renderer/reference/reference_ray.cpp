@@ -1,230 +1,182 @@
 #include "renderer/reference/reference_ray.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 namespace isl::ISL_REFERENCE {
 namespace {
 
-Vector<Real> middle(const Vector<Interval>& v) { return {v.x.middle(), v.y.middle(), v.z.middle()}; }
-Real widths(const Vector<Interval>& v) { return v.x.width() + v.y.width() + v.z.width(); }
+/// Where a line can be inside a ball about `centre`. Nothing if it passes.
+std::optional<ReferenceSkeleton::Stretch> within_ball(const Line& line, const Vector<Real>& centre, Real radius) {
+  const auto middle = [](const Vector<Interval>& v) { return Vector<Real>{v.x.middle(), v.y.middle(), v.z.middle()}; };
+  const auto spread = [](const Vector<Interval>& v) { return v.x.width() + v.y.width() + v.z.width(); };
+  const Vector<Real> w = middle(line.origin) - centre, d = middle(line.direction);
+  const Real length_squared = squared_length(d), length = sqrt(length_squared), far = sqrt(squared_length(w));
+  const Real nearest = -dot(w, d) / length_squared;
+  // The true line is off by the widths of its intervals, where a large shift cancels, and 2^-50 of the lengths involved
+  // covers the rounding of these lines with 13 bits to spare.
+  const Real slack = (far + radius) * 0x1p-50L + spread(line.origin) + spread(line.direction) * (far / length);
+  const Real half_squared = square(radius + slack) - squared_length(w + d * nearest);
+  if (half_squared < 0) return std::nullopt;
+  const Real half = (sqrt(half_squared) + slack) / length;
+  return ReferenceSkeleton::Stretch{nearest - half, nearest + half};
+}
 
-/// The greater of two functions; where either may be, its derivative is that of either.
-FieldRange greater(const FieldRange& a, const FieldRange& b) {
-  const Interval value(std::max(a.value.lo, b.value.lo), std::max(a.value.hi, b.value.hi));
-  if (a.value.hi < b.value.lo) return {value, b.derivative};
-  if (b.value.hi < a.value.lo) return {value, a.derivative};
-  return {value, hull(a.derivative, b.derivative)};
+/// The greatest of several functions: where each of several may be it, the slope is between theirs, and jumps.
+Jet greatest(std::span<const Jet*> rivals) {
+  Interval value = rivals[0]->value;
+  for (const Jet* one : rivals)
+    value = Interval(std::max(value.lo(), one->value.lo()), std::max(value.hi(), one->value.hi()));
+  std::optional<Jet> result;
+  for (const Jet* one : rivals) {
+    if (one->value.hi() < value.lo()) continue;
+    result = result ? Jet{value, hull(result->slope, one->slope), Interval::around(0, kUnbounded)} : *one;
+  }
+  return *result;
 }
 
 }  // namespace
 
-FieldOnRay::FieldOnRay(const ReferenceField& field, const FieldRay& ray)
-    : ray_(ray), is_unblended_(field.is_unblended()), threshold_(field.threshold()) {
+FieldOnRay::FieldOnRay(const ReferenceField& field, const Line& ray) : ray_(ray), threshold_(field.threshold()) {
   std::vector<std::uint32_t> numbers;
   field.components_along(RoughLine(ray), numbers);
   for (const std::uint32_t i : numbers) {
     const ReferenceComponent& component = field.components()[i];
-    Line local{ray.origin, ray.direction};
-    if (const scene::Matrix* const matrix = component.component_from_blob()) {
-      local.origin = transformed_point(ray.origin, *matrix);
-      local.direction = transformed_vector(ray.direction, *matrix);
+    Part part{&component, field.branch_of(i), component.local(ray), {-kUnbounded, kUnbounded}};
+    const ReferenceSkeleton& skeleton = component.skeleton();
+    const Real border = component.kernel().support().hi();
+    std::optional<ReferenceSkeleton::Stretch> change = skeleton.change_on(part.line, sqrt(border));
+    if (!change) {
+      change = within_ball(part.line, skeleton.bound_centre(), skeleton.reach(border));
+      if (!change) continue;
+      part.support = *change;
     }
-    const std::optional<Support> support = support_on(component, local);
-    if (!support) continue;
-    const Real root_q = sqrt(component.kernel().support().hi);
-    const std::optional<ChangeOnLine> change = component.skeleton().change_on(local, root_q);
-    const Real begin = change ? change->begin : support->begin, end = change ? change->end : support->end;
-    if (parts_.empty() || begin < begin_) begin_ = begin;
-    if (parts_.empty() || end > end_) end_ = end;
-    parts_.push_back({&component, field.branch_of(i), local, *support});
+    begin_ = parts_.empty() ? change->begin : std::min(begin_, change->begin);
+    end_ = parts_.empty() ? change->end : std::max(end_, change->end);
+    parts_.push_back(std::move(part));
   }
-  if (field.branch_count() > 1) find_maxima(field);
+  if (field.is_unblended()) {
+    // Every component is the only one of its branch. What the ray does not meet is zero, as it is far away from all.
+    MaximumHere all{{0, {}}, true};
+    for (Part& part : parts_) all.maximum.rivals.push_back(part.branch = static_cast<std::uint32_t>(branch_count_++));
+    if (!parts_.empty()) maxima_.push_back(std::move(all));
+  } else if (field.branch_count() > 1) {
+    find_maxima(field);
+  }
 }
 
 /// Numbers the branches that matter on this ray anew, since a blob may have thousands.
 void FieldOnRay::find_maxima(const ReferenceField& field) {
-  constexpr std::uint32_t kIdle = scene::kNone;
-  std::vector<std::uint32_t> here(field.branch_count(), kIdle);
+  std::vector<std::uint32_t> here(field.branch_count(), scene::kNone);
   here[0] = 0;
-  std::uint32_t count = 1;
   const auto meet = [&](std::uint32_t branch) {
-    if (here[branch] == kIdle) here[branch] = count++;
+    if (here[branch] == scene::kNone) here[branch] = static_cast<std::uint32_t>(branch_count_++);
+    return here[branch];
   };
-  for (Part& part : parts_) {
-    meet(part.branch);
-    part.branch = here[part.branch];
-  }
+  for (Part& part : parts_) part.branch = meet(part.branch);
   for (const Maximum& all : field.maxima()) {  // inner ones first, so that their parents are known to matter
     MaximumHere maximum{{0, {}}, false};
     for (const std::uint32_t rival : all.rivals) {
-      if (here[rival] != kIdle) {
-        maximum.maximum.rivals.push_back(here[rival]);
-      } else {
+      if (here[rival] == scene::kNone) {
         maximum.has_idle = true;
+      } else {
+        maximum.maximum.rivals.push_back(here[rival]);
       }
     }
     if (maximum.maximum.rivals.empty()) continue;
-    meet(all.parent);
-    maximum.maximum.parent = here[all.parent];
+    maximum.maximum.parent = meet(all.parent);
     maxima_.push_back(std::move(maximum));
   }
-  branch_count_ = count;
-}
-
-std::optional<FieldOnRay::Support> FieldOnRay::support_on(const ReferenceComponent& component, const Line& line) {
-  const ReferenceSkeleton& skeleton = component.skeleton();
-  if (skeleton.change_on(line, 1)) return Support{-kUnbounded, kUnbounded};
-  const Real reach = skeleton.reach(component.kernel().support().hi);
-  const Vector<Real> w = middle(line.origin) - skeleton.bound_centre();
-  const Vector<Real> d = middle(line.direction);
-  const Real length_squared = squared_length(d);
-  const Real nearest = -dot(w, d) / length_squared;
-  // The true line is off by the widths of its intervals, where a large shift cancels, and 2^-50 of the lengths involved
-  // covers the rounding of these lines with 13 bits to spare.
-  const Real far = sqrt(squared_length(w)), length = sqrt(length_squared);
-  const Real slack = (far + reach) * 0x1p-50L + widths(line.origin) + widths(line.direction) * (far / length);
-  const Real half_squared = (reach + slack) * (reach + slack) - squared_length(w + d * nearest);
-  if (half_squared < 0) return std::nullopt;
-  const Real half = (sqrt(half_squared) + slack) / length;
-  return Support{nearest - half, nearest + half};
 }
 
 FieldOnRay::Active FieldOnRay::all() const {
   Active numbers(parts_.size());
-  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
+  std::iota(numbers.begin(), numbers.end(), 0U);
   return numbers;
 }
 
-FieldOnRay::Active FieldOnRay::active(const Active& from, Real t0, Real t1) const {
-  Active kept;
-  kept.reserve(from.size());
-  for (const std::uint32_t i : from) {
-    if (parts_[i].support.begin <= t1 && parts_[i].support.end >= t0) kept.push_back(i);
-  }
-  return kept;
-}
-
-void FieldOnRay::add(Sums& sums, const Part& part, const FieldRange& range) const {
-  FieldRange& sum = sums[part.branch];
-  // The fields of an unblended blob are positive, and those that are not met are zero, as the sum is at first.
-  sum = is_unblended_ ? greater(sum, range) : FieldRange{sum.value + range.value, sum.derivative + range.derivative};
-}
-
-/// The value of the greatest of several sums, and the hull of the derivatives of those that may be the greatest.
-FieldRange FieldOnRay::total(Sums& sums) const {
+Jet FieldOnRay::total(std::vector<Jet>& sums) const {
+  static const Jet kIdle;
+  std::vector<const Jet*> rivals;
   for (const auto& [maximum, has_idle] : maxima_) {
-    Interval greatest = has_idle ? Interval(0) : sums[maximum.rivals[0]].value;
-    for (const std::uint32_t b : maximum.rivals)
-      greatest = {std::max(greatest.lo, sums[b].value.lo), std::max(greatest.hi, sums[b].value.hi)};
-    std::optional<Interval> derivative;
-    if (has_idle && greatest.lo <= 0) derivative = Interval(0);
-    for (const std::uint32_t b : maximum.rivals) {
-      if (sums[b].value.hi < greatest.lo) continue;
-      derivative = derivative ? hull(*derivative, sums[b].derivative) : sums[b].derivative;
-    }
-    FieldRange& parent = sums[maximum.parent];
-    parent = {parent.value + greatest, parent.derivative + *derivative};
+    rivals.clear();
+    if (has_idle) rivals.push_back(&kIdle);
+    for (const std::uint32_t branch : maximum.rivals) rivals.push_back(&sums[branch]);
+    sums[maximum.parent] += greatest(rivals);
   }
-  return {sums[0].value - threshold_, sums[0].derivative};
+  return sums[0] - threshold_;
 }
 
-FieldRange FieldOnRay::at(const Active& active, Real t) const {
-  sums_.assign(branch_count_, {});
-  for (const std::uint32_t i : active) add(sums_, parts_[i], parts_[i].component->at(parts_[i].line, t));
-  return total(sums_);
-}
-
-FieldRange FieldOnRay::at(const Active& active, Real t, Samples& samples) const {
-  samples.clear();
-  sums_.assign(branch_count_, {});
+Jet FieldOnRay::at(const Active& active, Real t) const {
+  middles_.assign(branch_count_, {});
   for (const std::uint32_t i : active) {
-    samples.push_back(parts_[i].component->point(parts_[i].line, t));
-    add(sums_, parts_[i], parts_[i].component->at(samples.back()));
+    const Part& part = parts_[i];
+    if (part.support.begin > t || part.support.end < t) continue;
+    middles_[part.branch] += part.component->at(part.line, t);
   }
-  return total(sums_);
+  return total(middles_);
 }
 
-FieldOnRay::Piece FieldOnRay::piece(const Active& from, Real t0, Real t1) const {
-  Piece piece{t0, t1, active(from, t0, t1), {}, {}};
-  for (const std::uint32_t i : piece.active) {
-    piece.first.push_back(parts_[i].component->point(parts_[i].line, t0));
-    piece.last.push_back(parts_[i].component->point(parts_[i].line, t1));
+JetPair FieldOnRay::on(Active& active, const LineStretch& stretch) const {
+  middles_.assign(branch_count_, {});
+  overs_.assign(branch_count_, {});
+  const Interval all = stretch.all();
+  std::erase_if(active, [&](std::uint32_t i) {
+    const Part& part = parts_[i];
+    if (part.support.begin > all.hi() || part.support.end < all.lo()) return true;
+    const JetPair f = part.component->on(part.line, stretch);
+    if (f.over.value.magnitude() == 0) return true;
+    middles_[part.branch] += f.middle;
+    overs_[part.branch] += f.over;
+    return false;
+  });
+  if (!maxima_.empty()) {
+    for (std::size_t b = 0; b < branch_count_; ++b) overs_[b] = sharpened(overs_[b], middles_[b], stretch.reach);
   }
-  return piece;
+  const Jet middle = total(middles_);
+  return {middle, sharpened(total(overs_), middle, stretch.reach)};
 }
 
-FieldRange FieldOnRay::over(Piece& piece) const {
-  const Real t0 = piece.t0, t1 = piece.t1;
-  sums_.assign(branch_count_, {});
-  firsts_.assign(branch_count_, {});
-  lasts_.assign(branch_count_, {});
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < piece.active.size(); ++k) {
-    const Part& part = parts_[piece.active[k]];
-    if (part.support.begin > t1 || part.support.end < t0) continue;
-    const FieldRange range = part.component->over(part.line, t0, t1, piece.first[k], piece.last[k]);
-    if (range.value.lo == 0 && range.value.hi == 0) continue;
-    add(sums_, part, range);
-    add(firsts_, part, part.component->at(piece.first[k]));
-    add(lasts_, part, part.component->at(piece.last[k]));
-    piece.active[kept] = piece.active[k];
-    piece.first[kept] = piece.first[k];
-    piece.last[kept] = piece.last[k];
-    ++kept;
-  }
-  piece.active.resize(kept);
-  piece.first.resize(kept);
-  piece.last.resize(kept);
-  // A maximum has edges. But the slope between any two of its values lies between slopes of the sums that are the
-  // greatest there, so the mean-value form holds for it too.
-  FieldRange sum = total(sums_);
-  const Interval step(0, (Interval(t1) - Interval(t0)).hi);
-  sum.value = common(sum.value, total(firsts_).value + sum.derivative * step);
-  sum.value = common(sum.value, total(lasts_).value - sum.derivative * step);
-  return sum;
-}
-
-FieldRange FieldOnRay::over(const Active& active, Real t0, Real t1) const {
-  Piece whole = piece(active, t0, t1);
-  return over(whole);
+Jet FieldOnRay::over(Real t0, Real t1) const {
+  Active active = all();
+  return on(active, stretch_between(t0, t1)).over;
 }
 
 FieldOnRay::Magnitude FieldOnRay::magnitude_at(Real t) const {
-  const auto middle = [](const Vector<Interval>& v) { return Vector<Real>{v.x.middle(), v.y.middle(), v.z.middle()}; };
-  const Vector<Real> direction = middle(ray_.direction), place = middle(ray_.origin) + direction * t;
-  const Real speed = sqrt(squared_length(direction));
+  const Vector<Jet> place = ray_.at(t);
+  const Vector<Real> p{place.x.value.middle(), place.y.value.middle(), place.z.value.middle()};
+  const Real speed = square_root(squared_length(ray_.direction)).middle();
   Magnitude magnitude;
   for (const Part& part : parts_) {
-    const FieldRange range = part.component->at(part.line, t);
-    if (range.value.hi == 0 && range.value.lo == 0) continue;
-    magnitude.values += range.value.magnitude();
-    magnitude.gradients += sqrt(squared_length(part.component->sample(place).gradient)) * speed;
+    const Interval value = part.component->at(part.line, t).value;
+    if (value.magnitude() == 0) continue;
+    magnitude.values += value.magnitude();
+    magnitude.gradients += sqrt(squared_length(part.component->sample(p).gradient)) * speed;
     magnitude.sensitivities += part.component->sensitivity_at(part.line, t);
     ++magnitude.count;
   }
   return magnitude;
 }
 
-bool FieldOnRay::stays_within(const Interval& band, Real t0, Real t1) const {
+bool FieldOnRay::stays_within(const Band& band, Real t0, Real t1) const {
   struct Range {
     Real t0, t1;
+    Active active;
   };
-  std::vector<Range> open{{t0, t1}};
-  const Active everything = all();
+  std::vector<Range> open{{t0, t1, all()}};
   // 10,000 pieces are far more than any stretch with a clear result needs.
   for (int step = 0; !open.empty(); ++step) {
-    const Range range = open.back();
+    Range range = std::move(open.back());
     open.pop_back();
-    const Active near = active(everything, range.t0, range.t1);
-    const Interval values = over(near, range.t0, range.t1).value;
-    if (values.lo >= band.lo && values.hi <= band.hi) continue;
+    const JetPair f = on(range.active, stretch_between(range.t0, range.t1));
+    const Interval& values = f.over.value;
+    if (values.lo() >= band.low && values.hi() <= band.high) continue;
+    const bool is_beyond = f.middle.value.lo() > band.high || f.middle.value.hi() < band.low;
     const Real cut = range.t0 + (range.t1 - range.t0) / 2;
-    const Interval value = at(near, cut).value;
-    const bool is_beyond = value.lo > band.hi || value.hi < band.lo;
     if (step > 10000 || is_beyond || !(range.t0 < cut && cut < range.t1)) return false;
-    open.push_back({range.t0, cut});
-    open.push_back({cut, range.t1});
+    open.push_back({range.t0, cut, range.active});
+    open.push_back({cut, range.t1, std::move(range.active)});
   }
   return true;
 }

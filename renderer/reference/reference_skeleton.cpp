@@ -1,74 +1,94 @@
 #include "renderer/reference/reference_skeleton.h"
 
 #include "base/check.h"
+#include "renderer/reference/distances.h"
 
 #include <algorithm>
 
 namespace isl::ISL_REFERENCE {
 namespace {
 
-SkeletonFormHandle form_of(const scene::Component& component, std::span<const scene::Vec3> corners) {
-  ISL_CHECK(component.radius_a >= 0 && component.radius_b >= 0, "radii {} and {}", component.radius_a,
-            component.radius_b);
-  switch (component.skeleton) {
-    case scene::Skeleton::point:
-    case scene::Skeleton::segment:
-    case scene::Skeleton::cone: return limb_form(component);
-    case scene::Skeleton::box: return box_form(component);
-    case scene::Skeleton::triangle:
-      ISL_CHECK(component.corner < corners.size(), "corner {} of {}", component.corner, corners.size());
-      return triangle_form(component, corners[component.corner]);
-    case scene::Skeleton::circle: return circle_form(component);
-    case scene::Skeleton::disc: return disc_form(component);
-    case scene::Skeleton::plane: return plane_form(component);
-    case scene::Skeleton::sheet: return sheet_form(component);
+/// Along each axis the distance is that before the lower face or behind the upper one.
+SquaredDistance box_distance(const scene::Component& c) {
+  for (int i = 0; i < 3; ++i) ISL_CHECK(c.a[i] <= c.b[i], "a box from {} to {}", c.a[i], c.b[i]);
+  const Interval factor = Interval(1) / square(Interval(c.radius_a));
+  const Vector<Interval> low = interval_of(c.a), high = interval_of(c.b);
+  return [=](const Vector<Jet>& p) {
+    const Vector<Jet> above = from(high, p), below = from(low, p);
+    return (positive_square(above.x) + positive_square(above.y) + positive_square(above.z) + positive_square(-below.x) +
+            positive_square(-below.y) + positive_square(-below.z)) *
+           factor;
+  };
+}
+
+/// Half-space and sheet. The normal was normalised in double precision by the database, and is used as it is.
+SquaredDistance plane_distance(const scene::Component& c) {
+  const Interval factor = Interval(1) / square(Interval(c.radius_a));
+  return [=, at = interval_of(c.a), normal = interval_of(c.b),
+          has_two_sides = c.skeleton == scene::Skeleton::sheet](const Vector<Jet>& p) {
+    const Jet x = dot(from(at, p), normal);
+    return (has_two_sides ? square(x) : positive_square(x)) * factor;
+  };
+}
+
+/// The middle of the smallest box that holds some points.
+Vector<Real> middle_of(std::span<const scene::Vec3> points) {
+  scene::Vec3 low = points[0], high = points[0];
+  for (const scene::Vec3& point : points) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], point[i]);
+      high[i] = std::max(high[i], point[i]);
+    }
   }
-  ISL_CHECK(false, "skeleton {}", static_cast<int>(component.skeleton));
+  return (exactly(low) + exactly(high)) * Real(0.5L);
 }
 
 }  // namespace
 
-ReferenceSkeleton::ReferenceSkeleton(const scene::Component& component, std::span<const scene::Vec3> corners)
-    : form_(form_of(component, corners)), extent_(form_->extent()) {}
-
-DistanceOnLine ReferenceSkeleton::at(const Line& line, Real t) const {
-  const RelativeDistance here = at(line.at(t));
-  return {here.q, dot(here.gradient, line.direction)};
-}
-
-Real ReferenceSkeleton::reach(Real q) const {
-  return (extent_.half_size + extent_.largest_radius * sqrt(q)) * (1 + 0x1p-50L);
-}
-
-DistanceOnLine SkeletonForm::over(const Stretch& stretch) const {
-  const DistanceOnLine &first = stretch.first, &last = stretch.last;
-  const Real least = convex_minimum(stretch.t0, stretch.t1, first, last);
-  return {{std::max(least, Real(0)), std::max(first.q.hi, last.q.hi)},
-          {first.slope.lo, std::max(first.slope.lo, last.slope.hi)}};
-}
-
-ChangeOnLine change_between(const Interval& x, const Interval& dx, Real low, Real high) {
-  if (dx.middle() == 0) return {0, 0};
-  // If rounding hides the line's slope, the middle's is taken: a stretch without end could not be searched.
-  const Interval slope = dx.sign() != 0 ? dx : Interval(dx.middle());
-  const auto t_at = [&](Real height) {
-    const Interval way = Interval(height) - x;
-    return slope.sign() > 0 ? way / slope : -way / -slope;
+ReferenceSkeleton::ReferenceSkeleton(const scene::Component& c, std::span<const scene::Vec3> corners)
+    : centre_(exactly(c.a)), largest_radius_(c.radius_a) {
+  ISL_CHECK(c.radius_a >= 0 && c.radius_b >= 0, "radii {} and {}", c.radius_a, c.radius_b);
+  const auto spans = [this](std::initializer_list<scene::Vec3> points) {
+    centre_ = middle_of(points);
+    for (const scene::Vec3& point : points)
+      half_size_ = std::max(half_size_, sqrt(squared_length(exactly(point) - centre_)) * kStretch);
   };
-  return slope.sign() > 0 ? ChangeOnLine{t_at(low).lo, t_at(high).hi} : ChangeOnLine{t_at(high).lo, t_at(low).hi};
+  switch (c.skeleton) {
+    case scene::Skeleton::cone: largest_radius_ = std::max(c.radius_a, c.radius_b); [[fallthrough]];
+    case scene::Skeleton::segment: spans({c.a, c.b}); [[fallthrough]];
+    case scene::Skeleton::point: distance_ = limb_distance(c); break;
+    case scene::Skeleton::box:
+      spans({c.a, c.b});
+      distance_ = box_distance(c);
+      break;
+    case scene::Skeleton::triangle:
+      ISL_CHECK(c.corner < corners.size(), "corner {} of {}", c.corner, corners.size());
+      spans({c.a, c.b, corners[c.corner]});
+      distance_ = triangle_distance(c, corners[c.corner]);
+      break;
+    case scene::Skeleton::circle:
+    case scene::Skeleton::disc:
+      half_size_ = c.radius_b;
+      distance_ = ring_distance(c);
+      break;
+    case scene::Skeleton::plane:
+    case scene::Skeleton::sheet:
+      half_size_ = kUnbounded;
+      distance_ = plane_distance(c);
+      plane_ = {interval_of(c.a), interval_of(c.b), c.skeleton == scene::Skeleton::sheet};
+      break;
+  }
 }
 
-Real convex_minimum(Real t0, Real t1, const DistanceOnLine& first, const DistanceOnLine& last) {
-  if (first.slope.lo >= 0) return first.q.lo;
-  if (last.slope.hi <= 0) return last.q.lo;
-  const Real h = t1 - t0;
-  const Real s =
-      std::clamp((first.q.lo - last.q.lo + last.slope.hi * h) / (last.slope.hi - first.slope.lo), Real(0), h);
-  // The function lies above the falling tangent to the left of t0 + s, and above the rising one to the right: any s
-  // gives a bound.
-  const Interval left = Interval(first.q.lo) + Interval(first.slope.lo) * Interval(s);
-  const Interval right = Interval(last.q.lo) - Interval(last.slope.hi) * (Interval(h) - Interval(s));
-  return std::min(left.lo, right.lo);
+std::optional<ReferenceSkeleton::Stretch> ReferenceSkeleton::change_on(const Line& line, Real root_q) const {
+  if (!plane_) return std::nullopt;
+  const Interval x = dot(line.origin - plane_->at, plane_->normal), speed = dot(line.direction, plane_->normal);
+  if (speed.middle() == 0) return Stretch{0, 0};
+  // If rounding hides whether the line comes nearer, its middle is taken: a stretch without end could not be searched.
+  const Interval along = speed.sign() != 0 ? speed : Interval(speed.middle());
+  const Real far = largest_radius_ * root_q;
+  const Interval one = (Interval(plane_->has_two_sides ? -far : 0) - x) / along, other = (Interval(far) - x) / along;
+  return Stretch{std::min(one.lo(), other.lo()), std::max(one.hi(), other.hi())};
 }
 
 }  // namespace isl::ISL_REFERENCE

@@ -8,139 +8,11 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-/// Number of halvings after which a stretch is below the last bit of any t. It is reached only next to t = 0.
-constexpr int kMaxDepth = 250;
-
-class RootSearch {
- public:
-  RootSearch(const FieldOnRay& field, bool first_only) : field_(field), first_only_(first_only) {}
-
-  /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
-  void isolate(const FieldOnRay::Active& from, Real t0, int sign0, Real t1, int sign1) {
-    if (t0 < t1) isolate(field_.piece(from, t0, t1), sign0, sign1, 0);
-  }
-
-  /// Searches a piece from front to back: what lies behind the first crossing is never looked at if only that counts.
-  void isolate(FieldOnRay::Piece piece, int sign0, int sign1, int depth) {
-    const Real t0 = piece.t0, t1 = piece.t1;
-    if (is_done() || !(t0 < t1)) return;
-    const FieldRange range = field_.over(piece);
-    if (range.value.sign() != 0) return constant(range.value.sign());
-    if (const int slope = range.derivative.sign(); slope != 0) {
-      if (sign0 == slope) return constant(sign0);
-      if (sign1 == -slope) return constant(sign1);
-      // Where F was before the stretches in doubt that end here says as much as its sign here.
-      if (sign1 == slope && (sign0 != 0 || sign_ == -slope)) return crossing(piece.active, t0, t1, sign0, slope);
-    }
-    if (depth > kMaxDepth || t1 - t0 <= 16 * kRoundoff * std::max(abs(t0), abs(t1))) return doubt(t0, t1);
-    // Finds a cut where the sign is certain, with five tries, since a root may lie on one of them.
-    Real cut = t0;
-    Interval value;
-    FieldOnRay::Samples samples;
-    for (const Real fraction : {0.5L, 0.46L, 0.55L, 0.41L, 0.6L}) {
-      cut = t0 + (t1 - t0) * fraction;
-      value = field_.at(piece.active, cut, samples).value;
-      if (value.sign() != 0) break;
-    }
-    if (value.sign() == 0 && range.value.width() <= 16 * value.width()) return doubt(t0, t1);
-    FieldOnRay::Piece before{t0, cut, piece.active, std::move(piece.first), samples};
-    isolate(std::move(before), sign0, value.sign(), depth + 1);
-    if (is_done()) return;
-    FieldOnRay::Piece after{cut, t1, std::move(piece.active), std::move(samples), std::move(piece.last)};
-    isolate(std::move(after), value.sign(), sign1, depth + 1);
-  }
-
-  /// Records that F keeps this sign on the next stretch.
-  void constant(int sign) {
-    settle_doubt(sign);
-    if (sign_ == 0) roots_.starts_inside = sign > 0;
-    sign_ = sign;
-  }
-
-  /// Records that the next stretch is undecided.
-  void doubt(Real t0, Real t1) {
-    if (doubt_) {
-      doubt_->end = t1;
-    } else {
-      doubt_ = Touch{t0, t1};
-    }
-  }
-
-  [[nodiscard]] RayRoots finish() {
-    if (doubt_) roots_.touches.push_back(*doubt_);
-    return std::move(roots_);
-  }
-  [[nodiscard]] bool is_done() const { return first_only_ && !roots_.crossings.empty(); }
-
- private:
-  /// Records a crossing: F is monotone on [t0, t1], in the direction `slope`, and certainly has its sign at t1. It has
-  /// the other one at t0 or, if its sign there is unknown, had it before.
-  void crossing(const FieldOnRay::Active& active, Real t0, Real t1, int sign0, int slope) {
-    if (sign0 != 0) constant(sign0);
-    if (is_done()) return;
-    Crossing found = refined(active, t0, t1, -slope);
-    if (doubt_) found.slack = std::max(found.slack, found.t - doubt_->begin);
-    doubt_.reset();
-    roots_.crossings.push_back(found);
-    sign_ = slope;
-  }
-
-  /// Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's steps in that of t
-  /// and a place just beyond the root has the other sign.
-  [[nodiscard]] Crossing refined(const FieldOnRay::Active& active, Real t0, Real t1, int sign0) const {
-    Real t = t0 + (t1 - t0) / 2;
-    for (int step = 0;; ++step) {
-      const FieldRange here = field_.at(active, t);
-      const Real slope = here.derivative.middle(), last_bit = kRounding * std::max(abs(t0), abs(t1));
-      const bool stuck = t1 - t0 <= last_bit;
-      if (here.value.sign() == 0 || stuck || step > 300) {
-        const Real slope_bound = field_.over(active, t0, t1).derivative.mignitude();
-        const Real slack = slope_bound > 0 ? here.value.magnitude() / slope_bound : t1 - t0;
-        return {t, std::min(slack, t1 - t0), sign0 < 0};
-      }
-      const bool is_before = here.value.sign() == sign0;
-      (is_before ? t0 : t1) = t;
-      const Real newton = t - here.value.middle() / slope;
-      if (abs(newton - t) <= last_bit) {
-        // Beyond the root by a few of these lengths the sign is certain again, unless F is very flat there.
-        for (Real beyond = 4 * last_bit; beyond < 0x1p20L * last_bit; beyond *= 8) {
-          const Real other = is_before ? t + beyond : t - beyond;
-          if (other <= t0 || other >= t1 || field_.at(active, other).value.sign() == -here.value.sign())
-            return {t, beyond, sign0 < 0};
-        }
-      }
-      // Newton's steps double the digits where F is nearly straight; where they are slow, every other one halves.
-      const bool is_slow = step > 8 && step % 2 == 0;
-      t = !is_slow && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
-    }
-  }
-
-  /// Decides an undecided stretch before one of known sign: a touch, or a crossing that cannot be located any better.
-  void settle_doubt(int next_sign) {
-    if (!doubt_) return;
-    const Touch doubt = *doubt_;
-    doubt_.reset();
-    if (sign_ == 0 || sign_ == next_sign) {
-      roots_.touches.push_back(doubt);
-    } else {
-      const Real half = (doubt.end - doubt.begin) / 2;
-      roots_.crossings.push_back({doubt.begin + half, half, sign_ < 0});
-    }
-  }
-
-  const FieldOnRay& field_;
-  bool first_only_;
-  RayRoots roots_;
-  int sign_ = 0;  ///< the sign of F where it was decided last
-  std::optional<Touch> doubt_;
-};
-
 /// Leaves the root at t = 0. Returns the t up to which F keeps the sign it gets there, or where the sign can no longer
 /// be decided.
 Real leave_start(const FieldOnRay& field, RootSearch& search, Real end) {
-  const FieldOnRay::Active all = field.all();
   for (int halving = 0; halving < 100; ++halving, end /= 2) {
-    const int sign = field.over(field.active(all, 0, end), 0, end).derivative.sign();
+    const int sign = field.over(0, end).slope.sign();
     if (sign == 0) continue;
     search.constant(sign);
     return end;
@@ -151,22 +23,20 @@ Real leave_start(const FieldOnRay& field, RootSearch& search, Real end) {
 
 }  // namespace
 
-RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray, const RootOptions& options) {
+RayRoots roots_along(const ReferenceField& reference_field, const Line& ray, const RootOptions& options) {
   FieldOnRay field(reference_field, ray);
   RootSearch search(field, options.first_only);
-  const FieldOnRay::Active all = field.all();
   const Real begin = std::max(field.begin(), Real(0)), end = std::min(field.end(), options.t_max);
-  if (all.empty()) return search.finish();
+  const Jet start = field.at(0);
   if (begin >= end) {  // nothing changes beyond the ray's start
-    if (const int sign = field.at(all, 0).value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
+    if (const int sign = start.value.sign(); !options.starts_on_root && sign != 0) search.constant(sign);
     return search.finish();
   }
   Real from = begin;
-  const FieldRange start = field.at(all, 0);
   // A start may be off by the tolerance. In a wall that a carving component makes steeper than that, its level may lie
   // far below the surface's, and mean nothing; but it is outside. Where fields many times the threshold all but cancel,
   // rounding alone moves F as far.
-  const bool is_beyond_wall = start.value.hi < -abs(field.threshold()) - options.start_band;
+  const bool is_beyond_wall = start.value.hi() < -abs(field.threshold()) - options.start_band;
   if (options.starts_on_root && !is_beyond_wall) {
     // The start is only as near to the surface as doubles allow. Near it, the level on which it lies counts, until the
     // ray is eight times as far away as the start is off. Farther away, where F can be steep, the surface itself
@@ -174,39 +44,39 @@ RayRoots roots_along(const ReferenceField& reference_field, const FieldRay& ray,
     const Real offset = start.value.middle();
     field.raise_threshold(offset);
     from = leave_start(field, search, end);
-    const Real settled = std::min(end, std::max(from, 8 * abs(offset) / start.derivative.mignitude()));
-    search.isolate(all, from, field.at(all, from).value.sign(), settled, field.at(all, settled).value.sign());
+    const Real settled = std::min(end, std::max(from, 8 * abs(offset) / start.slope.mignitude()));
+    search.search(from, settled);
     from = settled;
     field.raise_threshold(-offset);
-  } else {
-    const int sign = start.value.sign() != 0 ? start.value.sign() : options.coming_from;
-    if (sign != 0) search.constant(sign);
+  } else if (const int sign = start.value.sign() != 0 ? start.value.sign() : options.coming_from; sign != 0) {
+    search.constant(sign);
   }
-  search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
+  search.search(from, end);
   return search.finish();
 }
 
 Interval largest_value(const FieldOnRay& field, Real t0, Real t1) {
   struct Piece {
     Real bound, t0, t1;
+    FieldOnRay::Active active;
     bool operator<(const Piece& other) const { return bound < other.bound; }
   };
-  const FieldOnRay::Active all = field.all();
-  const auto piece = [&](Real begin, Real end) {
-    return Piece{field.over(field.active(all, begin, end), begin, end).value.hi, begin, end};
-  };
-  Real reached = std::max(field.at(all, t0).value.lo, field.at(all, t1).value.lo);
+  Real reached = std::max(field.at(t0).value.lo(), field.at(t1).value.lo());
   std::priority_queue<Piece> pieces;
-  pieces.push(piece(t0, t1));
+  const auto add = [&](Real begin, Real end, FieldOnRay::Active active) {
+    const JetPair f = field.on(active, stretch_between(begin, end));
+    reached = std::max(reached, f.middle.value.lo());
+    pieces.push({f.over.value.hi(), begin, end, std::move(active)});
+  };
+  add(t0, t1, field.all());
   const Real precision = abs(field.threshold()) * 1e-15L;
   for (int step = 0; step < 4000 && pieces.top().bound - reached > precision; ++step) {
     const Piece top = pieces.top();
     const Real cut = top.t0 + (top.t1 - top.t0) / 2;
     if (!(top.t0 < cut && cut < top.t1)) break;
     pieces.pop();
-    reached = std::max(reached, field.at(all, cut).value.lo);
-    pieces.push(piece(top.t0, cut));
-    pieces.push(piece(cut, top.t1));
+    add(top.t0, cut, top.active);
+    add(cut, top.t1, top.active);
   }
   return {reached, std::max(reached, pieces.top().bound)};
 }
@@ -225,7 +95,7 @@ void ReferenceScene::place(const scene::Database& database, const std::vector<sc
   }
 }
 
-FieldRay ReferenceScene::field_ray(const Placed& placed, const scene::Vec3& origin, const scene::Vec3& direction) {
+Line ReferenceScene::field_ray(const Placed& placed, const scene::Vec3& origin, const scene::Vec3& direction) {
   if (placed.world_from_object.inverse == scene::Matrix()) return {interval_of(origin), interval_of(direction)};
   return {transformed_point(interval_of(origin), placed.world_from_object.inverse),
           transformed_vector(interval_of(direction), placed.world_from_object.inverse)};

@@ -1,35 +1,15 @@
-// Every root of F along a ray, by proof: a stretch is decided only when an enclosure of F excludes zero, or when F is
-// monotone there and its signs at the ends are certain; otherwise it is divided. On top of this, rays against the blobs
-// of a database. It is the oracle of the tests of solvers and tracer: certain rather than fast, and sharing no code
-// with them.
+// Every root of F along a ray, and rays against the blobs of a database. It is the judge of solvers and tracer: certain
+// rather than fast, and sharing no code with them.
 //
 // Cases that extended precision cannot decide (a surface touched to 1e-18) are reported as a touch, never guessed.
 #pragma once
 
-#include "renderer/reference/reference_ray.h"
+#include "renderer/reference/root_search.h"
 
 #include <optional>
 #include <vector>
 
 namespace isl::ISL_REFERENCE {
-
-/// A place where F changes sign.
-struct Crossing {
-  Real t = 0;
-  Real slack = 0;         ///< the root lies within t ± slack
-  bool entering = false;  ///< from F < 0 to F > 0
-};
-
-/// A stretch on which the sign of F is lost in rounding, with the same sign on both sides (or the ray's start on one).
-struct Touch {
-  Real begin = 0, end = 0;
-};
-
-struct RayRoots {
-  bool starts_inside = false;       ///< F > 0 just after t = 0
-  std::vector<Crossing> crossings;  ///< ascending, 0 < t < t_max
-  std::vector<Touch> touches;
-};
 
 struct RootOptions {
   Real t_max = kInfiniteReal;
@@ -40,7 +20,7 @@ struct RootOptions {
   bool first_only = false;  ///< stop after the first crossing
 };
 
-[[nodiscard]] RayRoots roots_along(const ReferenceField& field, const FieldRay& ray, const RootOptions& options);
+[[nodiscard]] RayRoots roots_along(const ReferenceField& field, const Line& ray, const RootOptions& options);
 
 /// Encloses the largest F on [t0, t1] to about 1e-15 of the threshold (only from one side if many maxima compete).
 [[nodiscard]] Interval largest_value(const FieldOnRay& field, Real t0, Real t1);
@@ -58,8 +38,7 @@ class ReferenceScene {
   [[nodiscard]] const std::vector<Placed>& placed() const { return placed_; }
 
   /// A world-space ray in the space of one placed blob; t keeps its meaning.
-  [[nodiscard]] static FieldRay field_ray(const Placed& placed, const scene::Vec3& origin,
-                                          const scene::Vec3& direction);
+  [[nodiscard]] static Line field_ray(const Placed& placed, const scene::Vec3& origin, const scene::Vec3& direction);
 
   struct Hit {
     Crossing crossing;

@@ -1,15 +1,16 @@
-// Along a line of unit speed, y′² ≤ 4y and y″ = 2, so the second derivative of g(y) is y′²g″ + 2g′ with
-//   quartic   |8(y′²/4) − 4(1 − y)| ≤ 8
-//   cauchy    g″ = 6/Y⁴, −2/Y³ ≤ g′ ≤ 0: between −4/Y³ and 24y/Y⁴ < 24/Y³
-// and the first derivative is |y′g′| ≤ 4√y(1 − y) < 1.54, or 4√y/Y³ < 4/Y^{5/2}. Integrals along a curve no nearer than
-// least are bounded by the length times the value at the least distance or, for the falling powers, with P = ε + least,
-// as along a line of any length, by
-//   ∫(P + v²)⁻³dv = (3π/8)√P/P³,   ∫(P + v²)^{−5/2}dv = (4/3)√P/P^{5/2},
+// With y the squared distance from a place that moves with unit speed, y′² ≤ 4y and y″ = 2. So ∫g changes by
+// |∫g′y′| ≤ ∫2√y|g′|, and bends by ∫(g″y′² + 2g′), between 2∫g′ and 4∫yg″:
+//   quartic   2√y|g′| = 4√y(1 − y) ≤ 8/√27,   2g′ ≥ −4,      4yg″ = 8y ≤ 8
+//   cauchy    2√y|g′| ≤ 4√y/Y³ ≤ 4/Y^(5/2),   2g′ ≥ −4/Y³,   4yg″ = 24y/Y⁴ ≤ 24/Y³.
+// With P the least Y, the integral of a falling power of Y is its greatest value times the length at most, and no more
+// than along a line of any length:
+//   ∫(P + v²)⁻³dv = (3π/8)P^(−5/2),   ∫(P + v²)^(−5/2)dv = (4/3)P⁻²,
 // times the spread.
 #include "renderer/reference/reference_window.h"
 
 #include "base/check.h"
-#include "renderer/reference/graded_quadrature.h"
+#include "renderer/reference/kernel_profiles.h"
+#include "renderer/reference/quadrature.h"
 
 #include <algorithm>
 #include <map>
@@ -20,30 +21,36 @@ namespace {
 
 constexpr Real kLeastEpsilon = 1 / (Real(1e20L) * Real(1e20L));
 
-/// The place where the falling f is 0, by Ridders' method (W. H. Press et al., Numerical Recipes, 9.2.1), each of whose
-/// steps at least halves the bracket and, near the root, doubles the digits. The end that is nearer if there is none.
-/// The arguments are logarithms, of which digits beyond those of 1 mean nothing.
+/// The place where the falling f is 0, to the digits of logarithms; the nearer end if there is none. Regula falsi,
+/// which halves the value that it remembers of an end that stays (the Illinois method): four steps square the error.
 template <class Function>
 Real root_of(Real low, Real high, const Function& f) {
   Real above = f(low), below = f(high);
   if (!(above > 0)) return low;
   if (!(below < 0)) return high;
-  Real root = low;
-  while (true) {
-    const Real middle = low + (high - low) / 2, there = f(middle);
-    if (middle == low || middle == high || there == 0) return middle;
-    const Real half = (high - low) / 2, last = root;
-    root = std::clamp(middle + half * there / sqrt(there * there - above * below), low, high);
-    const Real value = f(root);
-    if (value == 0 || abs(root - last) <= kRounding * std::max(Real(1), abs(root))) return root;
-    // The bracket's new ends are the neighbours of the root among low, middle, root and high.
-    const auto narrow = [&](Real x, Real y) {
-      (y > 0 ? low : high) = x;
-      (y > 0 ? above : below) = y;
-    };
-    narrow(middle, there);
-    if (root > low && root < high) narrow(root, value);
+  constexpr int kMostSteps = 400;
+  int stayed = 0;  // the end that the last step left: −1 low, +1 high
+  for (int step = 0; step < kMostSteps; ++step) {
+    const bool is_slow = step % 8 == 7;
+    const Real middle = low + (high - low) / 2;
+    Real next = is_slow ? middle : low + (high - low) * (above / (above - below));
+    if (!(next > low && next < high)) next = middle;
+    const Real value = f(next);
+    if (value == 0 || !(next > low && next < high)) return next;
+    if (value > 0) {
+      low = next;
+      above = value;
+      if (stayed == 1) below /= 2;
+      stayed = 1;
+    } else {
+      high = next;
+      below = value;
+      if (stayed == -1) above /= 2;
+      stayed = -1;
+    }
+    if (high - low <= 4 * kRoundoff * std::max(Real(1), abs(next))) return next;
   }
+  return low + (high - low) / 2;
 }
 
 }  // namespace
@@ -52,30 +59,27 @@ ReferenceWindow::ReferenceWindow(const scene::Kernel& kernel)
     : is_quartic_(kernel.shape == scene::KernelShape::quartic) {
   ISL_CHECK(kernel.mode == scene::FieldMode::convolution);
   ISL_CHECK(is_quartic_ || kernel.shape == scene::KernelShape::cauchy, "shape {}", static_cast<int>(kernel.shape));
-  if (is_quartic_) {
-    solve_quartic(kernel.hardness);
-  } else {
+  if (!is_quartic_) {
     solve_cauchy(kernel.hardness);
+    return;
   }
-}
-
-/// For a line the integral is (16/15)(1 − y)^{5/2}: φ′/φ = −5/2/(Q − q).
-void ReferenceWindow::solve_quartic(Real hardness) {
-  border_ = 1 + 2.5L / hardness;
-  amplitude_ = 1 / line(1 / border_).value;
+  // ∫(1 − y)² along a line is (16/15)(1 − y)^(5/2), whose logarithmic slope at y = 1/Q is −5/2/(Q − 1).
+  const Real depth = 1 / (1 + Real(kernel.hardness) / 2.5L);
+  border_ = 1 + 2.5L / Real(kernel.hardness);
+  amplitude_ = Real(15) / (16 * depth * depth * sqrt(depth));
 }
 
 void ReferenceWindow::solve_cauchy(Real hardness) {
   static std::mutex mutex;
-  static std::map<Real, ReferenceWindow> solved;  // cached, because solving takes a tenth of a second
+  static std::map<Real, ReferenceWindow> solved;  // kept, because solving takes milliseconds
   const std::lock_guard lock(mutex);
   if (const auto known = solved.find(hardness); known != solved.end()) {
     *this = known->second;
     return;
   }
-  const Real log_epsilon = root_of(log(kLeastEpsilon), log(Real(1e6L)), [&](Real at) {
+  const Real log_epsilon = root_of(log(kLeastEpsilon), 100, [&](Real at) {
     epsilon_ = exp(at);
-    return log(line(0).value / line(surface(hardness)).value) - Real(hardness);
+    return log(line(0).value / line(surface(hardness)).value) - hardness;
   });
   epsilon_ = exp(log_epsilon);
   const Real y = surface(hardness);
@@ -84,51 +88,70 @@ void ReferenceWindow::solve_cauchy(Real hardness) {
   solved.emplace(hardness, *this);
 }
 
-/// y of a line's surface, where −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)),
-/// because soft windows of small ε have it far within, and by logarithms, which are nearly straight there.
+/// There −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)), because soft windows of
+/// small ε have it far within, and by logarithms, which are nearly straight there.
 Real ReferenceWindow::surface(Real hardness) const {
   const auto place = [](Real u) { return 1 / (1 + exp(-u)); };
-  return place(root_of(-100, 40, [&](Real u) {
+  return place(root_of(-800, 40, [&](Real u) {
     const Real y = place(u);
-    const Value here = line(y);
+    const Values here = line(y);
     return log(hardness * here.value / (y * here.fall));
   }));
 }
 
-ReferenceWindow::Value ReferenceWindow::at(Real y, Real to_border) const {
+ReferenceWindow::Values ReferenceWindow::at(Real y, Real to_border) const {
   const Real d = to_border;
-  if (is_quartic_) return {d * d, 2 * d};
-  const Real a = epsilon_ + y, b = epsilon_ + 1, b3 = b * b * b;
-  return {d * d * (b + 2 * a) / (a * a * b3), 2 * d * (b * b + a * b + a * a) / (a * a * a * b3)};
+  if (is_quartic_) return {d * d, 2 * d, 2};
+  // g = (1/Y − 1/B)(1/Y + 1/B) − 2d/B³, −g′ = 2/Y³ − 2/B³, with the factor d = B − Y taken out.
+  const Real a = epsilon_ + y, b = epsilon_ + 1, a2 = a * a, b3 = b * b * b;
+  return {d * d * (b + 2 * a) / (a2 * b3), 2 * d * (b * (a + b) + a2) / (a2 * a * b3), 6 / (a2 * a2)};
 }
 
-Real ReferenceWindow::scale(Real y) const { return is_quartic_ ? 2 : sqrt(epsilon_ + y); }
-
-Real ReferenceWindow::most_bend(const View& view) const {
-  if (is_quartic_) return 8 * view.length * kWindowMargin;
-  const Real p = epsilon_ + view.least;
-  return 24 * std::min(view.length, 1.1781L * sqrt(p) * view.spread) / (p * p * p) * kWindowMargin;
-}
-
-Real ReferenceWindow::most_slope(const View& view) const {
-  if (is_quartic_) return 1.54L * view.length * kWindowMargin;
-  const Real p = epsilon_ + view.least;
-  return 4 * std::min(view.length, 1.3334L * sqrt(p) * view.spread) / (p * p * sqrt(p)) * kWindowMargin;
-}
-
-Real ReferenceWindow::most(const View& view) const {
-  return view.length * at(view.least, 1 - view.least).value * kWindowMargin;
-}
-
-ReferenceWindow::Value ReferenceWindow::line(Real y) const {
-  Value sum{0, 0};
-  const Real end2 = 1 - y, end = sqrt(end2);
-  integrate_graded(0, end, scale(y), [&](Real v, Real weight) {
-    const Value here = at(y + v * v, (end - v) * (end + v));
+ReferenceWindow::Values ReferenceWindow::line(Real y) const {
+  Values sum{0, 0, 0};
+  const Real end = sqrt(1 - y);
+  integrate(0, end, pole(y), [&](Real v, Real weight) {
+    const Values here = at(y + v * v, (end - v) * (end + v));
     sum.value += 2 * weight * here.value;
     sum.fall += 2 * weight * here.fall;
+    sum.bend += 2 * weight * here.bend;
   });
   return sum;
+}
+
+ReferenceWindow::Bounds ReferenceWindow::bounds(const View& view) const {
+  constexpr Size kMargin = 1 + 0x1p-40L;
+  const Size length = static_cast<Size>(view.length) * kMargin, spread = static_cast<Size>(view.spread) * kMargin;
+  const Size value = length * static_cast<Size>(at(view.least, 1 - view.least).value) * kMargin;
+  const auto bend = [](Size unit) { return Interval(Real(-4 * unit), Real(24 * unit)); };
+  if (is_quartic_) return {value, 1.5397L * length, Interval(Real(-4 * length), Real(8 * length))};
+  const auto p = static_cast<Size>((epsilon_ + view.least) / kMargin);
+  const Size root = std::sqrt(p) / kMargin;
+  const Size slope = 4 * std::min(length / (p * p * root), 1.3334L * spread / (p * p));
+  return {value, slope * kMargin, bend(std::min(length / (p * p * p), 1.1782L * spread / (p * p * root)) * kMargin)};
+}
+
+ProfileInUse line_profile(const scene::Kernel& kernel) {
+  const ReferenceWindow window(kernel);
+  const auto at = [=](Real q) {
+    const Real y = q / window.border();
+    if (!(y < 1)) return Jet();
+    const ReferenceWindow::Values line = window.line(std::max(y, Real(0)));
+    const Size a = Interval::size(window.amplitude()), change = a * kPlaceRounding;
+    const auto range = [&](Real value, Real steepness) {
+      return Interval::around(value * window.amplitude(),
+                              Interval::size(value) * a * kIntegralRounding + Interval::size(steepness) * change);
+    };
+    // The fall may change by the bend, of which near the border little is left.
+    return Jet{range(line.value, line.fall), -range(line.fall, line.bend), range(line.bend, line.bend)};
+  };
+  const auto profile = [=](const Jet& q) {
+    const Jet here = q.value.radius() == 0 ? at(q.value.middle()) : hull(at(q.value.lo()), at(q.value.hi()));
+    const Interval scale = Interval(1) / Interval(window.border());
+    return chain(here.value, here.slope * scale, here.bend * square(scale), q);
+  };
+  // The conditions are solved to a few units in the last place of a logarithm of up to 100.
+  return {profile, Interval::around(window.border(), Interval::size(window.border()) * (4096 * kRoundoff))};
 }
 
 }  // namespace isl::ISL_REFERENCE

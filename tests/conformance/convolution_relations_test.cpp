@@ -78,7 +78,7 @@ TEST_P(ConvolutionRelations, AnotherKernelOfTheSameHardnessKeepsValueAndSlopeAtT
         FieldCase field{
             "straight", reference::segment(at - along * 3, at + along * 3, 0.2), with_mode(kernel, skeleton), {}};
         if (skeleton == scene::Skeleton::sheet) field.component = reference::sheet(at, normal, 0.2);
-        const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi));
+        const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi()));
         ASSERT_LT(0.2 * border, 3);
         const FieldUnderTest tested = make(field);
         const Vec3 p = at + normal * 0.2;

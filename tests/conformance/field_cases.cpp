@@ -123,7 +123,7 @@ double skeleton_reach(const FieldCase& field) {
 }
 
 double reach_of(const FieldCase& field) {
-  const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi));
+  const double border = std::sqrt(static_cast<double>(reference::ReferenceKernel(field.kernel).support().hi()));
   const scene::Component& c = field.component;
   const double radius = c.skeleton == scene::Skeleton::cone ? std::max(c.radius_a, c.radius_b) : c.radius_a;
   const double in_component = skeleton_reach(field) + radius * border;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace isl::conformance {
 namespace {
@@ -30,7 +31,10 @@ std::string text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}
 
 /// The reference's field. It is made once for each property, because a kernel's constants take time to solve.
 ReferenceComponent truth_of(const FieldCase& field) {
-  return {field.component, reference::KernelInUse(field.kernel), field.transform, {&field.third_corner, 1}};
+  return {field.component,
+          std::make_shared<const reference::KernelInUse>(field.kernel),
+          field.transform,
+          {&field.third_corner, 1}};
 }
 
 double length_of(const reference::Vector<long double>& v) { return static_cast<double>(std::sqrt(squared_length(v))); }

@@ -3,7 +3,6 @@
 #include "tests/conformance/field_under_test.h"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace isl::conformance {
@@ -11,10 +10,10 @@ namespace {
 
 using reference::exactly;
 using reference::FieldOnRay;
-using reference::FieldRange;
 using reference::FieldSample;
 using reference::Interval;
 using reference::interval_of;
+using reference::Jet;
 using reference::ReferenceField;
 
 double rounded(long double x) { return static_cast<double>(x); }
@@ -24,11 +23,10 @@ double rounded(long double x) { return static_cast<double>(x); }
 /// most the width of the interval that holds all of them, and the values, which agree at both ends, by that times half
 /// the length.
 RemainderBounds remainder_from_slopes(const FieldOnRay& ray, long double t0, long double t1) {
-  const FieldOnRay::Active all = ray.all();
-  const FieldRange first = ray.at(all, t0), last = ray.at(all, t1);
-  const Interval slopes = ray.over(all, t0, t1).derivative;
+  const Jet first = ray.at(t0), last = ray.at(t1);
+  const Interval slopes = ray.over(t0, t1).slope;
   const Interval mean = common(slopes, (last.value - first.value) / (Interval(t1) - Interval(t0)));
-  const Interval middle = Interval(3) * mean - first.derivative - last.derivative;
+  const Interval middle = Interval(3) * mean - first.slope - last.slope;
   const long double width = hull(slopes, middle).width();
   return {rounded(width * (t1 - t0) / 2), rounded(width)};
 }
@@ -54,22 +52,22 @@ FieldUnderTest reference_field_under_test(const FieldCase& tested_case) {
   };
   tested.range_over_box = [field](const Vec3& low, const Vec3& high) {
     const Interval range = field->components().front().range({{low.x, high.x}, {low.y, high.y}, {low.z, high.z}});
-    return ValueRange{rounded(range.lo), rounded(range.hi)};
+    return ValueRange{rounded(range.lo()), rounded(range.hi())};
   };
   tested.range_along_ray = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
-    const Interval range = ray.over(ray.all(), t0, t1).value + Interval(field->threshold());
-    return ValueRange{rounded(range.lo), rounded(range.hi)};
+    const Interval range = ray.over(t0, t1).value + Interval(field->threshold());
+    return ValueRange{rounded(range.lo()), rounded(range.hi())};
   };
   tested.slope_range_along_ray = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
-    const Interval range = ray.over(ray.all(), t0, t1).derivative;
-    return ValueRange{rounded(range.lo), rounded(range.hi)};
+    const Interval range = ray.over(t0, t1).slope;
+    return ValueRange{rounded(range.lo()), rounded(range.hi())};
   };
-  // The reference knows no second derivatives.
-  tested.bend_range_along_ray = [](const Vec3&, const Vec3&, double, double) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return ValueRange{-kInfinity, kInfinity};
+  tested.bend_range_along_ray = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
+    const FieldOnRay ray(*field, {interval_of(origin), interval_of(direction)});
+    const Interval range = ray.over(t0, t1).bend;
+    return ValueRange{rounded(range.lo()), rounded(range.hi())};
   };
   tested.remainder = [field](const Vec3& origin, const Vec3& direction, double t0, double t1) {
     return remainder_from_slopes(FieldOnRay(*field, {interval_of(origin), interval_of(direction)}), t0, t1);

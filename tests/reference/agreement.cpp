@@ -44,7 +44,7 @@ struct Judged {
     const ReferenceScene::Placed& blob = scene.placed().front();
     RootOptions rounded = options;
     rounded.start_band = rounding_band(field(0), exact_length(ray.origin), 0);
-    const FieldRay on_blob = ReferenceScene::field_ray(blob, ray.origin, ray.direction);
+    const Line on_blob = ReferenceScene::field_ray(blob, ray.origin, ray.direction);
     return roots_along(blob.field, on_blob, rounded).crossings.empty() != occluded;
   }
 
@@ -77,7 +77,7 @@ struct Judged {
       const long double band =
           std::max({rounding_band(on_ray, size, begin), rounding_band(on_ray, size, (begin + end) / 2),
                     rounding_band(on_ray, size, end)});
-      if (largest_value(on_ray, begin, end).hi >= -band) return true;
+      if (largest_value(on_ray, begin, end).hi() >= -band) return true;
     }
     return false;
   }
@@ -145,7 +145,7 @@ struct Difference {
     if (agreement.listed.size() >= options.most_listed) return;
     long double highest = -std::numeric_limits<long double>::infinity();
     for (std::size_t i = 0; i < judged.scene.placed().size(); ++i) {
-      highest = std::max(highest, largest_value(judged.field(i), from, to).lo);
+      highest = std::max(highest, largest_value(judged.field(i), from, to).lo());
     }
     agreement.listed.push_back(fmt::format("{}: ray {} {}: reference {}, tracer {}, sup F {:.3g}", name, number,
                                            path(judged.ray), place(reference_t), place(tracer_t),

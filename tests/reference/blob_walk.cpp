@@ -68,7 +68,7 @@ bool BlobWalk::stays_near(const FieldOnRay& field, const LineOfSight& line, long
 }
 
 bool BlobWalk::walk(const LineOfSight& line, WalkCounts& counts) {
-  const FieldRay ray{interval_of(line.origin), interval_of(line.direction)};
+  const Line ray{interval_of(line.origin), interval_of(line.direction)};
   const RayRoots roots = roots_along(field_, ray, {});
   const FieldOnRay field(field_, ray);
   ++counts.lines;

@@ -156,7 +156,7 @@ TEST(HardCases, C32_HardestKernelsAreMetThroughTheirVeryMiddle) {
     const scene::Database row = one_blob(kernel, {point({0, 0, 0}, 1), point({0, 0, 3}, 1), point({0, 0, 6}, 0.5, 2)});
     // The last component has strength 2, so its surface is where φ = ½.
     const ReferenceKernel phi(kernel);
-    long double low = 1, high = phi.support().hi;
+    long double low = 1, high = phi.support().hi();
     for (int i = 0; i < 70; ++i) (phi.value((low + high) / 2) > 0.5L ? low : high) = (low + high) / 2;
     const double last = 0.5 * static_cast<double>(std::sqrt(low));
     expect_walk(row, {0, 0, -5}, {0, 0, 1}, {4, 6, 7, 9, 11 - last, 11 + last}, 1e-13);

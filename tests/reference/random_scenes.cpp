@@ -65,7 +65,7 @@ void widen(RandomSource& random, double scale, const scene::Kernel& kernel, scen
     c.radius_b = scale * random.between(0.1, 0.5);
     if (c.skeleton == scene::Skeleton::disc) return;
     // The field has a crease on the axis, so the support must not reach it.
-    const double border = std::sqrt(static_cast<double>(ReferenceKernel(kernel).support().hi));
+    const double border = std::sqrt(static_cast<double>(ReferenceKernel(kernel).support().hi()));
     c.radius_a = std::min(c.radius_a, 0.95 * c.radius_b / border);
   }
 }

@@ -1,6 +1,7 @@
 // The reference's convolutions: compared with closed forms where these are short, and their enclosures with samples.
 #include "renderer/reference/reference_convolution.h"
 #include "renderer/reference/reference_kernel.h"
+#include "renderer/reference/reference_skeleton.h"
 #include "tests/reference/near.h"
 #include "tests/reference/random_scenes.h"
 #include "tests/reference/small_scenes.h"
@@ -13,6 +14,13 @@
 
 namespace isl::reference {
 namespace {
+
+/// The field at a place, and over a stretch of a line.
+Jet at(const ReferenceConvolution& field, const Line& line, long double t) { return field.of(line.at(t), true); }
+Jet over(const ReferenceConvolution& field, const Line& line, long double t0, long double t1) {
+  return field.of(line.at({t0, t1}), false);
+}
+Line towards(const Vector<Interval>& place) { return {place, {1, 0, 0}}; }
 
 const scene::Kernel kWindows[] = {convolved(quartic(0.5)), convolved(quartic(4)), convolved(quartic(100)),
                                   convolved(cauchy(0.5)),  convolved(cauchy(4)),  convolved(cauchy(60))};
@@ -52,7 +60,7 @@ TEST(ReferenceConvolution, OfASegmentIsTheQuarticsAntiderivative) {
       v = std::clamp(v / support, -std::sqrt(a), std::sqrt(a));
       return v * (a * a - v * v * (2 * a / 3 - v * v / 5));
     };
-    const Interval value = field.at(Vector<Interval>{x, y, 0}).value;
+    const Interval value = at(field, towards({x, y, 0}), 0).value;
     EXPECT_CLOSE(value.middle(), window.amplitude() * (part(1 - x) - part(-x)), 1e-16L);
     EXPECT_LE(value.width(), 1e-15L);
   }
@@ -67,11 +75,11 @@ TEST(ReferenceConvolution, OfACircleAtItsCentreIsItsLengthTimesTheWindow) {
     const long double y = static_cast<long double>(0.4) * 0.4 / (support * support);
     const long double length = 2 * 3.14159265358979323846L * radius / support;
     const long double expected = y < 1 ? window.amplitude() * length * window.at(y, 1 - y).value : 0;
-    EXPECT_CLOSE(field.at(Vector<Interval>{0, 0, 0}).value.middle(), expected, 1e-15L * (1 + expected));
+    EXPECT_CLOSE(at(field, towards({0, 0, 0}), 0).value.middle(), expected, 1e-15L * (1 + expected));
   }
 }
 
-TEST(ReferenceConvolution, EnclosuresHoldEverySampleAndNarrowWithTheStretch) {
+TEST(ReferenceConvolution, BoundsHoldEverySampleAndNarrowWithTheStretch) {
   RandomSource random(2);
   const scene::Component curves[] = {segment({-0.5, 0, 0.1}, {0.6, 0.3, -0.2}, 0.3),
                                      circle({0, 0.1, 0}, {0, 0.6, 0.8}, 0.5, 0.2),
@@ -84,21 +92,28 @@ TEST(ReferenceConvolution, EnclosuresHoldEverySampleAndNarrowWithTheStretch) {
         const LineOfSight sight = random_line(random, 2, 0.7);
         const Line line{interval_of(sight.origin), interval_of(sight.direction)};
         const long double t0 = random.between(0.5, 3), t1 = t0 + std::pow(10, random.between(-4, 0));
-        const FieldRange first = field.at(line, t0), last = field.at(line, t1);
-        const FieldRange range = field.over(line, t0, t1, first, last);
+        const Jet range = over(field, line, t0, t1);
+        const Interval whole(t0, t1);
+        const Jet sharp = sharpened(range, at(field, line, whole.middle()), whole.radius());
+        Interval slope_before(0);
         for (int k = 0; k <= 20; ++k) {
-          const FieldRange here = field.at(line, t0 + (t1 - t0) * k / 20);
-          something += here.value.hi > 0 ? 1 : 0;
-          ASSERT_LE(range.value.lo, here.value.hi);
-          ASSERT_GE(range.value.hi, here.value.lo);
-          ASSERT_LE(range.derivative.lo, here.derivative.hi);
-          ASSERT_GE(range.derivative.hi, here.derivative.lo);
+          const Jet here = at(field, line, t0 + (t1 - t0) * k / 20);
+          something += here.value.hi() > 0 ? 1 : 0;
+          for (const Jet& all : {range, sharp}) {
+            ASSERT_LE(all.value.lo(), here.value.hi());
+            ASSERT_GE(all.value.hi(), here.value.lo());
+            ASSERT_LE(all.slope.lo(), here.slope.hi());
+            ASSERT_GE(all.slope.hi(), here.slope.lo());
+          }
+          const Interval bend = (here.slope - slope_before) / Interval((t1 - t0) / 20);
+          ASSERT_TRUE(k == 0 || (range.bend.lo() <= bend.hi() && range.bend.hi() >= bend.lo()));
+          slope_before = here.slope;
         }
         const long double h = 1e-9L;
-        const FieldRange next = field.at(line, t0 + h), narrow = field.over(line, t0, t0 + h, first, next);
-        EXPECT_LE(narrow.value.width(), 1e-3L * (1 + first.value.hi));
+        const Jet first = at(field, line, t0), next = at(field, line, t0 + h);
+        EXPECT_LE(sharpened(over(field, line, t0, t0 + h), first, h).value.width(), 1e-3L * (1 + first.value.hi()));
         const long double difference = (next.value.middle() - first.value.middle()) / h;
-        EXPECT_CLOSE(difference, first.derivative.middle(), 1e-4L * (1 + std::abs(difference)));
+        EXPECT_CLOSE(difference, first.slope.middle(), 1e-4L * (1 + std::abs(difference)));
       }
     }
   }
@@ -118,8 +133,8 @@ TEST(ReferenceConvolution, GradientIsThatOfTheValue) {
         const Line line{interval_of(p), interval_of(n)};
         constexpr long double kStep = 1e-6L;
         const long double difference =
-            (field.at(line, kStep).value.middle() - field.at(line, -kStep).value.middle()) / (2 * kStep);
-        EXPECT_CLOSE(field.at(line, 0).derivative.middle(), difference, 1e-7L * (1 + std::abs(difference)));
+            (at(field, line, kStep).value.middle() - at(field, line, -kStep).value.middle()) / (2 * kStep);
+        EXPECT_CLOSE(at(field, line, 0).slope.middle(), difference, 1e-7L * (1 + std::abs(difference)));
       }
     }
   }

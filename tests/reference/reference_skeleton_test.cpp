@@ -13,6 +13,18 @@
 namespace isl::reference {
 namespace {
 
+struct RelativeDistance {
+  Interval q;
+  Vector<Interval> gradient;
+};
+
+/// q and ∇q at a place: the slopes along the axes.
+RelativeDistance distance_at(const ReferenceSkeleton& skeleton, const Vector<Interval>& p) {
+  const auto along = [&](const Vector<Interval>& direction) { return skeleton.of(Line{p, direction}.at(0)); };
+  const Jet x = along({1, 0, 0}), y = along({0, 1, 0}), z = along({0, 0, 1});
+  return {x.value, {x.slope, y.slope, z.slope}};
+}
+
 /// The least value of f on [low, high] by ternary search. Precondition: f falls and then rises. (2/3)⁶⁰ = 3e-11 of a
 /// place is 1e-21 of a value.
 template <class Function>
@@ -61,9 +73,9 @@ TEST(ReferenceSkeleton, ConeIsTheNearestOfAllItsSpheres) {
     const ReferenceSkeleton skeleton(component);
     for (int i = 0; i < 300; ++i) {
       const scene::Vec3 p = random.in_ball(3);
-      const Interval q = skeleton.at(interval_of(p)).q;
+      const Interval q = distance_at(skeleton, interval_of(p)).q;
       ASSERT_CLOSE(q.middle() / brute_force_q(component, exactly(p)), 1, 1e-15L) << p.x << " " << p.y << " " << p.z;
-      ASSERT_LT(q.width(), 1e-14L * q.hi);
+      ASSERT_LT(q.width(), 1e-14L * q.hi());
     }
   }
 }
@@ -72,11 +84,11 @@ TEST(ReferenceSkeleton, ConeIsTheNearestOfAllItsSpheres) {
 template <class BruteForce>
 void expect_distance(const ReferenceSkeleton& skeleton, long double radius, const Vector<long double>& p,
                      const BruteForce& brute_force) {
-  const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
+  const RelativeDistance here = distance_at(skeleton, {p.x, p.y, p.z});
   const long double expected = brute_force(p) / (radius * radius);
   ASSERT_CLOSE(here.q.middle(), expected, 1e-15L * expected + 1e-18L);
   // The normal of a splinter costs two digits.
-  ASSERT_LT(here.q.width(), 1e-13L * here.q.hi + 1e-30L);
+  ASSERT_LT(here.q.width(), 1e-13L * here.q.hi() + 1e-30L);
   const Interval eikonal = squared_length(here.gradient) * square(Interval(radius)) * Interval(0.25L);
   ASSERT_CLOSE(eikonal.middle(), here.q.middle(), 1e-14L * here.q.middle() + 1e-30L);
 }
@@ -100,8 +112,8 @@ TEST(ReferenceSkeleton, BoxIsTheNearestOfItsPoints) {
       expect_distance(skeleton, component.radius_a, exactly(random.in_ball(3)), brute_force);
   }
   const ReferenceSkeleton solid(boxes[0]);
-  EXPECT_EQ(solid.at(interval_of({0.1, 0.3, 0.2})).q.hi, 0);
-  EXPECT_EQ(squared_length(solid.at(interval_of({0.1, 0.3, 0.2})).gradient).hi, 0);
+  EXPECT_EQ(distance_at(solid, interval_of({0.1, 0.3, 0.2})).q.hi(), 0);
+  EXPECT_EQ(squared_length(distance_at(solid, interval_of({0.1, 0.3, 0.2})).gradient).hi(), 0);
 }
 
 TEST(ReferenceSkeleton, TriangleIsTheNearestOfItsPoints) {
@@ -153,15 +165,15 @@ TEST(ReferenceSkeleton, CircleIsTheNearestOfItsPoints) {
     const ReferenceSkeleton skeleton(component);
     for (int i = 0; i < 100; ++i) {
       const Vector<long double> p = exactly(random.in_ball(3));
-      const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
+      const RelativeDistance here = distance_at(skeleton, {p.x, p.y, p.z});
       const long double expected = brute_force(p) / square(Interval(0.3)).middle();
       // x and y have unit length only to 1e-16.
       ASSERT_CLOSE(here.q.middle(), expected, 1e-14L * (1 + expected));
-      ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi));
+      ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi()));
       const Interval eikonal = squared_length(here.gradient) * square(Interval(0.3)) * Interval(0.25L);
       ASSERT_CLOSE(eikonal.middle(), here.q.middle(), 1e-14L * (1 + here.q.middle()));
     }
-    const Interval on_axis = skeleton.at(interval_of(component.a)).q;
+    const Interval on_axis = distance_at(skeleton, interval_of(component.a)).q;
     EXPECT_CLOSE(on_axis.middle(), 1.2L * 1.2L / (0.3L * 0.3L), 1e-14L);
   }
 }
@@ -179,10 +191,10 @@ TEST(ReferenceSkeleton, DiscIsTheNearestOfItsCircles) {
       const Vector<long double> towards = across * (1 / std::sqrt(squared_length(across)));
       const auto at_radius = [&](long double radius) { return squared_length(w - towards * radius); };
       const long double expected = stretchwise_minimum(at_radius, 0, 1.2L) / square(Interval(0.3)).middle();
-      const RelativeDistance here = skeleton.at({p.x, p.y, p.z});
+      const RelativeDistance here = distance_at(skeleton, {p.x, p.y, p.z});
       // The axis is of unit length to 1e-16 only.
       ASSERT_CLOSE(here.q.middle(), expected, 1e-14L * (1 + expected));
-      ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi));
+      ASSERT_LT(here.q.width(), 1e-14L * (1 + here.q.hi()));
       const Interval eikonal = squared_length(here.gradient) * square(Interval(0.3)) * Interval(0.25L);
       ASSERT_CLOSE(eikonal.middle(), here.q.middle(), 1e-14L * (1 + here.q.middle()));
     }
@@ -198,15 +210,16 @@ TEST(ReferenceSkeleton, LinesAcrossACirclesAxisAreEnclosed) {
     const scene::Vec3 middle(i % 2 == 0 ? 0 : 1e-6 * random.unit(), random.between(-1, 1), 0);
     const Line line{interval_of(middle), interval_of(random.direction())};
     const long double t0 = -random.unit(), t1 = random.unit();
-    const DistanceOnLine range = skeleton.over({line, t0, t1, skeleton.at(line, t0), skeleton.at(line, t1)});
-    EXPECT_LT(range.q.hi, 40);  // the greatest value: at the distance 2 from the circle q = 16, plus the steps' slack
+    const Interval whole(t0, t1);
+    const Jet range = sharpened(skeleton.of(line.at(whole)), skeleton.of(line.at(whole.middle())), whole.radius());
+    EXPECT_LT(range.value.hi(), 40);  // the greatest value: at the distance 2 from the circle q = 16
     for (int k = 0; k <= 200; ++k) {
-      const DistanceOnLine here = skeleton.at(line, t0 + (t1 - t0) * k / 200);
-      ASSERT_LE(range.q.lo, here.q.hi);
-      ASSERT_GE(range.q.hi, here.q.lo);
+      const Jet here = skeleton.of(line.at(std::min(t0 + (t1 - t0) * k / 200, t1)));
+      ASSERT_LE(range.value.lo(), here.value.hi());
+      ASSERT_GE(range.value.hi(), here.value.lo());
       if (here.slope.width() > 1) continue;  // on the axis any of its slopes is right
-      ASSERT_LE(range.slope.lo, here.slope.hi);
-      ASSERT_GE(range.slope.hi, here.slope.lo);
+      ASSERT_LE(range.slope.lo(), here.slope.hi());
+      ASSERT_GE(range.slope.hi(), here.slope.lo());
     }
   }
 }

@@ -94,7 +94,7 @@ long double RoundingRule::band(const FieldOnRay& field, const render::Ray& ray, 
 
 long double RoundingRule::excess(const render::Ray& ray, double found) const {
   const FieldOnRay field(field_, field_ray(ray));
-  return field.at(field.all(), found).value.magnitude() / band(field, ray, found);
+  return field.at(found).value.magnitude() / band(field, ray, found);
 }
 
 bool RoundingRule::agree(const FieldOnRay& field, const render::Ray& ray, const Crossing* crossing,
@@ -114,7 +114,8 @@ bool RoundingRule::agree(const FieldOnRay& field, const render::Ray& ray, const 
       found ? std::max({band(field, ray, from), band(field, ray, from + (to - from) / 2), band(field, ray, to)})
             : band(field, ray, from);
   if (!is_late) return field.stays_within({-most, most}, to, to);
-  return field.stays_within(is_inside ? Interval{-most, kAnything} : Interval{-kAnything, most}, from, to);
+  return field.stays_within(is_inside ? FieldOnRay::Band{-most, kAnything} : FieldOnRay::Band{-kAnything, most}, from,
+                            to);
 }
 
 RoundingRule::Judged RoundingRule::judge(const render::Ray& ray, const std::optional<double>& found) const {

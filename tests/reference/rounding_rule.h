@@ -40,7 +40,7 @@ class RoundingRule {
   [[nodiscard]] long double excess(const render::Ray& ray, double found) const;
 
  private:
-  [[nodiscard]] FieldRay field_ray(const render::Ray& ray) const {
+  [[nodiscard]] Line field_ray(const render::Ray& ray) const {
     return {interval_of(ray.origin), interval_of(ray.direction)};
   }
   /// True if a first crossing at `found`, or none, is as right as the true one (null: there is none), which is known to

@@ -81,7 +81,7 @@ TEST(Sheet, AddsUpWithOthersAndWithWhatHasAnEnd) {
   for (const scene::Kernel& kernel : {over_sheets(quartic(4)), over_sheets(cauchy(4))}) {
     // Two sheets on one plane have their surface where φ = ½.
     const ReferenceKernel phi(kernel);
-    long double low = 1, high = phi.support().hi;
+    long double low = 1, high = phi.support().hi();
     for (int i = 0; i < 70; ++i) (phi.value((low + high) / 2) > 0.5L ? low : high) = (low + high) / 2;
     const double half = 0.5 * static_cast<double>(std::sqrt(low));
     const scene::Component one = sheet({0, 0, 0}, {0, 1, 0}, 0.5), other = sheet({3, 0, 3}, {0, -1, 0}, 0.5);

@@ -24,8 +24,8 @@ WideRoots wide_roots(const scene::Database& database, const LineOfSight& line) {
 double wide_kernel_error(const scene::Kernel& kernel) {
   const wide_reference::ReferenceKernel profile(kernel);
   const Interval one(1);
-  const Interval value = profile.value(one) - one;
-  const Interval slope = profile.slope(one) / Interval(kernel.hardness) + one;
+  const wide_reference::Jet phi = profile.over(one);
+  const Interval value = phi.value - one, slope = phi.slope / Interval(kernel.hardness) + one;
   if (!value.contains(0) || !slope.contains(0)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(std::max(value.magnitude(), slope.magnitude()));
 }
