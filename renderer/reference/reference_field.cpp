@@ -70,7 +70,8 @@ JetPair ReferenceComponent::on(const Line& line, const LineStretch& stretch) con
   if (convolution_) {
     const Jet over = convolution_->of(places, false);
     if (over.value.magnitude() == 0) return {};
-    return {convolution_->of(place, true) * strength_, over * strength_};
+    const Jet scaled = over * strength_;
+    return {convolution_->of(place, true) * strength_, scaled, scaled.value.lo()};
   }
   const Jet all = skeleton_.of(places);
   if (all.value.lo() >= kernel().support().hi()) return {};
@@ -79,7 +80,10 @@ JetPair ReferenceComponent::on(const Line& line, const LineStretch& stretch) con
   if (over.value.lo() >= kernel().support().hi()) return {};
   over = between(over, skeleton_.of(line.at(stretch.first())), skeleton_.of(line.at(stretch.last())));
   if (over.value.lo() >= kernel().support().hi()) return {};
-  return {kernel().of(middle) * strength_, kernel().of(over) * strength_};
+  const Jet scaled = kernel().of(over) * strength_;
+  const bool has_digits = is_narrow(scaled.value) || strength_.sign() < 0;
+  return {kernel().of(middle) * strength_, scaled,
+          has_digits ? scaled.value.lo() : (Interval(kernel().least(over.value)) * strength_).lo()};
 }
 
 FieldSample ReferenceComponent::sample(const Vector<Real>& p) const {

@@ -50,6 +50,7 @@ struct LineStretch {
 /// A function of t on a stretch, and at its middle.
 struct JetPair {
   Jet middle, over;
+  Real least = 0;  ///< no value is below; sums of these keep the digits that the lower end of `over` may have lost
 };
 
 /// One component with everything that it refers to.

@@ -8,6 +8,7 @@
 #include "renderer/reference/jet.h"
 #include "renderer/scene/database.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -29,6 +30,9 @@ class ReferenceKernel {
 
   /// φ, φ′ and φ″ over a range of q.
   [[nodiscard]] Jet over(const Interval& q) const;
+  /// No more than the least φ over a range of q. An interval that reaches from 1 to e⁵⁰⁰ has lost the digits of its
+  /// lower end; these are not.
+  [[nodiscard]] Real least(const Interval& q) const { return std::max(over(q.hi()).value.lo(), Real(0)); }
   [[nodiscard]] Real value(Real q) const { return over(q).value.middle(); }
   [[nodiscard]] Real slope(Real q) const { return over(q).slope.middle(); }
 

@@ -36,6 +36,9 @@ Jet greatest(std::span<const Jet*> rivals) {
   return *result;
 }
 
+/// Adds a lower bound, rounded down.
+void add_below(Real& sum, Real part) { sum = (Interval(sum) + Interval(part)).lo(); }
+
 }  // namespace
 
 FieldOnRay::FieldOnRay(const ReferenceField& field, const Line& ray) : ray_(ray), threshold_(field.threshold()) {
@@ -108,6 +111,15 @@ Jet FieldOnRay::total(std::vector<Jet>& sums) const {
   return sums[0] - threshold_;
 }
 
+Real FieldOnRay::least_total(std::vector<Real>& sums) const {
+  for (const auto& [maximum, has_idle] : maxima_) {
+    Real greatest = has_idle ? Real(0) : sums[maximum.rivals.front()];
+    for (const std::uint32_t branch : maximum.rivals) greatest = std::max(greatest, sums[branch]);
+    add_below(sums[maximum.parent], greatest);
+  }
+  return (Interval(sums[0]) - threshold_).lo();
+}
+
 Jet FieldOnRay::at(const Active& active, Real t) const {
   middles_.assign(branch_count_, {});
   for (const std::uint32_t i : active) {
@@ -121,6 +133,7 @@ Jet FieldOnRay::at(const Active& active, Real t) const {
 JetPair FieldOnRay::on(Active& active, const LineStretch& stretch) const {
   middles_.assign(branch_count_, {});
   overs_.assign(branch_count_, {});
+  leasts_.assign(branch_count_, 0);
   const Interval all = stretch.all();
   std::erase_if(active, [&](std::uint32_t i) {
     const Part& part = parts_[i];
@@ -129,13 +142,14 @@ JetPair FieldOnRay::on(Active& active, const LineStretch& stretch) const {
     if (f.over.value.magnitude() == 0) return true;
     middles_[part.branch] += f.middle;
     overs_[part.branch] += f.over;
+    add_below(leasts_[part.branch], f.least);
     return false;
   });
   if (!maxima_.empty()) {
     for (std::size_t b = 0; b < branch_count_; ++b) overs_[b] = sharpened(overs_[b], middles_[b], stretch.reach);
   }
   const Jet middle = total(middles_);
-  return {middle, sharpened(total(overs_), middle, stretch.reach)};
+  return {middle, sharpened(total(overs_), middle, stretch.reach), least_total(leasts_)};
 }
 
 Jet FieldOnRay::over(Real t0, Real t1) const {

@@ -70,13 +70,17 @@ class FieldOnRay {
 
   void find_maxima(const ReferenceField& field);
   [[nodiscard]] Jet total(std::vector<Jet>& sums) const;
+  /// No more than F, given as much of every sum.
+  [[nodiscard]] Real least_total(std::vector<Real>& sums) const;
 
   Line ray_;
   std::vector<Part> parts_;
   std::vector<MaximumHere> maxima_;
   std::size_t branch_count_ = 1;  ///< of the branches that have a component on the ray, or another branch with one
   Interval threshold_;
-  mutable std::vector<Jet> middles_, overs_;  ///< sums of branches, kept so that an evaluation allocates nothing
+  // Sums of branches, kept so that an evaluation allocates nothing.
+  mutable std::vector<Jet> middles_, overs_;
+  mutable std::vector<Real> leasts_;
   Real begin_ = 0, end_ = -1;
 };
 

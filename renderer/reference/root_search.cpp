@@ -21,8 +21,8 @@ void RootSearch::search(Real t0, Real t1) {
     const JetPair f = field_.on(piece.active, stretch);
     const Interval& values = f.over.value;
     const Real cut = stretch.middle;
-    if (values.sign() != 0) {
-      constant(values.sign());
+    if (const int sign = f.least > 0 ? 1 : values.sign(); sign != 0) {
+      constant(sign);
     } else if (f.over.slope.sign() != 0) {
       confine(piece, stretch, f);
     } else if (values.radius() <= 16 * f.middle.value.radius() || !(piece.t0 < cut && cut < piece.t1) ||

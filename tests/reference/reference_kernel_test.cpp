@@ -87,6 +87,7 @@ TEST_P(SurfaceKernel, EnclosuresAreTightAndHoldTheirEnds) {
   EXPECT_CLOSE(value.hi() / kernel.value(0.5L), 1, tolerance);
   // An interval is kept by its middle and radius: its lower end has the digits of the upper one.
   EXPECT_CLOSE(value.lo(), kernel.value(0.9L), tolerance * kernel.value(0.5L));
+  EXPECT_CLOSE(kernel.least({0.5L, 0.9L}) / kernel.value(0.9L), 1, tolerance);
 }
 
 TEST_P(SurfaceKernel, EnclosuresHoldDenseSamples) {
