@@ -7,46 +7,34 @@
 // its middle.
 #pragma once
 
-#include "renderer/reference/jet.h"
-#include "renderer/reference/reference_window.h"
-#include "renderer/scene/database.h"
+#include "renderer/reference/reference_curves.h"
 
-#include <functional>
+#include <variant>
 
 namespace isl::ISL_REFERENCE {
-
-/// A curve in units of the support.
-struct Curve {
-  Real far;  ///< no point of it is farther from the origin
-  std::function<Real(const Vector<Real>& p)> distance;
-  struct Integrals {
-    Real value, fall;       ///< ∫g ds, ∫(−g′) ds
-    Vector<Real> gradient;  ///< of the first integral
-  };
-  /// The integrals at a point within the support.
-  std::function<Integrals(const Vector<Real>& p, const ReferenceWindow& window)> integrals;
-  /// The view from a ball about p, from which nothing is nearer than √least, least < 1.
-  std::function<ReferenceWindow::View(const Vector<Real>& p, Real ball, Real least)> view;
-};
-
-/// The segment from a to b, and the circle about a and the axis b, scaled by `unit`.
-[[nodiscard]] Curve segment_curve(const scene::Component& component, Real unit);
-[[nodiscard]] Curve circle_curve(const scene::Component& component, Real unit);
 
 class ReferenceConvolution {
  public:
   /// Precondition: a segment or a circle, with a kernel of the mode convolution.
   ReferenceConvolution(const scene::Component& component, const scene::Kernel& kernel);
 
+  /// The field at one place, of which the points tell the speed, too.
+  [[nodiscard]] Jet at(const Vector<Jet>& p) const;
+
+  struct Bounds {
+    Jet jet;
+    Real least = 0;  ///< no value is below; the lower end of `jet` may have lost its digits
+  };
   /// The field of points, which are linear in t.
-  [[nodiscard]] Jet of(const Vector<Jet>& p, bool is_one_place) const;
+  [[nodiscard]] Bounds over(const Vector<Jet>& p) const;
+
   /// The largest effect of relative errors of the squared distances.
   [[nodiscard]] Real sensitivity(const Vector<Jet>& p) const;
 
  private:
   ReferenceWindow window_;
   Real unit_;  ///< one over the support
-  Curve curve_;
+  std::variant<CurveOfSegment, CurveOfCircle> curve_;
 };
 
 }  // namespace isl::ISL_REFERENCE

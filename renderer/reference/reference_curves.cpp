@@ -1,12 +1,15 @@
-// Segment: if the foot of p on its line is at v = 0, at the distance ρ, y = ρ² + v², over the part within |v| < w =
-// √(1 − ρ²).
+// Segment: with w from its nearer end to the place and the unit axis a, the place is w·a along and a × (w × a) across.
+// Of the cross product each term is rounded by its own size. The part within the support is |v| < √(1 − ρ²), ρ =
+// |across|, y = ρ² + v². The far end is the near one and the length: a relative error of the length moves an end where
+// g is least.
 //
-// Circle: if d is the distance of p from it, ρ that from its axis, and k = 4Rρ, y = d² + k sin²(φ/2) at the angle φ
-// from the point nearest to p, over |φ| < μ where y < 1; its poles are where k sin²(φ/2) is minus the square of the
-// window's. Since sin(φ/2) ≥ φ/π, the distance grows along the arc Rφ at least as along a straight line that is
-// (π/2)√(R/ρ) shorter.
+// Circle: with ρ from the axis, x = ρ − R beside the circle and z above its plane, a point of it at the angle φ from
+// the nearest is at the distance y = x² + z² + 4Rρ sin²(φ/2); poles of the window are where that is ε less. The radial
+// part of its offset is x + 2R sin²(φ/2). Since sin(φ/2) ≥ φ/π, the distance grows along the arc Rφ at least as along a
+// straight line that is (π/2)√(R/ρ) shorter.
+#include "renderer/reference/reference_curves.h"
+
 #include "renderer/reference/quadrature.h"
-#include "renderer/reference/reference_convolution.h"
 #include "renderer/reference/reference_skeleton.h"
 
 #include <algorithm>
@@ -14,115 +17,97 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-using Point = Vector<Real>;
+Vector<Interval> unit_vector(const Vector<Interval>& v) { return v * (Interval(1) / square_root(squared_length(v))); }
 
-Real length_of(const Point& v) { return sqrt(squared_length(v)); }
+Vector<Real> middles(const Vector<Interval>& v, Real unit) {
+  return {v.x.middle() * unit, v.y.middle() * unit, v.z.middle() * unit};
+}
 
-struct SegmentCurve {
-  Point a, b, axis{};
-  Real length;
-
-  struct Place {
-    Real from_a, rho;
-    Point across;
-  };
-  [[nodiscard]] Place place(const Point& p) const {
-    const Point from_a = p - a, from_b = p - b;
-    const Real along_a = dot(from_a, axis), along_b = dot(from_b, axis);
-    // Seen from the nearer end, because the farther one's distance would cost digits.
-    const Point across = abs(along_a) < abs(along_b) ? from_a - axis * along_a : from_b - axis * along_b;
-    return {along_a, length_of(across), across};
-  }
-  [[nodiscard]] Real distance(const Point& p) const {
-    const Place at = place(p);
-    return hypot(at.rho, std::max({Real(0), -at.from_a, at.from_a - length}));
-  }
-  [[nodiscard]] Curve::Integrals integrals(const Point& p, const ReferenceWindow& window) const {
-    const Place at = place(p);
-    const Real rho2 = square(at.rho), end = sqrt(std::max(1 - rho2, Real(0)));
-    const Real from = std::max(-at.from_a, -end), to = std::min(length - at.from_a, end);
-    if (!(from < to)) return {};
-    Real value = 0, fall = 0, along = 0;
-    integrate(from, to, window.pole(rho2), [&](Real v, Real weight) {
-      const ReferenceWindow::Values g = window.at(rho2 + v * v, (end - v) * (end + v));
-      value += weight * g.value;
-      fall += weight * g.fall;
-      along += weight * g.fall * v;
-    });
-    return {value, fall, axis * (2 * along) - at.across * (2 * fall)};
-  }
-  [[nodiscard]] ReferenceWindow::View view(Real least) const {
-    return {least, std::min(length, 2 * sqrt(1 - least)), 1};
-  }
-};
-
-struct CircleCurve {
-  Point centre, axis;
-  Real radius;
-
-  struct Place {
-    Real beside, height;  ///< ρ − R, and the distance from the circle's plane
-    Point from_centre, outward;
-    Real rho;
-  };
-  [[nodiscard]] Place place(const Point& p) const {
-    const Point from = p - centre;
-    const Real height = dot(from, axis);
-    const Point across = from - axis * height;
-    const Real rho = length_of(across);
-    return {rho - radius, height, from, rho > 0 ? across * (1 / rho) : Point{}, rho};
-  }
-  [[nodiscard]] Real distance(const Point& p) const {
-    const Place at = place(p);
-    return hypot(at.beside, at.height);
-  }
-  [[nodiscard]] Curve::Integrals integrals(const Point& p, const ReferenceWindow& window) const {
-    const Place at = place(p);
-    const Real d2 = square(at.beside) + square(at.height), k = 4 * radius * at.rho;
-    if (!(d2 < 1)) return {};
-    const bool is_whole = k <= 1 - d2;
-    const Real half = is_whole ? 2 * asin(sqrt(Real(0.5L))) : asin(sqrt((1 - d2) / k)), mu = 2 * half;
-    const Real pole = k > 0 ? 2 * asinh(window.pole(d2) / sqrt(k)) : 8;
-    Real value = 0, fall = 0, turned = 0;  // turned: of −g′ cos φ
-    integrate(0, mu, pole, [&](Real angle, Real weight) {
-      const Real sine = sin(angle / 2), y = d2 + k * sine * sine;
-      // sin²(μ/2) − sin²(φ/2) = sin((μ + φ)/2) sin((μ − φ)/2)
-      const Real to_border = is_whole ? 1 - y : k * sin(half + angle / 2) * sin(half - angle / 2);
-      const ReferenceWindow::Values g = window.at(y, to_border);
-      value += weight * g.value;
-      fall += weight * g.fall;
-      turned += weight * g.fall * (1 - 2 * sine * sine);
-    });
-    // Both halves of the circle are taken together: the sum of the offsets from φ and −φ is 2(p − c − R cos φ ρ̂).
-    return {2 * radius * value, 2 * radius * fall,
-            (at.outward * (radius * turned) - at.from_centre * fall) * (4 * radius)};
-  }
-  [[nodiscard]] ReferenceWindow::View view(const Point& p, Real ball, Real least) const {
-    const Real whole = 8 * asin(sqrt(Real(0.5L))) * radius, rho = place(p).rho - ball;
-    if (!(rho > 0)) return {least, whole, kUnbounded};
-    const Real spread = std::max(Real(1), 1.5708L * sqrt(radius / rho));
-    return {least, std::min(whole, 2 * sqrt(1 - least) * spread), spread};
-  }
-};
+/// The length of a vector of errors.
+Size spread(const Vector<Interval>& v) { return std::hypot(v.x.radius(), v.y.radius(), v.z.radius()) * kStretch; }
 
 }  // namespace
 
-Curve segment_curve(const scene::Component& c, Real unit) {
-  SegmentCurve curve{exactly(c.a) * unit, exactly(c.b) * unit, {}, 0};
-  const Point along = (exactly(c.b) - exactly(c.a)) * unit;
-  curve.length = length_of(along);
-  if (curve.length > 0) curve.axis = along * (1 / curve.length);
-  return {std::max(length_of(curve.a), length_of(curve.b)), [=](const Point& p) { return curve.distance(p); },
-          [=](const Point& p, const ReferenceWindow& window) { return curve.integrals(p, window); },
-          [=](const Point&, Real, Real least) { return curve.view(least); }};
+CurveOfSegment::CurveOfSegment(const scene::Component& c, Real unit)
+    : a_(interval_of(c.a)), b_(interval_of(c.b)), unit_(unit) {
+  const Vector<Interval> along = b_ - a_;
+  const Interval length2 = squared_length(along);
+  if (length2.lo() <= 0) return;
+  length_ = sqrt(length2.middle()) * unit;
+  axis_ = unit_vector(along);
 }
 
-Curve circle_curve(const scene::Component& c, Real unit) {
-  const Point axis = exactly(c.b);
-  const CircleCurve curve{exactly(c.a) * unit, axis * (1 / length_of(axis)), c.radius_b * unit};
-  return {length_of(curve.centre) + curve.radius, [=](const Point& p) { return curve.distance(p); },
-          [=](const Point& p, const ReferenceWindow& window) { return curve.integrals(p, window); },
-          [=](const Point& p, Real ball, Real least) { return curve.view(p, ball, least); }};
+CurveOfSegment::Place CurveOfSegment::place(const Vector<Interval>& p) const {
+  const Vector<Interval> from_a = p - a_, from_b = p - b_;
+  const Interval along_a = dot(from_a, axis_), along_b = dot(from_b, axis_);
+  const bool is_near_a = abs(along_a.middle()) < abs(along_b.middle());
+  const Interval along = is_near_a ? along_a : along_b;
+  const Vector<Interval> across = cross(axis_, cross(is_near_a ? from_a : from_b, axis_));
+  const Real near = -along.middle() * unit_;
+  const Size size = Interval::size(unit_);
+  // Far from both ends only the distance from the line counts.
+  const bool sees_end = along.mignitude() * size < 1 + kPlaceRounding;
+  return {is_near_a ? near : near - length_, is_near_a ? near + length_ : near, middles(across, unit_),
+          std::hypot(spread(across), sees_end ? along.radius() : 0) * size * kStretch};
+}
+
+CurveIntegrals CurveOfSegment::integrals(const Place& at, const ReferenceWindow& window) const {
+  const Real rho2 = squared_length(at.across), end = sqrt(std::max(1 - rho2, Real(0)));
+  const Real from = std::max(at.from, -end), to = std::min(at.to, end);
+  if (!(from < to)) return {};
+  Real value = 0, fall = 0, along = 0;
+  integrate(from, to, window.pole(rho2), [&](Real v, Real weight) {
+    const ReferenceWindow::Values g = window.at(rho2 + v * v, (end - v) * (end + v));
+    value += weight * g.value;
+    fall += weight * g.fall;
+    along += weight * g.fall * v;
+  });
+  return {value, fall, middles(axis_, 2 * along) - at.across * (2 * fall)};
+}
+
+ReferenceWindow::View CurveOfSegment::view(const Place&, Real, Real least) const {
+  return {least, std::min(length_, 2 * sqrt(1 - least)), 1};
+}
+
+CurveOfCircle::CurveOfCircle(const scene::Component& c, Real unit)
+    : centre_(interval_of(c.a)), axis_(unit_vector(interval_of(c.b))), unit_(unit), radius_(c.radius_b * unit) {}
+
+CurveOfCircle::Place CurveOfCircle::place(const Vector<Interval>& p) const {
+  const Vector<Interval> from = p - centre_, across = cross(axis_, cross(from, axis_));
+  const Interval height = dot(from, axis_);
+  const Vector<Real> middle = middles(across, unit_);
+  const Real rho = sqrt(squared_length(middle));
+  const Size rounding = std::hypot(spread(across), height.radius()) * Interval::size(unit_);
+  return {rho, rho - radius_, height.middle() * unit_, rho > 0 ? middle * (1 / rho) : Vector<Real>{},
+          (rounding + Interval::size(rho + radius_) * kPlaceRounding) * kStretch};
+}
+
+CurveIntegrals CurveOfCircle::integrals(const Place& at, const ReferenceWindow& window) const {
+  const Real nearest = square(at.beside) + square(at.height), k = 4 * radius_ * at.rho;
+  const bool is_whole = k <= 1 - nearest;
+  const Real half = is_whole ? half_turn() / 2 : asin(sqrt((1 - nearest) / k));
+  const Real pole = k > 0 ? 2 * asinh(window.pole(nearest) / sqrt(k)) : 8;
+  Real value = 0, fall = 0, lag = 0;
+  integrate(0, 2 * half, pole, [&](Real angle, Real weight) {
+    const Real sine2 = square(sin(angle / 2)), y = nearest + k * sine2;
+    // sin²(μ/2) − sin²(φ/2) = sin((μ + φ)/2) sin((μ − φ)/2)
+    const Real to_border = is_whole ? 1 - y : k * sin(half + angle / 2) * sin(half - angle / 2);
+    const ReferenceWindow::Values g = window.at(y, to_border);
+    value += weight * g.value;
+    fall += weight * g.fall;
+    lag += weight * g.fall * (2 * sine2);
+  });
+  // The arcs to both sides, whose offsets along the circle cancel.
+  const Real both = 2 * radius_;
+  return {both * value, both * fall,
+          (at.outwards * (at.beside * fall + radius_ * lag) + middles(axis_, at.height * fall)) * (-2 * both)};
+}
+
+ReferenceWindow::View CurveOfCircle::view(const Place& at, Real ball, Real least) const {
+  const Real whole = 2 * half_turn() * radius_, rho = at.rho - ball;
+  if (!(rho > 0)) return {least, whole, kUnbounded};
+  const Real shorter = std::max(Real(1), half_turn() / 2 * sqrt(radius_ / rho));
+  return {least, std::min(whole, 2 * sqrt(1 - least) * shorter), shorter};
 }
 
 }  // namespace isl::ISL_REFERENCE

@@ -62,28 +62,35 @@ Line ReferenceComponent::local(const Line& line) const {
 
 Jet ReferenceComponent::at(const Line& line, Real t) const {
   const Vector<Jet> p = line.at(t);
-  return (convolution_ ? convolution_->of(p, true) : kernel().of(skeleton_.of(p))) * strength_;
+  return (convolution_ ? convolution_->at(p) : kernel().of(skeleton_.of(p))) * strength_;
 }
 
 JetPair ReferenceComponent::on(const Line& line, const LineStretch& stretch) const {
   const Vector<Jet> place = line.at(stretch.middle), places = line.at(stretch.all());
   if (convolution_) {
-    const Jet over = convolution_->of(places, false);
-    if (over.value.magnitude() == 0) return {};
-    const Jet scaled = over * strength_;
-    return {convolution_->of(place, true) * strength_, scaled, scaled.value.lo()};
+    const ReferenceConvolution::Bounds bounds = convolution_->over(places);
+    if (bounds.jet.value.magnitude() == 0) return {};
+    return scaled(convolution_->at(place), bounds.jet, bounds.least);
   }
+  const auto is_outside = [&](const Jet& q) { return q.value.lo() >= kernel().support().hi(); };
   const Jet all = skeleton_.of(places);
-  if (all.value.lo() >= kernel().support().hi()) return {};
+  if (is_outside(all)) return {};
   const Jet middle = skeleton_.of(place);
-  Jet over = sharpened(all, middle, stretch.reach);
-  if (over.value.lo() >= kernel().support().hi()) return {};
-  over = between(over, skeleton_.of(line.at(stretch.first())), skeleton_.of(line.at(stretch.last())));
-  if (over.value.lo() >= kernel().support().hi()) return {};
-  const Jet scaled = kernel().of(over) * strength_;
-  const bool has_digits = is_narrow(scaled.value) || strength_.sign() < 0;
-  return {kernel().of(middle) * strength_, scaled,
-          has_digits ? scaled.value.lo() : (Interval(kernel().least(over.value)) * strength_).lo()};
+  Jet q = sharpened(all, middle, stretch.reach);
+  if (is_outside(q)) return {};
+  q = between(q, skeleton_.of(line.at(stretch.first())), skeleton_.of(line.at(stretch.last())));
+  if (is_outside(q)) return {};
+  const Jet over = kernel().of(q);
+  return scaled(kernel().of(middle), over, is_narrow(over.value) ? over.value.lo() : kernel().least(q.value));
+}
+
+JetPair ReferenceComponent::scaled(const Jet& middle, const Jet& over, Real least) const {
+  const Jet strong = over * strength_;
+  const Interval near = Interval(least) * strength_;
+  const bool is_negative = strength_.sign() < 0;
+  return {middle * strength_,
+          strong,
+          {is_negative ? strong.value.lo() : near.lo(), is_negative ? near.hi() : strong.value.hi()}};
 }
 
 FieldSample ReferenceComponent::sample(const Vector<Real>& p) const {
@@ -103,9 +110,9 @@ Interval ReferenceComponent::range(const Vector<Interval>& box) const {
   const Vector<Interval> to_corner{half(own.x), half(own.y), half(own.z)};
   const Interval reach = square_root(squared_length(to_corner));
   const Vector<Jet> spread{{own.x, reach, 0}, {own.y, 0, 0}, {own.z, 0, 0}};
-  const Jet over = convolution_->of(spread, false);
+  const Jet over = convolution_->over(spread).jet;
   const Vector<Jet> middle{{own.x.middle(), 0, 0}, {own.y.middle(), 0, 0}, {own.z.middle(), 0, 0}};
-  return common(over.value, convolution_->of(middle, true).value + over.slope) * strength_;
+  return common(over.value, convolution_->at(middle).value + over.slope) * strength_;
 }
 
 Real ReferenceComponent::sensitivity_at(const Line& line, Real t) const {

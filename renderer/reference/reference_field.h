@@ -47,10 +47,23 @@ struct LineStretch {
   [[nodiscard]] Interval last() const { return Interval(middle) + Interval(reach); }
 };
 
+/// No value is below or above. An interval from 1 to e⁵⁰⁰, kept by its middle, has lost the digits of the end that is
+/// nearer to 0; sums of ends keep them.
+struct Ends {
+  Real low = 0, high = 0;
+
+  /// +1 or −1 if every value has that sign, else 0.
+  [[nodiscard]] int sign() const { return low > 0 ? 1 : high < 0 ? -1 : 0; }
+};
+/// Both ends are rounded outwards.
+[[nodiscard]] inline Ends operator+(const Ends& a, const Ends& b) {
+  return {(Interval(a.low) + Interval(b.low)).lo(), (Interval(a.high) + Interval(b.high)).hi()};
+}
+
 /// A function of t on a stretch, and at its middle.
 struct JetPair {
   Jet middle, over;
-  Real least = 0;  ///< no value is below; sums of these keep the digits that the lower end of `over` may have lost
+  Ends ends;  ///< of the values on the stretch
 };
 
 /// One component with everything that it refers to.
@@ -80,6 +93,9 @@ class ReferenceComponent {
   [[nodiscard]] Box support() const;
 
  private:
+  /// Times the strength; `least` is no more than any value of `over`, which is not negative.
+  [[nodiscard]] JetPair scaled(const Jet& middle, const Jet& over, Real least) const;
+
   ReferenceSkeleton skeleton_;
   std::shared_ptr<const KernelInUse> kernel_;
   std::shared_ptr<const ReferenceConvolution> convolution_;  ///< set if the kernel is integrated along the skeleton

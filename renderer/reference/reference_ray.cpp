@@ -36,9 +36,6 @@ Jet greatest(std::span<const Jet*> rivals) {
   return *result;
 }
 
-/// Adds a lower bound, rounded down.
-void add_below(Real& sum, Real part) { sum = (Interval(sum) + Interval(part)).lo(); }
-
 }  // namespace
 
 FieldOnRay::FieldOnRay(const ReferenceField& field, const Line& ray) : ray_(ray), threshold_(field.threshold()) {
@@ -111,13 +108,14 @@ Jet FieldOnRay::total(std::vector<Jet>& sums) const {
   return sums[0] - threshold_;
 }
 
-Real FieldOnRay::least_total(std::vector<Real>& sums) const {
+Ends FieldOnRay::total(std::vector<Ends>& sums) const {
   for (const auto& [maximum, has_idle] : maxima_) {
-    Real greatest = has_idle ? Real(0) : sums[maximum.rivals.front()];
-    for (const std::uint32_t branch : maximum.rivals) greatest = std::max(greatest, sums[branch]);
-    add_below(sums[maximum.parent], greatest);
+    Ends greatest = has_idle ? Ends() : sums[maximum.rivals.front()];
+    for (const std::uint32_t branch : maximum.rivals)
+      greatest = {std::max(greatest.low, sums[branch].low), std::max(greatest.high, sums[branch].high)};
+    sums[maximum.parent] = sums[maximum.parent] + greatest;
   }
-  return (Interval(sums[0]) - threshold_).lo();
+  return sums[0] + Ends{-threshold_.hi(), -threshold_.lo()};
 }
 
 Jet FieldOnRay::at(const Active& active, Real t) const {
@@ -133,7 +131,7 @@ Jet FieldOnRay::at(const Active& active, Real t) const {
 JetPair FieldOnRay::on(Active& active, const LineStretch& stretch) const {
   middles_.assign(branch_count_, {});
   overs_.assign(branch_count_, {});
-  leasts_.assign(branch_count_, 0);
+  ends_.assign(branch_count_, {});
   const Interval all = stretch.all();
   std::erase_if(active, [&](std::uint32_t i) {
     const Part& part = parts_[i];
@@ -142,14 +140,14 @@ JetPair FieldOnRay::on(Active& active, const LineStretch& stretch) const {
     if (f.over.value.magnitude() == 0) return true;
     middles_[part.branch] += f.middle;
     overs_[part.branch] += f.over;
-    add_below(leasts_[part.branch], f.least);
+    ends_[part.branch] = ends_[part.branch] + f.ends;
     return false;
   });
   if (!maxima_.empty()) {
     for (std::size_t b = 0; b < branch_count_; ++b) overs_[b] = sharpened(overs_[b], middles_[b], stretch.reach);
   }
   const Jet middle = total(middles_);
-  return {middle, sharpened(total(overs_), middle, stretch.reach), least_total(leasts_)};
+  return {middle, sharpened(total(overs_), middle, stretch.reach), total(ends_)};
 }
 
 Jet FieldOnRay::over(Real t0, Real t1) const {

@@ -70,8 +70,7 @@ class FieldOnRay {
 
   void find_maxima(const ReferenceField& field);
   [[nodiscard]] Jet total(std::vector<Jet>& sums) const;
-  /// No more than F, given as much of every sum.
-  [[nodiscard]] Real least_total(std::vector<Real>& sums) const;
+  [[nodiscard]] Ends total(std::vector<Ends>& sums) const;
 
   Line ray_;
   std::vector<Part> parts_;
@@ -80,7 +79,7 @@ class FieldOnRay {
   Interval threshold_;
   // Sums of branches, kept so that an evaluation allocates nothing.
   mutable std::vector<Jet> middles_, overs_;
-  mutable std::vector<Real> leasts_;
+  mutable std::vector<Ends> ends_;
   Real begin_ = 0, end_ = -1;
 };
 

@@ -5,7 +5,7 @@
 // With P the least Y, the integral of a falling power of Y is its greatest value times the length at most, and no more
 // than along a line of any length:
 //   ∫(P + v²)⁻³dv = (3π/8)P^(−5/2),   ∫(P + v²)^(−5/2)dv = (4/3)P⁻²,
-// times the spread.
+// times the spread; likewise ∫(P + v²)⁻²dv = (π/2)P^(−3/2), which bounds the value.
 #include "renderer/reference/reference_window.h"
 
 #include "base/check.h"
@@ -127,8 +127,20 @@ ReferenceWindow::Bounds ReferenceWindow::bounds(const View& view) const {
   if (is_quartic_) return {value, 1.5397L * length, Interval(Real(-4 * length), Real(8 * length))};
   const auto p = static_cast<Size>((epsilon_ + view.least) / kMargin);
   const Size root = std::sqrt(p) / kMargin;
+  const Size of_line = 1.5708L * spread / (p * root) * kMargin;
   const Size slope = 4 * std::min(length / (p * p * root), 1.3334L * spread / (p * p));
-  return {value, slope * kMargin, bend(std::min(length / (p * p * p), 1.1782L * spread / (p * p * root)) * kMargin)};
+  return {std::min(value, of_line), slope * kMargin,
+          bend(std::min(length / (p * p * p), 1.1782L * spread / (p * p * root)) * kMargin)};
+}
+
+/// After the length x the curve is at most far + x away, and g falls.
+Real ReferenceWindow::least(Real far, Real length) const {
+  Real most = 0;
+  for (const Real part : {(1 - far) / 2, far}) {
+    const Real x = std::min(part, length), end = (far + x) * (1 + kPlaceRounding);
+    if (x > 0 && end < 1) most = std::max(most, x * at(end * end, (1 - end) * (1 + end)).value);
+  }
+  return most * (1 - kIntegralRounding);
 }
 
 ProfileInUse line_profile(const scene::Kernel& kernel) {

@@ -53,6 +53,8 @@ class ReferenceWindow {
     Interval bend;
   };
   [[nodiscard]] Bounds bounds(const View& view) const;
+  /// No more than ∫g along this length of a curve whose beginning is at most `far` away.
+  [[nodiscard]] Real least(Real far, Real length) const;
 
  private:
   void solve_cauchy(Real hardness);

@@ -12,7 +12,7 @@ constexpr int kMostSteps = 1 << 18;
 
 void RootSearch::search(Real t0, Real t1) {
   if (!(t0 < t1)) return;
-  std::vector<Piece> open{{t0, t1, field_.all()}};
+  std::vector<Piece> open{{t0, t1, field_.all(), false}};
   while (!open.empty() && !is_done()) {
     Piece piece = std::move(open.back());
     open.pop_back();
@@ -21,17 +21,24 @@ void RootSearch::search(Real t0, Real t1) {
     const JetPair f = field_.on(piece.active, stretch);
     const Interval& values = f.over.value;
     const Real cut = stretch.middle;
-    if (const int sign = f.least > 0 ? 1 : values.sign(); sign != 0) {
+    const int sign = values.sign() != 0 ? values.sign() : f.ends.sign();
+    if (sign != 0) {
       constant(sign);
-    } else if (f.over.slope.sign() != 0) {
-      confine(piece, stretch, f);
-    } else if (values.radius() <= 16 * f.middle.value.radius() || !(piece.t0 < cut && cut < piece.t1) ||
-               piece.t1 - piece.t0 <= 16 * kRoundoff * std::max(abs(piece.t0), abs(piece.t1))) {
-      doubt(piece.t0, piece.t1);
-    } else {
-      open.push_back({cut, piece.t1, piece.active});
-      open.push_back({piece.t0, cut, std::move(piece.active)});
+      continue;
     }
+    if (f.over.slope.sign() != 0) {
+      confine(piece, stretch, f);
+      continue;
+    }
+    // Rounding at the middle may be as large as all values because of a tip just there. So the halves are looked at.
+    const bool is_lost = f.middle.value.sign() == 0 && values.radius() <= 16 * f.middle.value.radius();
+    if ((is_lost && piece.is_of_lost) || !(piece.t0 < cut && cut < piece.t1) ||
+        piece.t1 - piece.t0 <= 16 * kRoundoff * std::max(abs(piece.t0), abs(piece.t1))) {
+      doubt(piece.t0, piece.t1);
+      continue;
+    }
+    open.push_back({cut, piece.t1, piece.active, is_lost});
+    open.push_back({piece.t0, cut, std::move(piece.active), is_lost});
   }
 }
 

@@ -47,6 +47,7 @@ class RootSearch {
   struct Piece {
     Real t0, t1;
     FieldOnRay::Active active;
+    bool is_of_lost;  ///< half of a piece at whose middle F was lost in rounding
   };
 
   void confine(const Piece& piece, const LineStretch& stretch, const JetPair& f);

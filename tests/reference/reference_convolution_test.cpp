@@ -16,9 +16,9 @@ namespace isl::reference {
 namespace {
 
 /// The field at a place, and over a stretch of a line.
-Jet at(const ReferenceConvolution& field, const Line& line, long double t) { return field.of(line.at(t), true); }
+Jet at(const ReferenceConvolution& field, const Line& line, long double t) { return field.at(line.at(t)); }
 Jet over(const ReferenceConvolution& field, const Line& line, long double t0, long double t1) {
-  return field.of(line.at({t0, t1}), false);
+  return field.over(line.at({t0, t1})).jet;
 }
 Line towards(const Vector<Interval>& place) { return {place, {1, 0, 0}}; }
 
@@ -95,10 +95,12 @@ TEST(ReferenceConvolution, BoundsHoldEverySampleAndNarrowWithTheStretch) {
         const Jet range = over(field, line, t0, t1);
         const Interval whole(t0, t1);
         const Jet sharp = sharpened(range, at(field, line, whole.middle()), whole.radius());
+        const long double least = field.over(line.at(whole)).least;
         Interval slope_before(0);
         for (int k = 0; k <= 20; ++k) {
           const Jet here = at(field, line, t0 + (t1 - t0) * k / 20);
           something += here.value.hi() > 0 ? 1 : 0;
+          ASSERT_LE(least, here.value.hi());
           for (const Jet& all : {range, sharp}) {
             ASSERT_LE(all.value.lo(), here.value.hi());
             ASSERT_GE(all.value.hi(), here.value.lo());

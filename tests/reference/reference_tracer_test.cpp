@@ -69,6 +69,18 @@ TEST(ReferenceTracer, A02_DoubleRootInsideIsATouchAndNoCrossing) {
   EXPECT_CLOSE(four.crossings[2].t, 4 + x, 5e-14L);
 }
 
+TEST(ReferenceTracer, E43_LongSegmentHasItsSurfaceAtItsRadius) {
+  for (const scene::Kernel& kernel : {quartic(0.5), quartic(4), quartic(500), cauchy(0.5), cauchy(4), cauchy(500)}) {
+    for (const double half : {1e2, 1e5, 1e9}) {
+      const scene::Database limb = one_blob(convolved(kernel), {segment({-half, 0, 0}, {half, 0, 0}, 1)});
+      const RayRoots found = roots(limb, {0.25, 0, -4}, {0, 0, 1});
+      SCOPED_TRACE(testing::Message() << kernel.hardness << " " << half);
+      EXPECT_THAT(found.touches, IsEmpty());
+      expect_roots(found, {3, 5}, 1e-15L);
+    }
+  }
+}
+
 TEST(ReferenceTracer, TheSideARayComesFromTellsACrossingAtItsStartFromATouch) {
   // (1 − r²)² is 9/16 at r = 1/2, exactly: rounding hides on which side the start lies.
   const scene::Database ball = one_blob(kPovRay, {point({0, 0, 0}, 1)}, 0.5625);

@@ -21,6 +21,15 @@ WideRoots wide_roots(const scene::Database& database, const LineOfSight& line) {
   return rounded;
 }
 
+ValueAndSlope wide_error(const scene::Database& database, const LineOfSight& line, long double t,
+                         const ValueAndSlope& found) {
+  const wide_reference::ReferenceField field(database, database.blobs.front());
+  const wide_reference::Jet known = wide_reference::FieldOnRay(field, {wide_reference::interval_of(line.origin),
+                                                                       wide_reference::interval_of(line.direction)})
+                                        .at(t);
+  return {(known.value - Interval(found.value)).magnitude(), (known.slope - Interval(found.slope)).magnitude()};
+}
+
 double wide_kernel_error(const scene::Kernel& kernel) {
   const wide_reference::ReferenceKernel profile(kernel);
   const Interval one(1);

@@ -24,6 +24,15 @@ struct WideRoots {
 /// All roots of the database's first blob along a line in the blob's space.
 [[nodiscard]] WideRoots wide_roots(const scene::Database& database, const LineOfSight& line);
 
+/// F of the database's first blob at a place of a line, and its slope along the line.
+struct ValueAndSlope {
+  long double value, slope;
+};
+
+/// How far these are from the true ones.
+[[nodiscard]] ValueAndSlope wide_error(const scene::Database& database, const LineOfSight& line, long double t,
+                                       const ValueAndSlope& found);
+
 /// The greatest of |φ(1) − 1| and |φ′(1)/h + 1| that the kernel's enclosures allow; infinite if they exclude that both
 /// are zero. Precondition: the radius means the surface.
 [[nodiscard]] double wide_kernel_error(const scene::Kernel& kernel);

@@ -63,6 +63,43 @@ TEST(WideReference, KernelsAreRightTo28Digits) {
   }
 }
 
+/// Segments up to 10⁹ times as long as they are thick, along axes of space and askew, and rings from a thousandth to
+/// 10⁶ times as wide. Along an axis the length costs no digit.
+TEST(WideReference, HoldsWhatLongDoubleSaysOfConvolvedCurvesWithinItsBounds) {
+  RandomSource random(5);
+  int on_curve = 0;
+  for (const double hardness : {0.5, 4.0, 60.0, 300.0}) {
+    for (const scene::Kernel& kernel : {convolved(quartic(hardness)), convolved(cauchy(hardness))}) {
+      for (int i = 0; i < 120; ++i) {
+        const bool is_askew = i % 3 == 0, is_ring = i % 3 == 1;
+        const scene::Vec3 aside = random.direction(), along = is_askew ? random.direction() : scene::Vec3(1, 0, 0);
+        const double size = std::pow(10, is_ring ? random.between(-3, 6) : random.between(-1, 9));
+        // A place on the curve is at the origin, one of a segment anywhere between its ends.
+        const scene::Vec3 start = along * (-size * random.unit());
+        const scene::Component curve = is_ring ? circle(along.cross(aside).normalized() * size, along, size, 1)
+                                               : segment(start, start + along * size, 1);
+        const scene::Database database = one_blob(kernel, {curve});
+        const LineOfSight line = random_line(random, 4, 1.5);
+        const ReferenceField field(database, database.blobs.front());
+        const FieldOnRay on_line(field, {interval_of(line.origin), interval_of(line.direction)});
+        for (int k = 0; k < 5; ++k) {
+          const long double t = random.between(2.5, 5.5);
+          const Jet here = on_line.at(t);
+          const ValueAndSlope error = wide_error(database, line, t, {here.value.middle(), here.slope.middle()});
+          SCOPED_TRACE(testing::Message() << "hardness " << hardness << ", curve " << i << ", size " << size);
+          EXPECT_LE(error.value, here.value.radius());
+          EXPECT_LE(error.slope, here.slope.radius());
+          if (here.value.middle() <= -1) continue;
+          ++on_curve;
+          if (is_askew || is_ring) continue;
+          EXPECT_LE(here.value.radius(), 1e-14L * hardness * (1 + here.value.magnitude()));
+        }
+      }
+    }
+  }
+  EXPECT_GT(on_curve, 1000);
+}
+
 /// Lines that are integrated numerically; those near the border are a difference of nearly equal terms.
 TEST(WideReference, ConvolvedLinesAreRightTo27Digits) {
   for (const double hardness : {0.4, 4.0, 60.0}) {
