@@ -13,30 +13,33 @@ namespace isl::ISL_REFERENCE {
 /// Half the number of Gauss's nodes in a panel.
 inline constexpr std::size_t kHalf = kDigits == 113 ? 16 : 10;
 
-/// The positive nodes and the weights of Gauss's rule on [−1, 1]. The nodes are the zeros of Legendre's polynomial of
-/// degree 2·kHalf, which Newton's method finds from the zeros of a cosine near by; the weights are
-/// 2/((1 − x²)P′(x)²).
+/// The positive nodes and the weights of Gauss's rule on [−1, 1] with n = 2·kHalf nodes, from Legendre's polynomials up
+/// to that degree. The nodes are the zeros of Pₙ, whose slope is the sum of (2k + 1)P_k over k = n − 1, n − 3, …;
+/// Newton's method finds them from the zeros of a cosine near by. A weight is 2 over the sum of (2k + 1)P_k² over all
+/// k < n (Christoffel's numbers), whose terms do not cancel.
 struct GaussRule {
   std::array<Real, kHalf> nodes{}, weights{};
 
   GaussRule() {
-    constexpr auto degree = static_cast<int>(2 * kHalf);
+    constexpr std::size_t kNodes = 2 * kHalf;
     const Real pi = 4 * asin(sqrt(Real(0.5L)));
+    std::array<Real, kNodes + 1> p{1};
     for (std::size_t i = 0; i < kHalf; ++i) {
-      Real x = cos(pi * (static_cast<Real>(i) + 0.75L) / (degree + 0.5L)), slope = 1;
+      Real x = cos(pi * (static_cast<Real>(i) + 0.75L) / (kNodes + 0.5L)), squares = 0;
       for (int newton = 0; newton < 8; ++newton) {
-        // k P_k = (2k − 1) x P_{k−1} − (k − 1) P_{k−2}, and (1 − x²) P_n′ = n (P_{n−1} − x P_n).
-        Real before = 1, value = x;
-        for (int k = 2; k <= degree; ++k) {
-          const Real next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
-          before = value;
-          value = next;
+        p[1] = x;
+        Real slope = 0;
+        squares = 1;
+        for (std::size_t k = 1; k < kNodes; ++k) {
+          const auto odd = static_cast<Real>(2 * k + 1);
+          p[k + 1] = (odd * x * p[k] - static_cast<Real>(k) * p[k - 1]) / static_cast<Real>(k + 1);
+          squares += odd * p[k] * p[k];
+          if (k % 2 == 1) slope += odd * p[k];
         }
-        slope = degree * (before - x * value) / ((1 - x) * (1 + x));
-        x -= value / slope;
+        x -= p[kNodes] / slope;
       }
       nodes[i] = x;
-      weights[i] = 2 / ((1 - x) * (1 + x) * slope * slope);
+      weights[i] = 2 / squares;
     }
   }
 };

@@ -13,47 +13,35 @@
 #define ISL_REFERENCE reference
 #endif
 
+/// The library's functions that the reference calls.
+#define ISL_REFERENCE_FUNCTIONS(function)                                                                \
+  function(sqrt) function(exp) function(expm1) function(log) function(log1p) function(sin) function(cos) \
+      function(asin) function(asinh)
+
 namespace isl::ISL_REFERENCE {
 
 #ifdef ISL_WIDE_REFERENCE
-
 /// Computed in software, some thirty times as slowly.
 __extension__ typedef __float128 Real;  // NOLINT: only a typedef can be marked as an extension
-
 inline constexpr int kDigits = 113;
 
-// The standard library's functions would convert to a shorter type.
-[[nodiscard]] inline Real abs(Real x) { return x < 0 ? -x : x; }
-[[nodiscard]] inline Real sqrt(Real x) { return sqrtf128(x); }
+// Those of the standard library would convert to a shorter type.
+#define ISL_WIDE(name) \
+  [[nodiscard]] inline Real name(Real x) { return name##f128(x); }
+ISL_REFERENCE_FUNCTIONS(ISL_WIDE)
+#undef ISL_WIDE
 [[nodiscard]] inline Real hypot(Real x, Real y) { return hypotf128(x, y); }
-[[nodiscard]] inline Real exp(Real x) { return expf128(x); }
-[[nodiscard]] inline Real expm1(Real x) { return expm1f128(x); }
-[[nodiscard]] inline Real log(Real x) { return logf128(x); }
-[[nodiscard]] inline Real log1p(Real x) { return log1pf128(x); }
-[[nodiscard]] inline Real sin(Real x) { return sinf128(x); }
-[[nodiscard]] inline Real cos(Real x) { return cosf128(x); }
-[[nodiscard]] inline Real asin(Real x) { return asinf128(x); }
-[[nodiscard]] inline Real asinh(Real x) { return asinhf128(x); }
-
+[[nodiscard]] inline Real abs(Real x) { return x < 0 ? -x : x; }
 #else
-
 using Real = long double;
-
 inline constexpr int kDigits = std::numeric_limits<Real>::digits;
-static_assert(kDigits >= 64, "the reference needs an 80-bit long double");
+static_assert(kDigits >= 64, "a long double of 80 bits is expected");
 
+#define ISL_LONG(name) using std::name;
+ISL_REFERENCE_FUNCTIONS(ISL_LONG)
+#undef ISL_LONG
 using std::abs;
-using std::asin;
-using std::asinh;
-using std::cos;
-using std::exp;
-using std::expm1;
 using std::hypot;
-using std::log;
-using std::log1p;
-using std::sin;
-using std::sqrt;
-
 #endif
 
 /// Errors and radii need few digits, but as many exponents.
@@ -66,3 +54,5 @@ inline constexpr Size kRoundoff = kDigits == 113 ? 0x1p-113L : 0x1p-64L;
 inline constexpr Real kInfiniteReal = std::numeric_limits<double>::infinity();
 
 }  // namespace isl::ISL_REFERENCE
+
+#undef ISL_REFERENCE_FUNCTIONS

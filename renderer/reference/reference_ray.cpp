@@ -7,20 +7,14 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-/// Where a line can be inside a ball about `centre`. Nothing if it passes.
+/// Where a line can be inside a ball about `centre`. Nothing if it passes at a distance of |w × d|/|d| that is greater.
 std::optional<ReferenceSkeleton::Stretch> within_ball(const Line& line, const Vector<Real>& centre, Real radius) {
-  const auto middle = [](const Vector<Interval>& v) { return Vector<Real>{v.x.middle(), v.y.middle(), v.z.middle()}; };
-  const auto spread = [](const Vector<Interval>& v) { return v.x.width() + v.y.width() + v.z.width(); };
-  const Vector<Real> w = middle(line.origin) - centre, d = middle(line.direction);
-  const Real length_squared = squared_length(d), length = sqrt(length_squared), far = sqrt(squared_length(w));
-  const Real nearest = -dot(w, d) / length_squared;
-  // The true line is off by the widths of its intervals, where a large shift cancels, and 2^-50 of the lengths involved
-  // covers the rounding of these lines with 13 bits to spare.
-  const Real slack = (far + radius) * 0x1p-50L + spread(line.origin) + spread(line.direction) * (far / length);
-  const Real half_squared = square(radius + slack) - squared_length(w + d * nearest);
-  if (half_squared < 0) return std::nullopt;
-  const Real half = (sqrt(half_squared) + slack) / length;
-  return ReferenceSkeleton::Stretch{nearest - half, nearest + half};
+  const Vector<Interval> w = line.origin - Vector<Interval>{centre.x, centre.y, centre.z}, &d = line.direction;
+  const Interval speed2 = squared_length(d), passing2 = squared_length(cross(w, d)) / speed2;
+  const Interval chord2 = square(Interval(radius)) - passing2;
+  if (chord2.hi() < 0) return std::nullopt;
+  const Interval nearest = -dot(w, d) / speed2, half = square_root(Interval(chord2.hi()) / speed2);
+  return ReferenceSkeleton::Stretch{(nearest - half).lo(), (nearest + half).hi()};
 }
 
 /// The greatest of several functions: where each of several may be it, the slope is between theirs, and jumps.

@@ -8,14 +8,19 @@
 namespace isl::ISL_REFERENCE {
 namespace {
 
-/// Leaves the root at t = 0. Returns the t up to which F keeps the sign it gets there, or where the sign can no longer
-/// be decided.
+/// Leaves the root at t = 0. Returns the t up to which F keeps the sign that it gets there, or can get any.
 Real leave_start(const FieldOnRay& field, RootSearch& search, Real end) {
-  for (int halving = 0; halving < 100; ++halving, end /= 2) {
-    const int sign = field.over(0, end).slope.sign();
-    if (sign == 0) continue;
-    search.constant(sign);
-    return end;
+  const Jet start = field.at(0);
+  constexpr int kMostHalvings = 100;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    // F(t)/t is a mean of slopes, and F′(0) + ½F″t for some F″ before t.
+    const Jet whole = field.over(0, end);
+    const int sign = common(whole.slope, start.slope + whole.bend * Interval(0, end / 2)).sign();
+    if (sign != 0) {
+      search.constant(sign);
+      return end;
+    }
+    end /= 2;
   }
   search.doubt(0, end);
   return end;

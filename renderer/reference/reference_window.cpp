@@ -88,15 +88,17 @@ void ReferenceWindow::solve_cauchy(Real hardness) {
   solved.emplace(hardness, *this);
 }
 
-/// There −y∫g′/∫g = h; the left side rises from 0 on the line. It is solved for ln(y/(1 − y)), because soft windows of
-/// small ε have it far within, and by logarithms, which are nearly straight there.
+/// On a line's surface φ = 1 and −qφ′ = h, of any amplitude −y∫g′ = h∫g. The quotient rises from 0 on the line without
+/// bound towards the border. The odds y : (1 − y) are searched for, since soft windows of small ε have the surface far
+/// within, and their logarithm, in which that of the quotient is nearly straight.
 Real ReferenceWindow::surface(Real hardness) const {
-  const auto place = [](Real u) { return 1 / (1 + exp(-u)); };
-  return place(root_of(-800, 40, [&](Real u) {
-    const Real y = place(u);
-    const Values here = line(y);
-    return log(hardness * here.value / (y * here.fall));
-  }));
+  const auto at_odds = [](Real odds) { return odds / (1 + odds); };
+  const Real log_odds = root_of(-800, 40, [&](Real log_of_odds) {
+    const Real y = at_odds(exp(log_of_odds));
+    const Values on_line = line(y);
+    return log(hardness) - log(y * on_line.fall / on_line.value);
+  });
+  return at_odds(exp(log_odds));
 }
 
 ReferenceWindow::Values ReferenceWindow::at(Real y, Real to_border) const {
