@@ -195,7 +195,7 @@ TEST(IncludeRules, ForbidLookingForwardAndSideways) {
   EXPECT_TRUE(is_forbidden("renderer/reference/interval.h", "#include \"renderer/extended/interval.h\""));
   EXPECT_TRUE(is_forbidden("renderer/reference/interval.h", "#include \"renderer/numerics/sums.h\""));
   EXPECT_FALSE(is_forbidden("renderer/reference/interval.h", "#include \"renderer/scene/database.h\""));
-  EXPECT_FALSE(is_forbidden("renderer/accuracy/reference_hits.h", "#include \"renderer/reference/ball_tree.h\""));
+  EXPECT_FALSE(is_forbidden("renderer/accuracy/reference_hits.h", "#include \"renderer/reference/box_tree.h\""));
   EXPECT_FALSE(is_forbidden("renderer/image/exr_plugin.cpp", "#include <OpenEXR/ImfHeader.h>"));
   EXPECT_FALSE(is_forbidden("renderer/image/image_plugin.cpp", "#include <OpenImageIO/imageio.h>"));
   EXPECT_FALSE(is_forbidden("renderer/trace/tracer.cpp", "#include \"renderer/scene/database.h\""));
