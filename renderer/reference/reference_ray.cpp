@@ -48,7 +48,7 @@ FieldOnRay::FieldOnRay(const ReferenceField& field, const Line& ray) : ray_(ray)
     }
     begin_ = parts_.empty() ? change->begin : std::min(begin_, change->begin);
     end_ = parts_.empty() ? change->end : std::max(end_, change->end);
-    parts_.push_back(std::move(part));
+    parts_.push_back(part);
   }
   if (field.is_unblended()) {
     // Every component is the only one of its branch. What the ray does not meet is zero, as it is far away from all.
