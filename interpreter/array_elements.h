@@ -23,7 +23,7 @@ class ArrayElements {
   /// Bytes of so many elements without slots.
   [[nodiscard]] static std::size_t bytes_of(std::size_t elements) { return elements * sizeof(double); }
   /// Bytes of these elements without the slots themselves.
-  [[nodiscard]] std::size_t bytes() const { return bytes_of(size()) + slots_.size() * sizeof(Slot*); }
+  [[nodiscard]] std::size_t bytes() const { return bytes_of(size()) + slots_.size() * sizeof(void*); }
 
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
   /// Makes it longer; the new elements are not set.
@@ -52,7 +52,7 @@ class ArrayElements {
   /// The element's slot, made if there is none.
   [[nodiscard]] Slot& slot(std::size_t i);
   /// Bytes that the next slot takes.
-  [[nodiscard]] std::size_t bytes_of_slot() const { return kSlotBytes + (slots_.empty() ? size() * sizeof(Slot*) : 0); }
+  [[nodiscard]] std::size_t bytes_of_slot() const { return kSlotBytes + (slots_.empty() ? size() * sizeof(void*) : 0); }
 
   /// Calls `visit` with the place and the slot of each element that has one, until it returns false.
   template <class Visit>

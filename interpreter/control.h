@@ -1,6 +1,7 @@
 // Conditions, loops and #switch: they choose the frame that runs next. They evaluate only their own conditions.
 #pragma once
 
+#include "interpreter/arithmetic.h"
 #include "interpreter/context.h"
 
 namespace isl::interpreter {

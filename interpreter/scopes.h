@@ -43,8 +43,8 @@ class SlotPool {
       free_ = slot;
     }
   }
-  /// Releases the slots of a container (containers.h), null or not. Containers among their values are destroyed from a list, so that
-  /// however deep containers are within containers, they take no stack.
+  /// Releases the slots of a container (containers.h), null or not. Containers among their values are destroyed from a
+  /// list, so that however deep containers are within containers, they take no stack.
   void release_elements(const std::vector<Slot*>& elements);
 
  private:

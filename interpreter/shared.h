@@ -1,5 +1,5 @@
-// Intrusively counted objects that values point to, immutable while they are shared. One evaluation runs on one thread, so the
-// count is a plain integer. Knows nothing of the language.
+// Intrusively counted objects that values point to, immutable while they are shared. One evaluation runs on one thread,
+// so the count is a plain integer. Knows nothing of the language.
 #pragma once
 
 #include <cstdint>

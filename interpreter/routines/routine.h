@@ -23,8 +23,8 @@ struct Operation {
     const grammar::Node* node;       ///< for operations that the evaluator does
     const NumberFunction* function;  ///< for calls
   };
-  std::uint32_t a, b;         ///< operands: a register, a constant or a symbol, as `perform` takes them
-  std::uint32_t to;           ///< register of the result
+  std::uint32_t a, b;  ///< operands: a register, a constant or a symbol, as `perform` takes them
+  std::uint32_t to;    ///< register of the result
   /// Place of another operation, relative to this one: where a jump leads, or the evaluator's way of doing the
   /// statement where an operand is no number.
   std::int32_t other;

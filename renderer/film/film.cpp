@@ -76,7 +76,8 @@ std::uint64_t Film::count(const PixelRect& window, Certainty certainty) const {
 
 void Film::set_mean(std::size_t pixel, const double* sum, double* mean) const {
   const std::uint32_t lost = lost_.of(pixel), count = counts_[pixel] - lost;
-  for (std::size_t i = 0; i < 4; ++i) mean[i] = count <= 1 ? sum[i] : sum[i] / count;
+  const double divisor = std::max(count, 1U);
+  for (std::size_t i = 0; i < 4; ++i) mean[i] = sum[i] / divisor;
   if (count == 0 && lost != 0) mean[3] = 1;
 }
 
@@ -129,6 +130,7 @@ Image Film::develop(const PixelRect& window, int full_width, int full_height, bo
       convert(mean);
       // The numbers of files end there.
       constexpr double kMost = std::numeric_limits<float>::max();
+      if (std::abs(mean[0]) + std::abs(mean[1]) + std::abs(mean[2]) < kMost) continue;
       for (std::size_t i = 0; i < 3; ++i) mean[i] = std::clamp(mean[i], -kMost, kMost);
     }
   });

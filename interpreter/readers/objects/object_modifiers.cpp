@@ -75,6 +75,8 @@ const scene::Group* group_of(const ElementStream& stream, const ObjectDraft& dra
 /// True if POV-Ray finds the object's surface by solving polynomials, so that it takes `sturm`.
 bool takes_sturm(const ElementStream& stream, const ObjectDraft& draft) {
   if (draft.object.kind == Object::Kind::blob) return true;
+  // A spindle torus is a group of its parts.
+  if (stream.word() == word::kw_torus) return true;
   if (draft.object.kind != Object::Kind::solid || draft.object.shape == scene::kNone) return false;
   return scene::traits_of(stream.context().database.solids[draft.object.shape].kind).takes_sturm;
 }

@@ -118,8 +118,8 @@ void read_box(ElementStream& stream, ObjectDraft& draft) {
 
 namespace {
 
-/// The words that say which parts of a spindle torus count, as POV-Ray 3.8 has them: all of it, as without a word; all
-/// surfaces, its own within too; all but the spindle; the spindle alone.
+/// The words that say which parts of a spindle torus count, as POV-Ray 3.8 has them: all of it; all surfaces, its own
+/// within too, as without a word; all but the spindle; the spindle alone.
 constexpr grammar::Symbol kSpindleWords[] = {word::kw_merge, word::kw_union, word::kw_difference,
                                              word::kw_intersection};
 
@@ -163,9 +163,9 @@ void read_torus(ElementStream& stream, ObjectDraft& draft) {
   stream.accept_comma();
   solid.radius_b = read_radius(stream, "the minor radius of the torus");
   if (solid.radius_b == 0) return leave_out(stream, draft, "this torus has the minor radius 0");
-  const std::optional<grammar::Symbol> part = accept_spindle_word(stream);
+  const grammar::Symbol part = accept_spindle_word(stream).value_or(word::kw_union);
   const bool has_spindle = solid.radius_b > solid.radius_a;
-  if (part && has_spindle && solid.radius_a > 0) return add_spindle_torus(stream, draft, solid, *part);
+  if (has_spindle && solid.radius_a > 0) return add_spindle_torus(stream, draft, solid, part);
   add_solid(stream, draft, solid);
 }
 

@@ -1,5 +1,5 @@
 // The parts of a torus whose minor radius is the greater; other tori have none.
-torus { 0.5, 1 }
+torus { 0.5, 1 sturm }
 torus { 0.5, 1 merge pigment { rgb 1 } }
 torus { 0.5, 1 intersection }
 torus { 0.5, 1 difference translate x }

@@ -181,7 +181,7 @@ TEST(InsidesByBoxes, are_those_of_all_members_of_a_group) {
   }
   EXPECT_GT(all.answers[0], 10000);
   EXPECT_GT(all.answers[1], 10000);
-  EXPECT_GT(all.borders, 1000);
+  EXPECT_GT(all.borders, 500);
 }
 
 TEST(InsidesByBoxes, of_a_point_that_is_no_number_stay_what_they_are) {
