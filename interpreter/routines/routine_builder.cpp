@@ -1,14 +1,11 @@
 #include "interpreter/routines/routine_builder.h"
 
-#include "interpreter/operators.h"
-#include "interpreter/routines/operations.h"
+#include "interpreter/routines/building.h"
 
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
 namespace isl::interpreter {
-namespace {
 
 using grammar::as;
 using grammar::Items;
@@ -18,12 +15,9 @@ using grammar::Symbol;
 namespace op = operations;
 namespace word = grammar::word;
 
-constexpr Source kRegister = Source::register_;
+namespace {
 
-struct Operand {
-  Source source;
-  std::uint32_t index;
-};
+constexpr Source kRegister = Source::register_;
 
 /// An argument of a call of this function with so many arguments, if it is one expression; else null.
 const Node* lone_argument(const grammar::FunctionCall& call, Symbol function, std::size_t i, std::size_t count) {
@@ -31,87 +25,7 @@ const Node* lone_argument(const grammar::FunctionCall& call, Symbol function, st
   return is_one ? call.arguments[i].front() : nullptr;
 }
 
-class RoutineBuilder {
- public:
-  RoutineBuilder(Context& context, bool is_macro) : context_(context), is_macro_(is_macro) {}
-
-  /// Each is false if the routine cannot have such an item.
-  [[nodiscard]] bool add_items(Items items, bool is_last);
-  [[nodiscard]] bool add_loop(const Node& loop);
-  [[nodiscard]] Routine finish();
-
- private:
-  using Index = std::size_t;
-
-  /// The evaluator's way of a statement whose operations lie in [begin, end), or of the one at `end` alone. It goes on
-  /// at `end`.
-  struct Detour {
-    Index begin, end;
-    Operation operation;
-  };
-
-  /// The operation of the binary operator that was added last.
-  struct LastOperator {
-    Index at;
-    grammar::BinaryOp op;
-    Source left, right;
-  };
-
-  // ---- Statements ---------------------------------------------------------------------------------------------------
-
-  [[nodiscard]] bool add_declaration(const grammar::Declare& node);
-  /// `#declare Name = concat(Name, …)` with a string at hand or a character.
-  [[nodiscard]] bool add_append(const grammar::Declare& node, const Node& only);
-  void add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin);
-  [[nodiscard]] bool add_element_declaration(const grammar::Declare& node, const Operand& value);
-  [[nodiscard]] bool add_branches(Index otherwise_jump, Items then, Items otherwise, bool is_last);
-  [[nodiscard]] bool add_if(const grammar::If& node, bool is_last);
-  [[nodiscard]] bool add_ifdef(const grammar::Ifdef& node, bool is_last);
-  [[nodiscard]] bool add_while(const grammar::While& node);
-  [[nodiscard]] bool add_for(const grammar::For& node);
-  [[nodiscard]] bool add_break();
-  void add_yield(const Node& node);
-
-  // ---- Numbers ------------------------------------------------------------------------------------------------------
-
-  /// Adds the operations for a number and tells where it is; none if the evaluator must do it. New registers begin at
-  /// the present number.
-  [[nodiscard]] std::optional<Operand> number(const Node& node);
-  [[nodiscard]] std::optional<Operand> number_of_binary(const grammar::Binary& node);
-  [[nodiscard]] std::optional<Operand> number_of_conditional(const grammar::Conditional& node);
-  [[nodiscard]] std::optional<Operand> number_of_call(const grammar::FunctionCall& node);
-  [[nodiscard]] std::optional<Operand> number_of_constant(const grammar::Constant& node);
-  /// The same in the register `to`.
-  [[nodiscard]] bool number_in(const Node& node, std::uint32_t to);
-  /// The number in the register `to`, by the evaluator if need be.
-  void add_number_in(const Node& node, std::uint32_t to);
-  [[nodiscard]] Operand constant(double value);
-  /// The name of a one-dimensional array and its subscript, or null.
-  [[nodiscard]] static const grammar::Name* name_of_list(const Node& target);
-
-  // ---- The list -----------------------------------------------------------------------------------------------------
-
-  [[nodiscard]] Index here() const { return routine_.operations.size(); }
-  Index add(Perform perform, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t to = 0);
-  Index add(Perform perform, const Node& node, std::uint32_t to = 0);
-  void set_other(Index at, Index target);
-  /// The operation `at` goes to here.
-  void land(Index at) { set_other(at, here()); }
-  [[nodiscard]] std::uint32_t symbol(Symbol name);
-  /// The next register, or none if there are no more.
-  [[nodiscard]] bool has_register() const { return registers_ < Machine::kRegisters; }
-  /// Takes back what was added since `begin`: the evaluator does it.
-  void take_back(Index begin) { routine_.operations.resize(begin); }
-
-  Context& context_;
-  const bool is_macro_;
-  Routine routine_;
-  std::vector<Detour> detours_;
-  LastOperator last_operator_{};
-  std::uint32_t registers_ = 0;             ///< in use
-  std::vector<std::vector<Index>> breaks_;  ///< of each loop around: the jumps out of it
-  std::vector<Index> returns_;              ///< #break outside loops
-};
+}  // namespace
 
 // ---- The list -------------------------------------------------------------------------------------------------------
 
@@ -193,7 +107,7 @@ bool RoutineBuilder::add_declaration(const grammar::Declare& node) {
     detours_.push_back({begin, here(), {op::evaluate_declaration(), &node, 0, 0, 0, 0}});
     return true;
   }
-  std::optional<Operand> value = number(*only);
+  std::optional<NumberPlace> value = number(*only);
   if (value && node.target->kind == NodeKind::name) {
     add_name_declaration(node, *value, begin);
   } else if (!value || !add_element_declaration(node, *value)) {
@@ -235,7 +149,7 @@ bool RoutineBuilder::add_append(const grammar::Declare& node, const Node& only) 
   return true;
 }
 
-void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const Operand& value, Index begin) {
+void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const NumberPlace& value, Index begin) {
   const std::uint32_t name = symbol(as<grammar::Name>(*node.target).name);
   const bool is_of_operator = here() > begin && last_operator_.at == here() - 1 && !node.local;
   if (!is_of_operator) {
@@ -247,11 +161,11 @@ void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const Op
   last.to = name;
 }
 
-bool RoutineBuilder::add_element_declaration(const grammar::Declare& node, const Operand& value) {
+bool RoutineBuilder::add_element_declaration(const grammar::Declare& node, const NumberPlace& value) {
   const grammar::Name* const list = name_of_list(*node.target);
   if (value.source == kRegister) ++registers_;
   if (!list || !has_register()) return false;
-  const std::optional<Operand> index = number(*as<grammar::Index>(*node.target).subscript);
+  const std::optional<NumberPlace> index = number(*as<grammar::Index>(*node.target).subscript);
   if (!index) return false;
   add(op::declare_element(value.source, index->source), value.index, symbol(list->name), index->index);
   return true;
@@ -330,7 +244,7 @@ void RoutineBuilder::add_yield(const Node& node) {
   routine_.yields = true;
   const Index begin = here();
   const Operation detour{op::evaluate_yield(), &node, 0, 0, 0, 0};
-  if (const std::optional<Operand> value = number(node)) {
+  if (const std::optional<NumberPlace> value = number(node)) {
     add(op::yield(value->source), value->index);
     detours_.push_back({begin, here(), detour});
   } else {
@@ -339,138 +253,7 @@ void RoutineBuilder::add_yield(const Node& node) {
   }
 }
 
-// ---- Numbers --------------------------------------------------------------------------------------------------------
-
-void RoutineBuilder::add_number_in(const Node& node, std::uint32_t to) {
-  const Index begin = here();
-  if (number_in(node, to)) {
-    detours_.push_back({begin, here(), {op::evaluate_number(), &node, 0, 0, to, 0}});
-  } else {
-    take_back(begin);
-    land(add(op::evaluate_number(), node, to));
-  }
-}
-
-bool RoutineBuilder::number_in(const Node& node, std::uint32_t to) {
-  const std::uint32_t registers = std::exchange(registers_, to);
-  const std::optional<Operand> value = number(node);
-  registers_ = registers;
-  if (!value) return false;
-  if (value->source != kRegister || value->index != to) add(op::load(value->source), value->index, 0, to);
-  return true;
-}
-
-Operand RoutineBuilder::constant(double value) {
-  routine_.constants.push_back(value);
-  return {Source::constant, static_cast<std::uint32_t>(routine_.constants.size() - 1)};
-}
-
-const grammar::Name* RoutineBuilder::name_of_list(const Node& target) {
-  if (target.kind != NodeKind::index) return nullptr;
-  const Node& base = *as<grammar::Index>(target).base;
-  return base.kind == NodeKind::name ? &as<grammar::Name>(base) : nullptr;
-}
-
-std::optional<Operand> RoutineBuilder::number(const Node& node) {
-  const std::uint32_t to = registers_;
-  if (!has_register()) return {};
-  switch (node.kind) {
-    case NodeKind::number: return constant(as<grammar::Number>(node).value);
-    case NodeKind::name: return Operand{Source::name, symbol(as<grammar::Name>(node).name)};
-    case NodeKind::constant: return number_of_constant(as<grammar::Constant>(node));
-    case NodeKind::binary: return number_of_binary(as<grammar::Binary>(node));
-    case NodeKind::conditional: return number_of_conditional(as<grammar::Conditional>(node));
-    case NodeKind::function_call: return number_of_call(as<grammar::FunctionCall>(node));
-    case NodeKind::dot: {
-      const auto& dot = as<grammar::Dot>(node);
-      const int term = term_of_item(dot.item);
-      if (dot.base->kind != NodeKind::name || term < 0) return {};
-      add(op::item(), symbol(as<grammar::Name>(*dot.base).name), static_cast<std::uint32_t>(term), to);
-      return Operand{kRegister, to};
-    }
-    case NodeKind::index: {
-      const grammar::Name* const list = name_of_list(node);
-      const std::optional<Operand> index = list ? number(*as<grammar::Index>(node).subscript) : std::nullopt;
-      if (!index) return {};
-      add(op::element(index->source), index->index, symbol(list->name), to);
-      return Operand{kRegister, to};
-    }
-    case NodeKind::unary: {
-      const auto& unary = as<grammar::Unary>(node);
-      if (unary.negative) return constant(*unary.negative);
-      const std::optional<Operand> operand = number(*unary.operand);
-      if (!operand) return {};
-      add(op::unary(unary.op, operand->source), operand->index, 0, to);
-      return Operand{kRegister, to};
-    }
-    default: return {};
-  }
-}
-
-std::optional<Operand> RoutineBuilder::number_of_constant(const grammar::Constant& node) {
-  switch (static_cast<word::Index>(node.word)) {
-    case word::kIndex_pi: return constant(std::numbers::pi);
-    case word::kIndex_yes:
-    case word::kIndex_on:
-    case word::kIndex_true: return constant(1);
-    case word::kIndex_no:
-    case word::kIndex_off:
-    case word::kIndex_false: return constant(0);
-    default: return {};
-  }
-}
-
-std::optional<Operand> RoutineBuilder::number_of_binary(const grammar::Binary& node) {
-  const std::uint32_t to = registers_;
-  // With a literal it is a comparison of strings, or a mistake.
-  if (node.left->kind == NodeKind::string || node.right->kind == NodeKind::string) {
-    add(op::compare_texts(), node, to);
-    return Operand{kRegister, to};
-  }
-  const std::optional<Operand> left = number(*node.left);
-  if (!left) return {};
-  // The right side must leave the left one's register alone.
-  if (left->source == kRegister) ++registers_;
-  const std::optional<Operand> right = number(*node.right);
-  registers_ = to;
-  if (!right) return {};
-  add(op::binary(node.op, left->source, right->source), left->index, right->index, to);
-  last_operator_ = {here() - 1, node.op, left->source, right->source};
-  return Operand{kRegister, to};
-}
-
-std::optional<Operand> RoutineBuilder::number_of_conditional(const grammar::Conditional& node) {
-  const std::uint32_t to = registers_;
-  if (to + 3 > Machine::kRegisters) return {};
-  if (!number_in(*node.condition, to)) return {};
-  registers_ = to + 1;
-  const bool has_yes = number_in(*node.yes, to + 1);
-  registers_ = to + 2;
-  const bool has_both = has_yes && number_in(*node.no, to + 2);
-  registers_ = to;
-  if (!has_both) return {};
-  add(op::choose(), to + 1, to + 2, to);
-  return Operand{kRegister, to};
-}
-
-std::optional<Operand> RoutineBuilder::number_of_call(const grammar::FunctionCall& node) {
-  const NumberFunction* const function = number_function(node.function);
-  const std::uint32_t to = registers_;
-  if (!function || node.arguments.size() != function->arguments) return {};
-  if (to + node.arguments.size() > Machine::kRegisters) return {};
-  for (const grammar::Argument& argument : node.arguments) {
-    const bool is_plain = argument.size() == 1 && number_in(*argument[0], registers_);
-    if (!is_plain) {
-      registers_ = to;
-      return {};
-    }
-    ++registers_;
-  }
-  registers_ = to;
-  const Index at = add(op::call(), to, 0, to);
-  routine_.operations[at].function = function;
-  return Operand{kRegister, to};
-}
+namespace {
 
 [[nodiscard]] std::optional<Routine> charged(Context& context, RoutineBuilder& builder, SourceSpan span) {
   Routine routine = builder.finish();

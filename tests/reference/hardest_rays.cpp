@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 
 namespace isl::reference {
@@ -58,6 +59,7 @@ int trace_with_each(std::uint64_t seed, std::uint64_t rays, std::uint64_t bound)
     const Most most = trace_hardest(solver, seed, rays, bound);
     fmt::print("{:12}{:>8}{:>10}{:>12}{:>13}{:>12.2f}{:>8.1f}\n", solver.word, most.rays, most.spent, most.steps,
                most.evaluations, most.milliseconds, most.seconds);
+    std::fflush(stdout);
     is_bounded = is_bounded && most.steps <= bound && most.evaluations <= bound + kEvaluationsBeyondBound;
   }
   return is_bounded ? 0 : 1;
