@@ -11,7 +11,7 @@
 
 namespace isl::interpreter {
 
-/// Where a number is when it is needed.
+/// The place of an operand: the name, register or constant that holds the number.
 struct NumberPlace {
   Source source;
   std::uint32_t index;

@@ -68,7 +68,7 @@ struct Load {
   }
 };
 
-/// Where a declared name holds no number yet.
+/// Declares a name that holds no number yet.
 template <bool is_local>
 [[gnu::noinline]] const Operation* declare_anew(Machine& machine, const Operation* at, Symbol name, double number) {
   Slot& slot = is_local ? machine.scopes.local(name) : machine.scopes.declare(name);
@@ -86,7 +86,7 @@ const Operation* declare_number(Machine& machine, const Operation* at, Symbol na
   return next(machine, at + 1);
 }
 
-/// Where the result of a binary operator goes, by `to`.
+/// These two put the result of a binary operator into the place `to`.
 struct ToRegister {
   static const Operation* put(Machine& machine, const Operation* at, double result) {
     machine.registers[at->to] = result;
@@ -342,7 +342,7 @@ const Operation* perform_begin_for(Machine& machine, const Operation* at) {
   return has_turn ? at + 1 : elsewhere(at);
 }
 
-/// Where the variable holds no number, which the scene is told.
+/// Tells the scene that the variable holds no number.
 [[gnu::noinline]] const Operation* next_for_without_number(Machine& machine, const Operation* at) {
   const double* const range = &machine.registers[at->to];
   return next_for(machine.context, as<grammar::For>(*at->node), {range[1], range[2]}) ? elsewhere(at) : at + 1;

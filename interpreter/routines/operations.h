@@ -1,12 +1,12 @@
-// What each operation of a routine does. The builder names operations by what is asked of them here, and knows no
-// function of them.
+// The operations of a routine. The builder asks for an operation by one of these functions, and sees nothing of how it
+// is done.
 #pragma once
 
 #include "interpreter/routines/routine.h"
 
 namespace isl::interpreter {
 
-/// Where an operand comes from.
+/// The kind of place that holds an operand.
 enum class Source : std::uint8_t { name, register_, constant };
 
 namespace operations {
@@ -53,7 +53,7 @@ namespace operations {
 /// Goes to the next turn of the #for, at `other`, and counts it.
 [[nodiscard]] Perform next_for();
 
-// What the evaluator does, with `node`; all but the last go to `other` afterwards.
+// These let the evaluator do `node`. All but the last go to `other` afterwards.
 [[nodiscard]] Perform evaluate_number();  ///< → to
 [[nodiscard]] Perform evaluate_declaration();
 [[nodiscard]] Perform evaluate_yield();

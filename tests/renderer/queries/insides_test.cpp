@@ -169,7 +169,7 @@ Object random_crowd(CsgScene& scene, Random& random, int depth) {
 TEST(InsidesByBoxes, are_those_of_all_members_of_a_group) {
   Random random(612);
   Compared all;
-  for (int turn = 0; turn < 200; ++turn) {
+  for (int turn = 0; turn < 400; ++turn) {
     CsgScene scene;
     Object object = random_crowd(scene, random, turn % 3);
     const Place place(random);
@@ -181,7 +181,7 @@ TEST(InsidesByBoxes, are_those_of_all_members_of_a_group) {
   }
   EXPECT_GT(all.answers[0], 10000);
   EXPECT_GT(all.answers[1], 10000);
-  EXPECT_GT(all.borders, 500);
+  EXPECT_GT(all.borders, 1000);
 }
 
 TEST(InsidesByBoxes, of_a_point_that_is_no_number_stay_what_they_are) {
