@@ -30,8 +30,8 @@ ProfileInUse gaussian_profile(const scene::Kernel& kernel) {
   const auto profile = [=](const Jet& q) {
     const Jet x = (Interval(1) - q) * g + log_delta;
     if (x.value.hi() <= 0) return Jet();
-    // What x is off by, r, moves eˣ − 1 − x by at most (eˣ − 1) of it at the greatest x, and eˣ − 1 by eˣ of it; and eʳ
-    // is at most 1 + 2r for r ≤ 1.
+    // Let r be the error of x. It moves eˣ − 1 − x by at most (eˣ − 1) r at the greatest x, and eˣ − 1 by at most eˣ r.
+    // For r ≤ 1, eʳ is at most 1 + 2r.
     const Interval p = positive_part(x.value);
     const Real at = std::max(p.middle(), Real(0)), e = expm1(at);
     const Interval least = Interval::rounded(e, 0, kLibrary);
