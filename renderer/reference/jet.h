@@ -2,7 +2,7 @@
 // derivative) that hold everywhere on the stretch, which may be one place. Arithmetic on jets is automatic
 // differentiation: a formula is written once, and its derivatives and bounds follow.
 //
-// Where the bend jumps, its enclosure holds what it is on either side. Then the mean value theorem still holds for the
+// The enclosure of a bend that jumps holds its values on both sides. Then the mean value theorem still holds for the
 // slope, which is continuous.
 #pragma once
 

@@ -21,8 +21,8 @@ struct ProfileInUse {
 [[nodiscard]] ProfileInUse cauchy_sheet_profile(const scene::Kernel& kernel);
 [[nodiscard]] ProfileInUse line_profile(const scene::Kernel& kernel);
 
-/// What is left up to the end of the support, as a multiple of what is left at q = 1: 1 + (1 − q)·fall, where fall
-/// is 1/(Q − 1). It counts from q = 1, because near there Q − q of a hard kernel would cancel.
+/// The distance Q − q to the end of the support over that at q = 1: 1 + (1 − q)·fall, where fall is 1/(Q − 1). It
+/// counts from q = 1, because near there Q − q of a hard kernel would cancel.
 [[nodiscard]] inline Jet depth_at(const Jet& q, const Interval& fall) { return (Interval(1) - q) * fall + Interval(1); }
 
 /// The last place from `from` towards `to` where f certainly has this sign, if it has it at `from`; to neighbouring
