@@ -11,8 +11,8 @@
 
 namespace isl {
 
-/// The default bound of what one ray takes in one blob: about 5 ms.
-inline constexpr std::uint64_t kStepsOfRay = std::uint64_t{1} << 21;
+/// The default bound of what one ray takes in one blob: about 10 ms.
+inline constexpr std::uint64_t kStepsOfRay = std::uint64_t{1} << 22;
 
 /// Everything pointed to outlives the work. Null: without that limit.
 struct RunLimits {

@@ -23,10 +23,15 @@ function(isl_without_stack_guards)
   endif()
 endfunction()
 
+option(ISL_SANITIZED_LOOPS "The tracer's inner loops have the sanitizers of the build" ON)
+
 # isl_inner_loops(FILE…): one large function a vector width.
 function(isl_inner_loops)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   # Following the variables of such a function for a debugger takes the compiler longer than all else.
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-var-tracking)
   isl_without_stack_guards(${ARGN})
+  if(NOT ISL_SANITIZED_LOOPS)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
+  endif()
 endfunction()

@@ -11,7 +11,7 @@ namespace {
 
 // clang-format off
 /// From the coarsest to the finest, one method after the other.
-constexpr std::array<std::string_view, 29> kRows{
+constexpr std::array<std::string_view, 30> kRows{
     "paper:2",
     "paper:3",
     "paper:4",
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 29> kRows{
     "interval",
     "inclusion",
     "hermite:single",
+    "hermite:digits",
     "hermite 1px",
     "hermite 0.05px",
     "hermite 0.001px",

@@ -42,7 +42,8 @@ RenderSettings render_settings(const RenderCommand& command, const scene::Databa
   settings.tracer.step = settings.solver.step;
   settings.tracer.relaxation = settings.solver.relaxation;
   settings.tracer.octree = settings.solver.octree;
-  settings.tracer.packets = !settings.solver.single;
+  settings.tracer.packets = !settings.solver.single && !settings.solver.digits;
+  settings.tracer.digits = settings.solver.digits;
   settings.tracer.tolerance = settings.tolerance;
   settings.tracer.pixel_angle =
       render::pixel_angle(camera, size.width, size.height, render::CameraFunctions::of(database));

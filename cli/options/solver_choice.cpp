@@ -21,7 +21,7 @@ using Argument = render::SolverArgument;
 
 constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kOctree = "octree";
-constexpr std::string_view kSingle = "single";
+constexpr std::string_view kSingle = "single", kDigits = "digits";
 /// More interpolants a field than this have a smaller error than rounding.
 constexpr int kMaxInterpolants = 128;
 
@@ -82,7 +82,7 @@ std::string_view word_of(Argument argument) {
     case Argument::step: return "STEP";
     case Argument::relaxation: return "OMEGA";
     case Argument::octree: return kOctree;
-    case Argument::single: return kSingle;
+    case Argument::way: return "single|digits";
   }
   return "";
 }
@@ -113,9 +113,10 @@ std::string read_argument(Argument argument, std::string_view text, SolverChoice
       if (text != kOctree) return "lg or lg:octree";
       choice.octree = true;
       break;
-    case Argument::single:
-      if (text != kSingle) return "hermite:single or exact:single";
-      choice.single = true;
+    case Argument::way:
+      choice.single = text == kSingle;
+      choice.digits = text == kDigits;
+      if (!choice.single && !choice.digits) return "`:single` or `:digits` behind hermite or exact";
       break;
   }
   return "";
@@ -161,6 +162,7 @@ std::string to_text(const SolverChoice& solver) {
   if (named->argument == Argument::step) text += fmt::format(":{}", to_text(solver.step));
   if (solver.octree) text += fmt::format(":{}", kOctree);
   if (solver.single) text += fmt::format(":{}", kSingle);
+  if (solver.digits) text += fmt::format(":{}", kDigits);
   if (named->argument == Argument::relaxation && solver.relaxation != 1) text += fmt::format(":{}", solver.relaxation);
   if (!render::is_published(solver.name)) return text;
   const std::vector<std::string_view> from_default = words_between({}, solver.paper);

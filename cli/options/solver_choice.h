@@ -18,6 +18,7 @@ struct SolverChoice {
   double relaxation = 1;            ///< of `sphere:OMEGA`
   bool octree = false;              ///< of `lg:octree`
   bool single = false;              ///< of `hermite:single` and `exact:single`: rays one by one
+  bool digits = false;              ///< of `hermite:digits` and `exact:digits`: so, and crossings with more digits
 
   friend bool operator==(const SolverChoice&, const SolverChoice&) = default;
 };

@@ -10,7 +10,7 @@ constexpr int kMaxDepth = 250;
 
 class RootSearch {
  public:
-  explicit RootSearch(const FieldOnRay& field) : field_(field) {}
+  RootSearch(const FieldOnRay& field, Real enough) : field_(field), enough_(enough) {}
 
   /// Searches [t0, t1] on the field's components `from`. The signs are those of F at the ends, 0 if unknown.
   void isolate(const FieldOnRay::Active& from, Real t0, int sign0, Real t1, int sign1) {
@@ -64,6 +64,37 @@ class RootSearch {
     }
   }
 
+  /// Finds the crossing by Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's
+  /// steps are as short as is asked or as t tells apart and a place just beyond the root has the other sign.
+  void refine(const FieldOnRay::Active& active, const Bracket& bracket, Real t, int sign0) {
+    Real t0 = bracket.begin, t1 = bracket.end;
+    const auto cross = [&](Real slack) {
+      root_.crossing = t;
+      root_.slack = slack;
+      root_.bracket = {t0, t1};
+    };
+    for (int step = 0;; ++step) {
+      const FieldRange here = field_.at(active, t);
+      const Real slope = here.derivative.middle(), least = std::max(enough_, kRounding * std::max(abs(t0), abs(t1)));
+      if (here.value.sign() == 0) return cross(std::min(t1 - t0, here.value.width() / abs(slope)));
+      if (t1 - t0 <= least || step > 300) return cross(t1 - t0);
+      const bool is_before = here.value.sign() == sign0;
+      (is_before ? t0 : t1) = t;
+      const Real newton = t - here.value.middle() / slope;
+      if (abs(newton - t) <= least) {
+        // Beyond the root by a few of these lengths the sign is certain again, unless F is very flat there.
+        for (Real beyond = 4 * least; beyond < 0x1p20L * least; beyond *= 8) {
+          const Real other = is_before ? t + beyond : t - beyond;
+          if (other <= t0 || other >= t1 || field_.at(active, other).value.sign() == -here.value.sign())
+            return cross(beyond);
+        }
+      }
+      // Newton's steps double the digits where F is nearly straight; where they are slow, every other one halves.
+      const bool is_slow = step > 8 && step % 2 == 0;
+      t = !is_slow && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
+    }
+  }
+
   [[nodiscard]] FirstRoot finish() {
     if (doubt_) root_.touches.push_back(*doubt_);
     return std::move(root_);
@@ -77,33 +108,9 @@ class RootSearch {
   void crossing(const FieldOnRay::Active& active, Real t0, Real t1, int sign0, int slope) {
     if (sign0 != 0) constant(sign0);
     if (is_done()) return;
-    root_.crossing = refined(active, t0, t1, -slope);
+    refine(active, {t0, t1}, t0 + (t1 - t0) / 2, -slope);
     doubt_.reset();
     sign_ = slope;
-  }
-
-  /// Newton's method in a bracket, until the value is lost in its own rounding error, or Newton's steps in that of t
-  /// and a place just beyond the root has the other sign.
-  [[nodiscard]] Real refined(const FieldOnRay::Active& active, Real t0, Real t1, int sign0) const {
-    Real t = t0 + (t1 - t0) / 2;
-    for (int step = 0;; ++step) {
-      const FieldRange here = field_.at(active, t);
-      const Real slope = here.derivative.middle(), last_bit = kRounding * std::max(abs(t0), abs(t1));
-      if (here.value.sign() == 0 || t1 - t0 <= last_bit || step > 300) return t;
-      const bool is_before = here.value.sign() == sign0;
-      (is_before ? t0 : t1) = t;
-      const Real newton = t - here.value.middle() / slope;
-      if (abs(newton - t) <= last_bit) {
-        // Beyond the root by a few of these lengths the sign is certain again, unless F is very flat there.
-        for (Real beyond = 4 * last_bit; beyond < 0x1p20L * last_bit; beyond *= 8) {
-          const Real other = is_before ? t + beyond : t - beyond;
-          if (other <= t0 || other >= t1 || field_.at(active, other).value.sign() == -here.value.sign()) return t;
-        }
-      }
-      // Newton's steps double the digits where F is nearly straight; where they are slow, every other one halves.
-      const bool is_slow = step > 8 && step % 2 == 0;
-      t = !is_slow && newton > t0 && newton < t1 ? newton : t0 + (t1 - t0) / 2;
-    }
   }
 
   /// Decides an undecided stretch before one of known sign: a touch, or a crossing that cannot be located any better.
@@ -114,11 +121,13 @@ class RootSearch {
     if (sign_ == 0 || sign_ == next_sign) {
       root_.touches.push_back(doubt);
     } else {
-      root_.crossing = doubt.begin + (doubt.end - doubt.begin) / 2;
+      root_.slack = doubt.end - doubt.begin;
+      root_.crossing = doubt.begin + root_.slack / 2;
     }
   }
 
   const FieldOnRay& field_;
+  Real enough_;
   FirstRoot root_;
   int sign_ = 0;  ///< the sign of F where it was decided last
   std::optional<Touch> doubt_;
@@ -141,7 +150,7 @@ Real leave_start(const FieldOnRay& field, RootSearch& search, Real end) {
 }  // namespace
 
 FirstRoot first_root(FieldOnRay& field, const RootOptions& options) {
-  RootSearch search(field);
+  RootSearch search(field, options.enough);
   const FieldOnRay::Active all = field.all();
   const Real begin = std::max(field.begin(), Real(0)), end = std::min(field.end(), options.t_max);
   if (all.empty()) return search.finish();
@@ -171,6 +180,12 @@ FirstRoot first_root(FieldOnRay& field, const RootOptions& options) {
   }
   search.isolate(all, from, field.at(all, from).value.sign(), end, field.at(all, end).value.sign());
   return search.finish();
+}
+
+Real crossing_in(const FieldOnRay& field, const Bracket& bracket, Real guess, int sign0, Real enough) {
+  RootSearch search(field, enough);
+  search.refine(field.all(), bracket, guess, sign0);
+  return *search.finish().crossing;
 }
 
 }  // namespace isl::ISL_EXTENDED

@@ -52,6 +52,7 @@ struct SolverSettings {
   double relaxation = 1;
   bool packets = true;                    ///< for the product's solver: traces eight rays at once where it can
   std::uint64_t ray_steps = kStepsOfRay;  ///< the bound of what a ray takes in a blob
+  bool digits = false;                    ///< likewise: places every crossing with more digits
   const StopFlag* stop = nullptr;         ///< ends every search; its answer is then open
 
   /// The tolerance along the ray, in scene units; 0 for `exact`.

@@ -22,7 +22,7 @@ enum class SolverName : std::uint8_t {
 enum class SolverFamily : std::uint8_t { product, published, rival };
 
 /// The kind of text that may follow the solver's name.
-enum class SolverArgument : std::uint8_t { none, interpolants, step, relaxation, octree, single };
+enum class SolverArgument : std::uint8_t { none, interpolants, step, relaxation, octree, way };
 
 struct NamedSolver {
   std::string_view word;
@@ -64,8 +64,9 @@ struct TracerOptions {
   bool octree = false;        ///< for `lg`: cells are culled by its authors' method instead of the common one
   double pixel_angle = 1e-3;  ///< radians a pixel subtends at the eye, for tolerances in pixels
   bool packets = true;        ///< for the product's solver: rays in packets of eight, not one by one
-  bool unblended = false;     ///< every blob is drawn unblended (scene::Blob::is_unblended)
-  RunLimits run;  ///< of compiling the scene and of each ray; its flag also ends the tracing of a batch early
+  bool digits = false;     ///< for the product's solver: places every crossing with more digits than double precision
+  bool unblended = false;  ///< every blob is drawn unblended (scene::Blob::is_unblended)
+  RunLimits run;           ///< of compiling the scene and of each ray; its flag also ends the tracing of a batch early
   /// Limit of the cells and lists of all grids. A smaller grid is right and slower to trace.
   std::size_t most_grid_bytes = std::numeric_limits<std::size_t>::max();
   std::string simd;  ///< "" for the widest target that the machine has, or a Highway target name ("AVX2")

@@ -195,9 +195,9 @@ void set_texture(TextureShare& share, const PlacedTexture& texture, const Instan
 
 Tracer::Tracer(const scene::Database& database, const TracerOptions& options)
     : impl_(std::make_shared<Impl>()), ray_steps_(options.run.steps_of_ray) {
-  impl_->settings = {
-      options.solver, options.interpolants, options.tolerance, options.pixel_angle,      options.paper,
-      options.step,   options.relaxation,   options.packets,   options.run.steps_of_ray, options.run.stop};
+  impl_->settings = {options.solver,  options.interpolants, options.tolerance, options.pixel_angle,      options.paper,
+                     options.step,    options.relaxation,   options.packets,   options.run.steps_of_ray, options.digits,
+                     options.run.stop};
   impl_->entry_points = trace_entry_points(options.simd);
   ISL_CHECK(impl_->entry_points != nullptr, "no vector target '{}'", options.simd);
   impl_->loops = &impl_->entry_points->loops;

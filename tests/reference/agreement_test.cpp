@@ -132,6 +132,26 @@ TEST_P(RandomBlobs, TracerAgreesOnFirstHitsAndShadows) {
   EXPECT_LT(excused, 5U);
 }
 
+/// Every crossing is placed by the extended numbers that otherwise decide what double precision leaves open.
+TEST_P(RandomBlobs, ExtendedNumbersAgree) {
+  const double scale = GetParam().scale;
+  RandomSource random(44);
+  std::size_t hits = 0;
+  for (const int components : {1, 4, 12, 40}) {
+    const scene::Database database = random_blob(random, options_of(GetParam(), components));
+    const ReferenceScene scene(database);
+    render::TracerOptions options = with(render::SolverName::hermite, {1e-9 * scale, false});
+    options.packets = false;
+    options.digits = true;
+    const TracerUnderTest tracer(database, options);
+    const std::vector<render::Ray> rays = camera_rays(random_lines(random, 100, 3 * scale, 0.7 * scale));
+    const Agreement agreement = compare_first_hits(scene, tracer.trace(), rays, tracer.comparison());
+    EXPECT_EQ(agreement.disagreements(), 0U) << components << " components: " << agreement.text();
+    hits += agreement.hits;
+  }
+  EXPECT_GT(hits, 40U);
+}
+
 TEST_P(RandomBlobs, ShadowRaysFromFoundSurfacesAgree) {
   const double scale = GetParam().scale;
   RandomSource random(43);

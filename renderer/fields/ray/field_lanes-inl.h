@@ -15,6 +15,7 @@
 #include "renderer/fields/ray/lane_slope-inl.h"
 #include "renderer/fields/ray/lane_values-inl.h"
 #include "renderer/fields/ray/lane_walk-inl.h"
+#include "renderer/rays/ray_steps.h"
 
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,10 @@ class FieldLanes {
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
   /// Number of fields that reach the stretch, for each ray.
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
+  /// What judging an interval takes (rays/ray_steps.h).
+  [[nodiscard]] std::uint64_t steps_of_interval() const {
+    return kStepsOfInterval + kStepsOfRow * (m_.runs.empty() ? 0 : m_.runs.back().last);
+  }
   /// For packets: those of PacketSums.
   [[nodiscard]] HWY_INLINE const auto& rising_until() const { return sums_.rising_until; }
   [[nodiscard]] HWY_INLINE const auto& falling_from() const { return sums_.falling_from; }

@@ -153,7 +153,7 @@ class RivalSolver {
  private:
   void count_evaluation() {
     counters_.field_evaluations += fields_.field_count();
-    static_cast<void>(steps_.take(kStepsOfInterval + fields_.field_count()));
+    static_cast<void>(steps_.take(fields_.steps_of_interval()));
   }
   [[nodiscard]] FieldRange seen(const FieldRange& f) const { return side_ > 0 ? f : FieldRange{-f.high, -f.low}; }
 };

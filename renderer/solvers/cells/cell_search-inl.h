@@ -115,7 +115,8 @@ class CellSearch {
     reached_ = 0;
     last_cell_ = scene::kNone;
     is_node_valid_ = false;
-    const Shortest shortest{kShortestOfTolerance * settings_.at(ray_->path_length + base), ray_->takes_faint_dips};
+    const Shortest shortest{kShortestOfTolerance * settings_.at(ray_->path_length + base), ray_->takes_faint_dips,
+                            settings_.digits};
     lengths_ = Solver::lengths(shortest, settings_, ray_->path_length + base);
   }
 

@@ -3,9 +3,13 @@
 
 namespace isl::wide_extended {
 
-render::ExtendedAnswer search_stretch(const render::LaidOutFields&, const render::OpenStretch&, render::RaySteps&) {
+render::StretchAnswer search_stretch(const render::LaidOutFields&, const render::OpenStretch&, render::RaySteps&) {
   return {};
 }
 std::optional<bool> is_inside_at(const render::LaidOutFields&, double, render::RaySteps&) { return std::nullopt; }
+std::optional<long double> crossing_in(const render::LaidOutFields&, const render::OpenStretch&,
+                                       const render::StretchAnswer&, render::RaySteps&) {
+  return std::nullopt;
+}
 
 }  // namespace isl::wide_extended

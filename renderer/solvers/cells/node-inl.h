@@ -25,6 +25,7 @@ struct Shortest {
   double by_tolerance = 0;        ///< the length of intervals, in units of t, that the user's tolerance does not ask to
                                   ///< tell apart
   bool takes_faint_dips = false;  ///< of BlobRay
+  bool digits = false;            ///< of SolverSettings
 };
 
 /// Certification may stop at a thousandth of the tolerance.

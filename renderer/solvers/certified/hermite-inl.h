@@ -18,7 +18,8 @@
 // because F changes there too beside the core of a hard component. After that, the ranges of the fields may show that F
 // stays on its side. If they do not, the interval is searched again with more digits (extended_search.h). If these do
 // not decide it either, the cubic is all that can be known: its own first root is taken, and counted as undecided. So
-// is the end of a ray whose bound of steps is spent (rays/ray_steps.h).
+// is the end of a ray whose bound of steps is spent (rays/ray_steps.h). If the settings ask for digits, what is judged
+// to cross is searched with more of them too.
 //
 // A ray that starts on the surface (a shadow, a reflection) knows its root at 0 and divides it out: with b₀ = 0 the
 // quotient Q(u) = F/u has the Bernstein coefficients c₀ = hF′₀, c₁ = 3/2 b₂, c₂ = b₃. The interpolant's error R
@@ -51,6 +52,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -97,13 +99,18 @@ class HermiteSolver {
     // `ends` holds the right ends of the intervals that are still to be searched, the nearest on top. Each halving adds
     // one. An interval too short to be halved is split at borders of pieces, from the first on, which adds one more.
     least_ = kLeastShare * (last.t - a.t);
-    splits_ = 0;
+    splits_ = passed_ = 0;
     Node ends[kMostHalvings + 1];
     int top = 0;
     ends[0] = last;
     while (top >= 0) {
       const Node& b = ends[top];
-      switch (judge(a, b, a_is_root, any)) {
+      Verdict verdict = judge(a, b, a_is_root, any);
+      if (shortest_.digits && is_found(verdict)) {
+        verdict = Verdict::undecided;
+        shows_crossing_ = true;
+      }
+      switch (verdict) {
         case Verdict::none:
           a = b;
           a_is_root = false;
@@ -114,17 +121,21 @@ class HermiteSolver {
         case Verdict::back: return polish(a, b, first_in(quotient(a, b).raised(), a, b));
         case Verdict::in_cubic: return root_in_cubic(a, b, a_is_root);
         case Verdict::undecided: {
-          ExtendedAnswer answer = extended_answer(a, b, a_is_root);
+          int reached = std::max(0, top - passed_);
+          ExtendedAnswer answer = reached < top ? farther_answer(a, ends[reached], a_is_root) : ExtendedAnswer{};
+          if (!answer.is_certain) {
+            reached = top;
+            answer = near_answer(a, b, a_is_root);
+          }
           // An end so close to a root that no digits at hand tell the sign there hides what comes before it. From a
           // farther one a crossing is seen. Intervals are halved, so the next end is nearly always enough.
-          int reached = top;
           for (int step = 1; !answer.is_certain && reached > 0; step *= 2) {
             reached = std::max(0, reached - step);
             answer = extended_answer(a, ends[reached], a_is_root);
           }
           if (answer.is_certain) top = reached;
           const Node& end = ends[top];
-          if (answer.crossing && (end.value > -end.doubt || shortest_.takes_faint_dips)) return answer.crossing;
+          if (answer.crossing && counts(end)) return answer.crossing;
           // A ray that does not take faint dips passes one as if it touched the surface, and is undecided.
           if (!answer.is_certain || answer.crossing) {
             ++counters_.undecided_steps;
@@ -139,7 +150,7 @@ class HermiteSolver {
         }
         case Verdict::unclear:
           ++splits_;
-          static_cast<void>(steps_.take(kStepsOfInterval + fields_.field_count()));
+          static_cast<void>(steps_.take(fields_.steps_of_interval()));
           ends[++top] = node(split_);
           break;
       }
@@ -150,6 +161,9 @@ class HermiteSolver {
 
  private:
   enum class Verdict { none, at_start, one, back, in_cubic, unclear, undecided };
+  [[nodiscard]] static bool is_found(Verdict verdict) {
+    return verdict == Verdict::one || verdict == Verdict::back || verdict == Verdict::in_cubic;
+  }
 
   [[nodiscard]] Verdict judge(const Node& a, const Node& b, bool a_is_root, bool any) {
     const double h = b.t - a.t;
@@ -218,8 +232,33 @@ class HermiteSolver {
     return Verdict::undecided;
   }
 
+  /// True if a crossing before `end` is one, as it is not if it is the way into a faint dip that the ray passes.
+  [[nodiscard]] bool counts(const Node& end) const { return end.value > -end.doubt || shortest_.takes_faint_dips; }
+
   [[nodiscard]] ExtendedAnswer extended_answer(const Node& a, const Node& b, bool a_is_root) const {
     return search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root}, steps_);
+  }
+
+  // Beside a surface that rounding hides one undecided interval follows the other, up to thousands. So after each that
+  // is found to hold nothing a question reaches farther, twice as many halvings as the last and one more. It counts if
+  // it finds nothing either, and may take a few times what the last one took.
+
+  [[nodiscard]] ExtendedAnswer near_answer(const Node& a, const Node& b, bool a_is_root) {
+    const std::uint64_t before = steps_.taken();
+    const ExtendedAnswer answer = extended_answer(a, b, a_is_root);
+    passed_ = answer.is_certain && !answer.crossing ? 1 : 0;
+    took_ = steps_.taken() - before;
+    return answer;
+  }
+  [[nodiscard]] ExtendedAnswer farther_answer(const Node& a, const Node& b, bool a_is_root) {
+    constexpr std::uint64_t kMostTimes = 4;
+    RaySteps steps = steps_.part(kMostTimes * took_);
+    const ExtendedAnswer answer = search_extended(fields_.laid_out(), {a.t, b.t, side_, a_is_root}, steps);
+    steps_.add(steps);
+    took_ = std::max(took_, steps.taken());
+    if (!answer.is_certain || answer.crossing) return {};
+    passed_ = std::min(2 * passed_ + 1, kMostHalvings);
+    return answer;
   }
 
   /// Decides by the fields' ranges alone. It serves in the middle of a hard component, where no cubic fits.
@@ -309,6 +348,8 @@ class HermiteSolver {
   double side_;
   Shortest shortest_;
   double least_ = 0;             ///< the shortest intervals of the current search
+  int passed_ = 0;               ///< how many ends the next question of more digits passes
+  std::uint64_t took_ = 0;       ///< the steps of the last one
   int splits_ = 0;               ///< how often the current search has split an interval
   double split_ = 0;             ///< where to split an interval that was judged unclear
   double most_bend_ = 0;         ///< an upper bound of h²|F″| on the interval that was judged to have one root

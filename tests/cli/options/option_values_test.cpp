@@ -61,8 +61,10 @@ TEST(OptionValues, RivalsHaveTheirNumberBehindAColon) {
   EXPECT_EQ(parse_solver("sphere").value().relaxation, 1);
   EXPECT_TRUE(parse_solver("hermite:single").value().single);
   EXPECT_FALSE(parse_solver("hermite").value().single);
-  for (const char* text : {"hermite:single", "exact:single", "lg", "lg:octree", "interval", "segment", "inclusion",
-                           "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
+  EXPECT_TRUE(parse_solver("exact:digits").value().digits);
+  EXPECT_FALSE(parse_solver("exact:single").value().digits);
+  for (const char* text : {"hermite:single", "exact:single", "hermite:digits", "exact:digits", "lg", "lg:octree",
+                           "interval", "segment", "inclusion", "sphere", "sphere:1.25", "march:2px", "climb:0.001"}) {
     EXPECT_EQ(to_text(parse_solver(text).value()), text);
   }
   for (const char* bad : {"march:", "march:0", "march:-1px", "climb:px", "sphere:2", "sphere:0.9", "sphere:x", "lg:1",

@@ -64,6 +64,10 @@ TEST_F(AccuracyCommand, WritesTheSameNumbersAsJsonAndCsv) {
       EXPECT_EQ(setting.at("missed"), 0) << setting.at("setting");
     }
   }
+  const auto digits = std::ranges::find(settings, "hermite:digits",
+                                        [](const json& setting) { return setting.at("setting").get<std::string>(); });
+  ASSERT_NE(digits, settings.end());
+  EXPECT_LT(digits->at("error").at("worst_px"), 1e-11) << "the extended numbers are judged too";
   EXPECT_EQ(defaults, 1);
   EXPECT_GE(front, 1);
   EXPECT_EQ(document.at("reference").at("proven"), 48 * 36);
