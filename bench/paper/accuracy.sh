@@ -36,4 +36,4 @@ awk -F, '
     rest = line
   }
   END { finish() }' "$work/flake.csv"
-printf '\n*%s*\n' "$(grep '^The reference' "$work/out")"
+printf '\n*%s*\n' "$(grep '^The truth' "$work/out")"
