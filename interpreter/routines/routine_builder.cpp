@@ -17,8 +17,6 @@ namespace word = grammar::word;
 
 namespace {
 
-constexpr Source kRegister = Source::register_;
-
 /// An argument of a call of this function with so many arguments, if it is one expression; else null.
 const Node* lone_argument(const grammar::FunctionCall& call, Symbol function, std::size_t i, std::size_t count) {
   const bool is_one = call.function == function && call.arguments.size() == count && call.arguments[i].size() == 1;
@@ -163,7 +161,7 @@ void RoutineBuilder::add_name_declaration(const grammar::Declare& node, const Nu
 
 bool RoutineBuilder::add_element_declaration(const grammar::Declare& node, const NumberPlace& value) {
   const grammar::Name* const list = name_of_list(*node.target);
-  if (value.source == kRegister) ++registers_;
+  if (value.source == Source::register_) ++registers_;
   if (!list || !has_register()) return false;
   const std::optional<NumberPlace> index = number(*as<grammar::Index>(*node.target).subscript);
   if (!index) return false;

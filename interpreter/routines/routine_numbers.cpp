@@ -12,12 +12,6 @@ using grammar::NodeKind;
 namespace op = operations;
 namespace word = grammar::word;
 
-namespace {
-
-constexpr Source kRegister = Source::register_;
-
-}  // namespace
-
 void RoutineBuilder::add_number_in(const Node& node, std::uint32_t to) {
   const Index begin = here();
   if (number_in(node, to)) {
@@ -33,7 +27,7 @@ bool RoutineBuilder::number_in(const Node& node, std::uint32_t to) {
   const std::optional<NumberPlace> value = number(node);
   registers_ = registers;
   if (!value) return false;
-  if (value->source != kRegister || value->index != to) add(op::load(value->source), value->index, 0, to);
+  if (value->source != Source::register_ || value->index != to) add(op::load(value->source), value->index, 0, to);
   return true;
 }
 
@@ -63,14 +57,14 @@ std::optional<NumberPlace> RoutineBuilder::number(const Node& node) {
       const int term = term_of_item(dot.item);
       if (dot.base->kind != NodeKind::name || term < 0) return {};
       add(op::item(), symbol(as<grammar::Name>(*dot.base).name), static_cast<std::uint32_t>(term), to);
-      return NumberPlace{kRegister, to};
+      return NumberPlace{Source::register_, to};
     }
     case NodeKind::index: {
       const grammar::Name* const list = name_of_list(node);
       const std::optional<NumberPlace> index = list ? number(*as<grammar::Index>(node).subscript) : std::nullopt;
       if (!index) return {};
       add(op::element(index->source), index->index, symbol(list->name), to);
-      return NumberPlace{kRegister, to};
+      return NumberPlace{Source::register_, to};
     }
     case NodeKind::unary: {
       const auto& unary = as<grammar::Unary>(node);
@@ -78,7 +72,7 @@ std::optional<NumberPlace> RoutineBuilder::number(const Node& node) {
       const std::optional<NumberPlace> operand = number(*unary.operand);
       if (!operand) return {};
       add(op::unary(unary.op, operand->source), operand->index, 0, to);
-      return NumberPlace{kRegister, to};
+      return NumberPlace{Source::register_, to};
     }
     default: return {};
   }
@@ -102,18 +96,18 @@ std::optional<NumberPlace> RoutineBuilder::number_of_binary(const grammar::Binar
   // With a literal it is a comparison of strings, or a mistake.
   if (node.left->kind == NodeKind::string || node.right->kind == NodeKind::string) {
     add(op::compare_texts(), node, to);
-    return NumberPlace{kRegister, to};
+    return NumberPlace{Source::register_, to};
   }
   const std::optional<NumberPlace> left = number(*node.left);
   if (!left) return {};
   // The right side must leave the left one's register alone.
-  if (left->source == kRegister) ++registers_;
+  if (left->source == Source::register_) ++registers_;
   const std::optional<NumberPlace> right = number(*node.right);
   registers_ = to;
   if (!right) return {};
   add(op::binary(node.op, left->source, right->source), left->index, right->index, to);
   last_operator_ = {here() - 1, node.op, left->source, right->source};
-  return NumberPlace{kRegister, to};
+  return NumberPlace{Source::register_, to};
 }
 
 std::optional<NumberPlace> RoutineBuilder::number_of_conditional(const grammar::Conditional& node) {
@@ -127,7 +121,7 @@ std::optional<NumberPlace> RoutineBuilder::number_of_conditional(const grammar::
   registers_ = to;
   if (!has_both) return {};
   add(op::choose(), to + 1, to + 2, to);
-  return NumberPlace{kRegister, to};
+  return NumberPlace{Source::register_, to};
 }
 
 std::optional<NumberPlace> RoutineBuilder::number_of_call(const grammar::FunctionCall& node) {
@@ -146,7 +140,7 @@ std::optional<NumberPlace> RoutineBuilder::number_of_call(const grammar::Functio
   registers_ = to;
   const Index at = add(op::call(), to, 0, to);
   routine_.operations[at].function = function;
-  return NumberPlace{kRegister, to};
+  return NumberPlace{Source::register_, to};
 }
 
 }  // namespace isl::interpreter

@@ -61,7 +61,7 @@ class FieldLanes {
   [[nodiscard]] bool is_empty() const { return m_.runs.empty(); }
   /// Number of fields that reach the stretch, for each ray.
   [[nodiscard]] HWY_INLINE const auto& field_count() const { return sums_.field_count; }
-  /// What judging an interval takes (rays/ray_steps.h).
+  /// The number of steps that it takes to split an interval and judge its halves (rays/ray_steps.h).
   [[nodiscard]] std::uint64_t steps_of_interval() const {
     return kStepsOfInterval + kStepsOfRow * (m_.runs.empty() ? 0 : m_.runs.back().last);
   }

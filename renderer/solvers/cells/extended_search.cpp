@@ -34,6 +34,7 @@ class WideSearch {
       : fields_(fields), stretch_(stretch), steps_(steps) {}
 
   [[nodiscard]] ExtendedAnswer settle(const StretchAnswer& known) const {
+    if (steps_.is_spent()) return {};
     if (known.is_open || known.doubts.size() > kMostDoubts) return search(stretch_);
     for (const StretchAnswer::Part& doubt : known.doubts) {
       const OpenStretch near = around(doubt);

@@ -10,8 +10,8 @@
 
 namespace isl::render {
 
-/// What one type of extended numbers tells about a stretch. Lengths count from its start, because doubles may be
-/// farther apart there than what is told.
+/// The answer of one type of extended numbers about a stretch. Lengths are measured from the start of the stretch,
+/// because the answer is often more precise than doubles are at the ray's own t.
 struct StretchAnswer {
   struct Part {
     long double begin, end;
