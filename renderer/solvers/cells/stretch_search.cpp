@@ -20,8 +20,8 @@ FieldOnRay field_from(const LaidOutFields& fields, double t0, RaySteps& steps) {
   return {*fields.table->database, *fields.table->blob, numbers, ray, steps};
 }
 
-/// A search may stop once Newton's steps are this share of the rounding of places. It then still makes sure that the sign
-/// changes within four times that length, so the crossing is known to a quarter of the rounding.
+/// A search may stop once Newton's steps are this share of the rounding of places. It then still makes sure that the
+/// sign changes within four times that length, so the crossing is known to a quarter of the rounding.
 constexpr double kEnough = 1.0 / 16;
 
 long double native(Real t) { return static_cast<long double>(t); }
